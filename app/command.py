@@ -1,0 +1,130 @@
+"""The command `impact`: solve scenes, list them, serve the page."""
+
+import argparse
+import json
+import os
+import sys
+import tomllib
+from pathlib import Path
+
+import solvers
+from solvers import SceneError
+
+DEFAULT_PORT = 5006
+
+
+class _Refused(Exception):
+    """A line for the user; the command ends with 2."""
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise _Refused(f"{message} (impact --help tells what is allowed)")
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command; returns the exit code: 0, or 2 after one line on standard error."""
+    try:
+        options = _parser().parse_args(arguments)
+        return options.run(options)
+    except (_Refused, SceneError) as refusal:
+        line = " ".join(str(refusal).split())
+        print(f"impact: {line}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="impact", description="What happens when one body strikes another that can bend and ring.")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
+
+    solve = commands.add_parser("solve", help="solve a scene and print what happened")
+    solve.add_argument("scene", help="a built-in name (see: impact scenes) or a scene file")
+    solve.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
+        help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
+    )  # fmt: skip
+    solve.add_argument("--json", action="store_true", help="print the whole result as JSON")
+    solve.add_argument("--series", metavar="FILE.csv", help="write the histories to a file as well")
+    solve.set_defaults(run=_solve)
+
+    scenes = commands.add_parser("scenes", help="list the built-in scenes")
+    scenes.set_defaults(run=_scenes)
+
+    serve = commands.add_parser("serve", help="serve the web page")
+    serve.add_argument("--port", help=f"default: $IMPACT_PORT or {DEFAULT_PORT}")
+    serve.add_argument("--address", help="default: $IMPACT_ADDRESS or 127.0.0.1, this machine only; 0.0.0.0: everybody")
+    serve.add_argument(
+        "--allow-origin", action="append", metavar="HOST[:PORT]",
+        help="a name under which browsers reach the page; repeatable; default: $IMPACT_ORIGINS, separated by commas",
+    )  # fmt: skip
+    serve.set_defaults(run=_serve)
+    return parser
+
+
+def _scenes(options: argparse.Namespace) -> int:
+    for name in solvers.scene_names():
+        scene = solvers.load(name)
+        print(f"{name:24}{scene.title}  [{scene.source}]")
+    return 0
+
+
+def parse_changes(changes: list[str]) -> dict[str, object]:
+    """`KEY=VALUE` words as a dictionary; values are TOML, and a bare word is text."""
+    found: dict[str, object] = {}
+    for change in changes:
+        key, equals, text = change.partition("=")
+        key = key.strip()
+        if not equals or not key:
+            raise SceneError("--set", change, "KEY=VALUE, such as target.length=0.5")
+        try:
+            value = tomllib.loads(f"value = {text}")["value"] if "\n" not in text else text
+        except (tomllib.TOMLDecodeError, RecursionError):
+            value = text.strip()
+        if key in found and found[key] != value:
+            raise SceneError(f"--set {key}", value, f"one value for a key; it was {found[key]!r} before")
+        found[key] = value
+    return found
+
+
+def _solve(options: argparse.Namespace) -> int:
+    scene = solvers.load(options.scene)
+    if options.changes:
+        scene = scene.replace(parse_changes(options.changes))
+    if options.series and not options.series.endswith(".csv"):
+        raise SceneError("--series", options.series, "a file name that ends in .csv")
+    solution = solvers.solve(scene)
+    if options.series:
+        from .export import series_csv
+
+        try:
+            Path(options.series).write_text(series_csv(solution), encoding="utf-8")
+        except OSError as error:
+            raise SceneError("--series", options.series, f"a file that can be written ({error.strerror})") from None
+    if options.json:
+        print(json.dumps(solution.table(), indent=1, allow_nan=False))
+    else:
+        from .export import report
+
+        print(report(solution))
+    return 0
+
+
+def _serve(options: argparse.Namespace) -> int:
+    port = options.port or os.environ.get("IMPACT_PORT") or str(DEFAULT_PORT)
+    if not port.isascii() or not port.isdigit() or not 1 <= int(port) <= 65535:
+        raise SceneError("--port", port, "a whole number from 1 to 65535")
+    address = options.address or os.environ.get("IMPACT_ADDRESS") or "127.0.0.1"
+    origins = options.allow_origin or [o for o in os.environ.get("IMPACT_ORIGINS", "").split(",") if o.strip()]
+    for origin in origins:
+        if not origin.strip() or any(sign in origin for sign in "/ *"):
+            raise SceneError("--allow-origin", origin, "HOST or HOST:PORT, without scheme, path or star")
+    from .server import serve
+
+    return serve(int(port), address, [origin.strip() for origin in origins])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,85 @@
+"""Results as text: a report to read, a table of histories to plot elsewhere."""
+
+import io
+
+import numpy as np
+
+from solvers import Solution
+
+SERIES_POINTS = 2_000
+
+
+def report(solution: Solution) -> str:
+    """A page of plain text: what happened, with units and accuracy."""
+    scene, found = solution.scene, solution.diagnostics
+    trip = scene.target.round_trip_time
+    lines = [
+        scene.title or "Scene",
+        f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
+        f"  round trip of a wave, T         {trip * 1e6:.6g} us",
+        f"  method                          {_method_line(solution)}",
+        "",
+        "  contact     start / T       end / T    impulse [N s]   peak force [kN]",
+    ]
+    for number, contact in enumerate(solution.contacts, 1):
+        lines.append(
+            f"  {number:7d}{contact.start / trip:14.6f}{contact.end / trip:14.6f}"
+            f"{contact.impulse:17.6g}{contact.peak_force / 1e3:18.6g}"
+        )
+    lines += [
+        "",
+        f"  impactor leaves at   {solution.impactor_velocity:+.8g} m/s"
+        f"   ({solution.impactor_velocity / scene.impactor.velocity:+.6f} of its speed)",
+        f"  target moves on at   {solution.target_velocity:+.8g} m/s   (centre of mass)",
+    ]
+    if solution.peak_indentation is not None:
+        lines.append(f"  deepest indentation  {solution.peak_indentation * 1e6:.6g} um")
+    names = {
+        "newton": "by centre-of-mass velocities",
+        "poisson": "by impulses",
+        "newton_at_contact": "by the touching surfaces",
+    }
+    lines += ["", "  restitution"]
+    for key, value in solution.restitution.items():
+        lines.append(f"    {names[key]:30}{'not defined' if value is None else f'{value:.6f}'}")
+    lines += ["", "  energy at the end [% of the impactor's before]"]
+    initial = solution.energy["initial"]
+    for key, value in solution.energy.items():
+        if key != "initial":
+            lines.append(f"    {key.replace('_', ' '):30}{100 * value / initial:10.5f}")
+    lines += [
+        "",
+        f"  energy residual {found['energy_error']:+.1e}   momentum residual {found['momentum_error']:+.1e}"
+        f"   estimated error of the velocity {found['estimated_error']:.1e} of the impact speed",
+        f"  {found['steps']} steps, {found['wall_time'] * 1e3:.3g} ms",
+        *(f"  Note: {note}" for note in solution.notes),
+    ]
+    return "\n".join(lines)
+
+
+def _method_line(solution: Solution) -> str:
+    options = {key: value for key, value in solution.method.items() if key != "name" and value is not None}
+    return solution.method["name"] + "".join(f", {key} {value:g}" for key, value in options.items())
+
+
+def series_csv(solution: Solution) -> str:
+    """Histories as comma-separated values, SI units; at a jump of the force the time stands twice."""
+    motion = solution.motion
+    time, force = motion.force_history()
+    kept = time <= solution.duration
+    time, force = time[kept], force[kept]
+    if time.size > 10 * SERIES_POINTS:
+        even = np.linspace(0.0, solution.duration, SERIES_POINTS)
+        time, force = even, motion.force(even)
+    columns = {
+        "time_s": time,
+        "contact_force_N": force,
+        "impactor_position_m": motion.impactor_position(time),
+        "impactor_velocity_m_per_s": motion.impactor_velocity(time),
+        "struck_end_position_m": motion.end_position(time),
+        "target_mean_velocity_m_per_s": motion.rigid_velocity(time),
+    }
+    text = io.StringIO()
+    text.write(",".join(columns) + "\n")
+    np.savetxt(text, np.column_stack(list(columns.values())), delimiter=",", fmt="%.12g")
+    return text.getvalue()

@@ -1,0 +1,65 @@
+"""Impacts of one body on another that can bend and ring.
+
+import solvers
+solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
+"""
+
+from collections.abc import Mapping
+
+from . import checks
+from .bodies import Impactor, Material, Rod
+from .checks import SceneError
+from .contact import LAWS
+from .method import Method, SceneNotSupported
+from .methods import METHODS, Modal, Waves
+from .scene import Scene, load, scene_names
+from .solution import ContactPeriod, Solution
+
+__all__ = [
+    "LAWS",
+    "METHODS",
+    "ContactPeriod",
+    "Impactor",
+    "Material",
+    "Method",
+    "Modal",
+    "Rod",
+    "Scene",
+    "SceneError",
+    "SceneNotSupported",
+    "Solution",
+    "Waves",
+    "load",
+    "read_method",
+    "scene_names",
+    "solve",
+]
+
+
+def read_method(given: Mapping[str, object]) -> tuple[Method, float | None]:
+    """Method and duration [s] from the table `[method]` of a scene file. Raises SceneError naming the key."""
+    given = dict(given)
+    duration = given.pop("duration", None)
+    name = checks.choice("method.name", given.pop("name", "waves"), METHODS)
+    return METHODS[name].read(given), duration
+
+
+def solve(scene: Scene, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
+    """Solve a scene by the method it names, or by another one.
+
+    `options` are those of the method (`modes`, `steps`, `tolerance`). Duration in seconds; without one, until the
+    bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
+    method cannot solve the scene.
+    """
+    table = dict(scene.method)
+    if duration is None:
+        duration = table.pop("duration", None)
+    table.pop("duration", None)
+    if isinstance(method, Method):
+        if options:
+            raise SceneError("method", options, "no options beside a method object; give them to the object")
+        return method.solve(scene, duration)
+    if method is not None and method != table.get("name", "waves"):
+        table = {"name": method}
+    chosen, _ = read_method(table | options)
+    return chosen.solve(scene, duration)

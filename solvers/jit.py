@@ -1,0 +1,50 @@
+"""The only place that knows how kernels are compiled and cached.
+
+A kernel is compiled once per machine and releases the interpreter lock while it runs, so that a server can solve on
+several threads. `parallel=True` is never used: concurrent parallel regions abort the process.
+"""
+
+import os
+from hashlib import sha256
+from pathlib import Path
+
+import numba
+from numba.extending import overload_method
+
+
+def _cache_folder() -> str:
+    """One folder per state of the sources: Numba alone misses a change in a function called from another file."""
+    sources = sorted(Path(__file__).parent.rglob("*.py"))
+    key = sha256(b"".join(source.read_bytes() for source in sources) + repr(numba.config.BOUNDSCHECK).encode())
+    home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return str(Path(home) / "strikewave" / key.hexdigest()[:12])
+
+
+if "NUMBA_CACHE_DIR" not in os.environ:
+    numba.config.CACHE_DIR = _cache_folder()
+
+kernel = numba.njit(cache=True, nogil=True, error_model="numpy")
+
+# Sums over modes may be reordered, so that they run on vector registers; NaN and infinity keep their meaning.
+summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"})
+
+
+# Let kernels call these methods of any contact law (a NamedTuple) exactly as plain Python does.
+@overload_method(numba.types.BaseNamedTuple, "force")
+def _force(self, indentation, rate):
+    return self.instance_class.force
+
+
+@overload_method(numba.types.BaseNamedTuple, "slopes")
+def _slopes(self, indentation, rate):
+    return self.instance_class.slopes
+
+
+@overload_method(numba.types.BaseNamedTuple, "work")
+def _work(self, indentation):
+    return self.instance_class.work
+
+
+@overload_method(numba.types.BaseNamedTuple, "mean_force")
+def _mean_force(self, start, free, compliance, residual, rate, expected):
+    return self.instance_class.mean_force

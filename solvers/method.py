@@ -1,0 +1,55 @@
+"""A method: how a scene is solved, with its resolution. Knows nothing of the screen."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any, ClassVar
+
+from . import checks
+from .checks import SceneError
+from .scene import Scene
+from .solution import Solution
+
+AFTERGLOW = 0.75  # round trips shown after the bodies have parted for good, where no duration is asked for
+MAX_ROUND_TRIPS = 20_000.0  # nothing is followed for longer
+MAX_DURATION = 1e4  # [s]
+
+
+class SceneNotSupported(SceneError):
+    """The method cannot solve this scene; the message says what to use instead."""
+
+
+class Method(ABC):
+    """A frozen dataclass whose fields are its options; `NAME` is its word in scene files."""
+
+    NAME: ClassVar[str]
+
+    @classmethod
+    @abstractmethod
+    def read(cls, given: Mapping[str, object]) -> "Method":
+        """From the table `[method]` of a scene file. Raises SceneError naming the key."""
+
+    @abstractmethod
+    def why_not(self, scene: Scene) -> str | None:
+        """The sentence that says why this method cannot solve the scene, or None."""
+
+    @abstractmethod
+    def _solve(self, scene: Scene, duration: float | None) -> Solution: ...
+
+    def solve(self, scene: Scene, duration: float | None = None) -> Solution:
+        """Solve up to `duration` [s]; without one, until the bodies part for good and a little beyond.
+
+        Raises SceneNotSupported, SceneError for a duration out of range.
+        """
+        reason = self.why_not(scene)
+        if reason:
+            raise SceneNotSupported("method.name", self.NAME, reason)
+        if duration is not None:
+            longest = min(MAX_ROUND_TRIPS * scene.target.round_trip_time, MAX_DURATION)
+            shortest = 1e-6 * scene.target.round_trip_time
+            duration = checks.number("method.duration", duration, shortest, longest, "s")
+        return self._solve(scene, duration)
+
+    def table(self) -> dict[str, Any]:
+        """Name and options, as in a scene file."""
+        return {"name": self.NAME} | {field.name: getattr(self, field.name) for field in fields(self)}

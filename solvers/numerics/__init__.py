@@ -1,0 +1,1 @@
+"""Mathematics on arrays; knows no body and no contact law."""

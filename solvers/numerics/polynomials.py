@@ -1,0 +1,122 @@
+"""Polynomials in kernels: ascending coefficients, degree = len - 1; and all their real roots on an interval."""
+
+import numpy as np
+
+from ..jit import kernel
+
+GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
+
+
+@kernel
+def value(coefficients, degree, x):
+    total = coefficients[degree]
+    for k in range(degree - 1, -1, -1):
+        total = total * x + coefficients[k]
+    return total
+
+
+@kernel
+def shift(coefficients, degree, by, shifted):
+    """Write the coefficients of p(by + x) into `shifted` (Taylor shift by repeated synthetic division)."""
+    for k in range(degree + 1):
+        shifted[k] = coefficients[k]
+    for k in range(degree):
+        for j in range(degree - 1, k - 1, -1):
+            shifted[j] += by * shifted[j + 1]
+
+
+@kernel
+def trim(coefficients, degree, reach):
+    """The degree without the tail that no double can see for |x| <= reach."""
+    largest, power = 0.0, 1.0
+    for k in range(degree + 1):
+        largest = max(largest, abs(coefficients[k]) * power)
+        power *= reach
+    while degree > 0:
+        power /= reach
+        if abs(coefficients[degree]) * power > 1e-20 * largest:
+            break
+        degree -= 1
+    return degree
+
+
+@kernel
+def roots(coefficients, degree, length, found):
+    """Every root of the polynomial in (0, length), ascending, into `found`; returns how many.
+
+    Bernstein coefficients bound the number of roots by their sign changes; halving until at most one is left misses
+    none, however close two of them lie. Two roots closer than 1e-14 of the length count as one.
+    """
+    stack = np.empty((64, degree + 1))
+    left, width = np.empty(64), np.empty(64)
+    scaled = np.empty(degree + 1)
+    power = 1.0
+    for k in range(degree + 1):
+        scaled[k] = coefficients[k] * power
+        power *= length
+    for j in range(degree + 1):  # monomial to Bernstein: b_j = sum_k C(j, k) / C(n, k) a_k
+        ratio, total = 1.0, 0.0
+        for k in range(j + 1):
+            total += ratio * scaled[k]
+            ratio *= (j - k) / (degree - k) if k < degree else 0.0
+        stack[0, j] = total
+    left[0], width[0] = 0.0, 1.0
+    top, count = 1, 0
+    while top > 0:
+        top -= 1
+        row = stack[top]
+        changes, sign = 0, 0.0
+        for j in range(degree + 1):
+            if row[j] != 0.0:
+                if row[j] * sign < 0.0:
+                    changes += 1
+                sign = 1.0 if row[j] > 0.0 else -1.0
+        if changes == 0:
+            continue
+        if changes == 1 or width[top] < 1e-14:
+            a, b = left[top] * length, (left[top] + width[top]) * length
+            if count < found.size:
+                found[count] = bracketed_root(coefficients, degree, a, b)
+                count += 1
+            continue
+        # halve by de Casteljau: the right half stays in place, the left half goes on top and is looked at first
+        half = 0.5 * width[top]
+        for j in range(degree + 1):
+            stack[top + 1, j] = stack[top, j]
+        for level in range(1, degree + 1):
+            for j in range(degree, level - 1, -1):
+                stack[top + 1, j] = 0.5 * (stack[top + 1, j] + stack[top + 1, j - 1])
+        for level in range(degree):
+            for j in range(degree - level):
+                stack[top, j] = 0.5 * (stack[top, j] + stack[top, j + 1])
+        left[top + 1], width[top + 1] = left[top], half
+        left[top], width[top] = left[top] + half, half
+        top += 2
+        if top > 62:
+            break
+    return count
+
+
+@kernel
+def bracketed_root(coefficients, degree, a, b):
+    """The root in [a, b] by Newton's method, kept inside by halving."""
+    at_a = value(coefficients, degree, a)
+    x = 0.5 * (a + b)
+    for _ in range(200):
+        p, slope = coefficients[degree], 0.0
+        for k in range(degree - 1, -1, -1):
+            slope = slope * x + p
+            p = p * x + coefficients[k]
+        if p == 0.0:
+            return x
+        if (p > 0.0) == (at_a > 0.0):
+            a = x
+        else:
+            b = x
+        following = x - p / slope if slope != 0.0 else a
+        if not a < following < b:
+            following = 0.5 * (a + b)
+        if abs(following - x) <= 1e-16 * abs(x) or b - a <= 2e-16 * abs(b):
+            return following
+        x = following
+    return x

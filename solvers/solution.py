@@ -1,0 +1,138 @@
+"""What happened: one type of result for every method."""
+
+from dataclasses import asdict, dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+
+from .scene import Scene
+
+
+@dataclass(frozen=True)
+class ContactPeriod:
+    """One stretch of time in which the bodies press on each other."""
+
+    start: float  # [s]
+    end: float  # [s]
+    impulse: float  # [N s]
+    peak_force: float  # [N]
+
+
+class Motion(Protocol):
+    """The movement that a method found, at any time [s] and place [m] from the struck end.
+
+    Times may be any array; at a jump the value after it is given, or before it with `after=False`. Fields have shape
+    (time, x), never (x, time); compression is positive.
+    """
+
+    def force(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def force_history(self) -> tuple[np.ndarray, np.ndarray]: ...
+    def impactor_position(self, time: np.ndarray) -> np.ndarray: ...
+    def impactor_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def end_position(self, time: np.ndarray) -> np.ndarray: ...
+    def end_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def rigid_velocity(self, time: np.ndarray) -> np.ndarray: ...
+    def stress(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def velocity(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def displacement(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def impulse(self, time: np.ndarray) -> np.ndarray: ...
+    def energies(self, time: np.ndarray) -> dict[str, np.ndarray]: ...
+
+
+@dataclass(frozen=True)
+class Solution:
+    """The answer to a scene, SI units, time zero at first touch, velocities positive the way the impactor came.
+
+    Besides the figures below, `motion` gives force, positions, velocities and fields at any time and place up to
+    `duration` [s]. A figure that does not exist (no indentation in a rigid contact) is None.
+    """
+
+    scene: Scene
+    method: dict[str, Any]
+    contacts: list[ContactPeriod]
+    duration: float
+    motion: Motion
+    impulse: float
+    peak_force: float
+    peak_indentation: float | None
+    residual_indentation: float | None
+    impactor_velocity: float
+    target_velocity: float
+    restitution: dict[str, float | None]
+    energy: dict[str, float]
+    diagnostics: dict[str, Any]
+    notes: list[str] = field(default_factory=list)
+
+    def table(self) -> dict[str, object]:
+        """The result as plain tables, with the keys that scripts rely on."""
+        return {
+            "scene": self.scene.table(),
+            "method": self.method,
+            "contacts": [asdict(contact) for contact in self.contacts],
+            "impulse": self.impulse,
+            "peak_force": self.peak_force,
+            "peak_indentation": self.peak_indentation,
+            "residual_indentation": self.residual_indentation,
+            "impactor": {"final_velocity": self.impactor_velocity},
+            "target": {"final_velocity": self.target_velocity},
+            "restitution": self.restitution,
+            "energy": self.energy,
+            "diagnostics": self.diagnostics,
+            "duration": self.duration,
+            "notes": self.notes,
+        }
+
+
+def summary(
+    scene: Scene, motion: Motion, contacts: list[ContactPeriod], duration: float, wall_time: float
+) -> dict[str, Any]:
+    """What follows from any motion alone: velocities, restitution, energies and their residuals.
+
+    Restitution: `newton` by centre-of-mass velocities (4.40), `poisson` by impulses before and after the velocities
+    agree (4.39), `newton_at_contact` by the velocities of the touching surfaces just after they part (4.45). A fixed
+    rod counts as a body at rest, its mean over a period of vibration (4.43).
+    """
+    m1, m2, speed = scene.impactor.mass, scene.target.mass, scene.impactor.velocity
+    end = np.array([duration])
+    final = float(motion.impactor_velocity(end)[0])
+    impulse = float(motion.impulse(end)[0])
+    fixed = scene.target.fixed
+    target_final = 0.0 if fixed else float(motion.rigid_velocity(end)[0])
+    parting = np.array([min(contacts[-1].end, duration)])
+    apart = float(motion.end_velocity(parting)[0] - motion.impactor_velocity(parting)[0])
+    energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
+    initial = 0.5 * m1 * speed**2
+    given = m1 * (speed - final) if fixed else m2 * target_final
+    return {
+        "impulse": impulse,
+        "impactor_velocity": final,
+        "target_velocity": target_final,
+        "restitution": {
+            "newton": (target_final - final) / speed,
+            "poisson": _poisson(motion, speed, 0.0 if fixed else m1 / (m1 + m2), duration),
+            "newton_at_contact": apart / speed,
+        },
+        "energy": {"initial": initial} | energies,
+        "diagnostics": {
+            "energy_error": (sum(energies.values()) - initial) / initial,
+            "momentum_error": (given - impulse) / (m1 * speed),
+            "steps": 0,
+            "wall_time": wall_time,
+            "estimated_error": None,
+        },
+    }
+
+
+def _poisson(motion: Motion, speed: float, common: float, duration: float) -> float | None:
+    """Impulse after over impulse before the instant at which both bodies move at `common` * speed."""
+    if float(motion.impactor_velocity(np.array([duration]))[0]) > common * speed:
+        return None
+    low, high = 0.0, duration
+    for _ in range(60):  # the velocity of the impactor only falls
+        middle = 0.5 * (low + high)
+        if float(motion.impactor_velocity(np.array([middle]))[0]) > common * speed:
+            low = middle
+        else:
+            high = middle
+    before = float(motion.impulse(np.array([high]))[0])
+    return float(motion.impulse(np.array([duration]))[0]) / before - 1.0
