@@ -128,11 +128,9 @@ def _poisson(motion: Motion, speed: float, common: float, duration: float) -> fl
     if float(motion.impactor_velocity(np.array([duration]))[0]) > common * speed:
         return None
     low, high = 0.0, duration
-    for _ in range(60):  # the velocity of the impactor only falls
-        middle = 0.5 * (low + high)
-        if float(motion.impactor_velocity(np.array([middle]))[0]) > common * speed:
-            low = middle
-        else:
-            high = middle
+    for _ in range(6):  # the velocity of the impactor only falls; each look narrows the instant 400 times
+        times = np.linspace(low, high, 401)
+        later = int(np.argmax(motion.impactor_velocity(times) <= common * speed))
+        low, high = float(times[max(later - 1, 0)]), float(times[later])
     before = float(motion.impulse(np.array([high]))[0])
     return float(motion.impulse(np.array([duration]))[0]) / before - 1.0

@@ -1,0 +1,94 @@
+"""The laboratory: the one component of the page. Python holds the choices and solves; the browser draws and plays."""
+
+import hashlib
+from pathlib import Path
+from typing import Any
+
+import panel as pn
+import param
+
+from .frames import solve_frame
+from .runner import Runner
+from .state import Choices, from_address, refusal
+
+STATIC = Path(__file__).parent / "static"
+VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
+
+
+class Lab(Choices, pn.custom.JSComponent):
+    """Choices synchronised with the browser, and the message that answers them.
+
+    Every choice is a bounded parameter of this very class, so that what a hostile client sends over the socket meets
+    the same bounds as a slider: it is refused with a sentence, and the browser is set back.
+    """
+
+    frame = param.Bytes(default=b"", doc="answer to the choices, see app.frames")
+    refused = param.String(default="", doc="why the last change was not taken")
+    spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
+
+    _esm = """
+    export async function render(context) {
+      const page = await import(new URL('assets/VERSION/page.js', document.baseURI).href);
+      return page.render(context);
+    }
+    """.replace("VERSION", VERSION)
+    _priority_changes = list(Choices.CHOSEN)  # no debounce: the browser itself waits for each answer
+
+    def __init__(self, **choices):
+        super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
+        self._runner = Runner(solve_frame, self._show, self._refuse)
+        self._quiet = False
+        self.frame = solve_frame(self.chosen())
+        self.param.watch(self._changed, list(self.CHOSEN))
+
+    async def _changed(self, *events: param.parameterized.Event) -> None:
+        if self._quiet:
+            return
+        if any(event.name == "scene" for event in events):
+            self._quiet = True
+            try:
+                self.param.update(**self.of_scene(self.scene))
+            finally:
+                self._quiet = False
+        await self._runner.want(self.chosen())
+
+    def _show(self, message: bytes) -> None:
+        self.param.update(frame=message, refused="")
+
+    def _refuse(self, sentence: str) -> None:
+        self.param.update(refused=sentence)
+        self.param.trigger("refused")
+
+    def _process_events(self, events: dict[str, Any]) -> None:
+        """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
+        for name, value in events.items():
+            if name not in self.CHOSEN:
+                continue
+            try:
+                super()._process_events({name: value})
+            except (ValueError, TypeError, OverflowError):
+                self._refuse(refusal(name, value))
+                self.param.trigger(name)
+
+
+def _spec() -> dict[str, Any]:
+    """Default, bounds or options of every choice."""
+    found = {}
+    for name in Choices.CHOSEN:
+        parameter = Choices.param[name]
+        if isinstance(parameter, param.Selector):
+            found[name] = {"default": parameter.default, "options": list(parameter.objects)}
+        else:
+            low, high = parameter.bounds
+            whole = isinstance(parameter, param.Integer)
+            found[name] = {"default": parameter.default, "low": low, "high": high, "whole": whole}
+    return found
+
+
+def create() -> Lab:
+    """One visitor's laboratory, with the choices that the address asks for."""
+    choices, refused = from_address(pn.state.session_args)
+    lab = Lab(**choices)
+    if refused:
+        lab.refused = " ".join(refused)
+    return lab

@@ -1,0 +1,94 @@
+// The form: one control for each choice, made from the bounds that the server holds.
+
+const LABELS = {
+  scene: ['Scene', '', { 'fixed-rod': 'Steel rod, far end fixed', 'free-rod': 'Steel rod, both ends free', 'bronze-rod-steel-ball': 'Bronze rod, steel ball' }],
+  method: ['Pictures drawn from', '', { waves: 'Exact waves', modal: 'Modes' }],
+  mass_ratio: ['Mass ratio', 'rod / striker', null, 'log'],
+  speed: ['Impact speed', 'm/s', null, 'log'],
+  law: ['Contact law', '', { rigid: 'Rigid', linear: 'Linear spring', hertz: 'Hertz', 'hunt-crossley': 'Hunt–Crossley' }],
+  linear_stiffness: ['Contact stiffness', 'N/m', null, 'log'],
+  hertz_stiffness: ['Contact stiffness', 'N/m¹·⁵', null, 'log'],
+  restitution: ['Restitution', '', null],
+  modes: ['Modes', 'kept', null, 'log'],
+};
+const ORDER = ['scene', 'mass_ratio', 'speed', 'law', 'linear_stiffness', 'hertz_stiffness', 'restitution', 'modes', 'method'];
+const STEPS = 1000;
+
+const make = (tag, properties = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+
+export class Controls {
+  // `send(name, value)` takes every change that the visitor makes.
+  constructor(spec, send) {
+    this.spec = spec;
+    this.send = send;
+    this.root = make('form', { className: 'controls' });
+    this.root.onsubmit = (event) => event.preventDefault();
+    this.fields = {};
+    for (const name of ORDER) this.root.append(spec[name].options ? this.select(name) : this.slider(name));
+    this.note = make('p', { className: 'help' });
+    this.fields.restitution.root.append(this.note);
+  }
+  select(name) {
+    const [label, , words] = LABELS[name], id = `choice-${name}`;
+    const input = make('select', { id });
+    for (const option of this.spec[name].options) input.append(make('option', { value: option, textContent: words[option] ?? option }));
+    input.onchange = () => this.send(name, input.value);
+    const root = make('div', { className: `field field-${name}` }, make('label', { htmlFor: id, textContent: label }), input);
+    this.fields[name] = { root, set: (value) => { input.value = value; } };
+    return root;
+  }
+  slider(name) {
+    const [label, unit, , scale] = LABELS[name], { low, high, whole } = this.spec[name], id = `choice-${name}`;
+    const log = scale === 'log';
+    const range = make('input', { type: 'range', id, min: 0, max: STEPS, step: 1 });
+    const number = make('input', { type: 'text', inputMode: 'decimal', className: 'number', autocomplete: 'off', maxLength: 24 });
+    number.setAttribute('aria-label', `${label}, exact value`);
+    const toValue = (place) => {
+      const value = log ? low * (high / low) ** (place / STEPS) : low + (high - low) * place / STEPS;
+      return whole ? Math.round(value) : Number(value.toPrecision(log ? 3 : 12));
+    };
+    const toPlace = (value) => Math.round(STEPS * (log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low)));
+    const show = (value) => {
+      number.value = whole ? String(value) : pretty(value);
+      range.setAttribute('aria-valuetext', `${number.value} ${unit}`);
+      range.style.setProperty('--fill', `${toPlace(value) / STEPS * 100}%`);
+    };
+    let held = false;
+    range.oninput = () => { held = true; const value = toValue(Number(range.value)); show(value); this.send(name, value); };
+    range.onchange = () => { held = false; };
+    range.onkeydown = (event) => { // whole numbers move by whole numbers, also where the scale is logarithmic
+      const way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      if (!whole || !way) return;
+      event.preventDefault();
+      const value = Math.min(Math.max(Number(number.value) + way, low), high);
+      range.value = toPlace(value); show(value); this.send(name, value);
+    };
+    number.onchange = () => this.send(name, Number(number.value.trim().replace(',', '.') || 'x'));
+    const head = make('div', { className: 'field-head' }, make('label', { htmlFor: id, textContent: label }), number, make('span', { className: 'unit', textContent: unit }));
+    const root = make('div', { className: `field field-${name}` }, head, range);
+    this.fields[name] = { root, set: (value) => { if (held) return; range.value = toPlace(value); show(value); } };
+    return root;
+  }
+  show(name, value) { this.fields[name]?.set(value); }
+  // What depends on the law: its constants, and what restitution acts on.
+  arrange(frame) {
+    const { law, restitution } = frame.chosen;
+    this.fields.linear_stiffness.root.hidden = law !== 'linear';
+    this.fields.hertz_stiffness.root.hidden = law !== 'hertz' && law !== 'hunt-crossley';
+    if (law === 'hunt-crossley') {
+      const least = frame.leastRestitution;
+      this.note.textContent = `Sets what this contact would deliver between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}`;
+    } else this.note.textContent = 'Sets the ghost: the answer of rigid-body theory, dashed grey. This contact law itself loses nothing.';
+  }
+}
+
+export function pretty(value) {
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 1e5 || size < 1e-3) return value.toExponential(2).replace(/\.?0+e/, 'e').replace('e+', 'e');
+  return String(Number(value.toPrecision(4)));
+}

@@ -1,0 +1,195 @@
+// The page: wires choices, clock and views together. One message from the server per change; none while playing.
+import { Displacements, Force, SpaceTime } from './charts.js';
+import { Controls } from './controls.js';
+import { decode, ModalField, WaveField } from './physics.js';
+import { Player } from './player.js';
+import { Stage } from './stage.js';
+import { Story } from './story.js';
+
+const PATIENCE = 4000; // ms without an answer, after which the next change is sent all the same
+
+const make = (tag, properties = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+
+class Page {
+  constructor(model, el) {
+    this.model = model;
+    this.names = Object.keys(model.spec);
+    this.waiting = {};
+    this.what = 'stress';
+    this.controls = new Controls(model.spec, (name, value) => this.send(name, value));
+    this.stage = new Stage();
+    this.player = new Player((t) => this.show(t));
+    this.spaceTime = new SpaceTime();
+    this.force = new Force();
+    this.displacements = new Displacements();
+    this.charts = [this.spaceTime, this.force, this.displacements];
+    this.story = new Story((t) => this.player.go(t), (start, end) => this.zoom(start, end));
+    this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
+    this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
+    el.append(make('link', { rel: 'stylesheet', href: new URL('lab.css', import.meta.url).href }), this.layout());
+    this.listen(model);
+    for (const name of this.names) this.controls.show(name, model[name]);
+    this.take();
+    if (model.refused) this.complain(model.refused);
+    this.ready = true;
+  }
+  layout() {
+    const colour = make('div', { className: 'segments', role: 'group' });
+    colour.setAttribute('aria-label', 'Colour shows');
+    for (const what of ['stress', 'velocity']) {
+      const button = make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); } });
+      button.setAttribute('aria-pressed', String(what === this.what));
+      colour.append(button);
+    }
+    this.colour = colour;
+    const bar = make('header', { className: 'top' },
+      make('h1', {}, 'Strikewave'), make('p', { textContent: 'A body strikes a rod. Waves run along it, come back, and decide how the body leaves.' }),
+      make('nav', {},
+        make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() }),
+        make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })));
+    const view = make('main', { className: 'views' },
+      make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
+      this.stage.root, this.player.root, ...this.charts.map((c) => c.chart.root));
+    this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.story.root, this.toast);
+    return this.root;
+  }
+  listen(model) {
+    model.on('frame', () => this.take());
+    model.on('refused', () => { if (model.refused) { this.settle(); this.complain(model.refused); } });
+    for (const name of this.names) model.on(name, () => { if (!(name in this.waiting)) this.controls.show(name, model[name]); });
+    for (const { chart } of this.charts) {
+      const drag = (event) => { if (event.buttons & 1) this.player.go(chart.time(event.clientX)); };
+      chart.area.onpointerdown = (event) => { chart.area.setPointerCapture(event.pointerId); drag(event); };
+      chart.area.onpointermove = drag;
+      chart.area.ondblclick = () => this.zoom();
+    }
+    document.addEventListener('keydown', this.key = (event) => {
+      const from = event.composedPath()[0];
+      if (event.key !== ' ' || ['INPUT', 'SELECT', 'BUTTON', 'TEXTAREA'].includes(from?.tagName)) return;
+      event.preventDefault();
+      this.player.toggle();
+    });
+    this.observer = new ResizeObserver(() => { if (this.frame) { this.drawCharts(); this.show(this.player.t); } });
+    this.observer.observe(this.stage.root);
+    model.on('remove', () => { this.player.playing = false; this.observer.disconnect(); document.removeEventListener('keydown', this.key); });
+  }
+  // Changes go out one at a time: the next when the last is answered, and then only the newest of each.
+  send(name, value) {
+    this.waiting[name] = value;
+    this.flush();
+  }
+  flush() {
+    const names = Object.keys(this.waiting);
+    if (!names.length || (this.asked && performance.now() - this.asked < PATIENCE)) return;
+    const changes = this.waiting;
+    this.waiting = {};
+    let changed = false;
+    for (const name of names) {
+      if (Object.is(this.model[name], changes[name])) continue;
+      changed = true;
+      this.asked = performance.now();
+      this.model[name] = changes[name];
+    }
+    if (changed) this.toast.hidden = true;
+  }
+  settle() {
+    this.asked = 0;
+    this.flush();
+  }
+  take() {
+    const data = this.model.frame;
+    if (!data || !data.byteLength) return;
+    this.frame = decode(data);
+    const { chosen, duration } = this.frame;
+    this.fields = [new WaveField(this.frame), null];
+    this.view = [0, duration];
+    this.whole.hidden = true;
+    this.force.load(this.frame);
+    this.displacements.load(this.frame, this.fields);
+    this.controls.arrange(this.frame);
+    this.story.latest = undefined;
+    this.story.load(this.frame);
+    this.dress();
+    this.player.load(this.frame);
+    this.address(chosen);
+    this.settle();
+    window.strikewave = { page: this, frames: (window.strikewave?.frames ?? 0) + 1, drawn: performance.now() };
+  }
+  get field() {
+    if (this.frame.chosen.method === 'waves') return this.fields[0];
+    return this.fields[1] ??= new ModalField(this.frame);
+  }
+  // Colours of stage and x-t diagram.
+  dress() {
+    const column = new Float64Array(61), [waves] = this.fields;
+    let largest = 1e-9;
+    for (let k = 0; k <= 120; k++) for (const v of waves.profile(k / 120 * this.frame.duration, this.what, column)) largest = Math.max(largest, Math.abs(v));
+    this.spaceTime.load(this.field, this.what, largest);
+    this.stage.load(this.frame, this.field, this.what, largest);
+    for (const button of this.colour.children) button.setAttribute('aria-pressed', String(button.textContent === this.what));
+    this.drawCharts();
+    this.show(this.player.t);
+  }
+  drawCharts() {
+    for (const chart of this.charts) chart.draw(this.frame, this.view);
+  }
+  show(t) {
+    if (!this.frame) return;
+    this.stage.draw(t);
+    if (this.spaceTime.chart.box) this.spaceTime.chart.cursor(t);
+    this.force.cursor(t);
+    this.displacements.cursor(t);
+    this.story.at(t);
+    this.painted = (this.painted ?? 0) + 1;
+  }
+  zoom(start, end) {
+    const { duration } = this.frame;
+    if (start === undefined) this.view = [0, duration];
+    else {
+      const margin = Math.max(0.35 * (end - start), 1e-4 * duration);
+      this.view = [Math.max(0, start - margin), Math.min(duration, end + margin)];
+      this.player.go(start);
+    }
+    this.whole.hidden = start === undefined;
+    this.drawCharts();
+    this.show(this.player.t);
+  }
+  complain(sentence) {
+    this.toast.textContent = sentence;
+    this.toast.hidden = false;
+    clearTimeout(this.hush);
+    this.hush = setTimeout(() => { this.toast.hidden = true; }, 8000);
+  }
+  // The address always says what is shown.
+  address(chosen) {
+    const query = new URLSearchParams();
+    for (const name of this.names) if (name === 'scene' ? chosen.scene !== this.model.spec.scene.default : chosen[name] !== this.model.spec[name].default || chosen.scene !== this.model.spec.scene.default) query.set(name, chosen[name]);
+    const text = query.toString();
+    history.replaceState(null, '', text ? `?${text}` : location.pathname);
+  }
+  async copyLink() {
+    try { await navigator.clipboard.writeText(location.href); this.complain('The link to what you see is copied.'); }
+    catch { this.complain(`The link to what you see: ${location.href}`); }
+  }
+  saveData() {
+    const { frame, fields: [waves] } = this, rows = ['time_s,force_waves_N,force_modes_N,mass_waves_m,struck_end_waves_m,mass_modes_m,struck_end_modes_m'];
+    const length = frame.speed * frame.trip, points = 2000;
+    for (let k = 0; k <= points; k++) {
+      const t = k / points * frame.duration, i = Math.min(Math.round(t / frame.step), this.force.resolved.length - 1);
+      const place = k / points * (frame.modalMass.length - 1), j = Math.min(Math.floor(place), frame.modalMass.length - 2), part = place - j;
+      const between = (a) => a[j] + part * (a[j + 1] - a[j]);
+      rows.push([t * frame.trip, this.force.at(t) * frame.forceUnit, this.force.resolved[i] * frame.forceUnit, waves.mass(t) * length, waves.end(t) * length, between(frame.modalMass) * length, between(frame.modalEnd) * length].map((v) => v.toPrecision(7)).join(','));
+    }
+    const link = make('a', { href: URL.createObjectURL(new Blob([rows.join('\n') + '\n'], { type: 'text/csv' })), download: `strikewave-${frame.chosen.scene}.csv` });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+}
+
+export function render({ model, el }) {
+  new Page(model, el);
+}
