@@ -60,8 +60,27 @@ def _parser() -> argparse.ArgumentParser:
         "--allow-origin", action="append", metavar="HOST[:PORT]",
         help="a name under which browsers reach the page; repeatable; default: $IMPACT_ORIGINS, separated by commas",
     )  # fmt: skip
+    serve.add_argument("--warm", action="store_true", help="accepted for clarity: the server always warms up first")
     serve.set_defaults(run=_serve)
+
+    warm = commands.add_parser("warm", help="compile every kernel now, so that the first solve is as quick as the rest")
+    warm.set_defaults(run=_warm)
     return parser
+
+
+def _warm(options: argparse.Namespace) -> int:
+    for name in solvers.scene_names():
+        scene = solvers.load(name)
+        for law in solvers.LAWS:
+            contact = {"law": law} | ({} if law == "rigid" else {"stiffness": 1e9})
+            contact |= {"restitution": 0.5} if law == "hunt-crossley" else {}
+            changed = scene.replace({"contact": contact})
+            for method in solvers.METHODS:
+                solvers.solve(changed, method)
+        if scene.contact.NAME == "rigid":
+            solvers.solve(scene, "waves", steps=100)
+    print("All kernels are compiled.")
+    return 0
 
 
 def _scenes(options: argparse.Namespace) -> int:

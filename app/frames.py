@@ -16,9 +16,9 @@ from solvers.methods.modal import STEPS_PER_PERIOD
 
 from .state import chosen_scene
 
-WAVE_POINTS = 3_000  # of the wave's history
+WAVE_POINTS = 2_600  # of the wave's history
 MOTION_POINTS = 400  # of the motions of mass and struck end
-MAX_FORCE_STEPS = 12_000  # of the modal force, all of which the browser needs to rebuild the modes
+MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 
 
 def solve_frame(chosen: dict[str, Any]) -> bytes:
@@ -132,5 +132,3 @@ def read_header(message: bytes) -> dict[str, Any]:
     """The header of a message, for tests and tools."""
     length = int.from_bytes(message[:4], "little")
     return json.loads(message[4 : 4 + length])
-
-

@@ -1,6 +1,8 @@
 """The laboratory: the one component of the page. Python holds the choices and solves; the browser draws and plays."""
 
 import hashlib
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +11,7 @@ import param
 
 from .frames import solve_frame
 from .runner import Runner
-from .state import Choices, from_address, refusal
+from .state import Choices, accepts, from_address, refusal
 
 STATIC = Path(__file__).parent / "static"
 VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
@@ -41,34 +43,42 @@ class Lab(Choices, pn.custom.JSComponent):
         self.frame = solve_frame(self.chosen())
         self.param.watch(self._changed, list(self.CHOSEN))
 
-    async def _changed(self, *events: param.parameterized.Event) -> None:
+    def _changed(self, *events: param.parameterized.Event) -> None:
         if self._quiet:
             return
         if any(event.name == "scene" for event in events):
-            self._quiet = True
-            try:
+            with self._silence():
                 self.param.update(**self.of_scene(self.scene))
-            finally:
-                self._quiet = False
-        await self._runner.want(self.chosen())
+        self.refused = ""
+        pn.state.execute(partial(self._runner.want, self.chosen()))
+
+    @contextmanager
+    def _silence(self):
+        """Change parameters, and with them the controls in the browser, without asking for a solve."""
+        self._quiet = True
+        try:
+            yield
+        finally:
+            self._quiet = False
 
     def _show(self, message: bytes) -> None:
-        self.param.update(frame=message, refused="")
+        self.frame = message
 
     def _refuse(self, sentence: str) -> None:
-        self.param.update(refused=sentence)
-        self.param.trigger("refused")
+        self.refused = ""
+        self.refused = sentence
 
     def _process_events(self, events: dict[str, Any]) -> None:
         """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
         for name, value in events.items():
             if name not in self.CHOSEN:
                 continue
-            try:
+            if accepts(name, value):
                 super()._process_events({name: value})
-            except (ValueError, TypeError, OverflowError):
+            else:
                 self._refuse(refusal(name, value))
-                self.param.trigger(name)
+                with self._silence():
+                    self.param.trigger(name)
 
 
 def _spec() -> dict[str, Any]:

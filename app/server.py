@@ -1,6 +1,7 @@
 """Serve the page: kernels warm, answers safe, nothing else on the port."""
 
 import logging
+import signal
 import sys
 from typing import Any
 
@@ -22,15 +23,38 @@ MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", 
 
 def serve(port: int, address: str, origins: list[str]) -> int:
     """Serve until interrupted. Prints the address once the page answers at once."""
+    try:
+        server = build(port, address, origins)
+    except OSError as error:
+        print(f"impact: --port: got {port}; allowed: a free port at {address} ({error.strerror})", file=sys.stderr)
+        return 2
+    server.start()
+    host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
+    print(f"The page is at http://{host}:{port}  (stop with Ctrl-C)", flush=True)
+    signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
+    try:
+        server.io_loop.start()
+    except KeyboardInterrupt:
+        pass
+    print("Stopped.", flush=True)
+    return 0
+
+
+def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10_000) -> Any:
+    """The server, warm but not started. Raises OSError if the port is taken.
+
+    `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
+    """
     import panel as pn
-    from bokeh.server.util import check_allowlist  # noqa: F401  (a changed Bokeh shows here, not in a request)
 
     from . import guard
     from .lab import STATIC, VERSION, create
 
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     logging.getLogger("bokeh").setLevel(logging.ERROR)
+    logging.getLogger("bokeh.server.protocol_handler").setLevel(logging.CRITICAL)  # a stack per bad message, else
     guard.install()
+    _warm()
     template = _template(VERSION)
 
     def page():
@@ -38,33 +62,30 @@ def serve(port: int, address: str, origins: list[str]) -> int:
         pn.state.curdoc.template = template
         return lab
 
-    allowed = origins or [f"{name}:{port}" for name in ("localhost", "127.0.0.1", address)]
-    options: dict[str, Any] = dict(
+    return pn.io.server.get_server(
+        {"/": page},
         port=port,
         address=address,
-        websocket_origin=allowed,
+        websocket_origin=origins or [f"{name}:{port}" for name in ("localhost", "127.0.0.1", address)],
         show=False,
         start=False,
         location=False,
         static_dirs={f"assets/{VERSION}": str(STATIC)},
         extra_patterns=guard.patterns(),
         websocket_max_message_size=guard.MAX_MESSAGE,
-        check_unused_sessions_milliseconds=2_000,
-        unused_session_lifetime_milliseconds=10_000,
-        warm=True,
+        check_unused_sessions_milliseconds=min(2_000, unused_lifetime),
+        unused_session_lifetime_milliseconds=unused_lifetime,
+        warm=True,  # makes one page before the port is opened to anybody
     )
-    try:
-        server = pn.io.server.get_server({"/": page}, **options)
-    except OSError as error:
-        print(f"impact: --port: got {port}; allowed: a free port ({error.strerror})", file=sys.stderr)
-        return 2
-    server.start()
-    print(f"The page is at http://{'localhost' if address in ('0.0.0.0', '127.0.0.1') else address}:{port}", flush=True)
-    try:
-        server.io_loop.start()
-    except KeyboardInterrupt:
-        print("Stopped.", flush=True)
-    return 0
+
+
+def _warm() -> None:
+    """Compile or load every kernel that a slider can ask for."""
+    from .frames import solve_frame
+    from .state import Choices
+
+    for law in Choices.param.law.objects:
+        solve_frame(Choices(law=law, modes=5).chosen())
 
 
 def _template(version: str):

@@ -1,5 +1,6 @@
 """What a visitor has chosen: bounded values, no widget. The same bounds guard the sliders, the address and the socket."""
 
+import re
 from typing import Any
 
 import param
@@ -78,25 +79,41 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     return base.replace(changes)
 
 
+_TRIAL = Choices()
+
+
+def accepts(name: str, value: object) -> bool:
+    """Whether a choice may have this value."""
+    if isinstance(value, bool):  # which Python counts among the numbers
+        return False
+    try:
+        _TRIAL.param.update(**{name: value})
+    except (ValueError, TypeError, OverflowError):
+        return False
+    return True
+
+
 def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
     """Choices from the query of an address: what can be used, and a sentence for each that cannot.
 
     A scene in the address brings its own values; the others then change them.
     """
-    trial, kept, refused = Choices(), {}, []
-    names = [name for name in Choices.CHOSEN if name in arguments]
-    for name in names:
+    kept: dict[str, Any] = {}
+    refused = []
+    for name in (name for name in Choices.CHOSEN if name in arguments):
         text = arguments[name][-1].decode("utf-8", "replace")[:40]
-        parameter = trial.param[name]
+        parameter = Choices.param[name]
+        value: Any = text
         try:
-            value = text
             if isinstance(parameter, param.Integer):
                 value = int(text)
             elif isinstance(parameter, param.Number):
                 value = float(text)
-            trial.param.update(**{name: value})
         except ValueError:
-            refused.append(refusal(name, text))
+            pass  # and so it stays text, which no number accepts
+        if not accepts(name, value):
+            plain = re.fullmatch(r"[\w.+-]{1,24}", text)  # nothing else from an address is ever shown
+            refused.append(refusal(name, value if plain else "text"))
             continue
         if name == "scene":
             kept |= Choices.of_scene(value)

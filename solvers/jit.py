@@ -5,6 +5,7 @@ several threads. `parallel=True` is never used: concurrent parallel regions abor
 """
 
 import os
+import tempfile
 from hashlib import sha256
 from pathlib import Path
 
@@ -16,8 +17,16 @@ def _cache_folder() -> str:
     """One folder per state of the sources: Numba alone misses a change in a function called from another file."""
     sources = sorted(Path(__file__).parent.rglob("*.py"))
     key = sha256(b"".join(source.read_bytes() for source in sources) + repr(numba.config.BOUNDSCHECK).encode())
-    home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return str(Path(home) / "strikewave" / key.hexdigest()[:12])
+    home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
+    for parent in (Path(home) / "strikewave", Path(tempfile.gettempdir()) / f"strikewave-{os.getuid()}"):
+        folder = parent / key.hexdigest()[:12]
+        try:
+            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+        except OSError:
+            continue
+        if os.access(folder, os.W_OK) and folder.stat().st_uid == os.getuid():
+            return str(folder)
+    return tempfile.mkdtemp(prefix="strikewave-")
 
 
 if "NUMBA_CACHE_DIR" not in os.environ:

@@ -10,7 +10,7 @@ from .checks import SceneError
 from .scene import Scene
 from .solution import Solution
 
-AFTERGLOW = 0.75  # round trips shown after the bodies have parted for good, where no duration is asked for
+AFTERGLOW = 1.0  # round trips shown after the bodies have parted for good, where no duration is asked for
 MAX_ROUND_TRIPS = 20_000.0  # nothing is followed for longer
 MAX_DURATION = 1e4  # [s]
 

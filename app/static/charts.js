@@ -81,7 +81,9 @@ export class Force {
     chart.line(c, this.resolved.length, (k) => k * h, (k) => this.resolved[k] * s, COLORS.modal, 1.5);
     chart.line(c, this.time.length, (k) => this.time[k], (k) => this.exact[k] * s, COLORS.waves, 2);
     c.restore();
-    chart.key([...LINES, [`modes, raw (chatters, ${frame.modal.diagnostics.raw_contacts}×)`, 'line raw']]);
+    const { raw_contacts: touches } = frame.modal.diagnostics;
+    const chatter = touches > frame.modal.contacts.length ? `modes, raw: chatters ${touches} times` : 'modes, raw';
+    chart.key([...LINES, [chatter, 'line raw']]);
   }
   at(t) {
     let low = 0, high = this.time.length - 1;

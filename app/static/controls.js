@@ -3,11 +3,11 @@
 const LABELS = {
   scene: ['Scene', '', { 'fixed-rod': 'Steel rod, far end fixed', 'free-rod': 'Steel rod, both ends free', 'bronze-rod-steel-ball': 'Bronze rod, steel ball' }],
   method: ['Pictures drawn from', '', { waves: 'Exact waves', modal: 'Modes' }],
-  mass_ratio: ['Mass ratio', 'rod / striker', null, 'log'],
+  mass_ratio: ['Mass ratio', 'rod/mass', null, 'log'],
   speed: ['Impact speed', 'm/s', null, 'log'],
   law: ['Contact law', '', { rigid: 'Rigid', linear: 'Linear spring', hertz: 'Hertz', 'hunt-crossley': 'Hunt–Crossley' }],
-  linear_stiffness: ['Contact stiffness', 'N/m', null, 'log'],
-  hertz_stiffness: ['Contact stiffness', 'N/m¹·⁵', null, 'log'],
+  linear_stiffness: ['Stiffness', 'N/m', null, 'log'],
+  hertz_stiffness: ['Stiffness', 'N/m¹·⁵', null, 'log'],
   restitution: ['Restitution', '', null],
   modes: ['Modes', 'kept', null, 'log'],
 };

@@ -20,6 +20,7 @@ class Page {
     this.names = Object.keys(model.spec);
     this.waiting = {};
     this.what = 'stress';
+    this.modalField = ModalField;
     this.controls = new Controls(model.spec, (name, value) => this.send(name, value));
     this.stage = new Stage();
     this.player = new Player((t) => this.show(t));

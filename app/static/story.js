@@ -83,17 +83,17 @@ export class Story {
   answers() {
     const { frame } = this, { waves, modal, ghost, match, chosen } = frame;
     const error = Math.abs(modal.final - waves.final);
-    const ways = [['mass leaves at', 'final', 'v'], ['rod moves on at', 'targetFinal', 'v']];
-    const rows = ways.map(([text, key, unit]) => [text, `${signed(waves[key], 4)} ${unit}`, `${signed(modal[key], 4)} ${unit}`, `${signed(key === 'final' ? ghost.impactor : ghost.target, 3)} ${unit}`]);
-    const names = { newton: 'restitution, mean velocities', poisson: '… by impulses', newton_at_contact: '… of the touching faces' };
+    const ways = [['mass leaves at, v', 'final'], ['rod moves on at, v', 'targetFinal']];
+    const rows = ways.map(([text, key]) => [text, signed(waves[key], 4), signed(modal[key], 4), signed(key === 'final' ? ghost.impactor : ghost.target, 3)]);
+    const names = { newton: 'restitution e', poisson: 'e by impulses', newton_at_contact: 'e of the faces' };
     for (const [key, text] of Object.entries(names)) {
       const show = (value) => (value === null ? '–' : signed(value, 4));
       rows.push([text, show(waves.restitution[key]), show(modal.restitution[key]), key === 'newton' ? chosen.restitution.toFixed(3) : '']);
     }
-    rows.push(['peak force', `${pretty(waves.peakForce / 1e3)} kN`, `${pretty(modal.peakForce / 1e3)} kN`, '–']);
-    rows.push(['deepest indentation', ...[waves, modal].map((s) => (s.peakIndentation === null ? 'none' : `${pretty(s.peakIndentation * 1e6)} µm`)), '–']);
-    rows.push(['error of the rebound', waves.diagnostics.estimated_error < 1e-9 ? '< 1e-9' : waves.diagnostics.estimated_error.toExponential(0), percent(error), percent(Math.abs(ghost.impactor - waves.final))]);
-    rows.push(['time to solve', ...[waves, modal].map((s) => `${pretty(s.diagnostics.wall_time * 1e3)} ms`), '–']);
+    rows.push(['peak force, kN', pretty(waves.peakForce / 1e3), pretty(modal.peakForce / 1e3), '–']);
+    rows.push(['indentation, µm', ...[waves, modal].map((s) => (s.peakIndentation === null ? 'none' : pretty(s.peakIndentation * 1e6))), '–']);
+    rows.push(['error of rebound', waves.diagnostics.estimated_error < 1e-9 ? '< 1e-9' : waves.diagnostics.estimated_error.toExponential(0), percent(error), percent(Math.abs(ghost.impactor - waves.final))]);
+    rows.push(['solved in, ms', ...[waves, modal].map((s) => pretty(s.diagnostics.wall_time * 1e3)), '–']);
     const head = make('tr', {}, ...['', 'waves', `${chosen.modes} modes`, 'ghost'].map((text) => make('th', { textContent: text })));
     this.figures.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map((row) => make('tr', {}, ...row.map((text) => make('td', { textContent: text }))))));
     const says = `A restitution of ${chosen.restitution.toFixed(2)} between rigid bodies sends the mass off at ${signed(ghost.impactor)} v (dashed grey). The waves send it at ${signed(waves.final)} v: `;

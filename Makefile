@@ -1,0 +1,45 @@
+# make serve: the page.  make test: everything checked.  Both set up all they need on a fresh machine.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
+PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
+
+.PHONY: serve test bench screenshot clean chromium
+
+serve: $(VENV)/.installed
+	$(BIN)/impact serve
+
+test: $(VENV)/.installed-test chromium
+	$(BIN)/python -m pytest
+
+bench: $(VENV)/.installed-test chromium
+	$(BIN)/python -m bench
+
+screenshot: $(VENV)/.installed-test chromium
+	$(BIN)/python -m bench.screenshot docs/page.png
+
+$(VENV)/.created:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Python 3.11 or newer is needed."; exit 1; }
+	@$(PYTHON) -m venv $(VENV) 2>/dev/null || { rm -rf $(VENV); echo "Installing python3-venv"; \
+		$(SUDO) apt-get update -qq && $(SUDO) apt-get install -qq -y python3-venv && $(PYTHON) -m venv $(VENV); }
+	@touch $@
+
+$(VENV)/.installed: $(VENV)/.created pyproject.toml constraints.txt
+	@echo "Installing (once, a minute or two)"
+	@$(PIP_INSTALL) --editable .
+	@touch $@
+
+$(VENV)/.installed-test: $(VENV)/.installed
+	@$(PIP_INSTALL) --editable '.[test]'
+	@touch $@
+
+# Debian's own Chromium where there is one; elsewhere the build that Playwright brings.
+chromium: $(VENV)/.installed-test
+	@command -v chromium >/dev/null 2>&1 || [ -n "$$CHROMIUM" ] || { echo "Installing Chromium"; \
+		{ grep -qs '^ID=debian' /etc/os-release && $(SUDO) apt-get update -qq && \
+		$(SUDO) apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core >/dev/null; } || \
+		$(BIN)/playwright install --with-deps chromium; }
+
+clean:
+	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .hypothesis .import_linter_cache

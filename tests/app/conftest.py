@@ -1,0 +1,149 @@
+"""One server and one browser for all tests of the page."""
+
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+QUIET = [
+    "--no-sandbox",
+    "--headless",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory):
+    """Address of a running page; at the end its log must hold no stack trace."""
+    port = free_port()
+    log = tmp_path_factory.mktemp("server") / "log"
+    with log.open("w") as output:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "app.command", "serve", "--port", str(port)],
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            cwd=Path(__file__).parents[2],
+        )
+    address = f"127.0.0.1:{port}"
+    deadline = time.monotonic() + 180  # a first compilation of all kernels
+    while True:
+        if process.poll() is not None or time.monotonic() > deadline:
+            process.kill()
+            pytest.fail("the server did not start:\n" + log.read_text())
+        try:
+            urllib.request.urlopen(f"http://{address}/liveness", timeout=2).read()
+            break
+        except OSError:
+            time.sleep(0.1)
+    yield address
+    process.terminate()
+    process.wait(10)
+    assert "Traceback" not in log.read_text(), log.read_text()[-3000:]
+
+
+@pytest.fixture(scope="session")
+def browser():
+    chromium = os.environ.get("CHROMIUM") or shutil.which("chromium")
+    with sync_playwright() as playwright:
+        launched = playwright.chromium.launch(executable_path=chromium, args=QUIET)
+        yield launched
+        launched.close()
+
+
+class Page:
+    """The page in the browser, with what it said and sent."""
+
+    def __init__(self, browser, address: str, query: str = "", size=(1440, 900), **context):
+        self.context = browser.new_context(viewport={"width": size[0], "height": size[1]}, **context)
+        self.tab = self.context.new_page()
+        self.errors: list[str] = []
+        self.foreign: list[str] = []
+        self.frames = {"sent": 0, "received": 0, "bytes": 0}
+        self.tab.on("pageerror", lambda error: self.errors.append(str(error)))
+        self.tab.on("console", lambda line: line.type == "error" and self.errors.append(line.text))
+        self.tab.on("request", lambda request: self._request(request.url, address))
+        self.tab.on("websocket", self._socket)
+        self.tab.goto(f"http://{address}/{query}")
+        self.wait("() => window.strikewave?.frames > 0")
+
+    def _request(self, url: str, address: str) -> None:
+        if address not in url and not url.startswith(("data:", "blob:")):
+            self.foreign.append(url)
+
+    def _socket(self, socket) -> None:
+        def received(data):
+            self.frames["received"] += 1
+            self.frames["bytes"] += len(data)
+            if isinstance(data, str) and '"ERROR"' in data:
+                self.errors.append(data)
+
+        def sent(data):
+            self.frames["sent"] += 1
+
+        socket.on("framereceived", received)
+        socket.on("framesent", sent)
+
+    def wait(self, condition: str, argument=None, timeout: int = 15_000):
+        return self.tab.wait_for_function(condition, arg=argument, timeout=timeout)
+
+    def evaluate(self, code: str, argument=None):
+        return self.tab.evaluate(code, argument)
+
+    def header(self, key: str):
+        """A value of the message that is drawn."""
+        return self.evaluate("key => strikewave.page.frame[key]", key)
+
+    def answered(self, act) -> None:
+        """Do something and wait until its answer is drawn."""
+        before = self.evaluate("() => strikewave.frames")
+        act()
+        self.wait("before => strikewave.frames > before && !strikewave.page.asked", before)
+
+    def picture(self) -> list[int]:
+        """A hash of the pixels of every canvas."""
+        return self.evaluate(
+            """() => {
+              const canvases = (root) => [...root.querySelectorAll('*')].flatMap((e) =>
+                [...(e.tagName === 'CANVAS' ? [e] : []), ...(e.shadowRoot ? canvases(e.shadowRoot) : [])]);
+              return canvases(document).map((canvas) => {
+                const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+                let hash = 0;
+                for (let i = 0; i < data.length; i += 89) hash = (hash * 31 + data[i]) | 0;
+                return hash;
+              });
+            }"""
+        )
+
+
+@pytest.fixture
+def open_page(browser, server):
+    """Open the page; at the end it must have shown no error and asked nobody else for anything."""
+    opened: list[Page] = []
+
+    def open_one(query: str = "", **options) -> Page:
+        opened.append(Page(browser, server, query, **options))
+        return opened[-1]
+
+    yield open_one
+    for page in opened:
+        page.context.close()
+        assert [error for error in page.errors if "GL Driver" not in error] == []
+        assert page.foreign == []

@@ -1,0 +1,104 @@
+"""A bare client of the page's websocket: sends what no browser would, and counts what comes back."""
+
+import asyncio
+import json
+import re
+import uuid
+from typing import Any
+
+from tornado.httpclient import AsyncHTTPClient, HTTPRequest
+from tornado.websocket import websocket_connect
+
+READY = {"type": "event", "name": "document_ready", "values": {"type": "map", "entries": []}}
+
+
+class SocketClient:
+    """One session of the page at `address` ("127.0.0.1:5006")."""
+
+    def __init__(self, address: str):
+        self.address = address
+        self.received = 0  # bytes
+        self.last: dict[str, Any] = {}
+        self.last_frame = b""
+
+    async def open(self, query: str = "") -> "SocketClient":
+        page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=60)
+        self.html = page.body.decode()
+        token = re.search(r'"token":\s*"([^"]+)"', self.html).group(1)
+        request = HTTPRequest(f"ws://{self.address}/ws", request_timeout=60)
+        self._socket = await websocket_connect(request, subprotocols=["bokeh", token], max_message_size=2**24)
+        self._socket.protocol.set_nodelay(True)
+        await self.receive()  # ACK
+        await self.send("PULL-DOC-REQ", {})
+        content: dict[str, Any] = {}
+        while "doc" not in content:
+            _, content = await self.receive()
+        await self.patch({"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": READY})
+        self.lab = self._find(content["doc"])
+        return self
+
+    def _find(self, tree: Any) -> dict[str, Any] | None:
+        """The model that holds the choices."""
+        if isinstance(tree, dict):
+            if "spec" in tree.get("attributes", {}):
+                return tree
+            tree = list(tree.values())
+        if isinstance(tree, list):
+            return next((found for item in tree if (found := self._find(item))), None)
+        return None
+
+    async def send(self, kind: str, content: Any) -> None:
+        await self._socket.write_message(json.dumps({"msgid": uuid.uuid4().hex, "msgtype": kind}))
+        await self._socket.write_message("{}")
+        await self._socket.write_message(content if isinstance(content, str) else json.dumps(content))
+
+    async def patch(self, *events: dict[str, Any]) -> None:
+        await self.send("PATCH-DOC", {"events": list(events)})
+
+    async def set(self, name: str, value: Any) -> None:
+        await self.patch({"kind": "ModelChanged", "model": {"id": self.lab["id"]}, "attr": name, "new": value})
+
+    async def receive(self, timeout: float = 20.0) -> tuple[str, dict[str, Any]]:
+        """Kind and content of the next message; binary parts are counted and put under "buffers"."""
+
+        async def part() -> Any:
+            data = await asyncio.wait_for(self._socket.read_message(), timeout)
+            if data is None:
+                raise ConnectionError(f"closed: {self._socket.close_code} {self._socket.close_reason}")
+            self.received += len(data)
+            return data
+
+        header, _, content = [json.loads(await part()) for _ in range(3)]
+        buffers = []
+        for _ in range(header.get("num_buffers", 0)):
+            await part()
+            buffers.append(await part())
+        return header["msgtype"], content | {"buffers": buffers}
+
+    async def changes(self, seconds: float) -> tuple[dict[str, Any], list[str]]:
+        """Attributes that the server changed within so many seconds, and the kinds of all messages."""
+        found, kinds = {}, []
+        deadline = asyncio.get_running_loop().time() + seconds
+        while (left := deadline - asyncio.get_running_loop().time()) > 0:
+            try:
+                kind, content = await self.receive(left)
+            except TimeoutError:
+                break
+            kinds.append(kind)
+            for event in content.get("events", []):
+                if event.get("kind") == "ModelChanged":
+                    found[event["attr"]] = event["new"]
+                    if event["attr"] == "frame":
+                        self.last_frame = content["buffers"][-1]
+            self.last = content
+        return found, kinds
+
+    async def answer(self) -> None:
+        """Wait for the next solved frame."""
+        while True:
+            kind, content = await self.receive()
+            if kind == "PATCH-DOC" and any(e.get("attr") == "frame" for e in content.get("events", [])):
+                return
+
+    def close(self) -> None:
+        self._socket.close()

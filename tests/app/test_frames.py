@@ -1,0 +1,75 @@
+"""The message to the browser: small, exact to float32, jumps kept."""
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import solvers
+from app.frames import ghost, read_header, solve_frame
+from app.state import Choices, chosen_scene
+
+
+def arrays(message: bytes) -> dict[str, np.ndarray]:
+    header = read_header(message)
+    offset, found = 4 + int.from_bytes(message[:4], "little"), {}
+    for name, size in header["arrays"]:
+        found[name] = np.frombuffer(message, "<f4", size, offset)
+        offset += 4 * size
+    assert offset == len(message)
+    return found
+
+
+def test_histories_match_the_solution_and_keep_the_jump():
+    found = arrays(solve_frame(Choices().chosen()))
+    scene = solvers.load("fixed-rod")
+    unit = scene.target.impedance
+    motion = solvers.solve(scene).motion
+    trip = scene.target.round_trip_time
+    smooth = np.abs(found["waveTime"][:, None] - np.arange(5)).min(axis=1) > 1e-3
+    expected = motion.force(found["waveTime"][smooth].astype(float) * trip) / unit
+    assert np.median(np.abs(found["waveForce"][smooth] - expected)) < 1e-6
+    at_jump = np.flatnonzero(found["waveTime"] == 1.0)
+    assert found["waveForce"][at_jump] == pytest.approx([np.exp(-2.0), 2.0 + np.exp(-2.0)], rel=1e-6)  # (4.17)
+
+
+@settings(max_examples=40, deadline=None)
+@given(
+    scene=st.sampled_from(Choices.param.scene.objects),
+    method=st.sampled_from(Choices.param.method.objects),
+    law=st.sampled_from(Choices.param.law.objects),
+    mass_ratio=st.floats(-3, 3).map(lambda x: min(max(10.0**x, 1e-3), 1e3)),
+    speed=st.floats(-2, 2).map(lambda x: min(max(10.0**x, 1e-2), 1e2)),
+    linear_stiffness=st.floats(5, 14).map(lambda x: 10.0**x),
+    hertz_stiffness=st.floats(6, 14).map(lambda x: 10.0**x),
+    restitution=st.floats(0, 1),
+    modes=st.integers(1, 200),
+)
+def test_whatever_the_sliders_say_is_answered_in_a_small_finite_message(**chosen):
+    message = solve_frame(Choices(**chosen).chosen())
+    assert len(message) <= 100_000
+    for name, values in arrays(message).items():
+        assert np.isfinite(values).all(), name
+    header = read_header(message)
+    json.dumps(header, allow_nan=False)
+    assert abs(header["waves"]["diagnostics"]["energy_error"]) < 1e-6
+    assert abs(header["modal"]["diagnostics"]["energy_error"]) < 1e-10
+
+
+@pytest.mark.parametrize("name", Choices.param.scene.objects)
+def test_a_scene_by_its_own_values_is_the_scene(name):
+    chosen = Choices(scene=name, **Choices.of_scene(name)).chosen()
+    base, scene = solvers.load(name), chosen_scene(chosen)
+    assert scene.target == base.target
+    assert scene.contact == base.contact
+    assert scene.impactor.mass == pytest.approx(base.impactor.mass, rel=1e-14)
+
+
+def test_the_ghost_is_the_classical_answer():
+    fixed, free = solvers.load("fixed-rod"), solvers.load("free-rod")
+    assert ghost(fixed, 0.8) == {"impactor": -0.8, "target": 0.0}
+    after = ghost(free, 0.6)
+    assert after["target"] - after["impactor"] == pytest.approx(0.6)
+    assert after["impactor"] + free.mass_ratio * after["target"] == pytest.approx(1.0)  # momentum, (9.1)

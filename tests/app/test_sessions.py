@@ -1,0 +1,67 @@
+"""What a visit leaves behind: nothing."""
+
+import asyncio
+import gc
+import threading
+
+import panel as pn
+from bokeh.document import Document
+
+from app import server as page_server
+
+from .conftest import free_port
+from .socket_client import SocketClient
+
+VISITS = 15
+
+
+def documents() -> int:
+    gc.collect()
+    return sum(isinstance(thing, Document) for thing in gc.get_objects())
+
+
+def test_fifteen_visits_leave_no_document_behind():
+    port, ready, stop = free_port(), threading.Event(), {}
+
+    def serve():
+        asyncio.set_event_loop(asyncio.new_event_loop())
+        server = page_server.build(port, "127.0.0.1", [], unused_lifetime=200)
+        server.start()
+        stop["loop"] = server.io_loop
+        ready.set()
+        server.io_loop.start()
+
+    async def visit(count: int) -> int:
+        clients = [await SocketClient(f"127.0.0.1:{port}").open() for _ in range(count)]
+        await asyncio.gather(*(client.set("mass_ratio", 2.0) for client in clients))
+        await asyncio.gather(*(client.answer() for client in clients))
+        alive = documents()
+        for client in clients:
+            client.close()
+        return alive
+
+    async def visits() -> tuple[int, int, int]:
+        await visit(2)  # what is made once stays
+        before = await forgotten()
+        alive = await visit(VISITS)
+        for _ in range(100):
+            after = await forgotten()
+            if after <= before:
+                break
+        return before, alive, after
+
+    async def forgotten() -> int:
+        await asyncio.sleep(0.5)
+        return documents()
+
+    thread = threading.Thread(target=serve, daemon=True)
+    thread.start()
+    assert ready.wait(120)
+    try:
+        before, alive, after = asyncio.run(visits())
+    finally:
+        stop["loop"].add_callback(stop["loop"].stop)
+        thread.join(10)
+    assert alive >= before + VISITS  # so that this test could fail
+    assert after <= before
+    assert pn.state.param.watchers.get("busy", {}).get("value", []) == []

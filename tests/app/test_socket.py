@@ -1,0 +1,183 @@
+"""A client that is no browser, on a real socket: what it may not do, and what becomes of the page meanwhile."""
+
+import asyncio
+import json
+import time
+import urllib.error
+import urllib.request
+
+import pytest
+from tornado.httpclient import HTTPRequest
+from tornado.websocket import websocket_connect
+
+from app.lab import Lab
+from app.state import Choices
+
+from .socket_client import SocketClient
+
+NAN = {"type": "number", "value": "nan"}
+INFINITE = {"type": "number", "value": "+inf"}
+
+
+def run(coroutine):
+    return asyncio.run(asyncio.wait_for(coroutine, 60))
+
+
+async def opened(address: str, query: str = "") -> SocketClient:
+    client = await SocketClient(address).open(query)
+    await client.changes(0.3)
+    return client
+
+
+def wrong_values():
+    for name in Choices.CHOSEN:
+        bounds = getattr(Choices.param[name], "bounds", None)
+        if bounds is None:
+            yield name, "nonsense"
+        else:
+            for value in (bounds[0] - 1, bounds[1] * 2, -1e300, 10**30, NAN, INFINITE):
+                yield name, value
+
+
+def test_every_value_out_of_bounds_is_refused_and_set_back(server):
+    async def attack():
+        client = await opened(server)
+        for name, value in wrong_values():
+            await client.set(name, value)
+            changed, _ = await client.changes(0.12)
+            assert "frame" not in changed, (name, value)
+            if "refused" in changed:  # the browser is told, and gets the value that holds
+                assert changed["refused"].startswith(f"{name}: got "), (name, value)
+                assert "allowed:" in changed["refused"]
+        await client.set("mass_ratio", 2.0)  # still at work, and with the old values of all the rest
+        await client.answer()
+        client.close()
+
+    run(attack())
+
+
+@pytest.mark.parametrize("value", ["a string", None, [1, 2], {"type": "object", "name": "Div", "id": "p1"}, True])
+def test_a_wrong_type_is_refused_without_a_stack_trace(server, value):
+    async def attack():
+        client = await opened(server)
+        await client.set("speed", value)
+        changed, kinds = await client.changes(0.4)
+        assert "frame" not in changed
+        assert "ERROR" in kinds or "refused" in changed
+        assert "Traceback" not in json.dumps({k: v for k, v in client.last.items() if k != "buffers"})
+        client.close()
+
+    run(attack())
+
+
+@pytest.mark.parametrize("name", ["frame", "refused", "spec", "visible", "esm"])
+def test_what_is_no_choice_cannot_be_changed_for_others(server, name):
+    async def attack():
+        client = await opened(server)
+        await client.set(name, "<script>alert(1)</script>")
+        await client.changes(0.2)
+        other = await opened(server)
+        assert "alert(1)" not in other.html
+        await other.set("mass_ratio", 3.0)
+        await other.answer()
+        client.close()
+        other.close()
+
+    run(attack())
+
+
+def test_a_flood_of_foreign_events_costs_nobody_anything(server):
+    root = {"kind": "RootAdded", "model": {"type": "object", "name": "Div", "id": "p9"}, "setter": None}
+
+    async def attack():
+        client, other = await opened(server), await opened(server)
+        await client.patch(*[root] * 100)
+        begun = time.perf_counter()
+        await other.set("mass_ratio", 3.0)
+        await other.answer()
+        assert time.perf_counter() - begun < 5.0  # unguarded it takes 25 s
+        _, kinds = await client.changes(0.5)
+        assert kinds == ["ERROR"]
+        await client.send("PUSH-DOC", {"doc": {}})
+        _, kinds = await client.changes(0.3)
+        assert kinds == ["ERROR"]
+        client.close()
+        other.close()
+
+    run(attack())
+
+
+@pytest.mark.parametrize("content", ["{", "[]", '{"events": 3}', '{"events": [null, 1, {}]}', '{"events": [{"kind": []}]}'])
+def test_broken_messages_are_refused_and_the_page_stays(server, content):
+    async def attack():
+        client = await opened(server)
+        await client.send("PATCH-DOC", content)
+        try:
+            _, kinds = await client.changes(0.4)
+            assert set(kinds) <= {"ERROR"}
+        except ConnectionError:
+            pass  # hanging up is an answer too
+        other = await opened(server)
+        await other.set("modes", 9)
+        await other.answer()
+        other.close()
+
+    run(attack())
+
+
+def test_too_long_a_message_closes_only_its_own_connection(server):
+    async def attack():
+        client = await opened(server)
+        await client.set("law", "x" * 100_000)
+        with pytest.raises(ConnectionError):
+            await client.changes(2.0)
+        other = await opened(server)
+        await other.set("modes", 9)
+        await other.answer()
+        other.close()
+
+    run(attack())
+
+
+def test_a_page_of_another_site_cannot_connect(server):
+    async def attack():
+        client = await SocketClient(server).open()
+        request = HTTPRequest(f"ws://{server}/ws", headers={"Origin": "http://elsewhere.example"})
+        with pytest.raises(Exception, match="403"):
+            await websocket_connect(request)
+        client.close()
+
+    run(attack())
+
+
+def test_many_changes_at_once_end_with_the_newest(server):
+    async def hurry():
+        client = await opened(server)
+        for k in range(60):
+            await client.set("mass_ratio", 1.0 + k / 100)
+        await client.changes(2.0)
+        # the last message holds the newest choice
+        assert b'"mass_ratio": 1.59' in client.last_frame
+        client.close()
+
+    run(hurry())
+
+
+def test_headers_and_paths_are_safe(server):
+    with urllib.request.urlopen(f"http://{server}/") as page:
+        assert "unsafe-eval" not in page.headers["Content-Security-Policy"]
+        assert page.headers["X-Content-Type-Options"] == "nosniff"
+    assert json.load(urllib.request.urlopen(f"http://{server}/liveness?endpoint=/")) == {"alive": True}
+    version = Lab._esm.split("assets/")[1].split("/")[0]
+    for path in (f"assets/{version}/../lab.py", f"assets/{version}/%2e%2e/lab.py", "admin", "rest/session_info"):
+        with pytest.raises(urllib.error.HTTPError) as refused:
+            urllib.request.urlopen(f"http://{server}/{path}")
+        assert refused.value.code in (403, 404)
+        assert "Traceback" not in refused.value.read().decode()
+
+
+def test_a_bad_address_is_answered_with_the_page(server):
+    for query in ("?mass_ratio=", "?mass_ratio=%ff%fe", "?modes=1.5", "?speed=nan", "?law=" + "x" * 5000, "?scene=../x"):
+        with urllib.request.urlopen(f"http://{server}/{query}") as page:
+            assert page.status == 200
+            assert "Traceback" not in page.read().decode()

@@ -1,0 +1,39 @@
+"""Choices: bounds that hold, addresses that are read with care."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.state import Choices, accepts, from_address, refusal
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e-4, 1e4, 10**40, "1", None, True, [1.0]])
+def test_a_mass_ratio_out_of_bounds_is_not_accepted(value):
+    assert not accepts("mass_ratio", value)
+    sentence = refusal("mass_ratio", value)
+    assert sentence.startswith("mass_ratio: got ")
+    assert sentence.endswith("allowed: a number from 0.001 to 1000")
+
+
+@pytest.mark.parametrize("value", [1.5, 0, 201, "50", True, None])
+def test_modes_are_whole_numbers(value):
+    assert not accepts("modes", value)
+
+
+def test_an_address_sets_a_scene_first_and_then_the_rest():
+    kept, refused = from_address({"modes": [b"20"], "speed": [b"3"], "scene": [b"bronze-rod-steel-ball"]})
+    assert refused == []
+    assert kept["law"] == "hertz"
+    assert kept["speed"] == 3.0
+    assert kept["modes"] == 20
+
+
+@given(st.dictionaries(st.sampled_from([*Choices.CHOSEN, "x"]), st.lists(st.binary(max_size=60), min_size=1, max_size=2)))
+def test_no_address_breaks_anything_or_is_echoed(arguments):
+    kept, refused = from_address(arguments)
+    Choices(**kept)
+    for sentence in refused:
+        assert "<" not in sentence
+        assert "\n" not in sentence
