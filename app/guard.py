@@ -61,8 +61,8 @@ def _guarded(handle):
         if message.msgtype == "PUSH-DOC":
             return connection.error(message, "not allowed")
         if message.msgtype == "PATCH-DOC":
-            events = message.content.get("events", [])
-            if len(events) > MAX_EVENTS or not all(allowed(event) for event in events):
+            events = message.content.get("events") if isinstance(message.content, dict) else None
+            if not isinstance(events, list) or len(events) > MAX_EVENTS or not all(map(allowed, events)):
                 return connection.error(message, "not allowed")
         return await handle(self, message, connection)
 

@@ -1,5 +1,6 @@
 """Serve the page: kernels warm, answers safe, nothing else on the port."""
 
+import contextlib
 import logging
 import signal
 import sys
@@ -32,10 +33,8 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
     print(f"The page is at http://{host}:{port}  (stop with Ctrl-C)", flush=True)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
-    try:
+    with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()
-    except KeyboardInterrupt:
-        pass
     print("Stopped.", flush=True)
     return 0
 
@@ -52,6 +51,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
 
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     logging.getLogger("bokeh").setLevel(logging.ERROR)
+    logging.getLogger("tornado.access").setLevel(logging.ERROR)
     logging.getLogger("bokeh.server.protocol_handler").setLevel(logging.CRITICAL)  # a stack per bad message, else
     guard.install()
     _warm()

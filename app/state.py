@@ -1,4 +1,4 @@
-"""What a visitor has chosen: bounded values, no widget. The same bounds guard the sliders, the address and the socket."""
+"""What a visitor has chosen: bounded values, no widget. The same bounds guard sliders, address and socket."""
 
 import re
 from typing import Any

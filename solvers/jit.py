@@ -18,15 +18,12 @@ def _cache_folder() -> str:
     sources = sorted(Path(__file__).parent.rglob("*.py"))
     key = sha256(b"".join(source.read_bytes() for source in sources) + repr(numba.config.BOUNDSCHECK).encode())
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    for parent in (Path(home) / "strikewave", Path(tempfile.gettempdir()) / f"strikewave-{os.getuid()}"):
-        folder = parent / key.hexdigest()[:12]
-        try:
-            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        except OSError:
-            continue
-        if os.access(folder, os.W_OK) and folder.stat().st_uid == os.getuid():
-            return str(folder)
-    return tempfile.mkdtemp(prefix="strikewave-")
+    folder = Path(home) / "strikewave" / key.hexdigest()[:12]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return tempfile.mkdtemp(prefix="strikewave-")  # compiled anew each time, but it runs
+    return str(folder) if os.access(folder, os.W_OK) else tempfile.mkdtemp(prefix="strikewave-")
 
 
 if "NUMBA_CACHE_DIR" not in os.environ:

@@ -273,8 +273,9 @@ class ModalMotion:
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
         """Start and end [s] of every stretch of positive indentation, located inside the steps."""
-        a = self.record.indentation
-        touching = a > 0.0
+        a, pressing = self.record.indentation, self.record.contact_force > 0.0
+        near = np.append(pressing, False) | np.append(False, pressing)
+        touching = (a > 0.0) & near  # a strongly damped surface may come back too slowly to press
         touching[0] = True
         rises = np.flatnonzero(~touching[:-1] & touching[1:])
         falls = np.flatnonzero(touching[:-1] & ~touching[1:])
@@ -286,7 +287,7 @@ class ModalMotion:
         return starts, ends
 
     def contacts(self) -> list[ContactPeriod]:
-        """Contact periods as far as these modes can tell them apart: gaps below the shortest kept period are chatter."""
+        """Contact periods as far as these modes can tell: gaps below the shortest kept period are chatter."""
         starts, ends = self.raw_contacts()
         parts = starts[1:] - ends[:-1] >= self.modes.shortest_period
         firsts, lasts = starts[np.append(True, parts)], ends[np.append(parts, True)]

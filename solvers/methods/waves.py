@@ -283,7 +283,7 @@ class _SteppedHistory(_History):
         self.per_trip = max(2, round(steps / until))
         count = max(1, math.ceil(until * self.per_trip - 1e-9))
         found = stepped_waves.strike(beta, reflection, self.per_trip, count, True, 1000)
-        self.before, self.after, self.position, self.velocity, self.contacts, parted = found
+        self.before, self.after, self.position, self.velocity, self.contacts, _ = found
         self.reach, self.steps = count / self.per_trip, count
         self.totals = np.concatenate(([0.0], np.cumsum(0.5 * (self.after[:-1] + self.before[1:])))) / self.per_trip
         square = (self.after[:-1] ** 2 + self.after[:-1] * self.before[1:] + self.before[1:] ** 2) / 3.0
@@ -361,7 +361,7 @@ class _ContactHistory(_History):
     def local(self, t):
         depth = self._sampled(t, self.depth)
         stored = np.array([self.law.work(a) for a in depth.tolist()])
-        return stored, np.interp(t, self.start, self.lost)
+        return stored, self._sampled(t, self.lost)
 
     def deepest(self, unit):
         """Refined by the parabola through the highest of the stored values and its neighbours."""

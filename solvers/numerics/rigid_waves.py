@@ -1,6 +1,7 @@
 """Exact waves in a rod struck by a rigid mass: St. Venant's problem, any number of contact periods.
 
-Units here: time in round trips T, velocity in the impact speed v, stress in sigma_0 = v sqrt(E rho), displacement in v T.
+Units here: time in round trips T, velocity in the impact speed v, stress in sigma_0 = v sqrt(E rho), displacement in
+v T.
 One history says all: s(t), the stress wave sent into the rod by the struck end. It comes back as r s(t - 1), with
 r = +1 from a fixed and -1 from a free far end, so that at the struck end
 
@@ -104,7 +105,7 @@ def _first_touch(gap, opened, v1, incoming, degree, length, kappa, slope, scratc
                     low, high = x, end
                     while high - low > 4e-16 * high:
                         middle = 0.5 * (low + high)
-                        if middle == low or middle == high:
+                        if not low < middle < high:
                             break
                         if (_closing_speed(v1, incoming, degree, middle) > 0.0) == (at_x > 0.0):
                             low = middle

@@ -4,10 +4,19 @@ import asyncio
 import json
 import re
 import uuid
+from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
+
+
+def run(coroutine: Coroutine, seconds: float = 60.0) -> Any:
+    """Run to the end on a thread of its own: Playwright keeps a loop on the main one."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, asyncio.wait_for(coroutine, seconds)).result()
+
 
 READY = {"type": "event", "name": "document_ready", "values": {"type": "map", "entries": []}}
 

@@ -6,6 +6,8 @@ import time
 
 from app.runner import Runner
 
+from .socket_client import run
+
 
 def test_while_one_is_solved_only_the_newest_wish_is_kept():
     done, shown, gate = [], [], threading.Event()
@@ -27,7 +29,7 @@ def test_while_one_is_solved_only_the_newest_wish_is_kept():
         gate.set()
         await first
 
-    asyncio.run(hurry())
+    run(hurry())
     assert done == [0, 49]
     assert shown == [0, 49]
 
@@ -47,7 +49,7 @@ def test_a_failure_becomes_a_sentence_and_the_next_wish_is_served():
         for wish in ("bad value", "bug", "good"):
             await runner.want(wish)
 
-    asyncio.run(visit())
+    run(visit())
     assert shown == ["good"]
     assert refused[0] == "speed: got -1; allowed: more"
     assert "secret" not in refused[1]

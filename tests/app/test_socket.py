@@ -1,6 +1,5 @@
 """A client that is no browser, on a real socket: what it may not do, and what becomes of the page meanwhile."""
 
-import asyncio
 import json
 import time
 import urllib.error
@@ -13,14 +12,10 @@ from tornado.websocket import websocket_connect
 from app.lab import Lab
 from app.state import Choices
 
-from .socket_client import SocketClient
+from .socket_client import SocketClient, run
 
 NAN = {"type": "number", "value": "nan"}
 INFINITE = {"type": "number", "value": "+inf"}
-
-
-def run(coroutine):
-    return asyncio.run(asyncio.wait_for(coroutine, 60))
 
 
 async def opened(address: str, query: str = "") -> SocketClient:
@@ -56,7 +51,7 @@ def test_every_value_out_of_bounds_is_refused_and_set_back(server):
     run(attack())
 
 
-@pytest.mark.parametrize("value", ["a string", None, [1, 2], {"type": "object", "name": "Div", "id": "p1"}, True])
+@pytest.mark.parametrize("value", ["a string", None, [1, 2], {"type": "object", "name": "Div", "id": "p1"}, False])
 def test_a_wrong_type_is_refused_without_a_stack_trace(server, value):
     async def attack():
         client = await opened(server)
@@ -107,7 +102,9 @@ def test_a_flood_of_foreign_events_costs_nobody_anything(server):
     run(attack())
 
 
-@pytest.mark.parametrize("content", ["{", "[]", '{"events": 3}', '{"events": [null, 1, {}]}', '{"events": [{"kind": []}]}'])
+@pytest.mark.parametrize(
+    "content", ["{", "[]", '{"events": 3}', '{"events": [null, 1, {}]}', '{"events": [{"kind": []}]}']
+)
 def test_broken_messages_are_refused_and_the_page_stays(server, content):
     async def attack():
         client = await opened(server)
@@ -154,10 +151,10 @@ def test_many_changes_at_once_end_with_the_newest(server):
     async def hurry():
         client = await opened(server)
         for k in range(60):
-            await client.set("mass_ratio", 1.0 + k / 100)
+            await client.set("mass_ratio", 1.0 + k / 64)
         await client.changes(2.0)
         # the last message holds the newest choice
-        assert b'"mass_ratio": 1.59' in client.last_frame
+        assert b'"mass_ratio": 1.921875' in client.last_frame
         client.close()
 
     run(hurry())
@@ -177,7 +174,14 @@ def test_headers_and_paths_are_safe(server):
 
 
 def test_a_bad_address_is_answered_with_the_page(server):
-    for query in ("?mass_ratio=", "?mass_ratio=%ff%fe", "?modes=1.5", "?speed=nan", "?law=" + "x" * 5000, "?scene=../x"):
+    for query in (
+        "?mass_ratio=",
+        "?mass_ratio=%ff%fe",
+        "?modes=1.5",
+        "?speed=nan",
+        "?law=" + "x" * 5000,
+        "?scene=../x",
+    ):
         with urllib.request.urlopen(f"http://{server}/{query}") as page:
             assert page.status == 200
             assert "Traceback" not in page.read().decode()

@@ -30,7 +30,9 @@ def test_an_address_sets_a_scene_first_and_then_the_rest():
     assert kept["modes"] == 20
 
 
-@given(st.dictionaries(st.sampled_from([*Choices.CHOSEN, "x"]), st.lists(st.binary(max_size=60), min_size=1, max_size=2)))
+@given(
+    st.dictionaries(st.sampled_from([*Choices.CHOSEN, "x"]), st.lists(st.binary(max_size=60), min_size=1, max_size=2))
+)
 def test_no_address_breaks_anything_or_is_echoed(arguments):
     kept, refused = from_address(arguments)
     Choices(**kept)
