@@ -100,7 +100,7 @@ def parse_changes(changes: list[str]) -> dict[str, object]:
             raise SceneError("--set", change, "KEY=VALUE, such as target.length=0.5")
         try:
             value = tomllib.loads(f"value = {text}")["value"] if "\n" not in text else text
-        except (tomllib.TOMLDecodeError, RecursionError):
+        except (ValueError, RecursionError):
             value = text.strip()
         if key in found and found[key] != value:
             raise SceneError(f"--set {key}", value, f"one value for a key; it was {found[key]!r} before")
@@ -133,7 +133,7 @@ def _solve(options: argparse.Namespace) -> int:
 
 def _serve(options: argparse.Namespace) -> int:
     port = options.port or os.environ.get("IMPACT_PORT") or str(DEFAULT_PORT)
-    if not port.isascii() or not port.isdigit() or not 1 <= int(port) <= 65535:
+    if not (port.isascii() and port.isdigit() and len(port) <= 5 and 1 <= int(port) <= 65535):
         raise SceneError("--port", port, "a whole number from 1 to 65535")
     address = options.address or os.environ.get("IMPACT_ADDRESS") or "127.0.0.1"
     origins = options.allow_origin or [o for o in os.environ.get("IMPACT_ORIGINS", "").split(",") if o.strip()]

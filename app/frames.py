@@ -84,7 +84,7 @@ def _wave_history(waves: Solution) -> dict[str, np.ndarray]:
     jumps = history.jumps()
     jumps = jumps[(jumps >= 0.0) & (jumps <= reach)][:200]
     time = np.unique(np.concatenate([even, jumps]))
-    (before, total), (after, _) = history.wave(time, False), history.wave(time, True)
+    before, after, total = history.wave(time, False), history.wave(time, True), history.total(time)
     force_before, force_after = (waves.motion.force(time * trip, side) / unit for side in (False, True))
     doubled = (np.abs(after - before) > 1e-6) | (np.abs(force_after - force_before) > 1e-6)
     order = np.argsort(np.concatenate([time[doubled], time]), kind="stable")

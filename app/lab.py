@@ -9,6 +9,7 @@ from typing import Any
 import panel as pn
 import param
 
+from .analysis import energy_shares, energy_view
 from .frames import solve_frame
 from .runner import Runner
 from .state import Choices, accepts, from_address, refusal
@@ -26,6 +27,7 @@ class Lab(Choices, pn.custom.JSComponent):
 
     frame = param.Bytes(default=b"", doc="answer to the choices, see app.frames")
     refused = param.String(default="", doc="why the last change was not taken")
+    energy_shown = param.Boolean(default=False, doc="whether the view of energy over time is open")
     spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
 
     _esm = """
@@ -34,14 +36,18 @@ class Lab(Choices, pn.custom.JSComponent):
       return page.render(context);
     }
     """.replace("VERSION", VERSION)
-    _priority_changes = list(Choices.CHOSEN)  # no debounce: the browser itself waits for each answer
+    _priority_changes = [*Choices.CHOSEN, "energy_shown"]  # no debounce: the browser itself waits for each answer
 
     def __init__(self, **choices):
         super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
         self._runner = Runner(solve_frame, self._show, self._refuse)
         self._quiet = False
         self.frame = solve_frame(self.chosen())
+        self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
+        self._energy: Any = None
+        self._energy_runner = Runner(energy_shares, self._show_energy, self._refuse)
         self.param.watch(self._changed, list(self.CHOSEN))
+        self.param.watch(self._ask_energy, "energy_shown")
 
     def _changed(self, *events: param.parameterized.Event) -> None:
         if self._quiet:
@@ -63,6 +69,21 @@ class Lab(Choices, pn.custom.JSComponent):
 
     def _show(self, message: bytes) -> None:
         self.frame = message
+        self._ask_energy()
+
+    def _ask_energy(self, *events: param.parameterized.Event) -> None:
+        self.below.visible = self.energy_shown
+        if self.energy_shown:
+            pn.state.execute(partial(self._energy_runner.want, self.chosen()))
+
+    def _show_energy(self, shares: dict[str, Any]) -> None:
+        if self._energy is None:  # HoloViews is loaded by the first visitor who asks for it
+            from holoviews.streams import Pipe
+
+            self._energy = Pipe(data=shares)
+            self.below.append(energy_view(self._energy))
+        else:
+            self._energy.send(shares)
 
     def _refuse(self, sentence: str) -> None:
         self.refused = ""
@@ -71,6 +92,8 @@ class Lab(Choices, pn.custom.JSComponent):
     def _process_events(self, events: dict[str, Any]) -> None:
         """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
         for name, value in events.items():
+            if name == "energy_shown" and isinstance(value, bool):
+                super()._process_events({name: value})
             if name not in self.CHOSEN:
                 continue
             if accepts(name, value):
@@ -95,10 +118,10 @@ def _spec() -> dict[str, Any]:
     return found
 
 
-def create() -> Lab:
-    """One visitor's laboratory, with the choices that the address asks for."""
+def create() -> pn.Column:
+    """One visitor's laboratory, with the choices that the address asks for, and room for analysis below it."""
     choices, refused = from_address(pn.state.session_args)
     lab = Lab(**choices)
     if refused:
         lab.refused = " ".join(refused)
-    return lab
+    return pn.Column(lab, lab.below, sizing_mode="stretch_width", margin=0)

@@ -58,9 +58,8 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     template = _template(VERSION)
 
     def page():
-        lab = create()
         pn.state.curdoc.template = template
-        return lab
+        return create()
 
     return pn.io.server.get_server(
         {"/": page},

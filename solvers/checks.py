@@ -13,7 +13,10 @@ class SceneError(ValueError):
 
 
 def _shown(value: object) -> str:
-    text = "nothing" if value is None else repr(value)
+    try:
+        text = "nothing" if value is None else repr(value)
+    except (ValueError, RecursionError):  # an endless whole number, tables within tables without end
+        text = f"a {type(value).__name__} too long to show"
     return text if len(text) <= 60 else text[:57] + "..."
 
 
@@ -68,5 +71,5 @@ def table(key: str, value: object, keys: Iterable[str]) -> Mapping[str, object]:
 def required(key: str, given: Mapping[str, object], name: str, allowed: str) -> object:
     """The value of a key that must be there."""
     if name not in given:
-        raise SceneError(f"{key}.{name}", None, f"{allowed} (the key is missing)")
+        raise SceneError(f"{key}.{name}" if key else name, None, f"{allowed} (the key is missing)")
     return given[name]

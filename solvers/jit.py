@@ -10,6 +10,7 @@ from hashlib import sha256
 from pathlib import Path
 
 import numba
+import scipy.linalg  # noqa: F401  (Numba wants it for its first kernel: better here than inside the first solve)
 from numba.extending import overload_method
 
 

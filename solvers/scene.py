@@ -10,6 +10,7 @@ from .bodies import Impactor, Rod, as_table
 from .checks import SceneError
 from .contact import LAWS
 
+LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles tell nothing
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
 
 
@@ -39,6 +40,11 @@ class Scene:
         for part in ("impactor", "target"):
             checks.required("", given, part, "a table")
         impactor, target = Impactor.read(given["impactor"]), Rod.read(given["target"])
+        ratio = target.mass / impactor.mass
+        if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO:
+            low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
+            allowed = f"{low:.3g} to {high:.3g} kg for this target: one then does not feel the other"
+            raise SceneError("impactor.mass", impactor.mass, allowed)
         contact = given.get("contact", {"law": "rigid"})
         if not isinstance(contact, Mapping):
             raise SceneError("contact", contact, "a table with the key law")
@@ -61,7 +67,7 @@ class Scene:
 
         Raises SceneError for a key that does not exist or a value that is not allowed.
         """
-        tables = _copied(self.given)
+        tables = _copied(self.given or self.table())
         for key, value in changes.items():
             *path, last = key.split(".")
             table = tables
@@ -73,11 +79,9 @@ class Scene:
         return Scene.from_table(tables)
 
     def table(self) -> dict[str, object]:
-        """Nested tables that `from_table` reads back into the same scene."""
-        contact = {"law": self.contact.NAME}
-        if self.contact.NAME != "rigid":
-            contact["stiffness"] = self.contact.stiffness
-        if "restitution" in self.contact.KEYS:
+        """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
+        contact = {"law": self.contact.NAME} | self.contact.table(self.impactor.velocity)
+        if "restitution" in contact and self.given:  # as given: the way back through the damping rounds
             contact["restitution"] = self.given["contact"]["restitution"]
         tables: dict[str, object] = {
             "title": self.title,
@@ -98,6 +102,10 @@ def _copied(tables: Mapping[str, object]) -> dict[str, Any]:
     return {key: _copied(value) if isinstance(value, Mapping) else value for key, value in tables.items()}
 
 
+def _named(error: BaseException) -> str:
+    return (str(error).splitlines() or [""])[0][:120] or "nested too deeply"
+
+
 SCENES = Path(__file__).parent / "scenes"
 
 
@@ -115,7 +123,11 @@ def load(name_or_path: str | Path) -> Scene:
         path = SCENES / f"{name_or_path}.toml"
     else:
         path = Path(name_or_path)
-        if not path.is_file():
+        try:
+            found = path.is_file()
+        except (OSError, ValueError):  # no name a file could have
+            found = False
+        if not found:
             allowed = "a scene file, or one of " + ", ".join(scene_names())
             raise SceneError("scene", str(name_or_path), allowed)
     return Scene.from_table(read_toml(path))
@@ -128,8 +140,7 @@ def read_toml(path: Path) -> dict[str, object]:
         if path.stat().st_size > MAX_FILE_SIZE:
             raise SceneError("scene", str(path), f"a file of at most {MAX_FILE_SIZE} bytes")
         return tomllib.loads(path.read_text(encoding="utf-8"))
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        reason = str(error).splitlines()[0][:120] or "nested too deeply"
-        raise SceneError("scene", str(path), f"a TOML file in UTF-8 ({reason})") from None
+    except (ValueError, RecursionError) as error:  # syntax, encoding, endless numbers, endless nesting
+        raise SceneError("scene", str(path), f"a TOML file in UTF-8 ({_named(error)})") from None
     except OSError as error:
         raise SceneError("scene", str(path), f"a readable file ({error.strerror})") from None

@@ -133,4 +133,6 @@ def _poisson(motion: Motion, speed: float, common: float, duration: float) -> fl
         later = int(np.argmax(motion.impactor_velocity(times) <= common * speed))
         low, high = float(times[max(later - 1, 0)]), float(times[later])
     before = float(motion.impulse(np.array([high]))[0])
+    if before <= 0.0:  # so heavy an impactor that the common velocity is its own, to rounding
+        return None
     return float(motion.impulse(np.array([duration]))[0]) / before - 1.0

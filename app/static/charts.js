@@ -2,7 +2,7 @@
 import { Chart, COLORS, palette, shade } from './plot.js';
 import { at, modalForces } from './physics.js';
 
-const COLUMNS = 480, ROWS = 121;
+const COLUMNS = 480, ROWS = 121, MODAL_COLUMNS = 240, MODAL_ROWS = 81; // fewer for modes, which cost a sum each
 const LINES = [['exact waves', 'line waves'], ['modes', 'line modal']];
 
 export class SpaceTime {
@@ -10,16 +10,16 @@ export class SpaceTime {
     this.chart = new Chart('Where the waves are', 'place along the rod ↓, time → in T', 'x-t diagram: stress or velocity along the rod against time');
     this.chart.label = (v) => (v === 0 ? 'struck' : v === 1 ? 'far end' : v.toFixed(1));
     this.image = document.createElement('canvas');
-    this.image.width = COLUMNS;
-    this.image.height = ROWS;
     this.chart.y = [1, 0]; // the struck end on top
   }
   // Rebuild the picture; returns the largest value, which is the end of the colour scale.
   load(field, what, largest) {
-    const context = this.image.getContext('2d'), picture = context.createImageData(COLUMNS, ROWS), pixels = picture.data;
-    field.image(what, COLUMNS, ROWS, (column, values) => {
-      for (let row = 0; row < ROWS; row++) {
-        const k = shade(values[row], largest), p = 4 * (row * COLUMNS + column);
+    const columns = field.omega ? MODAL_COLUMNS : COLUMNS, rows = field.omega ? MODAL_ROWS : ROWS;
+    if (this.image.width !== columns) Object.assign(this.image, { width: columns, height: rows });
+    const context = this.image.getContext('2d'), picture = context.createImageData(columns, rows), pixels = picture.data;
+    field.image(what, columns, rows, (column, values) => {
+      for (let row = 0; row < rows; row++) {
+        const k = shade(values[row], largest), p = 4 * (row * columns + column);
         pixels[p] = palette[k]; pixels[p + 1] = palette[k + 1]; pixels[p + 2] = palette[k + 2]; pixels[p + 3] = 255;
       }
     });
@@ -30,9 +30,9 @@ export class SpaceTime {
     chart.x = view;
     if (!chart.fit()) return;
     const c = chart.begin(chart.below), { box } = chart;
-    const from = view[0] / frame.duration * COLUMNS, width = (view[1] - view[0]) / frame.duration * COLUMNS;
-    c.imageSmoothingEnabled = width < COLUMNS / 3;
-    c.drawImage(this.image, from, 0, width, ROWS, box.x, box.y, box.w, box.h);
+    const { width, height } = this.image, part = (view[1] - view[0]) / frame.duration;
+    c.imageSmoothingEnabled = part < 1 / 3 || width < COLUMNS;
+    c.drawImage(this.image, view[0] / frame.duration * width, 0, part * width, height, box.x, box.y, box.w, box.h);
     chart.axes(c, { gridX: false });
     for (const [start, end] of frame.waves.contacts) { // contact, as a bar on the struck end
       const a = Math.max(chart.px(start), box.x), b = Math.min(chart.px(end), box.x + box.w);

@@ -42,7 +42,7 @@ class Page {
     const colour = make('div', { className: 'segments', role: 'group' });
     colour.setAttribute('aria-label', 'Colour shows');
     for (const what of ['stress', 'velocity']) {
-      const button = make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); } });
+      const button = make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); this.show(this.player.t); } });
       button.setAttribute('aria-pressed', String(what === this.what));
       colour.append(button);
     }
@@ -50,6 +50,7 @@ class Page {
     const bar = make('header', { className: 'top' },
       make('h1', {}, 'Strikewave'), make('p', { textContent: 'A body strikes a rod. Waves run along it, come back, and decide how the body leaves.' }),
       make('nav', {},
+        this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }),
         make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() }),
         make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })));
     const view = make('main', { className: 'views' },
@@ -111,14 +112,25 @@ class Page {
     this.whole.hidden = true;
     this.force.load(this.frame);
     this.displacements.load(this.frame, this.fields);
-    this.controls.arrange(this.frame);
-    this.story.latest = undefined;
-    this.story.load(this.frame);
     this.dress();
     this.player.load(this.frame);
-    this.address(chosen);
     this.settle();
+    this.tell(chosen);
     window.strikewave = { page: this, frames: (window.strikewave?.frames ?? 0) + 1, drawn: performance.now() };
+  }
+  // Words and address follow once the picture is painted, and not more often than they can be read.
+  tell(chosen) {
+    clearTimeout(this.telling);
+    const write = () => {
+      this.toldAt = performance.now();
+      this.telling = 0;
+      this.controls.arrange(this.frame);
+      this.story.load(this.frame);
+      this.story.at(this.player.t);
+      this.address(chosen);
+    };
+    if (!this.toldAt) write();
+    else this.telling = setTimeout(write, Math.max(40, this.toldAt + 150 - performance.now()));
   }
   get field() {
     if (this.frame.chosen.method === 'waves') return this.fields[0];
@@ -133,7 +145,6 @@ class Page {
     this.stage.load(this.frame, this.field, this.what, largest);
     for (const button of this.colour.children) button.setAttribute('aria-pressed', String(button.textContent === this.what));
     this.drawCharts();
-    this.show(this.player.t);
   }
   drawCharts() {
     for (const chart of this.charts) chart.draw(this.frame, this.view);
@@ -144,8 +155,18 @@ class Page {
     if (this.spaceTime.chart.box) this.spaceTime.chart.cursor(t);
     this.force.cursor(t);
     this.displacements.cursor(t);
-    this.story.at(t);
+    if (!this.telling) this.story.at(t);
+    if (this.model.energy_shown) this.energyCursor(t);
     this.painted = (this.painted ?? 0) + 1;
+  }
+  toggleEnergy() {
+    this.model.energy_shown = !this.model.energy_shown;
+    this.energy.setAttribute('aria-pressed', String(this.model.energy_shown));
+  }
+  // The cursor of the figure below the page, moved without telling the server.
+  energyCursor(t) {
+    this.span ??= window.Bokeh.documents.map((d) => d.get_model_by_name('energy-cursor')).find(Boolean);
+    this.span?.setv({ location: t }, { sync: false });
   }
   zoom(start, end) {
     const { duration } = this.frame;

@@ -55,6 +55,7 @@ export class Story {
   }
   load(frame) {
     this.frame = frame;
+    this.latest = undefined;
     this.events = events(frame);
     const shown = this.events.length > 24 ? [...this.events.slice(0, 23), this.events.at(-1)] : this.events;
     this.items = shown.map(([t, sentence]) => {
@@ -124,6 +125,7 @@ export class Story {
   }
   // Mark the latest event at the instant t.
   at(t) {
+    if (!this.events) return;
     let latest = -1;
     this.events.forEach(([when], k) => { if (k < this.items.length && when <= t + 1e-6) latest = k; });
     if (latest === this.latest) return;

@@ -30,6 +30,10 @@ class Rigid(NamedTuple):
     NAME = "rigid"
     KEYS = ()
 
+    def table(self, speed: float) -> dict[str, float]:
+        """The constants as in a scene file, for an impact at this speed [m/s]."""
+        return {}
+
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "Rigid":
         return cls()
@@ -42,6 +46,10 @@ class Linear(NamedTuple):
 
     NAME = "linear"
     KEYS = ("stiffness",)
+
+    def table(self, speed: float) -> dict[str, float]:
+        """The constants as in a scene file, for an impact at this speed [m/s]."""
+        return {"stiffness": self.stiffness}
 
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "Linear":
@@ -93,6 +101,10 @@ class Hertz(NamedTuple):
 
     NAME = "hertz"
     KEYS = ("stiffness",)
+
+    def table(self, speed: float) -> dict[str, float]:
+        """The constants as in a scene file, for an impact at this speed [m/s]."""
+        return {"stiffness": self.stiffness}
 
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "Hertz":

@@ -24,6 +24,10 @@ class HuntCrossley(NamedTuple):
     NAME = "hunt-crossley"
     KEYS = ("stiffness", "restitution")
 
+    def table(self, speed: float) -> dict[str, float]:
+        """The constants as in a scene file, for an impact at this speed [m/s]."""
+        return {"stiffness": self.stiffness, "restitution": delivered_restitution(self.loss * speed)}
+
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "HuntCrossley":
         wanted = checks.required("contact", given, "restitution", f"a number from {LEAST_RESTITUTION} to 1")
@@ -58,8 +62,8 @@ def delivered_restitution(damping: float) -> float:
 
     Solves d (1 + e) = ln((1 + d) / (1 - d e)), whatever n, K and the masses. Source: errata B.6.
     """
-    if damping < 1e-4:  # the equation cancels here; this series is exact to d^2
-        return 1.0 - 2.0 * damping / 3.0
+    if damping < 1e-4:  # the equation cancels here; this series leaves out d^3
+        return 1.0 - 2.0 * damping / 3.0 + 4.0 * damping**2 / 9.0
     from scipy.optimize import brentq  # here, so that importing the library stays quick
 
     # in w = -ln(1 - d e), as d e comes closer to 1 than a double can tell

@@ -100,15 +100,27 @@ class WaveMotion:
         self._force_unit = rod.impedance * self._speed
         self._length_unit = self._speed * self._trip
 
-    def _sent_and_returned(self, time, after=True):
-        """Wave sent and wave arriving at the struck end, and their integrals, at times in round trips."""
+    def _sent_and_arriving(self, time, after=True):
+        """Wave sent by the struck end and wave arriving there."""
         t = np.asarray(time, float) / self._trip
-        sent, sent_total = self.history.wave(t, after)
-        back, back_total = self.history.wave(t - 1.0, after)
-        return sent, self._reflection * back, sent_total, self._reflection * back_total
+        return self._both(t, t - 1.0, t, after)
+
+    def _both(self, out, back, t, after=True):
+        """The wave at times `out` and `back`; at the end of the time solved no value after a jump is known."""
+        sent, returned = self.history.wave(out, after), self.history.wave(back, after)
+        last = t >= self.history.reach
+        if after and last.any():
+            sent = np.where(last, self.history.wave(out, False), sent)
+            returned = np.where(last, self.history.wave(back, False), returned)
+        return sent, self._reflection * returned
+
+    def _totals(self, time):
+        """Their integrals from the beginning."""
+        t = np.asarray(time, float) / self._trip
+        return self.history.total(t), self._reflection * self.history.total(t - 1.0)
 
     def force(self, time, after=True):
-        sent, arriving, _, _ = self._sent_and_returned(time, after)
+        sent, arriving = self._sent_and_arriving(time, after)
         return self._force_unit * np.maximum(sent + arriving, 0.0) * self._touching(time, after)
 
     def _touching(self, time, after):
@@ -131,49 +143,50 @@ class WaveMotion:
         return self._trip * times[order], forces[order]
 
     def end_position(self, time):
-        _, _, sent, arriving = self._sent_and_returned(time)
+        sent, arriving = self._totals(time)
         return self._length_unit * (sent - arriving)
 
     def end_velocity(self, time, after=True):
-        sent, arriving, _, _ = self._sent_and_returned(time, after)
+        sent, arriving = self._sent_and_arriving(time, after)
         return self._speed * (sent - arriving)
 
     def impulse(self, time):
-        _, _, sent, arriving = self._sent_and_returned(time)
+        sent, arriving = self._totals(time)
         return self._force_unit * self._trip * (sent + arriving)
 
     def impactor_position(self, time):
-        return self._length_unit * self.history.mass(np.asarray(time, float) / self._trip)[0]
+        return self._length_unit * self.history.mass_position(np.asarray(time, float) / self._trip)
 
     def impactor_velocity(self, time, after=True):
-        return self._speed * self.history.mass(np.asarray(time, float) / self._trip)[1]
+        return self._speed * self.history.mass_velocity(np.asarray(time, float) / self._trip)
 
     def rigid_velocity(self, time):
         """Velocity of the rod's centre of mass [m/s], (4.29)."""
         t = np.asarray(time, float) / self._trip
-        now, half, whole = (self.history.wave(t - lag)[1] for lag in (0.0, 0.5, 1.0))
+        now, half, whole = (self.history.total(t - lag) for lag in (0.0, 0.5, 1.0))
         return 2.0 * self._speed * ((now - half) - self._reflection * (half - whole))
 
-    def _outward_and_back(self, time, x):
+    def _paths(self, time, x):
+        """When what is at (time, x) set out from the struck end: going outward, and coming back; shape (time, x)."""
         t = np.asarray(time, float)[:, None] / self._trip
         place = 0.5 * np.asarray(x, float)[None, :] / self.scene.target.length
-        out, out_total = self.history.wave((t - place).ravel())
-        back, back_total = self.history.wave((t + place - 1.0).ravel())
-        shape = np.broadcast_shapes(t.shape, place.shape)
-        r = self._reflection
-        return out.reshape(shape), r * back.reshape(shape), out_total.reshape(shape), r * back_total.reshape(shape)
+        t, place = np.broadcast_arrays(t, place)
+        return t.shape, (t - place).ravel(), (t + place - 1.0).ravel(), t.ravel()
 
     def stress(self, time, x):
-        out, back, _, _ = self._outward_and_back(time, x)
-        return self._force_unit / self.scene.target.area * (out + back)
+        shape, *paths = self._paths(time, x)
+        out, back = self._both(*paths)
+        return self._force_unit / self.scene.target.area * (out + back).reshape(shape)
 
     def velocity(self, time, x):
-        out, back, _, _ = self._outward_and_back(time, x)
-        return self._speed * (out - back)
+        shape, *paths = self._paths(time, x)
+        out, back = self._both(*paths)
+        return self._speed * (out - back).reshape(shape)
 
     def displacement(self, time, x):
-        _, _, out, back = self._outward_and_back(time, x)
-        return self._length_unit * (out - back)
+        shape, outward, back, _ = self._paths(time, x)
+        moved = self.history.total(outward) - self._reflection * self.history.total(back)
+        return self._length_unit * moved.reshape(shape)
 
     def energies(self, time):
         """Energy split [J] at each time; the rod's own is what its waves hold, summed from the field."""
@@ -228,7 +241,7 @@ def _notes(parted: bool, touching: bool, asked: bool) -> list[str]:
 
 
 class _RigidHistory(_History):
-    MAX_PIECES = 400_000
+    MAX_PIECES = 200_000
 
     @classmethod
     def strike(cls, scene: Scene, until: float) -> "_RigidHistory":
@@ -240,28 +253,41 @@ class _RigidHistory(_History):
             status, count, *self.pieces, contacts = rigid_waves.strike(beta, reflection, limit, pieces, 40, pieces)
             if status != rigid_waves.FULL or pieces >= cls.MAX_PIECES:
                 break
-            pieces *= 8
+            pieces = min(8 * pieces, cls.MAX_PIECES)
         self.kappa, self.reflection = 2.0 * beta, reflection
         self.contacts, self.reach, self.steps = contacts, float(self.pieces[0][-1]), int(count)
         self.notes = _notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked)
         return self
 
     def wave(self, t, after=True):
-        wave, total = np.empty(t.size), np.empty(t.size)
-        rigid_waves.sample(np.ascontiguousarray(t), after, self.kappa, *self.pieces, wave, total)
-        return wave, total
+        wave = np.empty(t.size)
+        rigid_waves.sample(np.ascontiguousarray(t), after, self.kappa, *self.pieces, wave, np.empty(0))
+        return wave
 
-    def mass(self, t):
-        """Position and velocity of the mass: with the struck end while they touch, on its own in between."""
-        (sent, sent_total), (back, back_total) = self.wave(t), self.wave(t - 1.0)
-        r = self.reflection
-        position, velocity = sent_total - r * back_total, sent - r * back
+    def total(self, t):
+        wave, total = np.empty(t.size), np.empty(t.size)
+        rigid_waves.sample(np.ascontiguousarray(t), True, self.kappa, *self.pieces, wave, total)
+        return total
+
+    def mass_position(self, t):
+        """With the struck end while they touch, on its own in between."""
+        position = self.total(t) - self.reflection * self.total(t - 1.0)
+        for apart, end, speed, place in self._flights(t):
+            position = np.where(apart, place + speed * (t - end), position)
+        return position
+
+    def mass_velocity(self, t):
+        # it never jumps, so either side of a jump of the waves will do
+        velocity = self.wave(t, False) - self.reflection * self.wave(t - 1.0, False)
+        for apart, _, speed, _ in self._flights(t):
+            velocity = np.where(apart, speed, velocity)
+        return np.where(t > 0.0, velocity, 1.0)
+
+    def _flights(self, t):
         for row, (_, end, _, speed, _, place, _) in enumerate(self.contacts):
             following = self.contacts[row + 1, 0] if row + 1 < len(self.contacts) else math.inf
-            apart = (t >= end) & (t < following) & (not math.isnan(place))
-            position = np.where(apart, place + speed * (t - end), position)
-            velocity = np.where(apart, speed, velocity)
-        return position, velocity
+            if not math.isnan(place):
+                yield (t >= end) & (t <= following), end, speed, place
 
     def squares(self, begin, end):
         start, coefficients, degrees, _ = self.pieces
@@ -297,21 +323,25 @@ class _SteppedHistory(_History):
     def estimated_error(self, residual):
         return max(self.difference, residual, 1e-15)
 
-    def wave(self, t, after=True):
+    def _cell(self, t, after):
         grid = np.clip(t * self.per_trip, 0.0, self.steps)
         grid = np.where(np.abs(grid - np.rint(grid)) < 1e-9, np.rint(grid), grid)
         cell = np.clip(np.floor(grid) if after else np.ceil(grid) - 1.0, 0, self.steps - 1).astype(int)
-        part = grid - cell
-        left, right = self.after[cell], self.before[cell + 1]
-        known = t >= 0.0 if after else t > 0.0
-        wave = np.where(known, left + part * (right - left), 0.0)
-        return wave, np.where(
-            known, self.totals[cell] + part * (left + 0.5 * part * (right - left)) / self.per_trip, 0.0
-        )
+        return cell, grid - cell, self.after[cell], self.before[cell + 1]
 
-    def mass(self, t):
-        grid = np.arange(self.steps + 1) / self.per_trip
-        return np.interp(t, grid, self.position), np.interp(t, grid, self.velocity)
+    def wave(self, t, after=True):
+        _, part, left, right = self._cell(t, after)
+        return np.where(t >= 0.0 if after else t > 0.0, left + part * (right - left), 0.0)
+
+    def total(self, t):
+        cell, part, left, right = self._cell(t, True)
+        return np.where(t > 0.0, self.totals[cell] + part * (left + 0.5 * part * (right - left)) / self.per_trip, 0.0)
+
+    def mass_position(self, t):
+        return np.interp(t, np.arange(self.steps + 1) / self.per_trip, self.position)
+
+    def mass_velocity(self, t):
+        return np.interp(t, np.arange(self.steps + 1) / self.per_trip, self.velocity)
 
     def squares(self, begin, end):
         grid = np.arange(self.steps + 1) / self.per_trip
@@ -320,7 +350,7 @@ class _SteppedHistory(_History):
 
 
 class _ContactHistory(_History):
-    MAX_SEGMENTS = 400_000
+    MAX_SEGMENTS = 200_000
 
     @classmethod
     def strike(cls, scene: Scene, until: float, tolerance: float) -> "_ContactHistory":
@@ -335,7 +365,7 @@ class _ContactHistory(_History):
             status, count, self.start, self.sent, self.totals, self.depth, self.speed, self.contacts, self.lost = found
             if status != contact_waves.FULL or segments >= cls.MAX_SEGMENTS:
                 break
-            segments *= 8
+            segments = min(8 * segments, cls.MAX_SEGMENTS)
         self.beta, self.reflection, self.tolerance = beta, reflection, tolerance
         self.reach, self.steps = float(self.start[-1]), int(count)
         touching = bool(self.contacts[-1, 1] >= self.reach)
@@ -348,12 +378,16 @@ class _ContactHistory(_History):
         return out
 
     def wave(self, t, after=True):
-        return self._sampled(t, self.sent), self._sampled(t, self.totals)
+        return self._sampled(t, self.sent)
 
-    def mass(self, t):
-        end = self._sampled(t, self.totals) - self.reflection * self._sampled(t - 1.0, self.totals)
-        speed = np.where(t > 0.0, self._sampled(t, self.speed), 1.0)
-        return end + self._sampled(t, self.depth), speed
+    def total(self, t):
+        return self._sampled(t, self.totals)
+
+    def mass_position(self, t):
+        return self.total(t) - self.reflection * self.total(t - 1.0) + self._sampled(t, self.depth)
+
+    def mass_velocity(self, t):
+        return np.where(t > 0.0, self._sampled(t, self.speed), 1.0)
 
     def squares(self, begin, end):
         return contact_waves.stored_energy(begin, end, self.start, self.sent)

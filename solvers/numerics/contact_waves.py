@@ -23,7 +23,7 @@ from .collocation import (
 )
 
 PARTED, STOPPED, FULL, FAILED = 0, 1, 2, 3
-LONG_STEP = 1e-2
+LONG_STEP, SHORT_STEP = 1e-2, 1e-7
 
 
 @kernel
@@ -91,6 +91,7 @@ def strike(law, beta, reflection, until, tolerance, capacity, max_contacts):
     h, status, failures, parting = 1e-3, FULL, 0, 0.0
     period = 2.0 if reflection > 0.0 else 1.0
     contacts[0, 2] = 1.0
+    lossy = law.force(1.0, 1.0) != law.force(1.0, 0.0)
     start[0] = 0.0
     breaks[0], break_count = 1.0, 1  # the first return; every event adds its own
     while n < capacity - 1 and break_count < capacity - 1 and count < max_contacts:
@@ -140,6 +141,11 @@ def strike(law, beta, reflection, until, tolerance, capacity, max_contacts):
                     peak = max(peak, abs(force[i]))
                 miss = max(abs(miss), abs(miss_sent) * min(1.0, step / LONG_STEP))
                 error = miss / (tolerance * peak) if peak > 0.0 else 0.0
+                # where damping stops the surface from pressing, the force has a corner: step up to it, not across it
+                corner = a > 0.0 and (force[STAGES - 1] > 0.0) != (force_now > 0.0) and depth[STAGES - 1] > 0.0
+                if corner and step > SHORT_STEP and not located:
+                    step *= 0.25
+                    continue
                 if error > 1.0 and step > 1e-13 and not located:
                     step *= max(0.1, 0.8 * error ** (-1.0 / STAGES))
                     continue
@@ -185,10 +191,11 @@ def strike(law, beta, reflection, until, tolerance, capacity, max_contacts):
             presses = False
             for i in range(STAGES):
                 largest = max(largest, abs(force[i]))
-                loss = step * (force[i] - law.force(depth[i], 0.0)) * rate[i]
-                for k in range(STAGES):
-                    lost[n, k + 1] += INTEGRATE[k, i] * loss
                 presses = presses or force[i] > 0.0
+                if lossy:  # what the force took from the bodies less what the law keeps
+                    for k in range(STAGES):
+                        lost[n, k + 1] += step * INTEGRATE[k, i] * force[i] * rate[i]
+                    lost[n, i + 1] -= law.work(depth[i]) - law.work(depths[n, 0])
             losses = lost[n, STAGES]
             if presses:
                 pressed = end

@@ -112,15 +112,20 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
                 record.checkpoint_displacement[row, i] = displacement[i] + bank.kick_displacement[i] * force
                 record.checkpoint_velocity[row, i] = velocity[i] + bank.kick_velocity[i] * force
         bending = 0.0
-        for i in range(modes):
-            turned = (
-                bank.cosine[i] * displacement[i] + bank.sine[i] * velocity[i] + bank.turned_kick_displacement[i] * force
-            )
-            velocity[i] = (
-                bank.cosine[i] * velocity[i] - bank.sine[i] * displacement[i] + bank.turned_kick_velocity[i] * force
-            )
-            displacement[i] = turned
-            bending += turned
+        if force != 0.0:
+            for i in range(modes):
+                q, p = displacement[i], velocity[i]
+                turned = bank.cosine[i] * q + bank.sine[i] * p + bank.turned_kick_displacement[i] * force
+                velocity[i] = bank.cosine[i] * p - bank.sine[i] * q + bank.turned_kick_velocity[i] * force
+                displacement[i] = turned
+                bending += turned
+        else:
+            for i in range(modes):
+                q, p = displacement[i], velocity[i]
+                turned = bank.cosine[i] * q + bank.sine[i] * p
+                velocity[i] = bank.cosine[i] * p - bank.sine[i] * q
+                displacement[i] = turned
+                bending += turned
         record.contact_force[k] = force
         record.indentation[k + 1] = indentation
         record.position[k + 1], record.velocity[k + 1] = x, v

@@ -4,6 +4,7 @@ import numpy as np
 
 from ..jit import kernel
 
+SPLITS = np.array([0.4872, 0.4139, 0.5571, 0.3433])  # tried in turn
 GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
 
 
@@ -44,7 +45,7 @@ def trim(coefficients, degree, reach):
 def roots(coefficients, degree, length, found):
     """Every root of the polynomial in (0, length), ascending, into `found`; returns how many.
 
-    Bernstein coefficients bound the number of roots by their sign changes; halving until at most one is left misses
+    Bernstein coefficients bound the number of roots by their sign changes; splitting until at most one is left misses
     none, however close two of them lie. Two roots closer than 1e-14 of the length count as one.
     """
     stack = np.empty((64, degree + 1))
@@ -65,8 +66,9 @@ def roots(coefficients, degree, length, found):
     while top > 0:
         top -= 1
         row = stack[top]
-        changes, sign = 0, 0.0
+        changes, sign, largest = 0, 0.0, 0.0
         for j in range(degree + 1):
+            largest = max(largest, abs(row[j]))
             if row[j] != 0.0:
                 if row[j] * sign < 0.0:
                     changes += 1
@@ -76,21 +78,26 @@ def roots(coefficients, degree, length, found):
         if changes == 1 or width[top] < 1e-14:
             a, b = left[top] * length, (left[top] + width[top]) * length
             if count < found.size:
-                found[count] = bracketed_root(coefficients, degree, a, b)
+                found[count] = bracketed_root(coefficients, degree, a, b, sign > 0.0)
                 count += 1
             continue
-        # halve by de Casteljau: the right half stays in place, the left half goes on top and is looked at first
-        half = 0.5 * width[top]
-        for j in range(degree + 1):
-            stack[top + 1, j] = stack[top, j]
-        for level in range(1, degree + 1):
-            for j in range(degree, level - 1, -1):
-                stack[top + 1, j] = 0.5 * (stack[top + 1, j] + stack[top + 1, j - 1])
+        # split by de Casteljau, not where a root happens to lie: there the sign is a matter of rounding
+        part = SPLITS[0]
+        for k in range(SPLITS.size):
+            part = SPLITS[k]
+            for j in range(degree + 1):
+                stack[top + 1, j] = row[j]
+            for level in range(1, degree + 1):
+                for j in range(degree, level - 1, -1):
+                    stack[top + 1, j] = part * stack[top + 1, j] + (1.0 - part) * stack[top + 1, j - 1]
+            if abs(stack[top + 1, degree]) > 1e-13 * largest:
+                break
+        # the right piece stays in place, the left piece goes on top and is looked at first
         for level in range(degree):
             for j in range(degree - level):
-                stack[top, j] = 0.5 * (stack[top, j] + stack[top, j + 1])
-        left[top + 1], width[top + 1] = left[top], half
-        left[top], width[top] = left[top] + half, half
+                row[j] = (1.0 - part) * row[j] + part * row[j + 1]
+        left[top + 1], width[top + 1] = left[top], part * width[top]
+        left[top], width[top] = left[top] + part * width[top], (1.0 - part) * width[top]
         top += 2
         if top > 62:
             break
@@ -98,9 +105,8 @@ def roots(coefficients, degree, length, found):
 
 
 @kernel
-def bracketed_root(coefficients, degree, a, b):
-    """The root in [a, b] by Newton's method, kept inside by halving."""
-    at_a = value(coefficients, degree, a)
+def bracketed_root(coefficients, degree, a, b, rising):
+    """The only root in [a, b], where the polynomial rises or falls, by Newton's method kept inside by halving."""
     x = 0.5 * (a + b)
     for _ in range(200):
         p, slope = coefficients[degree], 0.0
@@ -109,7 +115,7 @@ def bracketed_root(coefficients, degree, a, b):
             p = p * x + coefficients[k]
         if p == 0.0:
             return x
-        if (p > 0.0) == (at_a > 0.0):
+        if (p > 0.0) != rising:
             a = x
         else:
             b = x

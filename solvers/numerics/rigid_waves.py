@@ -257,12 +257,17 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
 
 @kernel
 def sample(times, after, kappa, start, coefficients, degrees, integral, wave, total):
-    """Write s(t) and its integral from 0 for `times`; at a jump the value after it, or before it if not `after`."""
+    """Write s(t) and its integral from 0 for `times`; at a jump the value after it, or before it if not `after`.
+
+    An empty `total` asks for s alone.
+    """
     n = degrees.size
     for i in range(times.size):
         t = times[i]
         if t < 0.0 or (t == 0.0 and not after):
-            wave[i], total[i] = 0.0, 0.0
+            wave[i] = 0.0
+            if total.size:
+                total[i] = 0.0
             continue
         low, high = 0, n
         while high - low > 1:
@@ -273,7 +278,8 @@ def sample(times, after, kappa, start, coefficients, degrees, integral, wave, to
                 high = middle
         x = kappa * (t - start[low])
         wave[i] = np.exp(-x) * value(coefficients[low], degrees[low], x)
-        total[i] = integral[low] + decaying_integral(coefficients[low], degrees[low], 0.0, x) / kappa
+        if total.size:
+            total[i] = integral[low] + decaying_integral(coefficients[low], degrees[low], 0.0, x) / kappa
 
 
 @kernel

@@ -1,4 +1,6 @@
-"""St. Venant's problem on a grid of times: second order in the step, some nanoseconds a step, for sweeps and sliders.
+"""St. Venant's problem on a grid of times: some nanoseconds a step, for sweeps and sliders.
+
+Error: second order in velocities and event times; first order in the field, where a later contact starts within a step.
 
 Units and the delay equation are those of `rigid_waves`. The grid divides the round trip, so that every return of the
 first front falls on it and is kept as a jump; events between grid times are located on straight lines.

@@ -28,7 +28,7 @@ def drag(page, name: str, to: float) -> None:
 
 
 def settled(page) -> None:
-    page.wait("() => !strikewave.page.asked && !Object.keys(strikewave.page.waiting).length")
+    page.wait("() => { const p = strikewave.page; return !p.asked && !p.telling && !Object.keys(p.waiting).length; }")
 
 
 def test_the_first_view_tells_the_story_of_the_fixed_rod(open_page):
@@ -301,6 +301,22 @@ def test_nothing_sticks_out_sideways(open_page, size):
         box = page.tab.get_by_role("button", name=name).bounding_box()
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= size[0]
+
+
+def test_energy_over_time_opens_below_and_follows_the_clock_silently(open_page):
+    page = open_page("?law=hunt-crossley&restitution=0.6")
+    page.tab.get_by_role("button", name="Energy over time").click()
+    cursor = "() => Bokeh.documents.map((d) => d.get_model_by_name('energy-cursor')).find(Boolean)"
+    page.wait(cursor)
+    page.tab.wait_for_timeout(500)
+    frames = dict(page.frames)
+    page.evaluate("() => strikewave.page.player.go(0.7)")
+    assert page.evaluate(f"() => ({cursor})().location") == 0.7
+    page.tab.wait_for_timeout(300)
+    assert page.frames == frames
+    page.answered(lambda: drag(page, "Mass ratio", 0.4))
+    page.tab.get_by_role("button", name="Energy over time").click()
+    expect(page.tab.locator(".bk-Figure")).to_be_hidden()
 
 
 def test_data_can_be_saved(open_page, tmp_path):

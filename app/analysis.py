@@ -1,0 +1,65 @@
+"""Views that need no live answer, made when they are first asked for: HoloViews figures under the laboratory."""
+
+from typing import Any
+
+import numpy as np
+
+from solvers import Waves
+
+from .state import chosen_scene
+
+INSTANTS = 161
+SHARES = {  # name in the solution: what the reader calls it, and its colour
+    "impactor": ("mass", "#33475b"),
+    "target_rigid": ("rod as a whole", "#4f9bd8"),
+    "target_vibration": ("waves in the rod", "#e08a4d"),
+    "local": ("stored in the contact", "#7c9a54"),
+    "dissipated": ("lost in the contact", "#a4243b"),
+}
+
+
+def energy_shares(chosen: dict[str, Any]) -> dict[str, np.ndarray]:
+    """Energy of every part against time [T], as a share of the impactor's before the blow; exact waves."""
+    scene = chosen_scene(chosen)
+    solution = Waves().solve(scene)
+    time = np.linspace(0.0, solution.duration, INSTANTS)
+    energies = solution.motion.energies(time)
+    shares = {SHARES[name][0]: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
+    return {"time": time / scene.target.round_trip_time, **shares}
+
+
+def energy_view(pipe: Any) -> Any:
+    """A pane that shows what `pipe`, a stream of `energy_shares`, says."""
+    import holoviews as hv
+    import panel as pn
+
+    hv.extension("bokeh")
+    hv.renderer("bokeh").webgl = False
+    colours = [colour for _, colour in SHARES.values()]
+
+    def name_cursor(plot, element):
+        plot.handles["glyph"].name = "energy-cursor"
+        plot.handles["glyph"].level = "overlay"
+
+    def stack(data):
+        areas = [hv.Area((data["time"], data[name]), "time", "share", label=name) for name, _ in SHARES.values()]
+        return hv.Area.stack(hv.Overlay(areas)).opts(
+            hv.opts.Area(color=hv.Cycle(colours), line_width=0, fill_alpha=0.9, framewise=True)
+        )
+
+    cursor = hv.VLine(0.0).opts(color="#c81e4a", line_width=1.5, hooks=[name_cursor])
+    figure = (hv.DynamicMap(stack, streams=[pipe]) * cursor).opts(
+        title="Where the energy is",
+        xlabel="time in T",
+        ylabel="share of the first energy, %",
+        height=240,
+        responsive=True,
+        ylim=(0, 102),
+        toolbar="above",
+        default_tools=["save", "xwheel_zoom", "xpan", "reset"],
+        active_tools=[],
+        framewise=True,
+        legend_position="right",
+        legend_opts={"border_line_alpha": 0.0},
+    )
+    return pn.pane.HoloViews(figure, sizing_mode="stretch_width", margin=(0, 14, 14, 14))

@@ -1,0 +1,1 @@
+"""Speed and accuracy, measured: `make bench`. Ratios and medians within one run; never part of the tests."""

@@ -1,0 +1,41 @@
+"""Run every benchmark, print the tables, store them with the machine in bench/results.json."""
+
+import argparse
+import json
+import platform
+from datetime import date
+from pathlib import Path
+
+from . import kernels, page, startup
+
+RESULTS = Path(__file__).parent / "results.json"
+
+
+def machine() -> dict[str, object]:
+    import os
+
+    model = platform.processor() or "unknown"
+    cpuinfo = Path("/proc/cpuinfo")
+    if cpuinfo.exists():
+        lines = [line for line in cpuinfo.read_text().splitlines() if line.startswith("model name")]
+        model = lines[0].partition(":")[2].strip() if lines else model
+    return {"processor": model, "cores": os.cpu_count(), "python": platform.python_version(), "date": str(date.today())}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--only", choices=["startup", "kernels", "page"], help="one part; default: all")
+    only = parser.parse_args().only
+    parts = [only] if only else ["startup", "kernels", "page"]
+    stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
+    stored["machine"] = machine()
+    print("Machine:", ", ".join(f"{key} {value}" for key, value in stored["machine"].items()))
+    for part in parts:
+        print(f"\n== {part}")
+        stored[part] = {"startup": startup, "kernels": kernels, "page": page}[part].measure()
+    RESULTS.write_text(json.dumps(stored, indent=1) + "\n")
+    print(f"\nStored in {RESULTS.relative_to(Path.cwd()) if RESULTS.is_relative_to(Path.cwd()) else RESULTS}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,113 @@
+"""The page on loopback, in headless Chromium and with bare clients."""
+
+import asyncio
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+from tests.app.conftest import QUIET, Page, free_port
+from tests.app.socket_client import SocketClient, run
+
+from .timing import row
+
+VISITS = 15
+
+LATENCY = """async () => {
+  const { send } = strikewave.page.controls, found = [];
+  const painted = () => new Promise((done) => requestAnimationFrame(() => {
+    const channel = new MessageChannel(); channel.port1.onmessage = done; channel.port2.postMessage(0); }));
+  for (let k = 0; k < 80; k++) {
+    const before = strikewave.frames, begun = performance.now();
+    send('mass_ratio', 0.6 + k / 100);
+    while (strikewave.frames === before) await new Promise((done) => setTimeout(done, 0));
+    await painted();
+    found.push(performance.now() - begun);
+    await new Promise((done) => setTimeout(done, 40 + 30 * Math.random()));
+  }
+  return found.slice(10);
+}"""
+PLAYBACK = """async () => {
+  const { page } = strikewave, { player } = page;
+  player.pace.value = '0.25'; player.pace.onchange(); player.go(0); player.toggle();
+  await new Promise((done) => setTimeout(done, 500));
+  const from = page.painted, begun = performance.now();
+  await new Promise((done) => setTimeout(done, 4000));
+  const rate = (page.painted - from) / (performance.now() - begun) * 1000;
+  player.toggle();
+  return rate;
+}"""
+
+
+def measure() -> dict[str, object]:
+    port = free_port()
+    begun = time.perf_counter()
+    server = subprocess.Popen(
+        [sys.executable, "-m", "app.command", "serve", "--port", str(port)], stdout=subprocess.DEVNULL
+    )
+    try:
+        while True:
+            try:
+                urllib.request.urlopen(f"http://127.0.0.1:{port}/liveness", timeout=2).read()
+                break
+            except OSError:
+                time.sleep(0.02)
+        rows = [row("impact serve answers after", time.perf_counter() - begun, "s")]
+        address = f"127.0.0.1:{port}"
+        rows += _browser(address)
+        rows += run(_sessions(address, server.pid), 120)
+    finally:
+        server.terminate()
+        server.wait(10)
+    return dict(rows)
+
+
+def _browser(address: str) -> list:
+    rows = []
+    with sync_playwright() as playwright:
+        chromium = os.environ.get("CHROMIUM") or shutil.which("chromium")
+        browser = playwright.chromium.launch(executable_path=chromium, args=QUIET)
+        begun = time.perf_counter()
+        page = Page(browser, address)
+        rows.append(row("page interactive, from the request, first visit", time.perf_counter() - begun, "s", "<= 2"))
+        for name, query in (("exact waves drawn", ""), ("50 modes drawn", "?method=modal"), ("Hertz", "?law=hertz")):
+            page = Page(browser, address, query)
+            page.tab.wait_for_timeout(500)
+            received = page.frames["bytes"]
+            times = sorted(page.evaluate(LATENCY))
+            rows.append(row(f"slider to redrawn picture, {name}: p50", statistics.median(times), "ms", "<= 50"))
+            rows.append(row(f"slider to redrawn picture, {name}: p95", times[int(0.95 * len(times))], "ms", "<= 100"))
+            rows.append(row(f"websocket per solve, {name}", (page.frames["bytes"] - received) / 80e3, "kB", "<= 100"))
+            frames = page.frames["sent"] + page.frames["received"]
+            rows.append(row(f"playback, {name}", page.evaluate(PLAYBACK), "frames/s", ">= 55"))
+            extra = page.frames["sent"] + page.frames["received"] - frames
+            rows.append(row(f"websocket frames during playback, {name}", extra, "", "0"))
+            page.context.close()
+        browser.close()
+    return rows
+
+
+async def _sessions(address: str, process: int) -> list:
+    def used() -> tuple[float, float]:
+        fields = Path(f"/proc/{process}/stat").read_text().split()
+        pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
+        return (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK"), pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+    clients = [await SocketClient(address).open() for _ in range(2)]
+    await asyncio.sleep(0.5)
+    cpu, memory = used()
+    clients += [await SocketClient(address).open() for _ in range(VISITS)]
+    await asyncio.sleep(0.5)
+    cpu_after, memory_after = used()
+    for client in clients:
+        client.close()
+    return [
+        row("server CPU to open a session", 1e3 * (cpu_after - cpu) / VISITS, "ms", "<= 150"),
+        row("memory held by a session", (memory_after - memory) / VISITS, "MB", "<= 2"),
+    ]

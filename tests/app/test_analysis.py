@@ -1,0 +1,19 @@
+"""Energy over time: every share there is, adding up to the whole."""
+
+import numpy as np
+import pytest
+
+from app.analysis import SHARES, energy_shares
+from app.state import Choices
+
+
+@pytest.mark.parametrize("law", Choices.param.law.objects)
+@pytest.mark.parametrize("scene", ["fixed-rod", "free-rod"])
+def test_the_shares_add_up_at_every_instant(scene, law):
+    shares = energy_shares(Choices(scene=scene, law=law, restitution=0.5).chosen())
+    parts = [shares[name] for name, _ in SHARES.values()]
+    assert np.sum(parts, axis=0) == pytest.approx(100.0, abs=1e-5)  # the tolerance of the contact's integration
+    assert np.min(parts) > -1e-6
+    lost = shares["lost in the contact"]
+    assert (np.diff(lost) >= -1e-6).all()
+    assert (lost[-1] > 1.0) == (law == "hunt-crossley")

@@ -1,0 +1,9 @@
+"""How hypothesis searches, for every test."""
+
+from hypothesis import HealthCheck, settings
+
+# The first call of a kernel compiles it, which no deadline survives; derandomized, so that a run can be repeated.
+settings.register_profile(
+    "repeatable", deadline=None, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("repeatable")

@@ -1,0 +1,25 @@
+"""Imports point one way only: the contracts of pyproject.toml, checked by import-linter."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_import_contracts_hold():
+    # its command has no `python -m`; the same call in a process of its own, as it changes sys.path and logging
+    call = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True, no_logo=True))"
+    done = subprocess.run([sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "0 broken" in done.stdout
+    assert "3 kept" in done.stdout
+
+
+def test_the_library_loads_neither_the_page_nor_anything_slow():
+    call = (
+        "import sys, solvers; "
+        "print([name for name in ('app', 'panel', 'param', 'bokeh', 'holoviews', 'tornado') if name in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.stdout.strip() == "[]", done.stdout + done.stderr

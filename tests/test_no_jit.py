@@ -1,0 +1,50 @@
+"""The kernels as plain Python give what the compiled ones give."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from pytest import approx
+
+import solvers
+from solvers import Modal, Waves
+from tests.catalog import T, contact_table, struck_rod
+
+ROOT = Path(__file__).parents[1]
+
+
+def answers() -> dict[str, list[float]]:
+    """Small blows by every kernel."""
+    blows = {
+        "exact": Waves().solve(solvers.load("fixed-rod")),
+        "stepped": Waves(steps=120).solve(struck_rod(1.0, "fixed"), 3.0 * T),
+        "modal rigid": Modal(modes=3, steps=150).solve(struck_rod(1.0, "fixed"), 3.0 * T),
+        "modal hertz": Modal(modes=3, steps=60).solve(struck_rod(1.0, "free", contact_table("hertz")), 2.0 * T),
+        "waves linear": Waves(tolerance=1e-5).solve(struck_rod(1.0, "free", contact_table("linear")), 1.2 * T),
+    }
+    return {
+        name: [
+            blow.impactor_velocity,
+            blow.impulse / blow.scene.impactor.mass,
+            blow.contacts[0].end / T,
+            blow.energy["target_vibration"] / blow.energy["initial"],
+            len(blow.contacts),
+        ]
+        for name, blow in blows.items()
+    }
+
+
+def test_plain_python_gives_the_same():
+    call = "import json, numba; assert numba.config.DISABLE_JIT; from tests import test_no_jit as here; "
+    call += "print(json.dumps(here.answers()))"
+    done = subprocess.run(
+        [sys.executable, "-c", call], cwd=ROOT, capture_output=True, text=True, timeout=300,
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    plain = json.loads(done.stdout)
+    for name, compiled in answers().items():
+        # compilers may reorder sums: rounding over some hundred steps
+        assert plain[name] == approx(compiled, abs=1e-12), name
