@@ -72,20 +72,20 @@ class Linear(NamedTuple):
         """See `hertz_mean_force`; for a spring each case is a linear or quadratic equation."""
         if start <= 0.0 and free <= 0.0:
             return 0.0, free, 0.0
-        share = 1.0 / (1.0 + residual * self.stiffness)  # of the closing that the law's own spring takes
-        stiffness = self.stiffness * share
+        stretch = 1.0 + residual * self.stiffness  # closing of the whole for the law's own indentation
         if start <= 0.0:  # touches within the step: (free - end)(end - start) = compliance * stiffness * end^2 / 2
+            stiffness = self.stiffness / stretch
             square, half = 1.0 + 0.5 * compliance * stiffness, 0.5 * (free + start)
             root = math.sqrt(half * half - square * free * start)
             end = (half + root) / square if half > 0.0 else -free * start / (root - half)
-            return (free - end) / compliance, end * share, 0.0
-        begin = start / share
-        force = stiffness * (begin + free) / (2.0 + stiffness * compliance)
+            return (free - end) / compliance, end / stretch, 0.0
+        begin = start * stretch
+        force = self.stiffness * (begin + free) / (2.0 * stretch + self.stiffness * compliance)
         end = free - compliance * force
         if end >= 0.0:
-            return force, end * share, 0.0
+            return force, (end if residual == 0.0 else end / stretch), 0.0
         # leaves within the step: all that is stored is given back on the way
-        half, stored = 0.5 * (begin - free), 0.5 * stiffness * begin * begin
+        half, stored = 0.5 * (begin - free), 0.5 * self.stiffness * start * begin
         root = math.sqrt(half * half + compliance * stored)
         force = stored / (half + root) if half > 0.0 else (root - half) / compliance
         return force, free - compliance * force, 0.0
@@ -178,14 +178,12 @@ def hertz_mean_force(stiffness, loss, start, free, compliance, residual, rate, e
         root1 = math.sqrt(end)
         force1 = stiffness * end * root1
         close = end + residual * force1
-        if start > 0.0:
+        if start > 0.0:  # chords of work and force over [start, end], written without the differences that cancel
             cross, square = root0 * root1, root0 * root0 + root1 * root1
-            share = stiffness / (root0 + root1)
-            chord_slope = share * (square + cross)
-            elastic = 0.4 * share * (square * (square + cross) - cross * cross)
-            elastic = (elastic + 0.5 * residual * (force0 + force1) * chord_slope) / (1.0 + residual * chord_slope)
+            chord = stiffness * (square + cross)
+            elastic = 0.4 * stiffness * (square * (square + cross) - cross * cross)
+            elastic = (elastic + 0.5 * residual * (force0 + force1) * chord) / (root0 + root1 + residual * chord)
         else:
-            chord_slope = 1.5 * stiffness * root1
             elastic = (0.4 * force1 * end + 0.5 * residual * force1 * force1) / (close - begin)
         factor = max(1.0 + loss * (end - start) * rate, 0.0)
         force = elastic * factor
@@ -197,8 +195,8 @@ def hertz_mean_force(stiffness, loss, start, free, compliance, residual, rate, e
             low = end
         if abs(miss) <= close_enough or high - low <= 2.0e-16 * high:
             break
-        tangent = 1.0 + residual * 1.5 * stiffness * root1
-        tangent += compliance * (0.5 * chord_slope * factor + elastic * loss * rate)
+        slope = 1.5 * stiffness * root1
+        tangent = 1.0 + residual * slope + compliance * (0.5 * slope * factor + elastic * loss * rate)
         following = end - miss / tangent
         if iteration > 3:  # the tangent is only nearly right; when that is not enough, the secant and halving are
             difference = miss - miss_before

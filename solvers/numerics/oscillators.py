@@ -93,6 +93,7 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     bending = displacement.sum()
     modes = displacement.size
     force, force_before = 0.0, 0.0
+    until_checkpoint = stride - begin % stride
     for k in range(begin, end):
         free = (x - rigid_x) + step * (v - rigid_v) - bending
         expected = force + force - force_before
@@ -103,7 +104,9 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
         v -= gain * force
         rigid_x += step * (rigid_v + 0.5 * rigid_gain * force)
         rigid_v += rigid_gain * force
-        if (k + 1) % stride == 0:
+        until_checkpoint -= 1
+        if until_checkpoint == 0:
+            until_checkpoint = stride
             row = (k + 1) // stride
             for i in range(modes):
                 correction = -0.5 * stride * bank.excess[i]
