@@ -47,7 +47,9 @@ def _parser() -> argparse.ArgumentParser:
         help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
     )  # fmt: skip
     solve.add_argument("--json", action="store_true", help="print the whole result as JSON")
-    solve.add_argument("--series", metavar="FILE.csv", help="write the histories to a file as well")
+    solve.add_argument(
+        "--series", metavar="FILE", help="write the histories (.csv), or histories and fields (.nc), as well"
+    )
     solve.set_defaults(run=_solve)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
@@ -112,14 +114,14 @@ def _solve(options: argparse.Namespace) -> int:
     scene = solvers.load(options.scene)
     if options.changes:
         scene = scene.replace(parse_changes(options.changes))
-    if options.series and not options.series.endswith(".csv"):
-        raise SceneError("--series", options.series, "a file name that ends in .csv")
+    if options.series and not options.series.endswith((".csv", ".nc")):
+        raise SceneError("--series", options.series, "a file name that ends in .csv or .nc")
     solution = solvers.solve(scene)
     if options.series:
-        from .export import series_csv
+        from .export import write_series
 
         try:
-            Path(options.series).write_text(series_csv(solution), encoding="utf-8")
+            write_series(solution, Path(options.series))
         except OSError as error:
             raise SceneError("--series", options.series, f"a file that can be written ({error.strerror})") from None
     if options.json:

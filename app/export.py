@@ -1,12 +1,14 @@
 """Results as text: a report to read, a table of histories to plot elsewhere."""
 
 import io
+from pathlib import Path
 
 import numpy as np
 
 from solvers import Solution
 
 SERIES_POINTS = 2_000
+FIELD_INSTANTS, FIELD_PLACES = 401, 201
 
 
 def report(solution: Solution) -> str:
@@ -62,24 +64,61 @@ def _method_line(solution: Solution) -> str:
     return solution.method["name"] + "".join(f", {key} {value:g}" for key, value in options.items())
 
 
-def series_csv(solution: Solution) -> str:
-    """Histories as comma-separated values, SI units; at a jump of the force the time stands twice."""
+def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
+    """Name: unit and values; at a jump of the force the time stands twice."""
     motion = solution.motion
     time, force = motion.force_history()
     kept = time <= solution.duration
     time, force = time[kept], force[kept]
     if time.size > 10 * SERIES_POINTS:
-        even = np.linspace(0.0, solution.duration, SERIES_POINTS)
-        time, force = even, motion.force(even)
-    columns = {
-        "time_s": time,
-        "contact_force_N": force,
-        "impactor_position_m": motion.impactor_position(time),
-        "impactor_velocity_m_per_s": motion.impactor_velocity(time),
-        "struck_end_position_m": motion.end_position(time),
-        "target_mean_velocity_m_per_s": motion.rigid_velocity(time),
+        time = np.linspace(0.0, solution.duration, SERIES_POINTS)
+        force = motion.force(time)
+    return {
+        "time": ("s", time),
+        "contact_force": ("N", force),
+        "impactor_position": ("m", motion.impactor_position(time)),
+        "impactor_velocity": ("m_per_s", motion.impactor_velocity(time)),
+        "struck_end_position": ("m", motion.end_position(time)),
+        "target_mean_velocity": ("m_per_s", motion.rigid_velocity(time)),
     }
-    text = io.StringIO()
-    text.write(",".join(columns) + "\n")
-    np.savetxt(text, np.column_stack(list(columns.values())), delimiter=",", fmt="%.12g")
-    return text.getvalue()
+
+
+def write_series(solution: Solution, path: Path) -> None:
+    """Histories as comma-separated values, or histories and fields as NetCDF, by the ending of the name.
+
+    Raises OSError if the file cannot be written.
+    """
+    histories = _histories(solution)
+    if path.suffix == ".csv":
+        text = io.StringIO()
+        text.write(",".join(f"{name}_{unit}" for name, (unit, _) in histories.items()) + "\n")
+        np.savetxt(text, np.column_stack([values for _, values in histories.values()]), delimiter=",", fmt="%.12g")
+        path.write_text(text.getvalue(), encoding="utf-8")
+        return
+    from scipy.io import netcdf_file
+
+    instants = np.linspace(0.0, solution.duration, FIELD_INSTANTS)
+    places = np.linspace(0.0, solution.scene.target.length, FIELD_PLACES)
+    motion = solution.motion
+    fields = {
+        "stress": ("Pa", motion.stress(instants, places)),
+        "velocity": ("m/s", motion.velocity(instants, places)),
+        "displacement": ("m", motion.displacement(instants, places)),
+    }
+    with netcdf_file(path, "w") as file:
+        file.title = solution.scene.title
+        file.conventions = "SI units; time zero at first touch; x from the struck end; compression positive"
+        for name, size in (("time", histories["time"][1].size), ("instant", FIELD_INSTANTS), ("x", FIELD_PLACES)):
+            file.createDimension(name, size)
+        axes = {"instant": ("s", instants), "x": ("m", places)}
+        for name, (unit, values) in (histories | axes).items():
+            dimension = name if name in axes else "time"
+            _variable(file, name, (dimension,), unit.replace("_per_", "/"), values)
+        for name, (unit, values) in fields.items():
+            _variable(file, name, ("instant", "x"), unit, values)
+
+
+def _variable(file, name: str, dimensions: tuple[str, ...], unit: str, values: np.ndarray) -> None:
+    variable = file.createVariable(name, "d", dimensions)
+    variable[:] = values
+    variable.units = unit

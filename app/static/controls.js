@@ -76,13 +76,13 @@ export class Controls {
   show(name, value) { this.fields[name]?.set(value); }
   // What depends on the law: its constants, and what restitution acts on.
   arrange(frame) {
-    const { law, restitution } = frame.chosen;
+    const { law, restitution } = frame.chosen, match = ` To match the last velocity: ${frame.match.toFixed(3)}.`;
     this.fields.linear_stiffness.root.hidden = law !== 'linear';
     this.fields.hertz_stiffness.root.hidden = law !== 'hertz' && law !== 'hunt-crossley';
     if (law === 'hunt-crossley') {
       const least = frame.leastRestitution;
-      this.note.textContent = `Sets what this contact would deliver between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}`;
-    } else this.note.textContent = 'Sets the ghost: the answer of rigid-body theory, dashed grey. This contact law itself loses nothing.';
+      this.note.textContent = `Sets what this contact would deliver between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}${match}`;
+    } else this.note.textContent = 'Sets the ghost: the answer of rigid-body theory, dashed grey. This contact law itself loses nothing.' + match;
   }
 }
 
