@@ -47,9 +47,7 @@ def _parser() -> argparse.ArgumentParser:
         help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
     )  # fmt: skip
     solve.add_argument("--json", action="store_true", help="print the whole result as JSON")
-    solve.add_argument(
-        "--series", metavar="FILE", help="write the histories (.csv), or histories and fields (.nc), as well"
-    )
+    solve.add_argument("--series", metavar="FILE", help="write histories (.csv), or histories and fields (.nc), too")
     solve.set_defaults(run=_solve)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")

@@ -4,17 +4,15 @@ import asyncio
 import os
 import shutil
 import statistics
-import subprocess
-import sys
 import time
-import urllib.request
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
 
-from tests.app.conftest import QUIET, Page, free_port
+from tests.app.conftest import QUIET, Page
 from tests.app.socket_client import SocketClient, run
 
+from .serving import served_page
 from .timing import row
 
 VISITS = 15
@@ -46,25 +44,11 @@ PLAYBACK = """async () => {
 
 
 def measure() -> dict[str, object]:
-    port = free_port()
     begun = time.perf_counter()
-    server = subprocess.Popen(
-        [sys.executable, "-m", "app.command", "serve", "--port", str(port)], stdout=subprocess.DEVNULL
-    )
-    try:
-        while True:
-            try:
-                urllib.request.urlopen(f"http://127.0.0.1:{port}/liveness", timeout=2).read()
-                break
-            except OSError:
-                time.sleep(0.02)
+    with served_page() as (address, process):
         rows = [row("impact serve answers after", time.perf_counter() - begun, "s")]
-        address = f"127.0.0.1:{port}"
         rows += _browser(address)
-        rows += run(_sessions(address, server.pid), 120)
-    finally:
-        server.terminate()
-        server.wait(10)
+        rows += run(_sessions(address, process), 120)
     return dict(rows)
 
 

@@ -5,6 +5,13 @@ import { at, modalForces } from './physics.js';
 const COLUMNS = 480, ROWS = 121, MODAL_COLUMNS = 240, MODAL_ROWS = 81; // fewer for modes, which cost a sum each
 const LINES = [['exact waves', 'line waves'], ['modes', 'line modal']];
 
+function shadeContacts(c, chart, frame) {
+  c.fillStyle = COLORS.contact;
+  for (const [start, end] of frame.waves.contacts) {
+    c.fillRect(chart.px(start), chart.box.y, Math.max(chart.px(end) - chart.px(start), 1), chart.box.h);
+  }
+}
+
 export class SpaceTime {
   constructor() {
     this.chart = new Chart('Where the waves are', 'place along the rod ↓, time → in T', 'x-t diagram: stress or velocity along the rod against time');
@@ -72,10 +79,7 @@ export class Force {
     const c = chart.begin(chart.below);
     chart.axes(c);
     chart.clip(c);
-    for (const [start, end] of frame.waves.contacts) {
-      c.fillStyle = COLORS.contact;
-      c.fillRect(chart.px(start), chart.box.y, Math.max(chart.px(end) - chart.px(start), 1), chart.box.h);
-    }
+    shadeContacts(c, chart, frame);
     const h = frame.step, steps = this.raw.length;
     chart.line(c, 2 * steps, (k) => h * ((k + 1) >> 1), (k) => this.raw[k >> 1] * s, COLORS.raw, 1);
     chart.line(c, this.resolved.length, (k) => k * h, (k) => this.resolved[k] * s, COLORS.modal, 1.5);
@@ -133,10 +137,7 @@ export class Displacements {
     const c = chart.begin(chart.below);
     chart.axes(c);
     chart.clip(c);
-    for (const [start, end] of frame.waves.contacts) {
-      c.fillStyle = COLORS.contact;
-      c.fillRect(chart.px(start), chart.box.y, Math.max(chart.px(end) - chart.px(start), 1), chart.box.h);
-    }
+    shadeContacts(c, chart, frame);
     chart.line(c, 2, (k) => t(k * (points - 1)), (k) => this.ghost(t(k * (points - 1))) * s, COLORS.ghost, 1.6, [6, 4]);
     if (!frame.fixed) chart.line(c, 2, (k) => t(k * (points - 1)), (k) => frame.ghost.target * t(k * (points - 1)) * s, COLORS.ghost, 1.6, [2, 3]);
     chart.line(c, points, t, (k) => at(frame.modalEnd, t(k), frame.duration) * s, COLORS.modal, 1, [3, 2]);

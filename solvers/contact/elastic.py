@@ -94,7 +94,7 @@ class Linear(NamedTuple):
 class Hertz(NamedTuple):
     """Two smooth elastic bodies that touch in a point. Source: thesis 3.4.1; F = K alpha^(3/2).
 
-    Differs: thesis (7.6) prints K for two bodies of one material; a rigid partner has twice that (errata A.1).
+    Differs: thesis (7.6) prints K for two bodies of one material; a rigid partner has twice that.
     """
 
     stiffness: float  # K_h [N/m^1.5]

@@ -15,7 +15,7 @@ class HuntCrossley(NamedTuple):
     """Hertz with damping that grows with the indentation: F = K alpha^(3/2) (1 + loss * rate), never tensile.
 
     `loss` is a constant of the material pair: the same in every contact period of a blow.
-    Source: thesis 7.3.1 (Lee and Wang's condition: no force at first touch); errata B.6.
+    Source: thesis 7.3.1 (Lee and Wang's condition: no force at first touch).
     """
 
     stiffness: float  # K_h [N/m^1.5]
@@ -60,7 +60,7 @@ class HuntCrossley(NamedTuple):
 def delivered_restitution(damping: float) -> float:
     """Restitution of two free rigid bodies under F = K a^n (1 + damping * rate / approach speed).
 
-    Solves d (1 + e) = ln((1 + d) / (1 - d e)), whatever n, K and the masses. Source: errata B.6.
+    Solves d (1 + e) = ln((1 + d) / (1 - d e)), whatever n, K and the masses: the law's first integral.
     """
     if damping < 1e-4:  # the equation cancels here; this series leaves out d^3
         return 1.0 - 2.0 * damping / 3.0 + 4.0 * damping**2 / 9.0
@@ -75,7 +75,7 @@ def delivered_restitution(damping: float) -> float:
 def damping_for(restitution: float) -> float:
     """The damping number d = loss * approach speed with which Hunt-Crossley delivers this restitution.
 
-    Differs: the usual d = 3 (1 - e) / 2 delivers 0.66 for a nominal 0.5 (errata B.6).
+    Differs: the usual d = 3 (1 - e) / 2 delivers 0.66 for a nominal 0.5.
     """
     if restitution > 1.0 - 1e-4:
         return 1.5 * (1.0 - restitution)
