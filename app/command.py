@@ -3,6 +3,8 @@
 import argparse
 import json
 import os
+import re
+import socket
 import sys
 import tomllib
 from pathlib import Path
@@ -26,7 +28,9 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code: 0, or 2 after one line on standard error."""
     try:
         options = _parser().parse_args(arguments)
-        return options.run(options)
+        code = options.run(options)
+        sys.stdout.flush()
+        return code
     except (_Refused, SceneError) as refusal:
         line = " ".join(str(refusal).split())
         print(f"impact: {line}", file=sys.stderr)
@@ -34,6 +38,10 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        print(f"impact: standard output: cannot be written ({error.strerror})", file=sys.stderr)
+        return 2
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -112,10 +120,12 @@ def _solve(options: argparse.Namespace) -> int:
     scene = solvers.load(options.scene)
     if options.changes:
         scene = scene.replace(parse_changes(options.changes))
-    if options.series and not options.series.endswith((".csv", ".nc")):
-        raise SceneError("--series", options.series, "a file name that ends in .csv or .nc")
+    if options.series is not None:
+        target = Path(options.series)
+        if not options.series.endswith((".csv", ".nc")) or (target.exists() and not target.is_file()):
+            raise SceneError("--series", options.series, "the name of a file that ends in .csv or .nc")
     solution = solvers.solve(scene)
-    if options.series:
+    if options.series is not None:
         from .export import write_series
 
         try:
@@ -132,13 +142,18 @@ def _solve(options: argparse.Namespace) -> int:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    port = options.port or os.environ.get("IMPACT_PORT") or str(DEFAULT_PORT)
+    port = os.environ.get("IMPACT_PORT", str(DEFAULT_PORT)) if options.port is None else options.port
     if not (port.isascii() and port.isdigit() and len(port) <= 5 and 1 <= int(port) <= 65535):
         raise SceneError("--port", port, "a whole number from 1 to 65535")
-    address = options.address or os.environ.get("IMPACT_ADDRESS") or "127.0.0.1"
+    address = os.environ.get("IMPACT_ADDRESS", "127.0.0.1") if options.address is None else options.address
+    try:
+        socket.getaddrinfo(address or " ", int(port))
+    except (OSError, UnicodeError):
+        raise SceneError("--address", address, "an address of this machine, or 0.0.0.0 for all of them") from None
     origins = options.allow_origin or [o for o in os.environ.get("IMPACT_ORIGINS", "").split(",") if o.strip()]
     for origin in origins:
-        if not origin.strip() or any(sign in origin for sign in "/ *"):
+        host, _, origin_port = origin.strip().partition(":")
+        if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
             raise SceneError("--allow-origin", origin, "HOST or HOST:PORT, without scheme, path or star")
     from .server import serve
 

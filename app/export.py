@@ -16,7 +16,7 @@ def report(solution: Solution) -> str:
     scene, found = solution.scene, solution.diagnostics
     trip = scene.target.round_trip_time
     lines = [
-        scene.title or "Scene",
+        "".join(sign if sign.isprintable() else "?" for sign in scene.title) or "Scene",
         f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
         f"  round trip of a wave, T         {trip * 1e6:.6g} us",
         f"  method                          {_method_line(solution)}",

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Modal, Scene, Solution, Waves
+from solvers import ContactPeriod, Modal, Scene, Solution, Waves
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal import STEPS_PER_PERIOD
 
@@ -104,6 +104,8 @@ def _figures(solution: Solution) -> dict[str, Any]:
             [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
             for contact in solution.contacts
         ],
+        "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
+        "cutOff": [_cut_off(solution, contact) for contact in solution.contacts],
         "left": [
             float(solution.motion.impactor_velocity(np.array([min(contact.end, solution.duration)]))[0]) / speed
             for contact in solution.contacts
@@ -117,6 +119,14 @@ def _figures(solution: Solution) -> dict[str, Any]:
         "diagnostics": solution.diagnostics,
         "notes": solution.notes,
     }
+
+
+def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:
+    """Whether the force was taken away at once by an arriving wave, rather than fading to zero."""
+    shortly_before = contact.end - 0.02 * solution.scene.target.round_trip_time
+    if shortly_before <= contact.start:
+        return False
+    return bool(solution.motion.force(np.array([shortly_before]))[0] > 0.1 * contact.peak_force)
 
 
 def ghost(scene: Scene, restitution: float) -> dict[str, float]:

@@ -1,6 +1,7 @@
 """Serve the page: kernels warm, answers safe, nothing else on the port."""
 
 import contextlib
+import errno
 import logging
 import signal
 import sys
@@ -27,7 +28,9 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     try:
         server = build(port, address, origins)
     except OSError as error:
-        print(f"impact: --port: got {port}; allowed: a free port at {address} ({error.strerror})", file=sys.stderr)
+        key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
+        allowed = "an address of this machine" if key == "--address" else f"a free port at {address}"
+        print(f"impact: {key}: got {value}; allowed: {allowed} ({error.strerror})", file=sys.stderr)
         return 2
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
@@ -51,6 +54,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
 
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     logging.getLogger("bokeh").setLevel(logging.ERROR)
+    logging.getLogger("bokeh.server.views.ws").setLevel(logging.CRITICAL)
     logging.getLogger("tornado.access").setLevel(logging.ERROR)
     logging.getLogger("bokeh.server.protocol_handler").setLevel(logging.CRITICAL)  # a stack per bad message, else
     guard.install()

@@ -21,7 +21,7 @@ class Choices(param.Parameterized):
     mass_ratio = param.Number(default=1.0, bounds=(1e-3, 1e3))  # target / impactor
     speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # [m/s]
     law = param.Selector(default="rigid", objects=list(LAWS))
-    linear_stiffness = param.Number(default=6.3e9, bounds=(1e5, 1e14))  # [N/m]
+    linear_stiffness = param.Number(default=1.3e10, bounds=(1e5, 1e14))  # [N/m]
     hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5], Hertz and Hunt-Crossley
     restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
     modes = param.Integer(default=50, bounds=(1, 200))
@@ -47,7 +47,7 @@ class Choices(param.Parameterized):
         """The values that a built-in scene asks for."""
         scene = SCENES[name]
         values = {
-            "mass_ratio": scene.mass_ratio,
+            "mass_ratio": float(f"{scene.mass_ratio:.12g}"),
             "speed": scene.impactor.velocity,
             "law": scene.contact.NAME,
             "linear_stiffness": _rounded(20.0 * scene.target.stiffness),

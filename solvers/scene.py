@@ -136,10 +136,10 @@ def load(name_or_path: str | Path) -> Scene:
 def read_toml(path: Path) -> dict[str, object]:
     import tomllib
 
+    if path.stat().st_size > MAX_FILE_SIZE:
+        raise SceneError("scene", str(path), f"a file of at most {MAX_FILE_SIZE} bytes")
     try:
-        if path.stat().st_size > MAX_FILE_SIZE:
-            raise SceneError("scene", str(path), f"a file of at most {MAX_FILE_SIZE} bytes")
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except (ValueError, RecursionError) as error:  # syntax, encoding, endless numbers, endless nesting
         raise SceneError("scene", str(path), f"a TOML file in UTF-8 ({_named(error)})") from None
     except OSError as error:

@@ -4,6 +4,7 @@ import { at, modalForces } from './physics.js';
 
 const COLUMNS = 480, ROWS = 121, MODAL_COLUMNS = 240, MODAL_ROWS = 81; // fewer for modes, which cost a sum each
 const LINES = [['exact waves', 'line waves'], ['modes', 'line modal']];
+const figures = (value) => (value === 0 ? '0' : Number(value.toPrecision(3)).toLocaleString('en', { maximumSignificantDigits: 3, useGrouping: false }).replace('-', '−'));
 
 function shadeContacts(c, chart, frame) {
   c.fillStyle = COLORS.contact;
@@ -41,7 +42,8 @@ export class SpaceTime {
     c.imageSmoothingEnabled = part < 1 / 3 || width < COLUMNS;
     c.drawImage(this.image, view[0] / frame.duration * width, 0, part * width, height, box.x, box.y, box.w, box.h);
     chart.axes(c, { gridX: false });
-    for (const [start, end] of frame.waves.contacts) { // contact, as a bar on the struck end
+    const { contacts } = frame[frame.chosen.method === 'modal' ? 'modal' : 'waves'];
+    for (const [start, end] of contacts) { // contact, as a bar on the struck end
       const a = Math.max(chart.px(start), box.x), b = Math.min(chart.px(end), box.x + box.w);
       if (b > a) { c.fillStyle = COLORS.ink; c.fillRect(a, box.y, Math.max(b - a, 2), 4); }
     }
@@ -70,7 +72,7 @@ export class Force {
       if (t >= view[0] && t <= view[1]) high = Math.max(high, this.resolved[k]);
     }
     chart.y = [-0.04 * (high || 1) * scale, 1.25 * (high || 1) * scale];
-    const unit = chart.y[1] < 0.002 ? [1e3, 'N'] : chart.y[1] > 2e3 ? [1e-3, 'MN'] : [1, 'kN'];
+    const unit = chart.y[1] < 0.5 ? [1e3, 'N'] : chart.y[1] > 2e3 ? [1e-3, 'MN'] : [1, 'kN'];
     this.unit = unit;
     chart.unit.textContent = unit[1];
     chart.y = chart.y.map((v) => v * unit[0]);
@@ -86,7 +88,7 @@ export class Force {
     chart.line(c, this.time.length, (k) => this.time[k], (k) => this.exact[k] * s, COLORS.waves, 2);
     c.restore();
     const { raw_contacts: touches } = frame.modal.diagnostics;
-    const chatter = touches > frame.modal.contacts.length ? `modes, raw: chatters ${touches} times` : 'modes, raw';
+    const chatter = touches > frame.modal.contacts.length ? `raw (${touches} touches)` : 'raw';
     chart.key([...LINES, [chatter, 'line raw']]);
   }
   at(t) {
@@ -102,7 +104,7 @@ export class Force {
     const modal = this.resolved[Math.min(Math.round(t / this.frame.step), this.resolved.length - 1)] * s;
     chart.dot(c, t, modal, COLORS.modal);
     chart.dot(c, t, exact, COLORS.waves);
-    chart.value.textContent = `waves ${exact.toFixed(2)}   modes ${modal.toFixed(2)} ${this.unit[1]}`;
+    chart.value.textContent = `waves ${figures(exact)}   modes ${figures(modal)} ${this.unit[1]}`;
   }
 }
 
@@ -145,8 +147,8 @@ export class Displacements {
     chart.line(c, points, t, (k) => waves.end(t(k)) * s, '#4f9bd8', 1.8);
     chart.line(c, points, t, (k) => waves.mass(t(k)) * s, COLORS.waves, 2);
     c.restore();
-    const ghost = [['mass', 'line waves'], ['struck end', 'line end'], ['modes', 'line modal'], ['ghost: rigid bodies', 'line ghost']];
-    chart.key(ghost);
+    const ghosts = frame.fixed ? [['ghost', 'line ghost']] : [['ghost mass', 'line ghost'], ['ghost rod', 'line dots']];
+    chart.key([['mass', 'line waves'], ['end', 'line end'], ['modes', 'line modal'], ...ghosts]);
   }
   ghost(t) { return this.frame.ghost.impactor * t; }
   cursor(t) {
@@ -155,6 +157,6 @@ export class Displacements {
     const c = chart.cursor(t), s = scale * this.unit[0], [waves] = this.fields;
     chart.dot(c, t, waves.end(t) * s, '#4f9bd8');
     chart.dot(c, t, waves.mass(t) * s, COLORS.waves);
-    chart.value.textContent = `mass ${(waves.mass(t) * s).toFixed(2)}   end ${(waves.end(t) * s).toFixed(2)} ${this.unit[1]}`;
+    chart.value.textContent = `mass ${figures(waves.mass(t) * s)}   end ${figures(waves.end(t) * s)} ${this.unit[1]}`;
   }
 }

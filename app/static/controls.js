@@ -21,10 +21,11 @@ const make = (tag, properties = {}, ...children) => {
 };
 
 export class Controls {
-  // `send(name, value)` takes every change that the visitor makes.
-  constructor(spec, send) {
+  // `send(name, value)` takes every change that the visitor makes; `complain` what is no number at all.
+  constructor(spec, send, complain) {
     this.spec = spec;
     this.send = send;
+    this.complain = complain;
     this.root = make('form', { className: 'controls' });
     this.root.onsubmit = (event) => event.preventDefault();
     this.fields = {};
@@ -67,10 +68,16 @@ export class Controls {
       const value = Math.min(Math.max(Number(number.value) + way, low), high);
       range.value = toPlace(value); show(value); this.send(name, value);
     };
-    number.onchange = () => this.send(name, Number(number.value.trim().replace(',', '.') || 'x'));
+    let last;
+    number.onchange = () => {
+      const text = number.value.trim().replace(',', '.'), plain = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text);
+      if (plain && (!whole || Number.isInteger(Number(text)))) { this.send(name, Number(text)); return; }
+      this.complain(`${name}: got '${text.slice(0, 24)}'; allowed: a ${whole ? 'whole ' : ''}number from ${low} to ${high}`);
+      show(last);
+    };
     const head = make('div', { className: 'field-head' }, make('label', { htmlFor: id, textContent: label }), number, make('span', { className: 'unit', textContent: unit }));
     const root = make('div', { className: `field field-${name}` }, head, range);
-    this.fields[name] = { root, set: (value) => { if (held) return; range.value = toPlace(value); show(value); } };
+    this.fields[name] = { root, set: (value) => { last = value; if (held) return; range.value = toPlace(value); show(value); } };
     return root;
   }
   show(name, value) { this.fields[name]?.set(value); }

@@ -6,7 +6,7 @@ import { Player } from './player.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
 
-const PATIENCE = 4000; // ms without an answer, after which the next change is sent all the same
+const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -21,14 +21,14 @@ class Page {
     this.waiting = {};
     this.what = 'stress';
     this.modalField = ModalField;
-    this.controls = new Controls(model.spec, (name, value) => this.send(name, value));
+    this.controls = new Controls(model.spec, (name, value) => this.send(name, value), (sentence) => this.complain(sentence));
     this.stage = new Stage();
     this.player = new Player((t) => this.show(t));
     this.spaceTime = new SpaceTime();
     this.force = new Force();
     this.displacements = new Displacements();
     this.charts = [this.spaceTime, this.force, this.displacements];
-    this.story = new Story((t) => this.player.go(t), (start, end) => this.zoom(start, end));
+    this.story = new Story((t) => this.player.go(t + 2e-4), (start, end) => this.zoom(start, end));
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
     el.append(make('link', { rel: 'stylesheet', href: new URL('lab.css', import.meta.url).href }), this.layout());
@@ -85,8 +85,13 @@ class Page {
     this.flush();
   }
   flush() {
-    const names = Object.keys(this.waiting);
-    if (!names.length || (this.asked && performance.now() - this.asked < PATIENCE)) return;
+    const names = Object.keys(this.waiting), left = this.asked ? PATIENCE - (performance.now() - this.asked) : 0;
+    if (!names.length) return;
+    if (left > 0) { // an answer that never comes must not hold the next change for good
+      clearTimeout(this.patience);
+      this.patience = setTimeout(() => this.flush(), left + 1);
+      return;
+    }
     const changes = this.waiting;
     this.waiting = {};
     let changed = false;
@@ -138,9 +143,7 @@ class Page {
   }
   // Colours of stage and x-t diagram.
   dress() {
-    const column = new Float64Array(61), [waves] = this.fields;
-    let largest = 1e-9;
-    for (let k = 0; k <= 120; k++) for (const v of waves.profile(k / 120 * this.frame.duration, this.what, column)) largest = Math.max(largest, Math.abs(v));
+    const largest = this.fields[0].largest(this.what);
     this.spaceTime.load(this.field, this.what, largest);
     this.stage.load(this.frame, this.field, this.what, largest);
     for (const button of this.colour.children) button.setAttribute('aria-pressed', String(button.textContent === this.what));
@@ -162,6 +165,13 @@ class Page {
   toggleEnergy() {
     this.model.energy_shown = !this.model.energy_shown;
     this.energy.setAttribute('aria-pressed', String(this.model.energy_shown));
+    this.span = undefined;
+    const arrive = (tries) => {
+      this.energyCursor(this.player.t);
+      if (this.span) window.scrollTo({ top: document.documentElement.scrollHeight, behavior: 'smooth' });
+      else if (tries && this.model.energy_shown) setTimeout(() => arrive(tries - 1), 150);
+    };
+    arrive(40);
   }
   // The cursor of the figure below the page, moved without telling the server.
   energyCursor(t) {

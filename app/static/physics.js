@@ -43,8 +43,34 @@ export class WaveField {
       const share = time[i + 1] > time[i] ? Math.min((u - time[i]) / (time[i + 1] - time[i]), 1) : 1;
       this.total[k] = waveTotal[i] + share * (waveTotal[i + 1] - waveTotal[i]);
     }
+    this.embolden();
+  }
+  // The largest stress or velocity anywhere: both double where the wave turns back.
+  largest(what) {
+    const { wave, waveForce, fixed } = this.frame;
+    let sent = 0, force = 0;
+    for (const v of wave) sent = Math.max(sent, Math.abs(v));
+    for (const v of waveForce) force = Math.max(force, v);
+    if (what === 'stress') return Math.max(fixed ? 2 * sent : sent, force, 1e-12);
+    return Math.max(fixed ? sent : 2 * sent, 1e-12);
+  }
+  // Pulses narrower than a pixel are drawn a pixel wide: of every pixel's worth of time, the strongest value.
+  embolden() {
+    const pixel = Math.max(0.0045, this.frame.duration / 480), count = Math.min(Math.ceil(this.frame.duration / pixel), CELLS), each = (CELLS + 1) / count;
+    let whole = 0, seen = 0;
+    const bold = new Float64Array(count + 1);
+    for (let k = 0; k <= CELLS; k++) {
+      const cell = Math.min(Math.floor(k / each), count), v = this.wave[k];
+      if (Math.abs(v) > Math.abs(bold[cell])) bold[cell] = v;
+      whole = Math.max(whole, Math.abs(v));
+    }
+    for (let k = 0; k < count; k += 2) seen = Math.max(seen, Math.abs(this.wave[Math.floor((k + 0.9) * each)]));
+    if (seen > 0.6 * whole) return;
+    this.bold = bold;
+    this.boldPerTrip = count / this.frame.duration;
   }
   sent(t) {
+    if (this.bold) return t < 0 ? 0 : this.bold[Math.min(Math.floor(t * this.boldPerTrip), this.bold.length - 1)];
     return t < 0 ? 0 : this.wave[Math.min(Math.floor(t * this.perTrip), CELLS)];
   }
   sentTotal(t) {

@@ -103,7 +103,7 @@ export class Stage {
     shape(face);
     c.fillStyle = fill;
     c.fill();
-    const touching = frame.waves.contacts.some(([a, b]) => t >= a && t <= b);
+    const touching = frame[field.omega ? 'modal' : 'waves'].contacts.some(([a, b]) => t >= a && t <= b);
     if (touching) { c.fillStyle = COLORS.cursor; c.fillRect(face - 1.5, middle - size / 2 - 5, 3, size + 10); }
   }
   // Where the front that set out at first touch is now, and which way it runs.
@@ -121,12 +121,12 @@ export class Stage {
     c.stroke();
     c.font = '11px system-ui, sans-serif';
     c.textAlign = outward ? 'right' : 'left';
-    c.fillText('front', x - 8 * way, y - 4);
+    c.fillText(this.frame.chosen.law === 'rigid' ? 'front' : 'wave', x - 8 * way, y - 4);
   }
   scaleBar(c, width, height) {
     const bar = Math.min(150, width * 0.3), x = width - bar - 16, y = height - 22;
     const unit = this.what === 'stress' ? this.frame.stressUnit / 1e6 : this.frame.speed;
-    const largest = this.largest * unit, show = (v) => (Math.abs(v) >= 100 ? v.toFixed(0) : v.toPrecision(2));
+    const largest = this.largest * unit, show = (v) => (Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
     for (let k = 0; k < bar; k++) {
       c.fillStyle = css((k / bar * 2 - 1), 1);
       c.fillRect(x + k, y, 1.2, 7);

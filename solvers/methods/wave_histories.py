@@ -172,11 +172,29 @@ class ContactHistory(History):
             if status != contact_waves.FULL or segments >= cls.MAX_SEGMENTS:
                 break
             segments = min(8 * segments, cls.MAX_SEGMENTS)
-        self.beta, self.reflection, self.tolerance = beta, reflection, tolerance
+        self.reflection = reflection
+        self._join()
         self.reach, self.steps = float(self.start[-1]), int(count)
         touching = bool(self.contacts[-1, 1] >= self.reach)
         self.notes = _notes(status == contact_waves.PARTED, touching, asked)
         return self
+
+    def _join(self) -> None:
+        """Take as one what only rounding parts: contacts between which the bodies open by less than it can tell."""
+        least = 1e-13 * max(float(self.depth.max()), 1e-3)
+        joined = [self.contacts[0]]
+        for contact in self.contacts[1:]:
+            between = (self.start[:-1] >= joined[-1][1]) & (self.start[1:] <= contact[0] * (1.0 + 1e-15))
+            opened = -self.depth[between].min() if between.any() else 0.0
+            if opened > least:
+                joined.append(contact)
+            else:
+                peak = max(joined[-1][4], contact[4])
+                joined[-1] = np.array([joined[-1][0], contact[1], joined[-1][2], contact[3], peak, *contact[5:]])
+        impulses = np.array([contact[2] - contact[3] for contact in joined])
+        told = impulses > 1e-12 * max(float(impulses.sum()), 0.0)
+        told[0] = True
+        self.contacts = np.array(joined)[told]
 
     def _sampled(self, t, values):
         out = np.empty(t.size)

@@ -56,7 +56,7 @@ class Waves(Method):
         else:
             history = SteppedHistory.strike(scene, until, self.steps)
         shown = until if duration is not None else min(history.contacts[-1, 1] + AFTERGLOW, history.reach)
-        shown = min(shown, history.reach)
+        shown = float(min(shown, history.reach))
         wall_time = time.perf_counter() - begun
         motion = WaveMotion(scene, history)
         rod, speed = scene.target, scene.impactor.velocity

@@ -101,7 +101,7 @@ def test_a_scene_brings_its_own_values(open_page):
     chosen = page.header("chosen")
     assert chosen["law"] == "hertz"
     assert chosen["speed"] == 2.03
-    assert chosen["mass_ratio"] == pytest.approx(8600 * 3.142e-4 * 1.48 / 0.11, rel=1e-12)
+    assert chosen["mass_ratio"] == pytest.approx(8600 * 3.142e-4 * 1.48 / 0.11, rel=1e-11)  # 12 digits are kept
     expect(page.tab.get_by_label("Impact speed, exact value")).to_have_value("2.03")
 
 
