@@ -52,4 +52,4 @@ class Method(ABC):
 
     def table(self) -> dict[str, Any]:
         """Name and options, as in a scene file."""
-        return {"name": self.NAME} | {field.name: getattr(self, field.name) for field in fields(self)}
+        return {"name": self.NAME} | {option.name: getattr(self, option.name) for option in fields(self) if option.repr}

@@ -2,7 +2,7 @@
 import { Chart, COLORS, palette, shade } from './plot.js';
 import { at, modalForces } from './physics.js';
 
-const COLUMNS = 480, ROWS = 121, MODAL_COLUMNS = 240, MODAL_ROWS = 81; // fewer for modes, which cost a sum each
+const COLUMNS = 480, ROWS = 121, MODAL_COLUMNS = 200, MODAL_ROWS = 61; // fewer for modes, which cost a sum each
 const LINES = [['exact waves', 'line waves'], ['modes', 'line modal']];
 const figures = (value) => (value === 0 ? '0' : Number(value.toPrecision(3)).toLocaleString('en', { maximumSignificantDigits: 3, useGrouping: false }).replace('-', '−'));
 
