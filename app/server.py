@@ -7,6 +7,8 @@ import signal
 import sys
 from typing import Any
 
+from solvers.jit import kernels_compiled
+
 log = logging.getLogger("strikewave")
 
 TEMPLATE = """
@@ -25,6 +27,8 @@ MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", 
 
 def serve(port: int, address: str, origins: list[str]) -> int:
     """Serve until interrupted. Prints the address once the page answers at once."""
+    if not kernels_compiled():
+        print("Compiling the kernels, once; this takes about half a minute.", flush=True)
     try:
         server = build(port, address, origins)
     except OSError as error:

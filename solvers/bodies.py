@@ -36,7 +36,9 @@ def read_material(key: str, given: object) -> Material:
     """
     if isinstance(given, str):
         return MATERIALS[checks.choice(key, given, MATERIALS)]
-    given = checks.table(key, given, ("young", "density", "poisson"))
+    given = checks.table(key, given, ("young", "density", "poisson", "yield"))
+    if "yield" in given:  # of no consequence in an elastic rod
+        checks.number(f"{key}.yield", given["yield"], 1.0, 1e13, "Pa")
     needed = "a number; or give a material by name: " + ", ".join(MATERIALS)
     return Material(
         checks.number(f"{key}.young", checks.required(key, given, "young", needed), 1e3, 1e13, "Pa"),
@@ -150,8 +152,12 @@ def read_section(key: str, given: object) -> float:
 
     Raises SceneError naming the key.
     """
-    given = checks.table(key, given, ("width", "height", "radius", "area"))
-    names = frozenset(given)
+    bending = ("second_moment", "shear_coefficient")  # of no consequence in a rod struck on its end
+    given = checks.table(key, given, ("width", "height", "radius", "area", *bending))
+    for name in bending:
+        if name in given:
+            checks.number(f"{key}.{name}", given[name], 1e-30, 1e16 if name == "second_moment" else 1.0)
+    names = frozenset(given) - frozenset(bending)
     if names not in ({"width", "height"}, {"radius"}, {"area"}):
         got = dict(given)
         raise SceneError(key, got, f"exactly one of {_SECTION}")

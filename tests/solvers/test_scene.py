@@ -117,6 +117,17 @@ def test_a_scene_cannot_be_changed():
         SCENES["fixed-rod"].target.length = 1.0
 
 
+def test_what_beams_will_need_is_checked_and_does_not_disturb_a_rod():
+    base = solvers.load("fixed-rod")
+    section = {"area": 9e-4, "second_moment": 6.75e-8, "shear_coefficient": 5 / 6}
+    material = {"young": 210e9, "density": 7900.0, "poisson": 0.3, "yield": 250e6}
+    assert base.replace({"target.section": section, "target.material": material}).target == base.target
+    with pytest.raises(SceneError, match=r"target.material.yield: got -1"):
+        base.replace({"target.material": material | {"yield": -1}})
+    with pytest.raises(SceneError, match=r"target.section.second_moment: got 0"):
+        base.replace({"target.section": section | {"second_moment": 0}})
+
+
 # --- written back and changed -----------------------------------------------------------------------------------------
 
 
