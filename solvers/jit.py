@@ -39,15 +39,7 @@ def kernels_compiled() -> bool:
 kernel = numba.njit(cache=True, nogil=True, error_model="numpy")
 
 # Sums over modes may be reordered, so that they run on vector registers; NaN and infinity keep their meaning.
-summing_
-
-
-def kernels_compiled() -> bool:
-    """Whether this machine has compiled kernels of these sources before."""
-    return any(Path(numba.config.CACHE_DIR).rglob("*.nbi"))
-
-
-kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"})
+summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"})
 
 
 # Let kernels call these methods of any contact law (a NamedTuple) exactly as plain Python does.
