@@ -305,7 +305,7 @@ def test_words_and_tables(key, value, allowed):
         ("colour", "red", "title, source, impactor, target, contact, method"),
         ("impactor.weight", 1.0, "kind, mass, velocity, radius, material"),
         ("target.lenght", 1.0, "kind, length, section, material, support, at"),
-        ("target.section.depth", 1.0, "width, height, radius, area"),
+        ("target.section.depth", 1.0, "width, height, radius, area, second_moment, shear_coefficient"),
         ("contact.stiffness", 1e9, "law"),  # rigid has no constants
         ("method.mode", 5, "name, modes, steps, tolerance, duration"),
     ],
