@@ -103,11 +103,14 @@ def summary(
     energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
     initial = 0.5 * m1 * speed**2
     given = m1 * (speed - final) if fixed else m2 * target_final
+    touching = contacts[-1].end >= duration * (1.0 - 1e-12)  # then nothing is restored yet
     return {
         "impulse": impulse,
         "impactor_velocity": final,
         "target_velocity": target_final,
-        "restitution": {
+        "restitution": {"newton": None, "poisson": None, "newton_at_contact": None}
+        if touching
+        else {
             "newton": (target_final - final) / speed,
             "poisson": _poisson(motion, speed, 0.0 if fixed else m1 / (m1 + m2), duration),
             "newton_at_contact": apart / speed,

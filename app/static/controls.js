@@ -83,7 +83,7 @@ export class Controls {
   show(name, value) { this.fields[name]?.set(value); }
   // What depends on the law: its constants, and what restitution acts on.
   arrange(frame) {
-    const { law, restitution } = frame.chosen, match = ` To match the last velocity: ${frame.match.toFixed(3)}.`;
+    const { law, restitution } = frame.chosen, match = frame.match === null ? '' : ` To match the last velocity: ${frame.match.toFixed(3)}.`;
     this.fields.linear_stiffness.root.hidden = law !== 'linear';
     this.fields.hertz_stiffness.root.hidden = law !== 'hertz' && law !== 'hunt-crossley';
     if (law === 'hunt-crossley') {

@@ -111,7 +111,7 @@ export class Story {
     const head = make('tr', {}, ...['', 'waves', count(chosen.modes, 'mode'), 'ghost'].map((text) => make('th', { textContent: text })));
     this.figures.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map((row) => make('tr', { title: meaning[row[0]] ?? '' }, ...row.map((text) => make('td', { textContent: text }))))));
     const says = `A restitution of ${chosen.restitution.toFixed(2)} between rigid bodies sends the mass off at ${signed(ghost.impactor)} v (dashed grey). The waves send it at ${signed(waves.final)} v: `;
-    const needed = make('b', { textContent: `e = ${match.toFixed(3)}` });
+    const needed = make('b', { textContent: match === null ? 'no e' : `e = ${match.toFixed(3)}` });
     const verdict = waves.contacts.length > 1
       ? ` would have matched the last velocity, but not the ${waves.contacts.length} contacts, nor when they happen.`
       : ' would have matched the last velocity, but not the force, nor the time it takes.';

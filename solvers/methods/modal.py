@@ -89,13 +89,17 @@ class Modal(Method):
 
         Against two of them, as one coarse answer may agree with the fine one by chance.
         """
-        others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 3 else {2 * self.modes, 3 * self.modes}
+        others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
         final = motion.record.velocity[-1]
         differences = []
         for modes in others:
             other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(scene, motion.duration)
             differences.append(abs(final - other.record.velocity[-1]))
-        return float(max(differences) / scene.impactor.velocity)
+        estimated = float(max(differences) / scene.impactor.velocity)
+        blow = scene.target.round_trip_time / (2.0 * scene.mass_ratio)
+        if isinstance(scene.contact, Rigid) and blow < motion.modes.shortest_period:
+            return max(estimated, 1.0)  # shorter than any mode kept: all numbers of modes are wrong alike
+        return estimated
 
     def _march(self, scene: Scene, duration: float | None) -> "ModalMotion":
         modes = scene.target.modes(self.modes)

@@ -11,6 +11,8 @@ from ..method import AFTERGLOW, MAX_ROUND_TRIPS
 from ..numerics import contact_waves, rigid_waves, stepped_waves
 from ..scene import Scene
 
+UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
+
 
 class History:
     """What one of the kernels returned, in its units: the wave sent, and the motion of the mass."""
@@ -19,6 +21,7 @@ class History:
     reach: float  # last time known
     steps: int
     notes: list[str]
+    complete = True  # solved to the time asked for, or until the bodies parted for good
 
     def jumps(self) -> np.ndarray:
         """Times at which the force may jump or bend: every event and every return of one."""
@@ -35,14 +38,16 @@ class History:
 
     def estimated_error(self, residual: float) -> float:
         """Relative to the impact speed, in the final velocity of the impactor."""
-        return max(residual, 1e-15)
+        return max(residual, 1e-15) if self.complete else UNKNOWN
 
 
-def _notes(parted: bool, touching: bool, asked: bool) -> list[str]:
+def _notes(parted: bool, touching: bool, asked: bool, cut: bool = False) -> list[str]:
+    if cut or (not parted and not asked):
+        return [
+            "The solution stopped at its limit of steps before the bodies had parted for good: do not trust its end."
+        ]
     if touching:
         return ["The bodies are still in contact at the end of the time solved."]
-    if not parted and not asked:
-        return ["The solution stopped at its limit of steps before the bodies had parted for good."]
     return []
 
 
@@ -62,7 +67,9 @@ class RigidHistory(History):
             pieces = min(8 * pieces, cls.MAX_PIECES)
         self.kappa, self.reflection = 2.0 * beta, reflection
         self.contacts, self.reach, self.steps = contacts, float(self.pieces[0][-1]), int(count)
-        self.notes = _notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked)
+        cut = status == rigid_waves.FULL
+        self.notes = _notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked, cut)
+        self.complete = status == rigid_waves.PARTED or (asked and not cut)
         return self
 
     def wave(self, t, after=True):
@@ -176,12 +183,14 @@ class ContactHistory(History):
         self._join()
         self.reach, self.steps = float(self.start[-1]), int(count)
         touching = bool(self.contacts[-1, 1] >= self.reach)
-        self.notes = _notes(status == contact_waves.PARTED, touching, asked)
+        cut = status in (contact_waves.FULL, contact_waves.FAILED)
+        self.notes = _notes(status == contact_waves.PARTED, touching, asked, cut)
+        self.complete = status == contact_waves.PARTED or (asked and not cut)
         return self
 
     def _join(self) -> None:
         """Take as one what only rounding parts: contacts between which the bodies open by less than it can tell."""
-        least = 1e-13 * max(float(self.depth.max()), 1e-3)
+        least = 1e-13 * max(float(self.depth.max()), 0.1)
         joined = [self.contacts[0]]
         for contact in self.contacts[1:]:
             between = (self.start[:-1] >= joined[-1][1]) & (self.start[1:] <= contact[0] * (1.0 + 1e-15))
@@ -231,4 +240,4 @@ class ContactHistory(History):
         return unit * float(self._sampled(near, self.depth).max())
 
     def estimated_error(self, residual):
-        return max(residual, 1e-13)
+        return max(residual, 1e-13) if self.complete else UNKNOWN

@@ -23,6 +23,7 @@ from .collocation import (
 )
 
 PARTED, STOPPED, FULL, FAILED = 0, 1, 2, 3
+FOREVER = 20_000.0  # asked for that long, a blow is followed only until the bodies part for good
 LONG_STEP, SHORT_STEP = 1e-2, 1e-7
 
 
@@ -252,7 +253,7 @@ def strike(law, beta, reflection, until, tolerance, capacity, max_contacts):
             break_count += 1
         elif not touching:
             drift = -v1 if reflection > 0.0 else (1.0 - v1) / beta - v1
-            if drift > 0.0 and t >= parting + period:
+            if until >= FOREVER and drift > 0.0 and t >= parting + period:
                 status = PARTED
                 break
     if touching:

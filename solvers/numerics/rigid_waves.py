@@ -18,6 +18,7 @@ from .polynomials import GAUSS_NODES, GAUSS_WEIGHTS, roots, shift, trim, value
 
 WINDOW, HORIZON = 2.0, 80.0  # of the exponent x: searched window by window, as exp(-x) ends all beyond the horizon
 PARTED, STOPPED, FULL = 0, 1, 2
+FOREVER = 20_000.0  # asked for that long, a blow is followed only until the bodies part for good
 
 
 @kernel
@@ -243,7 +244,7 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
             count += 1
         elif not touching:
             drift = -v1 if reflection > 0.0 else (1.0 - v1) / beta - v1
-            if drift > 0.0 and t >= contacts[count - 1, 1] + period:
+            if until >= FOREVER and drift > 0.0 and t >= contacts[count - 1, 1] + period:
                 status = PARTED
                 break
         if t >= until:
