@@ -7,7 +7,7 @@ solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 from collections.abc import Mapping
 
 from . import checks
-from .bodies import Impactor, Material, Rod
+from .bodies import Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
 from .contact import LAWS
 from .method import Method, SceneNotSupported
@@ -19,15 +19,18 @@ __all__ = [
     "LAWS",
     "METHODS",
     "ContactPeriod",
-    "Impactor",
     "Material",
     "Method",
     "Modal",
+    "RigidMass",
     "Rod",
+    "Rods",
     "Scene",
     "SceneError",
     "SceneNotSupported",
     "Solution",
+    "SpringMass",
+    "Wall",
     "Waves",
     "load",
     "read_method",

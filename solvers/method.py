@@ -45,8 +45,8 @@ class Method(ABC):
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
         if duration is not None:
-            longest = min(MAX_ROUND_TRIPS * scene.target.round_trip_time, MAX_DURATION)
-            shortest = 1e-6 * scene.target.round_trip_time
+            longest = min(MAX_ROUND_TRIPS * scene.time_unit, MAX_DURATION)
+            shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
         return self._solve(scene, duration)
 

@@ -1,12 +1,14 @@
 """A scene: what is struck by what. SI units, immutable, checked when built, and written back without loss."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from . import checks
-from .bodies import Impactor, Rod, as_table
+from .bodies import Rods, read_body
+from .bodies.compact import SPEED_RANGE
 from .checks import SceneError
 from .contact import LAWS
 
@@ -22,9 +24,10 @@ class Scene:
     how the scene is solved unless the caller says otherwise.
     """
 
-    impactor: Impactor
-    target: Rod
+    impactor: Any
+    target: Any
     contact: Any
+    joint_laws: tuple[Any, ...] = ()  # of the joints of a chain of rods; None where the joint is bonded
     title: str = ""
     source: str = ""
     method: Mapping[str, object] = field(default_factory=dict)
@@ -39,23 +42,15 @@ class Scene:
         given = checks.table("", given, ("title", "source", "impactor", "target", "contact", "method"))
         for part in ("impactor", "target"):
             checks.required("", given, part, "a table")
-        impactor, target = Impactor.read(given["impactor"]), Rod.read(given["target"])
-        ratio = target.mass / impactor.mass
-        if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO:
-            low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
-            allowed = f"{low:.3g} to {high:.3g} kg for this target: one then does not feel the other"
-            raise SceneError("impactor.mass", impactor.mass, allowed)
-        contact = given.get("contact", {"law": "rigid"})
-        if not isinstance(contact, Mapping):
-            raise SceneError("contact", contact, "a table with the key law")
-        law = LAWS[checks.choice("contact.law", contact.get("law", "rigid"), LAWS)]
-        checks.table("contact", contact, ("law", *law.KEYS))
+        impactor, target = read_body("impactor", given["impactor"]), read_body("target", given["target"])
+        _check_approach(impactor, target)
         method = given.get("method", {})
-        checks.table("method", method, ("name", "modes", "steps", "tolerance", "duration"))
+        checks.table("method", method, METHOD_KEYS)
         return cls(
             impactor,
             target,
-            law.read(contact, impactor, target),
+            _read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target),
+            _read_joint_laws(target),
             checks.text("title", given.get("title", "")),
             checks.text("source", given.get("source", "")),
             dict(method),
@@ -80,22 +75,92 @@ class Scene:
 
     def table(self) -> dict[str, object]:
         """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
-        contact = {"law": self.contact.NAME} | self.contact.table(self.impactor.velocity)
+        contact = {"law": self.contact.NAME} | self.contact.table(self.speed)
         if "restitution" in contact and self.given:  # as given: the way back through the damping rounds
             contact["restitution"] = self.given["contact"]["restitution"]
         tables: dict[str, object] = {
             "title": self.title,
             "source": self.source,
-            "impactor": as_table(self.impactor),
-            "target": as_table(self.target),
+            "impactor": self.impactor.table(),
+            "target": self.target.table(),
             "contact": contact,
         }
         return tables | ({"method": dict(self.method)} if self.method else {})
 
     @property
     def mass_ratio(self) -> float:
-        """beta = m2 / m1, target over impactor, (3.9)."""
+        """beta = m2 / m1, target over impactor, (3.9); infinite for a wall."""
         return self.target.mass / self.impactor.mass
+
+    @property
+    def speed(self) -> float:
+        """Of approach, v1 - v2 [m/s]."""
+        return self.impactor.velocity - self.target.velocity
+
+    @property
+    def reduced_mass(self) -> float:
+        """m1 m2 / (m1 + m2) [kg]; that of the impactor alone if the target is held."""
+        return self.impactor.mass if self.target.held else self.impactor.mass / (1.0 + 1.0 / self.mass_ratio)
+
+    @property
+    def initial_energy(self) -> float:
+        """Kinetic energy of both bodies before the blow [J]."""
+        return 0.5 * sum(b.mass * b.velocity**2 for b in (self.impactor, self.target) if b.velocity)
+
+    @property
+    def time_unit(self) -> float:
+        """Round trip T of a wave in the target [s], or else in the impactor; without waves, about a contact time."""
+        for body in (self.target, self.impactor):
+            if body.round_trip_time is not None:
+                return body.round_trip_time
+        if self.target.kind == "spring-mass":
+            return math.pi / self.target.frequency
+        return contact_time(self.contact, self.reduced_mass, self.speed)
+
+
+METHOD_KEYS = ("name", "modes", "steps", "tolerance", "duration")
+
+
+def _check_approach(impactor: Any, target: Any) -> None:
+    """The bodies must come closer, and each must feel the other."""
+    if impactor.velocity - target.velocity < SPEED_RANGE[0]:
+        allowed = f"less than the impactor's {impactor.velocity:g} m/s: the bodies must approach each other"
+        raise SceneError("target.velocity", target.velocity, allowed)
+    ratio = target.mass / impactor.mass
+    if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO and ratio != math.inf:
+        low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
+        allowed = f"{low:.3g} to {high:.3g} kg for this target: one then does not feel the other"
+        raise SceneError("impactor.mass", impactor.mass, allowed)
+
+
+def _read_law(key: str, given: object, impactor: Any, target: Any) -> Any:
+    """The contact law of two bodies from a table with the key law."""
+    if not isinstance(given, Mapping):
+        raise SceneError(key, given, "a table with the key law")
+    law = LAWS[checks.choice(f"{key}.law", given.get("law", "rigid"), LAWS)]
+    checks.table(key, given, ("law", *law.KEYS))
+    return law.read(given, impactor, target)
+
+
+def _read_joint_laws(target: Any) -> tuple[Any, ...]:
+    if not isinstance(target, Rods):
+        return ()
+    pairs = zip(target.joints, target.rods[:-1], target.rods[1:], strict=True)
+    return tuple(
+        None if joint.bonded else _read_law(f"target.rods[{number}].contact", joint.contact or {}, front, behind)
+        for number, (joint, front, behind) in enumerate(pairs, 2)
+    )
+
+
+def contact_time(law: Any, mass: float, speed: float) -> float:
+    """About how long two compact bodies of this reduced mass [kg] touch [s]: half a swing on the secant stiffness."""
+    if law.NAME == "rigid":
+        return 1e-3  # a blow of no duration at all: something to draw it on
+    depth = speed * 1e-4
+    for _ in range(200):
+        stiffness = law.force(depth, 0.0, 0.0) / depth
+        depth = math.sqrt(depth * speed * math.sqrt(mass / stiffness))
+    return math.pi * math.sqrt(mass / stiffness)
 
 
 def _copied(tables: Mapping[str, object]) -> dict[str, Any]:

@@ -7,10 +7,9 @@ Every law answers the same four questions, in SI units:
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .. import checks
-from ..bodies import Impactor, Rod
 from ..jit import kernel
 
 STIFFNESS_RANGE = (1e-6, 1e20)  # of any law, in its own unit
@@ -35,7 +34,7 @@ class Rigid(NamedTuple):
         return {}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "Rigid":
+    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Rigid":
         return cls()
 
 
@@ -52,7 +51,7 @@ class Linear(NamedTuple):
         return {"stiffness": self.stiffness}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "Linear":
+    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Linear":
         return cls(read_stiffness(given, "N/m"))
 
     def scaled(self, length: float, speed: float, force: float) -> "Linear":
@@ -107,7 +106,7 @@ class Hertz(NamedTuple):
         return {"stiffness": self.stiffness}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "Hertz":
+    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Hertz":
         return cls(hertz_stiffness(given, impactor, target))
 
     def scaled(self, length: float, speed: float, force: float) -> "Hertz":
@@ -129,7 +128,7 @@ class Hertz(NamedTuple):
         return hertz_mean_force(self.stiffness, 0.0, start, free, compliance, residual, rate, expected)
 
 
-def hertz_stiffness(given: Mapping[str, object], impactor: Impactor, target: Rod) -> float:
+def hertz_stiffness(given: Mapping[str, object], impactor: Any, target: Any) -> float:
     """K_h [N/m^1.5]: as given, or 4/3 E* sqrt(R) for the impactor's radius on the flat end of the target."""
     if "stiffness" in given:
         return read_stiffness(given, "N/m^1.5")

@@ -2,10 +2,9 @@
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .. import checks
-from ..bodies import Impactor, Rod
 from .elastic import hertz_mean_force, hertz_stiffness
 
 LEAST_RESTITUTION = 0.01  # delivered by Hunt-Crossley: below it the bodies creep apart over hundreds of contact times
@@ -29,7 +28,7 @@ class HuntCrossley(NamedTuple):
         return {"stiffness": self.stiffness, "restitution": delivered_restitution(self.loss * speed)}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Impactor, target: Rod) -> "HuntCrossley":
+    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "HuntCrossley":
         wanted = checks.required("contact", given, "restitution", f"a number from {LEAST_RESTITUTION} to 1")
         wanted = checks.number("contact.restitution", wanted, LEAST_RESTITUTION, 1.0)
         return cls(hertz_stiffness(given, impactor, target), damping_for(wanted) / impactor.velocity)

@@ -50,6 +50,10 @@ class Modal(Method):
         )
 
     def why_not(self, scene: Scene) -> str | None:
+        if scene.impactor.kind not in ("mass", "sphere") or scene.target.kind != "rod":
+            return f"a mass must strike a rod, got {scene.impactor.kind} and {scene.target.kind}"
+        if scene.target.support == "anechoic" or scene.target.velocity or scene.target.end_mass:
+            return "the rod must be at rest, fixed or free, with no mass on its far end; use 'waves'"
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:

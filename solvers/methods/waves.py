@@ -41,6 +41,8 @@ class Waves(Method):
         )
 
     def why_not(self, scene: Scene) -> str | None:
+        if scene.impactor.kind not in ("mass", "sphere") or scene.target.kind != "rod":
+            return f"a mass must strike a rod, got {scene.impactor.kind} and {scene.target.kind}"
         if self.steps is not None and not isinstance(scene.contact, Rigid):
             return "steps is for rigid contact; with a contact law give tolerance, or use 'modal'"
         return None

@@ -25,8 +25,8 @@ class Modes:
 
     @property
     def shortest_period(self) -> float:
-        """Period of the highest kept mode [s]: no finer detail in time is resolved."""
-        return 2.0 * np.pi / float(self.frequencies[-1])
+        """Period of the highest kept mode [s]: no finer detail in time is resolved; 0 without modes."""
+        return 2.0 * np.pi / float(self.frequencies[-1]) if self.frequencies.size else 0.0
 
 
 def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count: int) -> Modes:
@@ -48,4 +48,23 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
         residual_compliance=float(left_out),
         shapes=lambda x: amplitude * np.cos(np.multiply.outer(wavenumbers, x)),
         slopes=lambda x: -amplitude * wavenumbers[:, None] * np.sin(np.multiply.outer(wavenumbers, x)),
+    )
+
+
+def rigid_body(mass: float) -> Modes:
+    """A body that moves only as a whole [kg], or, of infinite mass, not at all."""
+    nothing = np.zeros(0)
+    return Modes(nothing, nothing, mass, 0.0, *(lambda x: np.zeros((0, np.size(x))) for _ in range(2)))
+
+
+def one_mode(mass: float, frequency: float) -> Modes:
+    """A mass [kg] on a spring with its other end held, of natural frequency [rad/s]."""
+    amplitude = 1.0 / np.sqrt(mass)
+    return Modes(
+        frequencies=np.array([frequency]),
+        at_contact=np.array([amplitude]),
+        rigid_mass=np.inf,
+        residual_compliance=0.0,
+        shapes=lambda x: np.full((1, np.size(x)), amplitude),
+        slopes=lambda x: np.zeros((1, np.size(x))),
     )

@@ -1,0 +1,47 @@
+"""What strikes and what is struck: data, and what follows from them.
+
+To add a kind of body: write its class (KEYS, read, table, and the attributes that every axial body has: mass, velocity,
+fixed, radius, material, length, round_trip_time, modes) and name it in IMPACTORS or TARGETS.
+"""
+
+from collections.abc import Mapping
+
+from .. import checks
+from .compact import RigidMass, SpringMass, Wall
+from .material import MATERIALS, Material, read_material
+from .rods import Joint, Rod, Rods, read_section
+
+IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod}
+TARGETS = {
+    "rod": Rod,
+    "rods": Rods,
+    "mass": RigidMass,
+    "spring-mass": SpringMass,
+    "stop": Wall,
+    "half-space": Wall,
+}
+
+__all__ = [
+    "IMPACTORS",
+    "MATERIALS",
+    "TARGETS",
+    "Joint",
+    "Material",
+    "RigidMass",
+    "Rod",
+    "Rods",
+    "SpringMass",
+    "Wall",
+    "read_body",
+    "read_material",
+    "read_section",
+]
+
+
+def read_body(key: str, given: object):
+    """A body from the table `[impactor]` or `[target]` of a scene file, by its `kind`. Raises SceneError."""
+    kinds, usual = (IMPACTORS, "mass") if key == "impactor" else (TARGETS, "rod")
+    if not isinstance(given, Mapping):
+        raise checks.SceneError(key, given, "a table with kind and what that kind needs")
+    kind = checks.choice(f"{key}.kind", given.get("kind", usual), kinds)
+    return kinds[kind].read(key, given)

@@ -1,0 +1,147 @@
+"""Bodies in which no wave runs: rigid masses, a mass on a spring, walls."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from .. import checks
+from ..checks import SceneError
+from ..numerics.modes import Modes, one_mode, rigid_body
+from .material import MATERIALS, Material, read_material, read_radius
+
+MASS_RANGE = (1e-12, 1e12)  # kg
+SPEED_RANGE = (1e-9, 1e6)  # m/s, of an approach
+
+
+def read_impact_velocity(given: Mapping[str, object]) -> float:
+    """`impactor.velocity`, which cannot be left out."""
+    velocity = checks.required("impactor", given, "velocity", "a number from 1e-09 to 1e+06 m/s")
+    return checks.number("impactor.velocity", velocity, *SPEED_RANGE, "m/s")
+
+
+def read_target_velocity(given: Mapping[str, object]) -> float:
+    """`target.velocity`, zero unless given; positive the way the impactor goes."""
+    return checks.number("target.velocity", given.get("velocity", 0.0), -SPEED_RANGE[1], SPEED_RANGE[1], "m/s")
+
+
+@dataclass(frozen=True)
+class RigidMass:
+    """A rigid body whose centre of mass lies in line with the contact: impactor or target."""
+
+    kind: str  # "mass" or "sphere"
+    mass: float  # [kg]
+    velocity: float  # [m/s], positive the way the impactor goes
+    radius: float | None = None  # of curvature at the contact [m]
+    material: Material = MATERIALS["steel"]
+
+    KEYS = ("kind", "mass", "velocity", "radius", "material")
+    fixed = held = False
+    round_trip_time = None
+    length = 0.0
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, object]) -> "RigidMass":
+        """From the table `[impactor]` or `[target]` of a scene file. Raises SceneError naming the key."""
+        given = checks.table(key, given, cls.KEYS)
+        kind = str(given.get("kind", "mass"))
+        material = read_material(f"{key}.material", given.get("material", "steel"))
+        radius = read_radius(f"{key}.radius", given.get("radius"))
+        if kind == "sphere" and radius is None:
+            raise SceneError(f"{key}.radius", None, "a number from 1e-06 to 1e+06 m: a sphere needs its radius")
+        if "mass" in given:
+            mass = checks.number(f"{key}.mass", given["mass"], *MASS_RANGE, "kg")
+        elif kind == "sphere":
+            mass = 4.0 / 3.0 * math.pi * radius**3 * material.density
+        else:
+            raise SceneError(f"{key}.mass", None, "a number from 1e-12 to 1e+12 kg (the key is missing)")
+        velocity = read_impact_velocity(given) if key == "impactor" else read_target_velocity(given)
+        return cls(kind, mass, velocity, radius, material)
+
+    def modes(self, count: int) -> Modes:
+        return rigid_body(self.mass)
+
+    def table(self) -> dict[str, object]:
+        """As in a scene file."""
+        written = {"kind": self.kind, "mass": self.mass, "velocity": self.velocity}
+        return written | _radius(self.radius) | {"material": self.material.table()}
+
+
+@dataclass(frozen=True)
+class SpringMass:
+    """A mass on a spring whose other end is held: the simplest body that can ring. Source: thesis 4.6."""
+
+    mass: float  # [kg]
+    stiffness: float  # [N/m]
+    radius: float | None = None
+    material: Material = MATERIALS["steel"]
+
+    KEYS = ("kind", "mass", "stiffness", "radius", "material")
+    kind = "spring-mass"
+    velocity = 0.0
+    fixed = held = True
+    round_trip_time = None
+    length = 0.0
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, object]) -> "SpringMass":
+        given = checks.table(key, given, cls.KEYS)
+        mass = checks.required(key, given, "mass", "a number from 1e-12 to 1e+12 kg")
+        stiffness = checks.required(key, given, "stiffness", "a number from 1e-06 to 1e+20 N/m")
+        return cls(
+            checks.number(f"{key}.mass", mass, *MASS_RANGE, "kg"),
+            checks.number(f"{key}.stiffness", stiffness, 1e-6, 1e20, "N/m"),
+            read_radius(f"{key}.radius", given.get("radius")),
+            read_material(f"{key}.material", given.get("material", "steel")),
+        )
+
+    @property
+    def frequency(self) -> float:
+        """sqrt(k / m) [rad/s]"""
+        return math.sqrt(self.stiffness / self.mass)
+
+    def modes(self, count: int) -> Modes:
+        return one_mode(self.mass, self.frequency)
+
+    def table(self) -> dict[str, object]:
+        written = {"kind": self.kind, "mass": self.mass, "stiffness": self.stiffness}
+        return written | _radius(self.radius) | {"material": self.material.table()}
+
+
+@dataclass(frozen=True)
+class Wall:
+    """What does not move: a rigid stop, or an elastic half-space that gives way at the contact only."""
+
+    kind: str  # "stop" or "half-space"
+    radius: float | None = None
+    material: Material | None = None  # None: rigid
+
+    KEYS = ("kind", "radius", "material")
+    mass = math.inf
+    velocity = 0.0
+    fixed = held = True
+    round_trip_time = None
+    length = 0.0
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, object]) -> "Wall":
+        given = checks.table(key, given, cls.KEYS)
+        kind = str(given["kind"])
+        if kind == "half-space":
+            checks.required(key, given, "material", "a name or a table with young and density")
+        material = given.get("material")
+        return cls(
+            kind,
+            read_radius(f"{key}.radius", given.get("radius")),
+            None if material is None else read_material(f"{key}.material", material),
+        )
+
+    def modes(self, count: int) -> Modes:
+        return rigid_body(math.inf)
+
+    def table(self) -> dict[str, object]:
+        material = {} if self.material is None else {"material": self.material.table()}
+        return {"kind": self.kind} | _radius(self.radius) | material
+
+
+def _radius(radius: float | None) -> dict[str, float]:
+    return {} if radius is None else {"radius": radius}

@@ -1,0 +1,55 @@
+"""Materials: linear elastic, homogeneous, perhaps with a yield strength for the contact laws that need one."""
+
+from dataclasses import dataclass
+
+from .. import checks
+
+
+@dataclass(frozen=True)
+class Material:
+    """Linear elastic, homogeneous."""
+
+    young: float  # E [Pa]
+    density: float  # rho [kg/m3]
+    poisson: float = 0.3
+    yield_strength: float | None = None  # sigma_Y [Pa], of uniaxial tension
+
+    @property
+    def plane_modulus(self) -> float:
+        """E / (1 - nu^2) [Pa]: what a contact feels of one body."""
+        return self.young / (1.0 - self.poisson**2)
+
+    def table(self) -> dict[str, float]:
+        """As in a scene file."""
+        constants = {"young": self.young, "density": self.density, "poisson": self.poisson}
+        return constants if self.yield_strength is None else constants | {"yield": self.yield_strength}
+
+
+MATERIALS = {
+    "steel": Material(210e9, 7900.0, 0.30),  # thesis 5.3
+    "bronze": Material(98e9, 8600.0, 0.34),  # thesis 9.5; Poisson's ratio is a handbook value
+    "aluminium": Material(70e9, 2700.0, 0.33),
+}
+
+
+def read_material(key: str, given: object) -> Material:
+    """A material by name, or by its constants.
+
+    Raises SceneError naming the key.
+    """
+    if isinstance(given, str):
+        return MATERIALS[checks.choice(key, given, MATERIALS)]
+    given = checks.table(key, given, ("young", "density", "poisson", "yield"))
+    needed = "a number; or give a material by name: " + ", ".join(MATERIALS)
+    yields = given.get("yield")
+    return Material(
+        checks.number(f"{key}.young", checks.required(key, given, "young", needed), 1e3, 1e13, "Pa"),
+        checks.number(f"{key}.density", checks.required(key, given, "density", needed), 1e-2, 1e6, "kg/m3"),
+        checks.number(f"{key}.poisson", given.get("poisson", 0.3), -0.99, 0.499),
+        None if yields is None else checks.number(f"{key}.yield", yields, 1.0, 1e13, "Pa"),
+    )
+
+
+def read_radius(key: str, given: object) -> float | None:
+    """Radius of curvature at the contact [m], or None for a flat face."""
+    return None if given is None else checks.number(key, given, 1e-6, 1e6, "m")

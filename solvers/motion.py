@@ -1,0 +1,122 @@
+"""A motion known on a grid of times: what finite elements, balances and closed forms give."""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+
+class ShapeField:
+    """Fields as sums of shapes: u(x, t) = sum_i q_i(t) shape_i(x), straight between the instants.
+
+    coordinates, rates (time, shapes); shapes(x), slopes(x) (shapes, x), x [m] from the struck face; young [Pa].
+    """
+
+    def __init__(
+        self,
+        time: np.ndarray,
+        coordinates: np.ndarray,
+        rates: np.ndarray,
+        shapes: Callable[[np.ndarray], np.ndarray],
+        slopes: Callable[[np.ndarray], np.ndarray],
+        young: float,
+    ):
+        self._time, self._coordinates, self._rates = time, coordinates, rates
+        self._shapes, self._slopes, self._young = shapes, slopes, young
+
+    def _at(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
+        time = np.clip(np.asarray(time, float), self._time[0], self._time[-1])
+        cell = np.clip(np.searchsorted(self._time, time, "right") - 1, 0, self._time.size - 2)
+        width = self._time[cell + 1] - self._time[cell]
+        part = ((time - self._time[cell]) / np.where(width > 0.0, width, 1.0))[:, None]
+        return values[cell] + part * (values[cell + 1] - values[cell])
+
+    def displacement(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
+        return self._at(time, self._coordinates) @ self._shapes(np.asarray(x, float))
+
+    def velocity(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
+        return self._at(time, self._rates) @ self._shapes(np.asarray(x, float))
+
+    def stress(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """Compression positive [Pa]."""
+        return -self._young * (self._at(time, self._coordinates) @ self._slopes(np.asarray(x, float)))
+
+
+class SampledMotion:
+    """Histories on a grid of times [s], straight in between; at a jump the time stands twice.
+
+    Arrays (time,), SI units: contact force, its impulse so far, position and velocity of the impactor, of the struck
+    face of the target, mean velocity of the target; energies: every part of the split, (time,) each [J]. `field` gives
+    displacement, velocity and stress in the target; without one the target moves as a whole and carries no stress.
+    """
+
+    def __init__(
+        self,
+        *,
+        time: np.ndarray,
+        force: np.ndarray,
+        impulse: np.ndarray,
+        impactor_position: np.ndarray,
+        impactor_velocity: np.ndarray,
+        end_position: np.ndarray,
+        end_velocity: np.ndarray,
+        rigid_velocity: np.ndarray,
+        energies: Mapping[str, np.ndarray],
+        field: ShapeField | None = None,
+    ):
+        self.time = np.asarray(time, float)
+        self._force, self._impulse = force, impulse
+        self._impactor_position, self._impactor_velocity = impactor_position, impactor_velocity
+        self._end_position, self._end_velocity = end_position, end_velocity
+        self._rigid_velocity, self._energies, self._field = rigid_velocity, energies, field
+
+    def _at(self, time, values, after=True):
+        """Straight between the instants; at a jump the value after it, or before it."""
+        time = np.clip(np.asarray(time, float), self.time[0], self.time[-1])
+        values = np.asarray(values, float)
+        cell = np.searchsorted(self.time, time, "right" if after else "left") - 1
+        cell = np.clip(cell, 0, self.time.size - 2)
+        width = self.time[cell + 1] - self.time[cell]
+        part = np.where(width > 0.0, (time - self.time[cell]) / np.where(width > 0.0, width, 1.0), 1.0)
+        return values[cell] + part * (values[cell + 1] - values[cell])
+
+    def force(self, time, after=True):
+        return self._at(time, self._force, after)
+
+    def force_history(self):
+        return self.time, self._force
+
+    def impulse(self, time):
+        return self._at(time, self._impulse)
+
+    def impactor_position(self, time):
+        return self._at(time, self._impactor_position)
+
+    def impactor_velocity(self, time, after=True):
+        return self._at(time, self._impactor_velocity, after)
+
+    def end_position(self, time):
+        return self._at(time, self._end_position)
+
+    def end_velocity(self, time, after=True):
+        return self._at(time, self._end_velocity, after)
+
+    def rigid_velocity(self, time):
+        return self._at(time, self._rigid_velocity)
+
+    def displacement(self, time, x):
+        if self._field is None:
+            return np.repeat(self.end_position(time)[:, None], np.size(x), axis=1)
+        return self._field.displacement(time, x)
+
+    def velocity(self, time, x):
+        if self._field is None:
+            return np.repeat(self.end_velocity(time)[:, None], np.size(x), axis=1)
+        return self._field.velocity(time, x)
+
+    def stress(self, time, x):
+        if self._field is None:
+            return np.zeros((np.size(time), np.size(x)))
+        return self._field.stress(time, x)
+
+    def energies(self, time):
+        return {name: self._at(time, values) for name, values in self._energies.items()}
