@@ -79,12 +79,15 @@ def _parser() -> argparse.ArgumentParser:
 def _warm(options: argparse.Namespace) -> int:
     for name in solvers.scene_names():
         scene = solvers.load(name)
+        if scene.normal is not None:  # closed form
+            continue
         for law in solvers.LAWS:
             contact = {"law": law} | ({} if law == "rigid" else {"stiffness": 1e9})
             contact |= {"restitution": 0.5} if law == "hunt-crossley" else {}
             changed = scene.replace({"contact": contact})
-            for method in solvers.METHODS:
-                solvers.solve(changed, method)
+            for method, chosen in solvers.METHODS.items():
+                if chosen().refusal(changed) is None:
+                    solvers.solve(changed, method)
         if scene.contact.NAME == "rigid":
             solvers.solve(scene, "waves", steps=100)
     print("All kernels are compiled.")

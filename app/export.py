@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from solvers import Solution
+from solvers import SceneError, Solution
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
@@ -14,9 +14,11 @@ FIELD_INSTANTS, FIELD_PLACES = 401, 201
 def report(solution: Solution) -> str:
     """A page of plain text: what happened, with units and accuracy."""
     scene, found = solution.scene, solution.diagnostics
-    trip = scene.target.round_trip_time
+    if scene.normal is not None:
+        return _bodies_report(solution)
+    trip = scene.time_unit
     lines = [
-        "".join(sign if sign.isprintable() else "?" for sign in scene.title) or "Scene",
+        _title(solution),
         f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
         f"  round trip of a wave, T         {trip * 1e6:.6g} us",
         f"  method                          {_method_line(solution)}",
@@ -26,7 +28,8 @@ def report(solution: Solution) -> str:
     for number, contact in enumerate(solution.contacts, 1):
         lines.append(
             f"  {number:7d}{contact.start / trip:14.6f}{contact.end / trip:14.6f}"
-            f"{contact.impulse:17.6g}{contact.peak_force / 1e3:18.6g}"
+            f"{contact.impulse:17.6g}"
+            + ("       no duration" if contact.peak_force is None else f"{contact.peak_force / 1e3:18.6g}")
         )
     lines += [
         "",
@@ -59,6 +62,47 @@ def report(solution: Solution) -> str:
     return "\n".join(lines)
 
 
+def _bodies_report(solution: Solution) -> str:
+    """Of bodies in space: vectors, and the checks of the impulse."""
+    scene, found, energy = solution.scene, solution.diagnostics, solution.energy
+    lines = [
+        _title(solution),
+        f"  method                          {_method_line(solution)}",
+        f"  normal, impactor to target      {_vector(scene.normal)}",
+        f"  approach of the touching points {scene.speed:+.8g} m/s",
+        f"  effective mass                  {solution.effective_mass:.8g} kg",
+        f"  impulse                         {solution.impulse:.8g} N s",
+    ]
+    for name in ("impactor", "target"):
+        body, velocity = getattr(scene, name), getattr(solution, f"{name}_velocity")
+        spin = getattr(solution, f"{name}_spin")
+        lines.append("")
+        if body.kind == "body":
+            lines += [
+                f"  {name} before   velocity {_vector(body.velocity)} m/s   spin {_vector(body.spin)} rad/s",
+                f"  {name} after    velocity {_vector(velocity)} m/s   spin {_vector(spin)} rad/s",
+            ]
+        else:
+            lines.append(f"  {name}: a stop, which does not move")
+    lines += ["", "  energy at the end [J]"]
+    lines += [f"    {key.replace('_', ' '):30}{value:14.8g}" for key, value in energy.items()]
+    lines += [
+        "",
+        f"  energy residual {found['energy_error']:+.1e}   momentum residual {found['momentum_error']:+.1e}"
+        f"   angular momentum residual {found['angular_momentum_error']:+.1e}",
+        *(f"  Note: {note}" for note in solution.notes),
+    ]
+    return "\n".join(lines)
+
+
+def _vector(values: tuple[float, float, float]) -> str:
+    return "(" + ", ".join(f"{value + 0.0:.6g}" for value in values) + ")"
+
+
+def _title(solution: Solution) -> str:
+    return "".join(sign if sign.isprintable() else "?" for sign in solution.scene.title) or "Scene"
+
+
 def _method_line(solution: Solution) -> str:
     options = {key: value for key, value in solution.method.items() if key != "name" and value is not None}
     return solution.method["name"] + "".join(f", {key} {value:g}" for key, value in options.items())
@@ -73,21 +117,29 @@ def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
     if time.size > 10 * SERIES_POINTS:
         time = np.linspace(0.0, solution.duration, SERIES_POINTS)
         force = motion.force(time)
+    doubled = np.append(time[1:] == time[:-1], False)
+
+    def jumping(velocity):
+        return np.where(doubled, velocity(time, after=False), velocity(time))
+
     return {
         "time": ("s", time),
         "contact_force": ("N", force),
         "impactor_position": ("m", motion.impactor_position(time)),
-        "impactor_velocity": ("m_per_s", motion.impactor_velocity(time)),
+        "impactor_velocity": ("m_per_s", jumping(motion.impactor_velocity)),
         "struck_end_position": ("m", motion.end_position(time)),
-        "target_mean_velocity": ("m_per_s", motion.rigid_velocity(time)),
+        "target_mean_velocity": ("m_per_s", jumping(motion.rigid_velocity)),
     }
 
 
 def write_series(solution: Solution, path: Path) -> None:
     """Histories as comma-separated values, or histories and fields as NetCDF, by the ending of the name.
 
-    Raises OSError if the file cannot be written.
+    Raises OSError if the file cannot be written, SceneError if the solution has no histories.
     """
+    if solution.motion is None:
+        allowed = "nothing here: one impulse between bodies in space has no history; --json has all there is"
+        raise SceneError("--series", str(path), allowed)
     histories = _histories(solution)
     if path.suffix == ".csv":
         text = io.StringIO()

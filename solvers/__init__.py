@@ -7,21 +7,23 @@ solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 from collections.abc import Mapping
 
 from . import checks
-from .bodies import Material, RigidMass, Rod, Rods, SpringMass, Wall
+from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
 from .contact import LAWS
 from .method import Method, SceneNotSupported
-from .methods import METHODS, Modal, Waves
+from .methods import METHODS, Modal, RigidImpulse, Waves
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 
 __all__ = [
     "LAWS",
     "METHODS",
+    "Body",
     "ContactPeriod",
     "Material",
     "Method",
     "Modal",
+    "RigidImpulse",
     "RigidMass",
     "Rod",
     "Rods",
@@ -39,11 +41,14 @@ __all__ = [
 ]
 
 
-def read_method(given: Mapping[str, object]) -> tuple[Method, float | None]:
-    """Method and duration [s] from the table `[method]` of a scene file. Raises SceneError naming the key."""
+def read_method(given: Mapping[str, object], usual: str = "waves") -> tuple[Method, float | None]:
+    """Method and duration [s] from the table `[method]` of a scene file; `usual` is the method if it names none.
+
+    Raises SceneError naming the key.
+    """
     given = dict(given)
     duration = given.pop("duration", None)
-    name = checks.choice("method.name", given.pop("name", "waves"), METHODS)
+    name = checks.choice("method.name", given.pop("name", usual), METHODS)
     return METHODS[name].read(given), duration
 
 
@@ -54,7 +59,7 @@ def solve(scene: Scene, method: str | Method | None = None, duration: float | No
     bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
     method cannot solve the scene.
     """
-    table = dict(scene.method)
+    table, usual = dict(scene.method), "waves" if scene.normal is None else "rigid"
     if duration is None:
         duration = table.pop("duration", None)
     table.pop("duration", None)
@@ -62,7 +67,7 @@ def solve(scene: Scene, method: str | Method | None = None, duration: float | No
         if options:
             raise SceneError("method", options, "no options beside a method object; give them to the object")
         return method.solve(scene, duration)
-    if method is not None and method != table.get("name", "waves"):
+    if method is not None and method != table.get("name", usual):
         table = {"name": method}
-    chosen, _ = read_method(table | options)
+    chosen, _ = read_method(table | options, usual)
     return chosen.solve(scene, duration)

@@ -23,6 +23,7 @@ class Method(ABC):
     """A frozen dataclass whose fields are its options; `NAME` is its word in scene files."""
 
     NAME: ClassVar[str]
+    SPATIAL: ClassVar[bool] = False  # whether it knows bodies in space, beside those on an axis
 
     @classmethod
     @abstractmethod
@@ -33,6 +34,12 @@ class Method(ABC):
     def why_not(self, scene: Scene) -> str | None:
         """The sentence that says why this method cannot solve the scene, or None."""
 
+    def refusal(self, scene: Scene) -> str | None:
+        """`why_not`, and before it what every method says that knows bodies on an axis only."""
+        if scene.normal is not None and not self.SPATIAL:
+            return "the bodies must meet on an axis; for bodies in space use 'rigid'"
+        return self.why_not(scene)
+
     @abstractmethod
     def _solve(self, scene: Scene, duration: float | None) -> Solution: ...
 
@@ -41,7 +48,7 @@ class Method(ABC):
 
         Raises SceneNotSupported, SceneError for a duration out of range.
         """
-        reason = self.why_not(scene)
+        reason = self.refusal(scene)
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
         if duration is not None:

@@ -76,7 +76,7 @@ class SampledMotion:
         cell = np.searchsorted(self.time, time, "right" if after else "left") - 1
         cell = np.clip(cell, 0, self.time.size - 2)
         width = self.time[cell + 1] - self.time[cell]
-        part = np.where(width > 0.0, (time - self.time[cell]) / np.where(width > 0.0, width, 1.0), 1.0)
+        part = np.where(width > 0.0, (time - self.time[cell]) / np.where(width > 0.0, width, 1.0), float(after))
         return values[cell] + part * (values[cell + 1] - values[cell])
 
     def force(self, time, after=True):
@@ -100,8 +100,8 @@ class SampledMotion:
     def end_velocity(self, time, after=True):
         return self._at(time, self._end_velocity, after)
 
-    def rigid_velocity(self, time):
-        return self._at(time, self._rigid_velocity)
+    def rigid_velocity(self, time, after=True):
+        return self._at(time, self._rigid_velocity, after)
 
     def displacement(self, time, x):
         if self._field is None:

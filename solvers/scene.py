@@ -6,11 +6,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from . import checks
-from .bodies import Rods, read_body
+from .bodies import Body, Rods, check_struck, in_space, read_body, read_normal
 from .bodies.compact import SPEED_RANGE
 from .checks import SceneError
 from .contact import LAWS
+from .numerics import impulses
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles tell nothing
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
@@ -32,6 +35,7 @@ class Scene:
     source: str = ""
     method: Mapping[str, object] = field(default_factory=dict)
     given: Mapping[str, object] = field(default_factory=dict, repr=False, compare=False)
+    normal: tuple[float, float, float] | None = None  # from impactor to target, where they are bodies in space
 
     @classmethod
     def from_table(cls, given: object) -> "Scene":
@@ -43,18 +47,22 @@ class Scene:
         for part in ("impactor", "target"):
             checks.required("", given, part, "a table")
         impactor, target = read_body("impactor", given["impactor"]), read_body("target", given["target"])
-        _check_approach(impactor, target)
+        normal = _read_normal(impactor, target, given.get("contact"))
+        if normal is None:
+            _check_approach(impactor, target)
+        _check_masses(impactor, target)
         method = given.get("method", {})
         checks.table("method", method, METHOD_KEYS)
         return cls(
             impactor,
             target,
-            _read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target),
+            _read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target, normal is not None),
             _read_joint_laws(target),
             checks.text("title", given.get("title", "")),
             checks.text("source", given.get("source", "")),
             dict(method),
             given,
+            normal,
         )
 
     def replace(self, changes: Mapping[str, object]) -> "Scene":
@@ -78,6 +86,8 @@ class Scene:
         contact = {"law": self.contact.NAME} | self.contact.table(self.speed)
         if "restitution" in contact and self.given:  # as given: the way back through the damping rounds
             contact["restitution"] = self.given["contact"]["restitution"]
+        if self.normal is not None:
+            contact["normal"] = list(self.normal)
         tables: dict[str, object] = {
             "title": self.title,
             "source": self.source,
@@ -94,7 +104,10 @@ class Scene:
 
     @property
     def speed(self) -> float:
-        """Of approach, v1 - v2 [m/s]."""
+        """Of approach, v1 - v2 [m/s]; of bodies in space that of the touching points along the normal."""
+        if self.normal is not None:
+            moving = (impulses.point_velocity(in_space(body)) for body in (self.impactor, self.target))
+            return float(np.dot(self.normal, np.subtract(*moving)))
         return self.impactor.velocity - self.target.velocity
 
     @property
@@ -105,6 +118,8 @@ class Scene:
     @property
     def initial_energy(self) -> float:
         """Kinetic energy of both bodies before the blow [J]."""
+        if self.normal is not None:
+            return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
         return 0.5 * sum(b.mass * b.velocity**2 for b in (self.impactor, self.target) if b.velocity)
 
     @property
@@ -118,14 +133,18 @@ class Scene:
         return contact_time(self.contact, self.reduced_mass, self.speed)
 
 
-METHOD_KEYS = ("name", "modes", "steps", "tolerance", "duration")
+METHOD_KEYS = ("name", "modes", "steps", "tolerance", "restitution", "duration")
 
 
 def _check_approach(impactor: Any, target: Any) -> None:
-    """The bodies must come closer, and each must feel the other."""
+    """The bodies must come closer."""
     if impactor.velocity - target.velocity < SPEED_RANGE[0]:
         allowed = f"less than the impactor's {impactor.velocity:g} m/s: the bodies must approach each other"
         raise SceneError("target.velocity", target.velocity, allowed)
+
+
+def _check_masses(impactor: Any, target: Any) -> None:
+    """Each body must feel the other."""
     ratio = target.mass / impactor.mass
     if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO and ratio != math.inf:
         low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
@@ -133,12 +152,28 @@ def _check_approach(impactor: Any, target: Any) -> None:
         raise SceneError("impactor.mass", impactor.mass, allowed)
 
 
-def _read_law(key: str, given: object, impactor: Any, target: Any) -> Any:
-    """The contact law of two bodies from a table with the key law."""
+def _read_normal(impactor: Any, target: Any, contact: object) -> tuple[float, float, float] | None:
+    """The normal of bodies in space, which meet each other or a stop only; None on an axis."""
+    if not isinstance(impactor, Body) and not isinstance(target, Body):
+        return None
+    if not isinstance(impactor, Body):
+        raise SceneError("impactor.kind", impactor.kind, "'body': a body in space is struck by one")
+    if target.kind not in ("body", "stop"):
+        raise SceneError("target.kind", target.kind, "'body' or 'stop': what a body in space can strike")
+    contact = checks.table("contact", {} if contact is None else contact, ("law", "normal"))
+    needed = "three numbers: the direction from the impactor to the target where they touch"
+    normal = read_normal("contact.normal", checks.required("contact", contact, "normal", needed))
+    check_struck("impactor", impactor, normal)
+    check_struck("target", target, normal)
+    return normal
+
+
+def _read_law(key: str, given: object, impactor: Any, target: Any, spatial: bool = False) -> Any:
+    """The contact law of two bodies from a table with the key law; bodies in space meet in one impulse."""
     if not isinstance(given, Mapping):
         raise SceneError(key, given, "a table with the key law")
-    law = LAWS[checks.choice(f"{key}.law", given.get("law", "rigid"), LAWS)]
-    checks.table(key, given, ("law", *law.KEYS))
+    law = LAWS[checks.choice(f"{key}.law", given.get("law", "rigid"), ("rigid",) if spatial else LAWS)]
+    checks.table(key, given, ("law", *law.KEYS, *(("normal",) if spatial else ())))
     return law.read(given, impactor, target)
 
 

@@ -15,7 +15,7 @@ class ContactPeriod:
     start: float  # [s]
     end: float  # [s]
     impulse: float  # [N s]
-    peak_force: float  # [N]
+    peak_force: float | None  # [N]; None: a blow of no duration
 
 
 class Motion(Protocol):
@@ -31,7 +31,7 @@ class Motion(Protocol):
     def impactor_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
     def end_position(self, time: np.ndarray) -> np.ndarray: ...
     def end_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
-    def rigid_velocity(self, time: np.ndarray) -> np.ndarray: ...
+    def rigid_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
     def stress(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
     def velocity(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
     def displacement(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
@@ -44,43 +44,55 @@ class Solution:
     """The answer to a scene, SI units, time zero at first touch, velocities positive the way the impactor came.
 
     Besides the figures below, `motion` gives force, positions, velocities and fields at any time and place up to
-    `duration` [s]. A figure that does not exist (no indentation in a rigid contact) is None.
+    `duration` [s]. A figure that does not exist (no indentation in a rigid contact) is None. Bodies in space have
+    vectors of velocity, spins besides, and no motion but that of free bodies before and after.
     """
 
     scene: Scene
     method: dict[str, Any]
     contacts: list[ContactPeriod]
     duration: float
-    motion: Motion
+    motion: Motion | None
     impulse: float
-    peak_force: float
+    peak_force: float | None
     peak_indentation: float | None
     residual_indentation: float | None
-    impactor_velocity: float
-    target_velocity: float
+    impactor_velocity: float | tuple[float, float, float]
+    target_velocity: float | tuple[float, float, float]
     restitution: dict[str, float | None]
     energy: dict[str, float]
     diagnostics: dict[str, Any]
     notes: list[str] = field(default_factory=list)
+    effective_mass: float | None = None  # of the contact [kg], where the blow is one impulse
+    impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
+    target_spin: tuple[float, float, float] | None = None
 
     def table(self) -> dict[str, object]:
         """The result as plain tables, with the keys that scripts rely on."""
+        effective_mass = {} if self.effective_mass is None else {"effective_mass": self.effective_mass}
         return {
             "scene": self.scene.table(),
             "method": self.method,
             "contacts": [asdict(contact) for contact in self.contacts],
             "impulse": self.impulse,
+            **effective_mass,
             "peak_force": self.peak_force,
             "peak_indentation": self.peak_indentation,
             "residual_indentation": self.residual_indentation,
-            "impactor": {"final_velocity": self.impactor_velocity},
-            "target": {"final_velocity": self.target_velocity},
+            "impactor": _final(self.impactor_velocity, self.impactor_spin),
+            "target": _final(self.target_velocity, self.target_spin),
             "restitution": self.restitution,
             "energy": self.energy,
             "diagnostics": self.diagnostics,
             "duration": self.duration,
             "notes": self.notes,
         }
+
+
+def _final(velocity: Any, spin: Any) -> dict[str, object]:
+    if spin is None:
+        return {"final_velocity": velocity}
+    return {"final_velocity": list(velocity), "final_spin": list(spin)}
 
 
 def summary(

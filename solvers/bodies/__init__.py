@@ -7,11 +7,12 @@ fixed, radius, material, length, round_trip_time, modes) and name it in IMPACTOR
 from collections.abc import Mapping
 
 from .. import checks
+from .body import Body, check_struck, in_space, read_normal
 from .compact import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
 from .rods import Joint, Rod, Rods, read_section
 
-IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod}
+IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod, "body": Body}
 TARGETS = {
     "rod": Rod,
     "rods": Rods,
@@ -19,12 +20,14 @@ TARGETS = {
     "spring-mass": SpringMass,
     "stop": Wall,
     "half-space": Wall,
+    "body": Body,
 }
 
 __all__ = [
     "IMPACTORS",
     "MATERIALS",
     "TARGETS",
+    "Body",
     "Joint",
     "Material",
     "RigidMass",
@@ -32,8 +35,11 @@ __all__ = [
     "Rods",
     "SpringMass",
     "Wall",
+    "check_struck",
+    "in_space",
     "read_body",
     "read_material",
+    "read_normal",
     "read_section",
 ]
 

@@ -229,7 +229,7 @@ class ModalMotion:
     def impactor_velocity(self, time, after=True):
         return self._at(time, self.record.velocity)
 
-    def rigid_velocity(self, time):
+    def rigid_velocity(self, time, after=True):
         return self._at(time, self.record.rigid_velocity)
 
     def end_position(self, time):

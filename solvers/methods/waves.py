@@ -162,7 +162,7 @@ class WaveMotion:
     def impactor_velocity(self, time, after=True):
         return self._speed * self.history.mass_velocity(np.asarray(time, float) / self._trip)
 
-    def rigid_velocity(self, time):
+    def rigid_velocity(self, time, after=True):
         """Velocity of the rod's centre of mass [m/s], (4.29)."""
         t = np.asarray(time, float) / self._trip
         now, half, whole = (self.history.total(t - lag) for lag in (0.0, 0.5, 1.0))

@@ -57,7 +57,9 @@ def strike(first: Bodies, second: Bodies, normal: np.ndarray, restitution: np.nd
     has no moment of inertia, though it has one about another: it would turn about that axis without resisting.
     """
     normal = np.asarray(normal, float)
-    turns = [_turn(bodies, normal) for bodies in (first, second)]
+    turns, stray = zip(*(_solved(bodies, normal) for bodies in (first, second)), strict=True)
+    if np.any(stray[0]) or np.any(stray[1]):
+        raise ValueError("a body is struck beside an axis about which it has no moment of inertia")
     softness = sum(
         1.0 / np.asarray(bodies.mass, float) + np.vecdot(np.cross(_arm(bodies), normal), turn)
         for bodies, turn in zip((first, second), turns, strict=True)
@@ -103,23 +105,26 @@ def kinetic_energy(bodies: Bodies) -> np.ndarray:
     return 0.5 * mass * np.vecdot(bodies.velocity, bodies.velocity) + 0.5 * moving
 
 
+def unresisted(bodies: Bodies, normal: np.ndarray) -> np.ndarray:
+    """Whether a body would turn about an axis about which it has no moment of inertia, though it has one elsewhere."""
+    return _solved(bodies, normal)[1]
+
+
 def _arm(bodies: Bodies) -> np.ndarray:
     """c, and zero for a point mass: it is where it is touched."""
     return np.where(np.any(bodies.inertia, axis=(-2, -1))[..., None], bodies.centre, 0.0)
 
 
-def _turn(bodies: Bodies, normal: np.ndarray) -> np.ndarray:
-    """I^-1 (c x n) [rad/s per N s], solved in the range of the tensor."""
-    couple = np.cross(_arm(bodies), normal)
+def _solved(bodies: Bodies, normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """I^-1 (c x n) [rad/s per N s] in the range of the tensor, and whether c x n leaves that range."""
+    arm = _arm(bodies)
     moments, axes = principal(bodies.inertia)
     held = np.isinf(bodies.mass)[..., None]
-    along = _times(np.swapaxes(axes, -1, -2), couple)
+    couple = _times(np.swapaxes(axes, -1, -2), np.cross(arm, normal))
     weightless = (moments == 0.0) & ~held
-    arm = np.sqrt(np.vecdot(_arm(bodies), _arm(bodies)))[..., None]
-    if np.any(weightless & (np.abs(along) > STRAY_COUPLE * arm)):
-        raise ValueError("a body is struck beside an axis about which it has no moment of inertia")
+    stray = weightless & (np.abs(couple) > STRAY_COUPLE * np.sqrt(np.vecdot(arm, arm))[..., None])
     inverse = np.where(weightless | held, 0.0, 1.0 / np.where(moments > 0.0, moments, 1.0))
-    return _times(axes, inverse * along)
+    return _times(axes, inverse * couple), stray.any(axis=-1)
 
 
 def _pushed(bodies: Bodies, turn: np.ndarray, impulse: np.ndarray, normal: np.ndarray) -> Bodies:

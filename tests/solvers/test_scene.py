@@ -52,7 +52,8 @@ def refusal(tables: object) -> SceneError:
 
 
 def test_the_built_in_scenes():
-    assert solvers.scene_names() == ["fixed-rod", "bronze-rod-steel-ball", "free-rod"]
+    names = solvers.scene_names()
+    assert names[0] == "fixed-rod" and names[1:] == sorted(names[1:])
     for scene in SCENES.values():
         assert scene.title and scene.source
     # thesis 4.5 and 5.3: equal masses
@@ -62,8 +63,15 @@ def test_the_built_in_scenes():
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_every_built_in_scene_is_solved_by_every_method(name):
-    answers = [solvers.solve(SCENES[name], method=method).impactor_velocity for method in solvers.METHODS]
+def test_every_built_in_scene_is_solved_as_it_says(name):
+    solution = solvers.solve(SCENES[name])
+    assert abs(solution.diagnostics["energy_error"]) < 1e-6
+    assert abs(solution.diagnostics["momentum_error"]) < 1e-6
+
+
+@pytest.mark.parametrize("name", ["fixed-rod", "free-rod", "bronze-rod-steel-ball"])
+def test_both_methods_for_a_struck_rod_agree(name):
+    answers = [solvers.solve(SCENES[name], method=method).impactor_velocity for method in ("waves", "modal")]
     # rigid contact with the default 50 modes: 0.45 %
     assert answers[0] == approx(answers[1], abs=0.005 * SCENES[name].impactor.velocity)
 
@@ -309,7 +317,7 @@ def test_words_and_tables(key, value, allowed):
         ("target.lenght", 1.0, "kind, length, section, material, support, at, velocity, end_mass, radius"),
         ("target.section.depth", 1.0, "width, height, radius, area, second_moment, shear_coefficient"),
         ("contact.stiffness", 1e9, "law"),  # rigid has no constants
-        ("method.mode", 5, "name, modes, steps, tolerance, duration"),
+        ("method.mode", 5, "name, modes, steps, tolerance, restitution, duration"),
     ],
 )
 def test_keys_that_do_not_exist(key, value, keys):
