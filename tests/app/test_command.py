@@ -141,6 +141,30 @@ def test_the_report_tells_what_is_unfinished(capsys):
     assert "not defined" in text  # Poisson's restitution
 
 
+def test_bodies_in_space(capsys, tmp_path):
+    found = result(capsys, "note-rod", "--set", "target.centre=[0, 0, 0]")
+    assert set(found) == KEYS | {"effective_mass"}
+    assert set(found["diagnostics"]) == DIAGNOSTICS | {"angular_momentum_error"}
+    assert found["effective_mass"] == approx(0.4)  # struck in the middle: m1 m2 / (m1 + m2)
+    assert found["target"] == {"final_velocity": approx([-0.96, 0.0, 0.0]), "final_spin": [0.0, 0.0, 0.0]}
+    text = answer(capsys, "solve", "note-rod")
+    assert "effective mass                  0.25 kg" in text
+    assert "target after    velocity (-0.6, 0, 0) m/s   spin (0, 0, 3) rad/s" in text
+    assert "a stop" in answer(capsys, "solve", "note-rod", "--set", 'target={ kind = "stop" }')
+    assert "no history" in refusal(capsys, "solve", "note-rod", "--series", str(tmp_path / "blow.csv"))
+
+
+def test_a_rigid_blow_on_an_axis_jumps(capsys, tmp_path):
+    path = tmp_path / "histories.csv"
+    found = result(capsys, "free-rod", "--set", "method.name=rigid", "--series", str(path))
+    assert found["contacts"] == [{"start": 0.0, "end": 0.0, "impulse": approx(2.133), "peak_force": None}]
+    with path.open(newline="") as file:
+        rows = [[float(value) for value in row.values()] for row in csv.DictReader(file)]
+    assert [row[3] for row in rows] == approx([1.0, 0.0, 0.0], abs=1e-12)  # equal masses exchange their velocities
+    assert [row[5] for row in rows] == approx([0.0, 1.0, 1.0], abs=1e-12)
+    assert "no duration" in answer(capsys, "solve", "free-rod", "--set", "method.name=rigid")
+
+
 @pytest.mark.parametrize("method", ["waves", "modal"])
 def test_series(capsys, tmp_path, method):
     path = tmp_path / "histories.csv"
@@ -165,7 +189,7 @@ def test_series(capsys, tmp_path, method):
 def test_scenes(capsys):
     lines = answer(capsys, "scenes").splitlines()
     assert [line.split()[0] for line in lines] == solvers.scene_names()
-    assert all("[thesis" in line for line in lines)
+    assert all("[thesis" in line or "[note" in line for line in lines)
 
 
 def test_help(capsys):
