@@ -70,9 +70,14 @@ def pack(chosen: dict[str, Any], scene: Scene, waves: Solution, modal: Solution)
         "ghost": ghost(scene, chosen["restitution"]),
         "match": waves.restitution["newton"],
         "leastRestitution": LEAST_RESTITUTION,
-        "arrays": [[name, int(values.size)] for name, values in arrays.items()],
     }
-    text = json.dumps(header, allow_nan=False).encode()
+    return packed(header, arrays)
+
+
+def packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
+    """One message from a header and its arrays."""
+    sizes = {"arrays": [[name, int(values.size)] for name, values in arrays.items()]}
+    text = json.dumps(header | sizes, allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
     return len(text).to_bytes(4, "little") + text + b"".join(a.astype("<f4").tobytes() for a in arrays.values())
 

@@ -6,7 +6,9 @@ import platform
 from datetime import date
 from pathlib import Path
 
-from . import kernels, page, startup
+from . import impulses, kernels, page, startup
+
+PARTS = {"startup": startup, "kernels": kernels, "impulses": impulses, "page": page}
 
 RESULTS = Path(__file__).parent / "results.json"
 
@@ -24,15 +26,15 @@ def machine() -> dict[str, object]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--only", choices=["startup", "kernels", "page"], help="one part; default: all")
+    parser.add_argument("--only", choices=list(PARTS), help="one part; default: all")
     only = parser.parse_args().only
-    parts = [only] if only else ["startup", "kernels", "page"]
+    parts = [only] if only else list(PARTS)
     stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
     stored["machine"] = machine()
     print("Machine:", ", ".join(f"{key} {value}" for key, value in stored["machine"].items()))
     for part in parts:
         print(f"\n== {part}")
-        stored[part] = {"startup": startup, "kernels": kernels, "page": page}[part].measure()
+        stored[part] = PARTS[part].measure()
     RESULTS.write_text(json.dumps(stored, indent=1) + "\n")
     print(f"\nStored in {RESULTS.relative_to(Path.cwd()) if RESULTS.is_relative_to(Path.cwd()) else RESULTS}")
 
