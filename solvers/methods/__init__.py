@@ -1,9 +1,10 @@
 """One file each; a method knows no other method."""
 
 from .modal import Modal
+from .mode_switch import ModeSwitch
 from .rigid import RigidImpulse
 from .waves import Waves
 
-METHODS = {method.NAME: method for method in (Waves, Modal, RigidImpulse)}
+METHODS = {method.NAME: method for method in (Waves, Modal, ModeSwitch, RigidImpulse)}
 
-__all__ = ["METHODS", "Modal", "RigidImpulse", "Waves"]
+__all__ = ["METHODS", "Modal", "ModeSwitch", "RigidImpulse", "Waves"]

@@ -51,6 +51,47 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
     )
 
 
+def composite_rod_modes(
+    length: float, mass: float, wave_speed: float, fixed: bool, count: int, attached_mass: float
+) -> Modes:
+    """Modes of a uniform rod with a rigid mass on its struck end, fixed or free at the far end.
+
+    Normalised by the mass of both; `rigid_mass` is that of both if they are free; the residual compliance is that of
+    the rod under a force on the mass, against the inertia of both if they are free.
+    Source: thesis (5.11), z tan z = m2 / m1, and (9.19), with z = omega L / c.
+    Differs: (9.19) prints -tan(z) / z = m2 / m1; it is m1 / m2, so that tan z = -(m1 / m2) z.
+    Error: `count` of any size, as each root is found near its limit for a light mass, z = (i - 1/2) pi or i pi.
+    """
+    ratio = mass / attached_mass
+    limits = np.pi * (np.arange(1, count + 1) - (0.5 if fixed else 0.0))
+    roots = limits - np.arctan(limits / ratio)
+    if fixed:
+        roots[0] = np.sqrt(ratio / (1.0 + 4.0 * ratio / np.pi**2))
+    for _ in range(100):  # Newton on a rising concave function: from below it never overshoots
+        change = (roots - limits + np.arctan(roots / ratio)) / (1.0 + ratio / (roots**2 + ratio**2))
+        roots = roots - change
+        if np.all(np.abs(change) <= 4e-16 * roots):
+            break
+    wave, slope = (np.sin, np.cos) if fixed else (np.cos, lambda angle: -np.sin(angle))
+    half = 0.5 - np.sinc(2.0 * roots / np.pi) * (0.5 if fixed else -0.5)  # mean square of the shape over the length
+    amplitudes = 1.0 / np.sqrt(mass * half + attached_mass * wave(roots) ** 2)
+    wavenumbers, at_contact = roots / length, amplitudes * wave(roots)
+    frequencies = wave_speed * wavenumbers
+    whole = length**2 / (mass * wave_speed**2)  # L / (E A)
+    if not fixed:
+        whole *= (mass / (mass + attached_mass)) ** 2 / 3.0
+    return Modes(
+        frequencies=frequencies,
+        at_contact=at_contact,
+        rigid_mass=np.inf if fixed else mass + attached_mass,
+        residual_compliance=float(max(whole - np.sum((at_contact / frequencies) ** 2), 0.0)),
+        shapes=lambda x: amplitudes[:, None] * wave(np.multiply.outer(wavenumbers, length - np.asarray(x, float))),
+        slopes=lambda x: (
+            -(amplitudes * wavenumbers)[:, None] * slope(np.multiply.outer(wavenumbers, length - np.asarray(x, float)))
+        ),
+    )
+
+
 def rigid_body(mass: float) -> Modes:
     """A body that moves only as a whole [kg], or, of infinite mass, not at all."""
     nothing = np.zeros(0)
