@@ -1,0 +1,408 @@
+"""Scenes of rods for the kernel `numerics.wave_network`, and what it found as a motion.
+
+Units inside: time in the scene's T, velocity in the speed of approach v, force in Z v of the struck rod, length in v T.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..bodies import Rod
+from ..bodies.rods import MAX_RODS
+from ..contact import Linear, Rigid
+from ..method import MAX_ROUND_TRIPS
+from ..numerics import wave_network
+from ..numerics.wave_network import (
+    ABSORBING,
+    BONDED,
+    DEPTH,
+    FORCE,
+    FREE,
+    IMPULSE,
+    LAW,
+    LOST,
+    OUT_LEFT,
+    OUT_RIGHT,
+    PLACE,
+    RIGID_FACES,
+    SPEED,
+    TOTAL_LEFT,
+    TOTAL_RIGHT,
+    Chain,
+)
+from ..scene import Scene
+from ..solution import ContactPeriod
+
+STRETCHES = 4_000  # of a node, to begin with
+MAX_STRETCHES = 200_000  # of all nodes together
+PRESSES = 1e-13  # of the peak force: less at the end of a contact is rounding
+UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
+NO_LAW = Linear(1.0)  # where no law is asked for
+MAX_NODES = MAX_RODS + 2
+
+
+class ChainHistory:
+    """What the kernel returned for a scene."""
+
+    def __init__(self, scene: Scene, until: float, tolerance: float):
+        """Solve up to `until` [T], or until the impactor has parted for good if that is infinite."""
+        self.scene = scene
+        self.trip, self.speed = scene.time_unit, scene.speed
+        self.force_unit = scene.target.impedance * self.speed
+        self.rods: list[Rod] = ([scene.impactor] if scene.impactor.kind == "rod" else []) + list(scene.target.rods)
+        self.contact = len(self.rods) - len(scene.target.rods)
+        self.laws = self._laws()
+        self.chain = self._chain()
+        if self.rods[-1].support == "anechoic":
+            until = min(until, self._faded())
+        asked, limit = math.isfinite(until), min(until, MAX_ROUND_TRIPS)
+        wait = math.inf if asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
+        capacity = min(STRETCHES, MAX_STRETCHES // len(self.laws))
+        while True:
+            status, self.record, self.state = wave_network.solve(
+                self.chain, *self._kernel_laws(), self._pulse(), self._masses(), wait, limit, tolerance, capacity
+            )
+            if status != wave_network.FULL or capacity >= MAX_STRETCHES // len(self.laws):
+                break
+            capacity = min(8 * capacity, MAX_STRETCHES // len(self.laws))
+        self.reach = float(self.state.time.min())
+        self.steps = int(self.record.count.sum())
+        self.contacts = self.periods(self.contact)
+        self.cut = status in (wave_network.FULL, wave_network.FAILED) or (status == wave_network.STOPPED and not asked)
+        self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
+
+    def _laws(self) -> list[Any]:
+        """The scaled law of every node, or None."""
+        laws: list[Any] = [None] * (len(self.rods) + 1)
+        laws[self.contact] = self.scene.contact
+        for number, law in enumerate(self.scene.joint_laws, self.contact + 1):
+            laws[number] = law
+        units = self.speed * self.trip, self.speed, self.force_unit
+        return [None if law is None or isinstance(law, Rigid) else law.scaled(*units) for law in laws]
+
+    def _kernel_laws(self) -> tuple[Any, tuple[Any, ...], np.ndarray, np.ndarray]:
+        """Law of the contact, laws of the joints (a tuple of one type), and whether each sort remembers, and loses."""
+        joints = [law for node, law in enumerate(self.laws) if law is not None and node != self.contact]
+        other = joints[0] if joints else NO_LAW
+        placed = [law if law is not None and node != self.contact else other for node, law in enumerate(self.laws)]
+        each = tuple(placed + [other] * (MAX_NODES - len(placed)))  # of one length, so that kernels are compiled once
+        contact = self.laws[self.contact] or NO_LAW
+        sorts = (contact, other)
+        return contact, each, np.array([law.PLASTIC for law in sorts]), np.array([law.LOSSY for law in sorts])
+
+    def _chain(self) -> Chain:
+        """The scene as nodes and rods."""
+        scene, nodes = self.scene, len(self.rods) + 1
+        kind, gap = np.full(nodes, BONDED), np.zeros(nodes)
+        mass_left, mass_right, mass_drift = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
+        mass_unit = self.force_unit * self.trip / self.speed
+        if scene.impactor.kind == "rod":
+            kind[0] = FREE
+        else:
+            mass_left[0], mass_drift[0] = scene.impactor.mass / mass_unit, scene.impactor.velocity / self.speed
+        for number, joint in enumerate(scene.target.joints, self.contact + 1):
+            gap[number] = joint.gap / (self.speed * self.trip)
+            if not joint.bonded:
+                kind[number] = RIGID_FACES if self.laws[number] is None else LAW
+        kind[self.contact] = RIGID_FACES if self.laws[self.contact] is None else LAW
+        last = self.rods[-1]
+        if last.support == "free":
+            kind[-1], mass_right[-1] = (BONDED, last.end_mass / mass_unit) if last.end_mass else (FREE, 0.0)
+            mass_drift[-1] = last.velocity / self.speed
+        elif last.support == "fixed":
+            mass_right[-1] = math.inf
+        else:
+            kind[-1] = ABSORBING
+        return Chain(
+            np.array([rod.impedance for rod in self.rods]) / scene.target.impedance,
+            np.array([0.5 * rod.round_trip_time for rod in self.rods]) / self.trip,
+            np.array([rod.velocity for rod in self.rods]) / self.speed,
+            kind,
+            mass_left,
+            mass_right,
+            mass_drift,
+            gap,
+            self.contact,
+        )
+
+    def _faded(self) -> float:
+        """Time [T] by which a mass on rods without an end has given off all its speed but a millionth."""
+        slowest = min(rod.impedance for rod in self.scene.target.rods)
+        return 2.0 * len(self.rods) + 14.0 * self.scene.impactor.mass / slowest / self.trip
+
+    def _pulse(self) -> np.ndarray:
+        return np.zeros((2, 1))
+
+    def _masses(self) -> np.ndarray:
+        """Of the impactor, and of what it strikes up to the first joint that can open."""
+        unit = self.force_unit * self.trip / self.speed
+        struck, held = 0.0, self.scene.target.held
+        for number, rod in enumerate(self.scene.target.rods):
+            if number and not self.scene.target.joints[number - 1].bonded:
+                held = False
+                break
+            struck += rod.mass
+        return np.array([self.scene.impactor.mass, math.inf if held else struck]) / unit
+
+    def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
+        """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
+        t = np.asarray(t, float)
+        out = np.empty(t.size)
+        wave_network.sample(self.record, node, quantity, np.ascontiguousarray(t.ravel()), after, out)
+        return out.reshape(t.shape)
+
+    def periods(self, node: int) -> list[ContactPeriod]:
+        """Stretches of time in which the faces at a node press on each other."""
+        count = int(self.record.count[node])
+        closed, start = self.record.closed[node, :count], self.record.start[node]
+        force = self.record.values[node, :count, FORCE]
+        presses = closed & (force.max(axis=1) > PRESSES * force.max(initial=0.0))
+        edges = np.flatnonzero(np.diff(np.concatenate(([0], closed.astype(np.int8), [0]))))
+        found = []
+        for first, beyond in edges.reshape(-1, 2):
+            pressing = np.flatnonzero(presses[first:beyond])
+            if not pressing.size:
+                continue
+            begins = first + int(np.flatnonzero(force[first:beyond].max(axis=1) > 0.0)[0])
+            ends = first + int(pressing[-1])
+            impulse = self.record.values[node, ends, IMPULSE, -1] - self.record.values[node, begins, IMPULSE, 0]
+            found.append(
+                ContactPeriod(
+                    start=self.trip * float(start[begins]),
+                    end=self.trip * float(start[ends + 1]),
+                    impulse=self.force_unit * self.trip * float(impulse),
+                    peak_force=self.force_unit * wave_network.highest(self.record, node, begins, ends),
+                )
+            )
+        return found
+
+    def deepest(self) -> float | None:
+        """Largest indentation of the contact [m]; None for rigid faces."""
+        if self.laws[self.contact] is None:
+            return None
+        count = int(self.record.count[self.contact])
+        t = self.record.start[self.contact, : count + 1]
+        fine = np.unique((t[:-1, None] + np.diff(t)[:, None] * np.linspace(0.0, 1.0, 9)).ravel())
+        depth = self.sampled(self.contact, DEPTH, fine)
+        k = int(np.argmax(depth))
+        near = np.linspace(fine[max(k - 1, 0)], fine[min(k + 1, fine.size - 1)], 201)
+        return self.speed * self.trip * float(self.sampled(self.contact, DEPTH, near).max())
+
+    def dent(self) -> float | None:
+        """Indentation left behind [m]."""
+        law = self.laws[self.contact]
+        if law is None:
+            return None
+        return self.speed * self.trip * float(law.dent(float(self.state.deepest[self.contact])))
+
+    def jumps(self) -> np.ndarray:
+        """Times [T] at which the contact force may jump or bend."""
+        count = int(self.record.count[self.contact])
+        breaks = self.state.breaks[self.contact, : int(self.state.break_count[self.contact])]
+        closed = self.record.closed[self.contact, :count]
+        events = self.record.start[self.contact, 1:count][closed[1:] != closed[:-1]]
+        return np.unique(np.concatenate(([0.0], events, breaks[breaks <= self.reach])))
+
+
+class ChainMotion:
+    """Fields and histories of a chain of rods from the waves that its nodes have sent."""
+
+    def __init__(self, history: ChainHistory):
+        self.history = history
+        self.scene = history.scene
+        self.edges = np.concatenate(([0.0], np.cumsum([rod.length for rod in history.rods])))
+        self.edges -= self.edges[history.contact]  # x = 0 where they touch
+        self._length_unit = history.speed * history.trip
+
+    # --- waves of rod i: f sent by its left end, g by its right end, each as it leaves --------------------------------
+
+    def sent(self, rod: int, right_going: bool, t: np.ndarray, after: bool = True) -> np.ndarray:
+        """Force wave [Z v] that an end of a rod sends at times [T]."""
+        node, quantity = (rod, OUT_RIGHT) if right_going else (rod + 1, OUT_LEFT)
+        return self.history.sampled(node, quantity, t, after)
+
+    def sent_total(self, rod: int, right_going: bool, t: np.ndarray) -> np.ndarray:
+        """Its integral from the beginning."""
+        node, quantity = (rod, TOTAL_RIGHT) if right_going else (rod + 1, TOTAL_LEFT)
+        return self.history.sampled(node, quantity, t)
+
+    def _face(self, rod: int, at_left: bool, t: np.ndarray, after: bool = True) -> tuple[np.ndarray, np.ndarray]:
+        """Displacement [v T] and velocity [v] of an end of a rod."""
+        chain, lag = self.history.chain, self.history.chain.transit[rod]
+        f, g = (t, t - lag) if at_left else (t - lag, t)
+        z, drift = chain.impedance[rod], chain.drift[rod]
+        place = drift * t + (self.sent_total(rod, True, f) - self.sent_total(rod, False, g)) / z
+        return place, drift + (self.sent(rod, True, f, after) - self.sent(rod, False, g, after)) / z
+
+    def _t(self, time):
+        return np.minimum(np.asarray(time, float) / self.history.trip, self.history.reach)
+
+    def force(self, time, after=True):
+        t = np.asarray(time, float) / self.history.trip
+        after_all = t < self.history.reach
+        force = self.history.sampled(self.history.contact, FORCE, t, after)
+        if after and not after_all.all():  # at the end of the time solved no value after a jump is known
+            force = np.where(after_all, force, self.history.sampled(self.history.contact, FORCE, t, False))
+        return self.history.force_unit * np.maximum(force, 0.0)
+
+    def force_history(self):
+        """Times and forces with every jump kept: at a jump the time stands twice, value before, value after."""
+        history = self.history
+        even = np.linspace(0.0, history.reach, max(2, int(min(200 * history.reach, 20_000.0)) + 1))
+        jumps = history.jumps()
+        t = np.unique(np.concatenate([even, jumps[jumps <= history.reach]]))
+        before, after = self.force(t * history.trip, False), self.force(t * history.trip, True)
+        jump = np.abs(after - before) > 1e-9 * history.force_unit
+        times, forces = np.concatenate([t[jump], t]), np.concatenate([before[jump], after])
+        order = np.argsort(times, kind="stable")
+        return history.trip * times[order], forces[order]
+
+    def impulse(self, time):
+        unit = self.history.force_unit * self.history.trip
+        return unit * self.history.sampled(self.history.contact, IMPULSE, self._t(time))
+
+    def impactor_position(self, time):
+        """Of its face at the contact."""
+        t = self._t(time)
+        if self.history.contact:
+            return self._length_unit * self._face(0, False, t)[0]
+        return self._length_unit * self.history.sampled(0, PLACE, t)
+
+    def face_velocity(self, time, after=True):
+        """Of the impactor's face at the contact."""
+        if self.history.contact:
+            return self.history.speed * self._face(0, False, self._t(time), after)[1]
+        return self.impactor_velocity(time, after)
+
+    def impactor_velocity(self, time, after=True):
+        """Of its centre of mass."""
+        t = self._t(time)
+        if self.history.contact:
+            return self.scene.impactor.velocity - self.impulse(time) / self.scene.impactor.mass
+        first = self.history.chain.mass_drift[0]
+        return self.history.speed * np.where(t > 0.0, self.history.sampled(0, SPEED, t), first)
+
+    def end_position(self, time):
+        return self._length_unit * self._face(self.history.contact, True, self._t(time))[0]
+
+    def end_velocity(self, time, after=True):
+        return self.history.speed * self._face(self.history.contact, True, self._t(time), after)[1]
+
+    def rigid_velocity(self, time):
+        """Mean velocity of the target [m/s], (4.29)."""
+        t, target = self._t(time), self.scene.target
+        momentum = sum(self._momentum(rod, t) for rod in range(self.history.contact, len(self.history.rods)))
+        if target.rods[-1].end_mass:
+            momentum = momentum + target.rods[-1].end_mass * self._face(len(self.history.rods) - 1, False, t)[1]
+        return self.history.speed * momentum / target.mass
+
+    def _momentum(self, rod: int, t: np.ndarray) -> np.ndarray:
+        """Of a rod [kg] times v, without what is fixed to its end."""
+        body, lag = self.history.rods[rod], self.history.chain.transit[rod]
+        inside = [self.sent_total(rod, way, t) - self.sent_total(rod, way, t - lag) for way in (True, False)]
+        unit = self.history.force_unit * self.history.trip / self.history.speed
+        return (body.mass - body.end_mass) * self.history.chain.drift[rod] + unit * (inside[0] - inside[1])
+
+    def _energy(self, rod: int, t: np.ndarray) -> np.ndarray:
+        """Kinetic and strain energy of a rod [Z v^2 T], without what is fixed to its end."""
+        chain, record, lag = self.history.chain, self.history.record, self.history.chain.transit[rod]
+        z, drift = chain.impedance[rod], chain.drift[rod]
+        squares = np.array(
+            [
+                sum(
+                    wave_network.square_integral(record, node, quantity, max(now - lag, 0.0), now)
+                    for node, quantity in ((rod, OUT_RIGHT), (rod + 1, OUT_LEFT))
+                )
+                for now in t.tolist()
+            ]
+        )
+        inside = [self.sent_total(rod, way, t) - self.sent_total(rod, way, t - lag) for way in (True, False)]
+        return 0.5 * z * lag * drift**2 + drift * (inside[0] - inside[1]) + squares / z
+
+    def energies(self, time):
+        """Energy split [J] at each time; that of the rods is what their waves hold, summed from the field."""
+        history, scene = self.history, self.scene
+        t = np.atleast_1d(self._t(time))
+        unit = history.force_unit * history.speed * history.trip
+        target = unit * sum(self._energy(rod, t) for rod in range(history.contact, len(history.rods)))
+        last, end = len(history.rods) - 1, scene.target.rods[-1]
+        if end.end_mass:
+            target = target + 0.5 * end.end_mass * (history.speed * self._face(last, False, t)[1]) ** 2
+        if end.support == "anechoic":
+            gone = [
+                wave_network.square_integral(
+                    history.record, last, OUT_RIGHT, 0.0, max(now - history.chain.transit[last], 0.0)
+                )
+                for now in t.tolist()
+            ]
+            target = target + unit * np.array(gone) / history.chain.impedance[last]
+        rigid = np.zeros_like(t)
+        if not scene.target.held:
+            rigid = 0.5 * scene.target.mass * self.rigid_velocity(t * history.trip) ** 2
+        impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
+        if history.contact:
+            impactor = unit * self._energy(0, t)
+        local, lost = self._local(t)
+        return {
+            "impactor": impactor,
+            "target_rigid": rigid,
+            "target_vibration": target - rigid,
+            "local": unit * local,
+            "dissipated": unit * lost,
+        }
+
+    def _local(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Energy stored in the contact laws, and lost by them [Z v^2 T]."""
+        stored, lost = np.zeros_like(t), np.zeros_like(t)
+        for node, law in enumerate(self.history.laws):
+            if law is None:
+                continue
+            depth = self.history.sampled(node, DEPTH, t)
+            count = int(self.history.record.count[node])
+            ends = self.history.record.values[node, :count, DEPTH, -1]
+            before = np.concatenate(([0.0], np.maximum.accumulate(np.maximum(ends, 0.0))))
+            cells = np.clip(np.searchsorted(self.history.record.start[node, 1:count], t, "right"), 0, count)
+            deepest = np.maximum(before[cells], depth)
+            stored += [law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)]
+            lost += self.history.sampled(node, LOST, t)
+        return stored, lost
+
+    # --- fields -------------------------------------------------------------------------------------------------------
+
+    def _field(self, time, x, of_rod):
+        """`of_rod(rod, t, place)` on every rod, place [T] a wave's time from its left end; x < 0 in the impactor."""
+        t, x = self._t(time)[:, None], np.asarray(x, float)
+        found = np.empty((t.size, x.size))
+        rods = np.clip(np.searchsorted(self.edges, x, "right") - 1, 0, len(self.history.rods) - 1)
+        rods = np.where((x == 0.0), self.history.contact, rods)
+        for rod in np.unique(rods):
+            here = rods == rod
+            share = (x[here] - self.edges[rod]) / self.history.rods[rod].length
+            place = np.clip(share, 0.0, 1.0) * self.history.chain.transit[rod]
+            found[:, here] = of_rod(rod, t, place[None, :])
+        return found
+
+    def stress(self, time, x):
+        def of_rod(rod, t, place):
+            lag = self.history.chain.transit[rod]
+            waves = self.sent(rod, True, t - place) + self.sent(rod, False, t - lag + place)
+            return self.history.force_unit / self.history.rods[rod].area * waves
+
+        return self._field(time, x, of_rod)
+
+    def velocity(self, time, x):
+        def of_rod(rod, t, place):
+            chain, lag = self.history.chain, self.history.chain.transit[rod]
+            waves = self.sent(rod, True, t - place) - self.sent(rod, False, t - lag + place)
+            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod])
+
+        return self._field(time, x, of_rod)
+
+    def displacement(self, time, x):
+        def of_rod(rod, t, place):
+            chain, lag = self.history.chain, self.history.chain.transit[rod]
+            moved = self.sent_total(rod, True, t - place) - self.sent_total(rod, False, t - lag + place)
+            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod])
+
+        return self._field(time, x, of_rod)
