@@ -126,18 +126,20 @@ def _diagnostics(
 
 
 def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[str]:
-    if not approached:
-        return ["The bodies move apart: no impact."]
-    beside = [
-        name
-        for name, body in zip(("impactor", "target"), before, strict=True)
-        if not np.any(body.inertia) and np.linalg.norm(np.cross(body.centre, scene.normal or ALONG)) > 0.0
-    ]
-    return [
-        f"The {name} is struck beside its centre of mass, but has no inertia: it is taken as a point mass, which does "
-        "not turn. Give its inertia if it can turn."
-        for name in beside
-    ]
+    notes = [] if approached else ["The bodies move apart: no impact."]
+    for name, body in zip(("impactor", "target"), before, strict=True):
+        beside = np.linalg.norm(np.cross(body.centre, scene.normal or ALONG)) > 0.0
+        if beside and not np.any(body.inertia):
+            notes.append(
+                f"The {name} is struck beside its centre of mass, but has no inertia: it is taken as a point mass, "
+                "which does not turn. Give its inertia if it can turn."
+            )
+        if scene.normal is not None and not getattr(getattr(scene, name), "is_possible", True):
+            notes.append(
+                f"The {name} has a principal moment of inertia greater than the sum of the other two, which no real "
+                "body has. That is right only if nothing turns out of one plane; or else check its inertia."
+            )
+    return notes
 
 
 def _motion(before: tuple[Bodies, Bodies], found: Strike, duration: float) -> SampledMotion:

@@ -10,28 +10,33 @@ def rotations(inertia: np.ndarray, spin: np.ndarray, duration: np.ndarray | floa
 
     inertia (..., 3, 3) [kg m2] and spin (..., 3) [rad/s] at time 0, in world axes. The angular momentum is kept; about
     an axis without moment of inertia the body goes on turning as it did. A negative `duration` (...) goes back in time.
-    Error: fourth order in the angle turned per step; some 1e-9 rad at 0.02 rad a step.
+    Error: second order in the angle turned per step, some 1e-5 rad at 0.02 rad a step; none about a principal axis.
+    However coarse the steps, the matrices stay rotations.
     """
     moments, axes = principal(inertia)
     axes = axes * np.linalg.det(axes)[..., None, None]  # right-handed
     momentum = (inertia @ spin[..., None])[..., 0]
     inverse = np.where(moments > 0.0, 1.0 / np.where(moments > 0.0, moments, 1.0), 0.0)
     free = np.where(moments > 0.0, 0.0, _across(axes, spin))
-    turned, step = np.empty((steps + 1, *axes.shape)), np.asarray(duration)[..., None, None] / steps
+    turned, step = np.empty((steps + 1, *axes.shape)), np.asarray(duration)[..., None] / steps
     turned[0] = axes
 
-    def rate(frame):
-        """Q' = Q [w]x, w being the spin in body axes."""
-        return np.cross(frame, (inverse * _across(frame, momentum) + free)[..., None, :])
+    def spinning(frame):
+        """Spin in body axes."""
+        return inverse * _across(frame, momentum) + free
 
     for k in range(steps):
-        frame = turned[k]
-        first = rate(frame)
-        second = rate(frame + 0.5 * step * first)
-        third = rate(frame + 0.5 * step * second)
-        fourth = rate(frame + step * third)
-        turned[k + 1] = frame + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth)
+        halfway = turned[k] @ _turn(0.5 * step * spinning(turned[k]))
+        turned[k + 1] = turned[k] @ _turn(step * spinning(halfway))
     return turned @ np.swapaxes(axes, -1, -2)
+
+
+def _turn(angle: np.ndarray) -> np.ndarray:
+    """Rotation about a vector by its length [rad]: Rodrigues' formula, as 1 + sin X + 2 sin^2(half) X X."""
+    size = np.sqrt(np.vecdot(angle, angle))[..., None, None]
+    along = angle[..., None, :] / np.where(size > 0.0, size, 1.0)
+    cross = np.cross(np.eye(3), along)
+    return np.eye(3) + np.sin(size) * cross + 2.0 * np.sin(0.5 * size) ** 2 * (cross @ cross)
 
 
 def _across(axes: np.ndarray, vector: np.ndarray) -> np.ndarray:
