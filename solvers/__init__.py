@@ -11,7 +11,7 @@ from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
 from .contact import LAWS
 from .method import Method, SceneNotSupported
-from .methods import METHODS, Modal, ModeSwitch, RigidImpulse, Waves
+from .methods import METHODS, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 
@@ -24,6 +24,7 @@ __all__ = [
     "Method",
     "Modal",
     "ModeSwitch",
+    "QuasiStatic",
     "RigidImpulse",
     "RigidMass",
     "Rod",

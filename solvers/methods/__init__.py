@@ -2,9 +2,10 @@
 
 from .modal import Modal
 from .mode_switch import ModeSwitch
+from .quasi_static import QuasiStatic
 from .rigid import RigidImpulse
 from .waves import Waves
 
-METHODS = {method.NAME: method for method in (Waves, Modal, ModeSwitch, RigidImpulse)}
+METHODS = {method.NAME: method for method in (Waves, Modal, ModeSwitch, QuasiStatic, RigidImpulse)}
 
-__all__ = ["METHODS", "Modal", "ModeSwitch", "RigidImpulse", "Waves"]
+__all__ = ["METHODS", "Modal", "ModeSwitch", "QuasiStatic", "RigidImpulse", "Waves"]

@@ -1,0 +1,371 @@
+"""Quasi-static estimates against their closed forms, the exact waves where they must agree, and energy."""
+
+import dataclasses
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pytest import approx
+
+import solvers
+from solvers import QuasiStatic, Scene, SceneError, SceneNotSupported, Waves
+from solvers.contact.viscous import damping_for
+from solvers.numerics.quasi_static import (
+    damped_collision,
+    duration_of_power,
+    path_collision,
+    power_collision,
+    sine_collision,
+)
+from tests.catalog import ROD, SIGMA0_AREA, STEEL_ROD, T, struck_rod
+
+MASS, SPEED, STIFFNESS = 0.2, 2.03, 6.92e9
+
+
+class Power(NamedTuple):
+    """F = K a^n, without the names by which the method would know its closed form."""
+
+    stiffness: float
+    exponent: float
+
+    NAME, LOSSY, PLASTIC = "some power", False, False
+
+    def force(self, indentation, rate, deepest):
+        return self.stiffness * max(indentation, 0.0) ** self.exponent
+
+    def stored(self, indentation, deepest):
+        return self.force(indentation, 0.0, 0.0) * max(indentation, 0.0) / (self.exponent + 1.0)
+
+    def dent(self, deepest):
+        return 0.0
+
+    def corner(self, indentation, deepest):
+        return math.inf
+
+
+class Plastic(NamedTuple):
+    """Hertz loading, linear plastic loading, Hertz unloading from the dent. Source: thesis (7.16)."""
+
+    stiffness: float
+    yields: float
+
+    NAME, LOSSY, PLASTIC = "some plastic", False, True
+
+    def dent(self, deepest):
+        peak = min(deepest, self.yields) ** 1.5 + 1.5 * self.yields**0.5 * max(deepest - self.yields, 0.0)
+        return deepest - peak ** (2.0 / 3.0)
+
+    def force(self, indentation, rate, deepest):
+        return self.stiffness * max(indentation - self.dent(max(indentation, deepest)), 0.0) ** 1.5
+
+    def stored(self, indentation, deepest):
+        return 0.4 * self.stiffness * max(indentation - self.dent(max(indentation, deepest)), 0.0) ** 2.5
+
+    def corner(self, indentation, deepest):
+        return self.yields if indentation < self.yields else math.inf
+
+
+class Damped(NamedTuple):
+    """Hertz with F = K a^1.5 (1 + loss a'). Source: thesis 7.3.1."""
+
+    stiffness: float
+    loss: float
+
+    NAME, LOSSY, PLASTIC = "some damped", True, False
+
+    def force(self, indentation, rate, deepest):
+        return self.stiffness * max(indentation, 0.0) ** 1.5 * max(1.0 + self.loss * rate, 0.0)
+
+    def stored(self, indentation, deepest):
+        return 0.4 * self.stiffness * max(indentation, 0.0) ** 2.5
+
+    def dent(self, deepest):
+        return 0.0
+
+    def corner(self, indentation, deepest):
+        return math.inf
+
+
+def two_masses(law, m2=0.5, v2=0.0, target="mass") -> Scene:
+    """A mass of 0.2 kg at 2.03 m/s against another, or against a stop."""
+    other = {"kind": "stop"} if target == "stop" else {"kind": "mass", "mass": m2, "velocity": v2}
+    scene = Scene.from_table({"impactor": {"mass": MASS, "velocity": SPEED}, "target": other})
+    return dataclasses.replace(scene, contact=law)
+
+
+def rods(target=None, speed=1.0) -> Scene:
+    bar = {key: value for key, value in STEEL_ROD.items() if key != "support"} | {"kind": "rod"}
+    target = bar | {"support": "free", "velocity": -speed} if target is None else target
+    return Scene.from_table({"impactor": bar | {"velocity": speed}, "target": target})
+
+
+# -- a mass on a fixed rod, (3.13)-(3.20) -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("beta", [0.01, 0.1, 1.0, 3.0])
+def test_rod_without_mass(beta):
+    found = QuasiStatic(model="structural-massless").solve(struck_rod(beta))
+    mass, stiffness = ROD.mass / beta, ROD.stiffness
+    (contact,) = found.contacts
+    assert contact.end == approx(math.pi * math.sqrt(mass / stiffness), rel=1e-12)  # (3.17)
+    assert found.peak_force == approx(math.sqrt(mass * stiffness), rel=1e-9)  # (3.13)
+    assert found.motion.impactor_position(np.array([0.5 * contact.end])) == approx([math.sqrt(mass / stiffness)])
+    assert [found.impactor_velocity, found.impulse] == approx([-1.0, 2.0 * mass], rel=1e-12)
+    assert found.restitution["newton"] == approx(1.0, rel=1e-12)
+    assert found.restitution["poisson"] == approx(1.0, abs=1e-5)  # straight lines between 1000 instants
+    assert abs(found.diagnostics["energy_error"]) < 1e-12
+
+
+@pytest.mark.parametrize("beta", [0.01, 0.1, 1.0, 3.0])
+def test_a_third_of_the_rods_mass(beta):
+    """(3.19), (3.20): kappa for deflection and root force; kappa^3 for the force on the impactor, after an impulse."""
+    without = QuasiStatic(model="structural-massless").solve(struck_rod(beta))
+    found = QuasiStatic().solve(struck_rod(beta))
+    kappa = 1.0 / math.sqrt(1.0 + beta / 3.0)
+    mass = ROD.mass / beta
+    assert found.contacts[0].end == approx(without.contacts[0].end / kappa, rel=1e-12)
+    assert found.diagnostics["peak_root_force"] == approx(kappa * without.peak_force, rel=1e-9)
+    assert found.peak_force == approx(kappa**3 * without.peak_force, rel=1e-9)
+    middle = np.array([0.5 * found.contacts[0].end])
+    deepest = without.motion.impactor_position(np.array([0.5 * without.contacts[0].end]))
+    assert found.motion.impactor_position(middle) == approx(kappa * deepest, rel=1e-9)
+    first = mass * (beta / 3.0) / (1.0 + beta / 3.0)
+    assert found.diagnostics["initial_impulse"] == approx(first, rel=1e-12)
+    assert found.motion.impulse(np.zeros(1)) == approx([first], rel=1e-12)
+    assert found.impactor_velocity == approx(-(kappa**2), rel=1e-12)
+    assert found.energy["dissipated"] / found.energy["initial"] == approx(1.0 - kappa**2, rel=1e-9)
+    assert abs(found.diagnostics["energy_error"]) < 1e-5  # straight lines between the instants of the free swing
+    assert abs(found.diagnostics["momentum_error"]) < 1e-12
+
+
+def test_force_is_that_of_the_impactors_deceleration():
+    found = QuasiStatic().solve(struck_rod(1.0))
+    time = np.linspace(0.02, 0.98, 40) * found.contacts[0].end
+    step = 1e-3 * found.contacts[0].end
+    slowing = found.motion.impactor_velocity(time - step) - found.motion.impactor_velocity(time + step)
+    assert found.motion.force(time) == approx(ROD.mass * slowing / (2.0 * step), rel=1e-4)
+
+
+def test_field_is_a_straight_line():
+    found = QuasiStatic().solve(struck_rod(0.5))
+    time, x = np.array([0.3, 0.7]) * found.contacts[0].end, ROD.length * np.array([0.0, 0.5, 1.0])
+    end = found.motion.end_position(time)
+    assert found.motion.displacement(time, x) == approx(end[:, None] * np.array([1.0, 0.5, 0.0]))
+    stress = np.repeat(ROD.material.young / ROD.length * end[:, None], 3, axis=1)
+    assert found.motion.stress(time, x) == approx(stress)
+    assert found.motion.rigid_velocity(time) == approx(0.5 * found.motion.end_velocity(time))
+
+
+def test_against_the_waves():
+    """Thesis 5.4: for equal masses the peak is half that of the waves, 0.46831; a heavy impactor feels a spring."""
+    found, truth = QuasiStatic(model="structural-massless").solve(struck_rod(1.0)), Waves().solve(struck_rod(1.0))
+    assert found.peak_force / truth.peak_force == approx(0.4683105308334812, rel=1e-6)
+    assert found.peak_force == approx(SIGMA0_AREA, rel=1e-9)
+    errors = []
+    for beta in (0.1, 0.01, 0.001):
+        found, truth = QuasiStatic().solve(struck_rod(beta)), Waves().solve(struck_rod(beta))
+        errors.append(abs(found.impactor_velocity - truth.impactor_velocity))
+        assert found.contacts[0].end == approx(truth.contacts[-1].end, rel=0.1)
+        assert found.peak_force == approx(truth.peak_force, rel=2.0 * math.sqrt(beta))  # fronts on top of a half sine
+    assert errors[0] < 0.01 and errors[2] < 0.001
+
+
+def test_spring_mass():
+    target = {"kind": "spring-mass", "mass": 1.0, "stiffness": 16e4}
+    found = QuasiStatic().solve(Scene.from_table({"impactor": {"mass": 3.0, "velocity": 2.0}, "target": target}))
+    assert found.contacts[0].end == approx(math.pi / 200.0, rel=1e-12)
+    assert found.impactor_velocity == approx(-1.5, rel=1e-12)
+    assert found.energy["target_vibration"] == approx(0.5 * 1.5**2, rel=1e-5)
+    assert found.energy["dissipated"] == approx(6.0 - 0.5 * 4.0 * 1.5**2, rel=1e-12)
+
+
+# -- two equal rods, (3.21)-(3.23) ------------------------------------------------------------------------------------
+
+
+def test_two_equal_rods():
+    """Reference case of thesis 3.3, every value; start 15/16 v, so that the impulse is exactly 2 m v."""
+    found = QuasiStatic().solve(rods())
+    frequency = math.pi / found.contacts[0].end
+    assert frequency**2 * ROD.mass / ROD.stiffness == approx(2.5, rel=1e-12)  # (3.22)
+    place, weights = np.polynomial.legendre.leggauss(6)
+    x, middle = 0.5 * ROD.length * (place + 1.0), np.array([0.5 * ROD.length])
+    deepest = np.array([0.5 * found.contacts[0].end])
+    unit = found.motion.displacement(deepest, middle)
+    shape = found.motion.displacement(deepest, x) / unit
+    strain = found.motion.stress(deepest, x) / ROD.material.young * ROD.length / unit
+    assert 0.5 * (shape**2) @ weights == approx(0.9481481481481482, rel=1e-12)  # of the mass, (3.21)
+    assert 0.5 * (strain**2) @ weights == approx(2.3703703703703702, rel=1e-12)  # of EA/L
+    assert found.contacts[0].end / T == approx(0.9934588265796102, rel=1e-12)
+    assert found.peak_force / SIGMA0_AREA == approx(1.5811388300841898, rel=1e-12)
+    assert found.impulse == approx(2.0 * ROD.mass, rel=1e-12)
+    assert [found.impactor_velocity, found.target_velocity] == approx([-1.0, 1.0], rel=1e-12)
+    assert found.restitution["newton"] == approx(1.0, rel=1e-12)
+    assert abs(found.diagnostics["energy_error"]) < 1e-12
+    assert abs(found.diagnostics["momentum_error"]) < 1e-12
+    middle = found.motion.velocity(np.zeros(1), np.array([0.5 * ROD.length]))  # of the middle, at the start
+    assert middle == approx(-15.0 / 16.0, rel=1e-12)
+
+
+def test_two_equal_rods_as_printed():
+    """Differs: (3.21) starts with v, which gives the peak 1.6865 and the impulse 32/15 m v."""
+    found = QuasiStatic(model="structural-printed").solve(rods())
+    assert found.peak_force / SIGMA0_AREA == approx(1.6865480854231356, rel=1e-12)
+    assert found.impulse == approx(32.0 / 15.0 * ROD.mass, rel=1e-12)
+    assert found.diagnostics["energy_error"] == approx((17.0 / 15.0) ** 2 - 1.0, rel=1e-9)
+    assert "32/15" in found.notes[-1]
+
+
+def test_rod_without_mass_under_a_load_at_its_tip():
+    """Thesis 4.3: only that shape has the peak of the waves, and then pi/2 times their duration."""
+    found = QuasiStatic(model="structural-massless").solve(struck_rod(1.0))
+    assert [found.peak_force / SIGMA0_AREA, found.contacts[0].end / T] == approx([1.0, math.pi / 2.0], rel=1e-9)
+
+
+def test_a_rod_on_a_stop_is_one_of_two():
+    stop, pair = QuasiStatic().solve(rods({"kind": "stop"})), QuasiStatic().solve(rods())
+    assert stop.contacts[0] == pair.contacts[0]
+    assert stop.impactor_velocity == pair.impactor_velocity
+    moving = {key: value for key, value in STEEL_ROD.items() if key != "support"} | {"kind": "rod", "support": "free"}
+    chased = QuasiStatic().solve(rods(moving | {"velocity": -0.4}, speed=1.6))
+    assert [chased.impactor_velocity, chased.target_velocity] == approx([-0.4, 1.6], rel=1e-12)
+    time = np.linspace(0.0, 1.0, 30) * chased.duration
+    assert chased.motion.displacement(time, np.zeros(1))[:, 0] == approx(chased.motion.end_position(time), abs=1e-12)
+    fall = chased.motion.end_position(time[1:]) - chased.motion.end_position(time[:-1])
+    assert fall.sum() == approx(chased.motion.end_position(time[-1:])[0])
+
+
+# -- two compact bodies, 3.4 ------------------------------------------------------------------------------------------
+
+
+def test_hertz_in_universal_numbers():
+    """Reference case of thesis 3.4: 2.94328 and 5/4, where the sine has pi / 1.068 and 1.14."""
+    exact = power_collision(STIFFNESS, 1.5, MASS, SPEED, 1_000)
+    deepest, unit = exact.indentation.max(), MASS * SPEED**2
+    assert deepest == approx((1.25 * unit / STIFFNESS) ** 0.4, rel=1e-14)  # (3.33), r = K / mu
+    assert exact.time[-1] * SPEED / deepest == approx(2.943275184, rel=1e-9)
+    assert exact.force.max() * deepest / unit == approx(1.25, rel=1e-14)
+    sine = sine_collision(STIFFNESS, MASS, SPEED, 1_000)
+    assert sine.time[-1] * SPEED / deepest == approx(2.941566155046623, rel=1e-14)
+    assert sine.force.max() * deepest / unit == approx(1.14, rel=1e-14)
+    assert sine.impulse[-1] / exact.impulse[-1] == approx(1.14 / 1.068, rel=1e-12)  # 6.7 % too much
+
+
+@pytest.mark.parametrize("exponent", [1.0, 1.2, 1.5, 2.0, 3.0])
+def test_closed_form_is_the_path_integral(exponent):
+    exact = power_collision(STIFFNESS, exponent, MASS, SPEED, 2_000)
+    found = path_collision(Power(STIFFNESS, exponent), MASS, SPEED)
+    assert found.time[-1] == approx(exact.time[-1], rel=1e-12)
+    assert found.indentation.max() == approx(exact.indentation.max(), rel=1e-12)
+    assert found.rate[-1] == approx(-SPEED, rel=1e-12)
+    # the closed form is drawn at 2000 instants, straight in between
+    assert np.interp(found.time, exact.time, exact.indentation) == approx(found.indentation, abs=2e-6 * found.time[-1])
+    assert np.diff(exact.impulse).min() >= 0.0 and exact.force[0] == exact.force[-1] == 0.0
+
+
+def test_linear_law_is_a_half_sine():
+    exact = power_collision(4e6, 1.0, 1.0, 3.0, 400)
+    assert duration_of_power(1.0) == approx(math.pi, rel=1e-15)
+    assert exact.force == approx(3.0 * math.sqrt(4e6) * np.sin(2e3 * exact.time), abs=1e-8)
+
+
+@pytest.mark.parametrize("target", ["mass", "stop"])
+def test_local_collision_keeps_momentum_and_energy(target):
+    found = QuasiStatic().solve(two_masses(Power(STIFFNESS, 1.5), v2=-0.3, target=target))
+    speed = found.scene.speed
+    assert found.restitution["newton"] == approx(1.0, rel=1e-11)
+    assert found.impulse == approx(2.0 * found.scene.reduced_mass * speed, rel=1e-11)
+    assert abs(found.diagnostics["energy_error"]) < 1e-11
+    assert abs(found.diagnostics["momentum_error"]) < 1e-11
+    time = np.linspace(0.0, found.contacts[0].end, 30)
+    total = sum(found.motion.energies(time).values())
+    assert total == approx(np.full(30, found.energy["initial"]), rel=1e-4)  # straight lines between instants
+    closing = found.motion.impactor_position(time) - found.motion.end_position(time)
+    assert closing.max() == approx(found.peak_indentation, rel=1e-2)
+    assert found.residual_indentation == 0.0
+
+
+@given(st.floats(0.1, 8.0), st.floats(1e-6, 1e-4))
+@settings(max_examples=15)
+def test_plastic_restitution_by_work_integrals(speed, yields):
+    law = Plastic(2e10, yields)
+    found = path_collision(law, MASS, speed)
+    deepest = found.indentation.max()
+    energy = 0.5 * MASS * speed**2
+    elastic = 0.4 * law.stiffness * min(deepest, yields) ** 2.5
+    beyond = max(deepest - yields, 0.0)
+    slope = 1.5 * law.stiffness * math.sqrt(yields)
+    assert elastic + law.stiffness * yields**1.5 * beyond + 0.5 * slope * beyond**2 == approx(energy, rel=1e-11)
+    assert -found.rate[-1] == approx(math.sqrt(2.0 * law.stored(deepest, deepest) / MASS), rel=1e-11)
+    assert found.lost[-1] == approx(energy - law.stored(deepest, deepest), abs=1e-11 * energy)
+    assert np.diff(found.lost).min() >= -1e-12 * energy and np.diff(found.time).min() > 0.0
+
+
+def test_plastic_blow_leaves_a_dent():
+    law = Plastic(2e10, 1e-5)
+    found = QuasiStatic().solve(two_masses(law))
+    assert found.residual_indentation == approx(law.dent(found.peak_indentation), rel=1e-12)
+    assert found.restitution["newton"] == approx(found.diagnostics["delivered_restitution"], rel=1e-11)
+    assert 0.3 < found.restitution["newton"] < 0.9
+    assert found.energy["dissipated"] > 0.0 and abs(found.diagnostics["energy_error"]) < 1e-11
+
+
+@pytest.mark.parametrize("restitution", [0.95, 0.6, 0.2, 0.01])
+def test_damped_law_delivers_its_restitution(restitution):
+    """Against the first integral d (1 + e) = ln((1 + d) / (1 - d e))."""
+    law = Damped(STIFFNESS, damping_for(restitution) / SPEED)
+    found = damped_collision(law, MASS, SPEED, 1e-4)
+    assert -found.rate[-1] / SPEED == approx(restitution, abs=1e-10)
+    assert found.lost[-1] / (0.5 * MASS * SPEED**2) == approx(1.0 - restitution**2, abs=1e-10)
+    blow = QuasiStatic().solve(two_masses(law, target="stop"))
+    assert blow.diagnostics["delivered_restitution"] == approx(restitution, abs=1e-10)
+
+
+# -- which model, and refusals ----------------------------------------------------------------------------------------
+
+
+def test_auto_chooses_by_contact_and_mass_ratio():
+    assert QuasiStatic().solve(struck_rod(0.5)).diagnostics["model"] == "structural"
+    for beta, model in ((0.5, "structural"), (50.0, "local")):
+        scene = dataclasses.replace(struck_rod(beta), contact=Power(1e10, 1.5))
+        assert QuasiStatic().solve(scene).diagnostics["model"] == model
+    free = dataclasses.replace(struck_rod(0.5, "free"), contact=Power(1e10, 1.5))
+    found = QuasiStatic().solve(free)
+    assert found.diagnostics["model"] == "local" and "Masses alike" in found.notes[0]
+    assert found.target_velocity == approx(2.0 / 1.5, rel=1e-11)  # a rod as a whole
+
+
+@pytest.mark.parametrize(
+    "scene, model, words",
+    [
+        (struck_rod(1.0, "free"), "auto", "fixed rod"),
+        (struck_rod(1.0), "local", "must have a law"),
+        (struck_rod(1.0), "structural-printed", "two equal rods"),
+        (rods(), "structural-massless", "without mass"),
+        (rods(STEEL_ROD | {"kind": "rod", "length": 0.5, "support": "free"}), "structural", "its equal"),
+        (struck_rod(1.0, "anechoic"), "auto", "finite length"),
+        (two_masses(Power(1e9, 1.5)), "structural", "fixed rod"),
+        (two_masses(Power(1e9, 1.5)), "hertz-sine", "for Hertz contact"),
+    ],
+)
+def test_refusals_say_what_to_use(scene, model, words):
+    with pytest.raises(SceneNotSupported, match=words):
+        QuasiStatic(model=model).solve(scene)
+
+
+def test_unknown_model():
+    with pytest.raises(SceneError, match=r"method\.model"):
+        solvers.solve(struck_rod(1.0), "quasi-static", model="lumped")
+
+
+@pytest.mark.parametrize("scene", [struck_rod(1.0), rods(), two_masses(Power(1e9, 1.5))], ids=["rod", "rods", "masses"])
+def test_duration_may_end_inside_the_contact(scene):
+    whole = QuasiStatic().solve(scene)
+    cut = QuasiStatic().solve(scene, 0.3 * whole.contacts[0].end)
+    assert cut.restitution["newton"] is None and "still in contact" in cut.notes[0]
+    moving = whole.motion.impactor_velocity(np.array([cut.duration]))[0]
+    assert cut.impactor_velocity == approx(moving, rel=1e-12)
+    assert cut.impulse == approx(cut.contacts[0].impulse, rel=1e-12)
+    assert cut.peak_force < whole.peak_force
