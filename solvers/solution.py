@@ -5,6 +5,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from .restitution import restitution
 from .scene import Scene
 
 
@@ -98,20 +99,13 @@ def _final(velocity: Any, spin: Any) -> dict[str, object]:
 def summary(
     scene: Scene, motion: Motion, contacts: list[ContactPeriod], duration: float, wall_time: float
 ) -> dict[str, Any]:
-    """What follows from any motion alone: velocities, restitution, energies and their residuals.
-
-    Restitution: `newton` by centre-of-mass velocities (4.40), `poisson` by impulses before and after the velocities
-    agree (4.39), `newton_at_contact` by the velocities of the touching surfaces just after they part (4.45). A held
-    target counts as a body at rest, its mean over a period of vibration (4.43).
-    """
+    """What follows from any motion alone: velocities, `solvers.restitution`, energies and residuals."""
     m1, m2, speed = scene.impactor.mass, scene.target.mass, scene.speed
     end = np.array([duration])
     final = float(motion.impactor_velocity(end)[0])
     impulse = float(motion.impulse(end)[0])
     held = scene.target.held
     target_final = 0.0 if held else float(motion.rigid_velocity(end)[0])
-    parting = np.array([min(contacts[-1].end, duration)])
-    apart = float(motion.end_velocity(parting)[0] - motion.impactor_velocity(parting)[0])
     energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
     initial = scene.initial_energy
     lost = m1 * (scene.impactor.velocity - final)
@@ -123,11 +117,7 @@ def summary(
         "target_velocity": target_final,
         "restitution": {"newton": None, "poisson": None, "newton_at_contact": None}
         if touching
-        else {
-            "newton": (target_final - final) / speed,
-            "poisson": _poisson(motion, common_velocity(scene), duration),
-            "newton_at_contact": apart / speed,
-        },
+        else restitution(scene, motion, contacts[-1].end, duration),
         "energy": {"initial": initial} | energies,
         "diagnostics": {
             "energy_error": (sum(energies.values()) - initial) / initial,
@@ -137,26 +127,3 @@ def summary(
             "estimated_error": None,
         },
     }
-
-
-def common_velocity(scene: Scene) -> float:
-    """Of both bodies' centre of mass [m/s]; zero if the target is held."""
-    if scene.target.held:
-        return 0.0
-    m1, m2 = scene.impactor.mass, scene.target.mass
-    return (m1 * scene.impactor.velocity + m2 * scene.target.velocity) / (m1 + m2)
-
-
-def _poisson(motion: Motion, common: float, duration: float) -> float | None:
-    """Impulse after over impulse before the instant at which both bodies move at the `common` velocity."""
-    if float(motion.impactor_velocity(np.array([duration]))[0]) > common:
-        return None
-    low, high = 0.0, duration
-    for _ in range(6):  # the velocity of the impactor only falls; each look narrows the instant 400 times
-        times = np.linspace(low, high, 401)
-        later = int(np.argmax(motion.impactor_velocity(times) <= common))
-        low, high = float(times[max(later - 1, 0)]), float(times[later])
-    before = float(motion.impulse(np.array([high]))[0])
-    if before <= 0.0:  # so heavy an impactor that the common velocity is its own, to rounding
-        return None
-    return float(motion.impulse(np.array([duration]))[0]) / before - 1.0
