@@ -73,14 +73,14 @@ def _modal() -> list:
 
         spring = Linear(1.0 / known.residual_compliance)
         for name, law, residual in (("rigid", spring, 0.0), ("hertz", Hertz(1e12), known.residual_compliance)):
-            instants = [np.zeros(STEPS + 1) for _ in range(6)]
+            instants = [np.zeros(STEPS + 1) for _ in range(7)]
             record = Record(np.zeros(STEPS), *instants, np.zeros((1, modes)), np.zeros((1, modes)))
 
             def run(law=law, residual=residual, record=record, bank=bank, modes=modes, known=known, step=step):
                 record.velocity[0] = 1.0
                 rest = np.zeros(modes), np.zeros(modes)
                 mass = scene.impactor.mass
-                march(law, residual, mass, known.rigid_mass, step, bank, *rest, STEPS + 1, 0, STEPS, record)
+                march(law, residual, False, mass, known.rigid_mass, step, bank, *rest, STEPS + 1, 0, STEPS, record)
 
             floor, spent, ratio = paired_medians(bare, run, 61)
             what = f"modal kernel, {modes} modes, {name}"

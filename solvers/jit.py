@@ -44,20 +44,35 @@ summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmat
 
 # Let kernels call these methods of any contact law (a NamedTuple) exactly as plain Python does.
 @overload_method(numba.types.BaseNamedTuple, "force")
-def _force(self, indentation, rate):
+def _force(self, indentation, rate, deepest):
     return self.instance_class.force
 
 
 @overload_method(numba.types.BaseNamedTuple, "slopes")
-def _slopes(self, indentation, rate):
+def _slopes(self, indentation, rate, deepest):
     return self.instance_class.slopes
 
 
-@overload_method(numba.types.BaseNamedTuple, "work")
-def _work(self, indentation):
-    return self.instance_class.work
+@overload_method(numba.types.BaseNamedTuple, "stored")
+def _stored(self, indentation, deepest):
+    return self.instance_class.stored
+
+
+@overload_method(numba.types.BaseNamedTuple, "dent")
+def _dent(self, deepest):
+    return self.instance_class.dent
+
+
+@overload_method(numba.types.BaseNamedTuple, "corner")
+def _corner(self, indentation, deepest):
+    return self.instance_class.corner
+
+
+@overload_method(numba.types.BaseNamedTuple, "mean")
+def _mean(self, start, end, rate, deepest):
+    return self.instance_class.mean
 
 
 @overload_method(numba.types.BaseNamedTuple, "mean_force")
-def _mean_force(self, start, free, compliance, residual, rate, expected):
+def _mean_force(self, start, free, compliance, rate, expected, deepest):
     return self.instance_class.mean_force

@@ -1,23 +1,21 @@
 """Elastic laws: the force depends on the indentation alone and gives all work back.
 
-Every law answers the same four questions, in SI units:
-`force(indentation, rate)` [N], never negative; `slopes(indentation, rate)`, its two partial derivatives;
-`work(indentation)` [J], the energy it gives back; and `mean_force`, the force over one step of the modal kernel.
+Every law answers the same questions, in SI units, `deepest` being the largest indentation so far (0 before):
+`force(indentation, rate, deepest)` [N], never negative; `slopes(indentation, rate, deepest)`, its partial derivatives
+by the first two; `stored(indentation, deepest)` [J], the energy that the contact would give back; `dent(deepest)` [m],
+the indentation at which it opens; `corner(indentation, deepest)` [m], the next larger one where the curve changes its
+formula; `mean(start, end, rate, deepest)`, the mean force [N] along the straight path between two indentations, passed
+at (end - start) * rate, and the energy lost on it [J]; `mean_force`, the force of one step of the modal kernel, see
+`steps.step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether `deepest` matters, whether the force
+may jump at first touch. EXAMPLE: constants that suit a scene file.
 """
 
 import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from .. import checks
-from ..jit import kernel
-
-STIFFNESS_RANGE = (1e-6, 1e20)  # of any law, in its own unit
-
-
-def read_stiffness(given: Mapping[str, object], unit: str) -> float:
-    value = checks.required("contact", given, "stiffness", f"a number from 1e-06 to 1e+20 {unit}")
-    return checks.number("contact.stiffness", value, *STIFFNESS_RANGE, unit)
+from .constants import hertz_stiffness, read_stiffness
+from .steps import hertz_mean, hertz_step_force, linear_mean
 
 
 class Rigid(NamedTuple):
@@ -28,6 +26,8 @@ class Rigid(NamedTuple):
 
     NAME = "rigid"
     KEYS = ()
+    LOSSY = PLASTIC = JUMPS = False
+    EXAMPLE = {}
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
@@ -45,6 +45,8 @@ class Linear(NamedTuple):
 
     NAME = "linear"
     KEYS = ("stiffness",)
+    LOSSY = PLASTIC = JUMPS = False
+    EXAMPLE = {"stiffness": 1e9}
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
@@ -58,48 +60,53 @@ class Linear(NamedTuple):
         """The same law in units of these."""
         return Linear(self.stiffness * length / force)
 
-    def force(self, indentation, rate):
+    def force(self, indentation, rate, deepest):
         return self.stiffness * max(indentation, 0.0)
 
-    def slopes(self, indentation, rate):
+    def slopes(self, indentation, rate, deepest):
         return (self.stiffness if indentation > 0.0 else 0.0), 0.0
 
-    def work(self, indentation):
+    def stored(self, indentation, deepest):
         return 0.5 * self.stiffness * max(indentation, 0.0) ** 2
 
-    def mean_force(self, start, free, compliance, residual, rate, expected):
-        """See `hertz_mean_force`; for a spring each case is a linear or quadratic equation."""
+    def dent(self, deepest):
+        return 0.0
+
+    def corner(self, indentation, deepest):
+        return math.inf
+
+    def mean(self, start, end, rate, deepest):
+        return self.stiffness * linear_mean(start, end), 0.0
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest):
+        """As `steps.step_force`; for a spring each case is a linear or quadratic equation."""
         if start <= 0.0 and free <= 0.0:
             return 0.0, free, 0.0
-        stretch = 1.0 + residual * self.stiffness  # closing of the whole for the law's own indentation
         if start <= 0.0:  # touches within the step: (free - end)(end - start) = compliance * stiffness * end^2 / 2
-            stiffness = self.stiffness / stretch
-            square, half = 1.0 + 0.5 * compliance * stiffness, 0.5 * (free + start)
+            square, half = 1.0 + 0.5 * compliance * self.stiffness, 0.5 * (free + start)
             root = math.sqrt(half * half - square * free * start)
             end = (half + root) / square if half > 0.0 else -free * start / (root - half)
-            return (free - end) / compliance, end / stretch, 0.0
-        begin = start * stretch
-        force = self.stiffness * (begin + free) / (2.0 * stretch + self.stiffness * compliance)
+            return (free - end) / compliance, end, 0.0
+        force = self.stiffness * (start + free) / (2.0 + self.stiffness * compliance)
         end = free - compliance * force
         if end >= 0.0:
-            return force, (end if residual == 0.0 else end / stretch), 0.0
+            return force, end, 0.0
         # leaves within the step: all that is stored is given back on the way
-        half, stored = 0.5 * (begin - free), 0.5 * self.stiffness * start * begin
+        half, stored = 0.5 * (start - free), 0.5 * self.stiffness * start * start
         root = math.sqrt(half * half + compliance * stored)
         force = stored / (half + root) if half > 0.0 else (root - half) / compliance
         return force, free - compliance * force, 0.0
 
 
 class Hertz(NamedTuple):
-    """Two smooth elastic bodies that touch in a point. Source: thesis 3.4.1; F = K alpha^(3/2).
-
-    Differs: thesis (7.6) prints K for two bodies of one material; a rigid partner has twice that.
-    """
+    """Two smooth elastic bodies that touch in a point. Source: thesis 3.4.1; F = K alpha^(3/2)."""
 
     stiffness: float  # K_h [N/m^1.5]
 
     NAME = "hertz"
     KEYS = ("stiffness",)
+    LOSSY = PLASTIC = JUMPS = False
+    EXAMPLE = {"stiffness": 1e9}
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
@@ -113,99 +120,25 @@ class Hertz(NamedTuple):
         """The same law in units of these."""
         return Hertz(self.stiffness * length**1.5 / force)
 
-    def force(self, indentation, rate):
+    def force(self, indentation, rate, deepest):
         depth = max(indentation, 0.0)
         return self.stiffness * depth * math.sqrt(depth)
 
-    def slopes(self, indentation, rate):
+    def slopes(self, indentation, rate, deepest):
         return 1.5 * self.stiffness * math.sqrt(max(indentation, 0.0)), 0.0
 
-    def work(self, indentation):
+    def stored(self, indentation, deepest):
         depth = max(indentation, 0.0)
         return 0.4 * self.stiffness * depth * depth * math.sqrt(depth)
 
-    def mean_force(self, start, free, compliance, residual, rate, expected):
-        return hertz_mean_force(self.stiffness, 0.0, start, free, compliance, residual, rate, expected)
+    def dent(self, deepest):
+        return 0.0
 
+    def corner(self, indentation, deepest):
+        return math.inf
 
-def hertz_stiffness(given: Mapping[str, object], impactor: Any, target: Any) -> float:
-    """K_h [N/m^1.5]: as given, or 4/3 E* sqrt(R) for the impactor's radius on the flat end of the target."""
-    if "stiffness" in given:
-        return read_stiffness(given, "N/m^1.5")
-    if impactor.radius is None:
-        allowed = "a number from 1e-06 to 1e+20 N/m^1.5, or impactor.radius to derive it from (both are missing)"
-        raise checks.SceneError("contact.stiffness", None, allowed)
-    contact_modulus = 1.0 / (1.0 / impactor.material.plane_modulus + 1.0 / target.material.plane_modulus)
-    return 4.0 / 3.0 * contact_modulus * math.sqrt(impactor.radius)
+    def mean(self, start, end, rate, deepest):
+        return self.stiffness * hertz_mean(start, end), 0.0
 
-
-@kernel
-def hertz_mean_force(stiffness, loss, start, free, compliance, residual, rate, expected):
-    """The constant force of one step whose work is exactly what the contact takes up.
-
-    The contact is F = stiffness * a^(3/2) * (1 + loss * da/dt) in series with a spring of compliance `residual`; the
-    whole closes by d = a + residual * F_elastic. `start` is a at the start (negative: the gap), `free` is d at the
-    end if there were no force, and a force F makes it free - compliance * F; `rate` is 1 / step. Then F = (stored
-    energy gained) / (d gained), times the loss factor: one increasing equation in a at the end, solved to rounding.
-    `expected` is a guess of the force. Returns the force, a at the end, and the energy lost to the law's damping.
-    """
-    if start <= 0.0 and free <= 0.0:
-        return 0.0, free, 0.0
-    root0 = math.sqrt(max(start, 0.0))
-    square0 = root0 * root0
-    force0 = stiffness * square0 * root0
-    begin = start + residual * force0  # d at the start
-    stored = 0.4 * force0 * start + 0.5 * residual * force0 * force0
-    if start > 0.0 and free * begin < compliance * stored:  # leaves within the step, if damping lets it
-        spread = compliance * stored
-        half = 0.5 * (begin - free - spread * loss * rate)
-        spread *= 1.0 + loss * (begin - start) * rate
-        root = math.sqrt(half * half + spread)
-        travel = half + root if half > 0.0 else spread / (root - half)  # of d
-        force = stored / travel * max(1.0 - loss * (travel - begin + start) * rate, 0.0)
-        end = free - compliance * force
-        if end <= 0.0:
-            return force, end, stored + force * (end - begin)
-    slope = 1.5 * stiffness * root0
-    end = start + (free - compliance * expected - begin) / (1.0 + residual * slope)
-    low, high = 0.0, free
-    if not low < end < high:
-        end = 0.5 * high
-    before, miss_before, force, lost = end, 0.0, 0.0, 0.0
-    close_enough = 2.0e-16 * (abs(free) + abs(begin))
-    for iteration in range(200):
-        root1 = math.sqrt(end)
-        force1 = stiffness * end * root1
-        close = end + residual * force1
-        if start > 0.0:  # chords of work and force over [start, end], written without the differences that cancel
-            cross, square = root0 * root1, root0 * root0 + root1 * root1
-            chord = stiffness * (square + cross)
-            elastic = 0.4 * stiffness * (square * (square + cross) - cross * cross)
-            elastic = (elastic + 0.5 * residual * (force0 + force1) * chord) / (root0 + root1 + residual * chord)
-        else:
-            elastic = (0.4 * force1 * end + 0.5 * residual * force1 * force1) / (close - begin)
-        factor = max(1.0 + loss * (end - start) * rate, 0.0)
-        force = elastic * factor
-        lost = (force - elastic) * (close - begin)
-        miss = close - free + compliance * force
-        if miss > 0.0:
-            high = end
-        else:
-            low = end
-        if abs(miss) <= close_enough or high - low <= 2.0e-16 * high:
-            break
-        slope = 1.5 * stiffness * root1
-        tangent = 1.0 + residual * slope + compliance * (0.5 * slope * factor + elastic * loss * rate)
-        following = end - miss / tangent
-        if iteration > 3:  # the tangent is only nearly right; when that is not enough, the secant and halving are
-            difference = miss - miss_before
-            following = end - miss * (end - before) / difference if difference != 0.0 else low
-            if iteration % 4 == 0:
-                following = 0.5 * (low + high)
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        before, miss_before = end, miss
-        if following == end:
-            break
-        end = following
-    return force, end, lost
+    def mean_force(self, start, free, compliance, rate, expected, deepest):
+        return hertz_step_force(self.stiffness, 0.0, start, free, compliance, rate, expected)

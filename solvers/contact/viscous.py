@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from .. import checks
-from .elastic import hertz_mean_force, hertz_stiffness
+from .constants import approach_speed, hertz_stiffness
+from .steps import hertz_mean, hertz_step_force
 
 LEAST_RESTITUTION = 0.01  # delivered by Hunt-Crossley: below it the bodies creep apart over hundreds of contact times
 
@@ -22,6 +23,8 @@ class HuntCrossley(NamedTuple):
 
     NAME = "hunt-crossley"
     KEYS = ("stiffness", "restitution")
+    LOSSY, PLASTIC, JUMPS = True, False, False
+    EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
@@ -31,29 +34,39 @@ class HuntCrossley(NamedTuple):
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "HuntCrossley":
         wanted = checks.required("contact", given, "restitution", f"a number from {LEAST_RESTITUTION} to 1")
         wanted = checks.number("contact.restitution", wanted, LEAST_RESTITUTION, 1.0)
-        return cls(hertz_stiffness(given, impactor, target), damping_for(wanted) / impactor.velocity)
+        return cls(hertz_stiffness(given, impactor, target), damping_for(wanted) / approach_speed(impactor, target))
 
     def scaled(self, length: float, speed: float, force: float) -> "HuntCrossley":
         """The same law in units of these."""
         return HuntCrossley(self.stiffness * length**1.5 / force, self.loss * speed)
 
-    def force(self, indentation, rate):
+    def force(self, indentation, rate, deepest):
         depth = max(indentation, 0.0)
         return self.stiffness * depth * math.sqrt(depth) * max(1.0 + self.loss * rate, 0.0)
 
-    def slopes(self, indentation, rate):
+    def slopes(self, indentation, rate, deepest):
         root = math.sqrt(max(indentation, 0.0))
         factor = 1.0 + self.loss * rate
         if factor <= 0.0:
             return 0.0, 0.0
         return 1.5 * self.stiffness * root * factor, self.stiffness * root**3 * self.loss
 
-    def work(self, indentation):
+    def stored(self, indentation, deepest):
         depth = max(indentation, 0.0)
         return 0.4 * self.stiffness * depth * depth * math.sqrt(depth)
 
-    def mean_force(self, start, free, compliance, residual, rate, expected):
-        return hertz_mean_force(self.stiffness, self.loss, start, free, compliance, residual, rate, expected)
+    def dent(self, deepest):
+        return 0.0
+
+    def corner(self, indentation, deepest):
+        return math.inf
+
+    def mean(self, start, end, rate, deepest):
+        elastic, factor = self.stiffness * hertz_mean(start, end), max(1.0 + self.loss * (end - start) * rate, 0.0)
+        return elastic * factor, elastic * (factor - 1.0) * (end - start)
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest):
+        return hertz_step_force(self.stiffness, self.loss, start, free, compliance, rate, expected)
 
 
 def delivered_restitution(damping: float) -> float:

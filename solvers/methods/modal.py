@@ -131,7 +131,7 @@ def _default_step(scene: Scene, modes: Modes) -> float:
     reduced = mass / (1.0 + mass / modes.rigid_mass)
     depth = scene.impactor.velocity * trip  # the law's secant stiffness at the depth of a free collision
     for _ in range(60):
-        stiffness = 2.0 * law.work(depth) / depth**2
+        stiffness = 2.0 * law.mean(0.0, depth, 0.0, 0.0)[0] / depth
         depth = 0.5 * (depth + scene.impactor.velocity * math.sqrt(reduced / stiffness))
     soft = 1.0 / stiffness
     shortest = math.pi * math.sqrt(reduced * (soft + residual))
@@ -158,7 +158,7 @@ def _follow(scene: Scene, modes: Modes, step: float, count: int | None) -> "Moda
         if until > record.contact_force.size:
             record = _grown(record, min(2 * until, most), stride)
         march(
-            law, residual, scene.impactor.mass, modes.rigid_mass, step, bank,
+            law, residual, scene.contact.JUMPS, scene.impactor.mass, modes.rigid_mass, step, bank,
             displacement, velocity, stride, done, until, record,
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
@@ -172,7 +172,7 @@ def _follow(scene: Scene, modes: Modes, step: float, count: int | None) -> "Moda
 
 
 def _record(steps: int, stride: int, modes: int) -> Record:
-    instants = [np.zeros(steps + 1) for _ in range(6)]
+    instants = [np.zeros(steps + 1) for _ in range(7)]
     return Record(np.zeros(steps), *instants, *(np.zeros((steps // stride + 1, modes)) for _ in range(2)))
 
 
@@ -184,9 +184,9 @@ def _grown(record: Record, steps: int, stride: int) -> Record:
 
 
 def _cut(record: Record, steps: int, stride: int) -> Record:
-    force, *instants = record[:7]
+    force, *instants = record[:8]
     return Record(
-        force[:steps], *(values[: steps + 1] for values in instants), *(c[: steps // stride + 1] for c in record[7:])
+        force[:steps], *(values[: steps + 1] for values in instants), *(c[: steps // stride + 1] for c in record[8:])
     )
 
 
@@ -278,14 +278,16 @@ class ModalMotion:
         nearest = np.clip(np.rint(np.asarray(time, float) / self.step), 0, self.steps).astype(int)
         displacement, velocity = self.amplitudes(nearest * self.step)
         law, residual = _law(self.scene, self.modes)
-        depth = self.record.indentation[nearest].tolist()
-        forces = np.array([law.force(a, 0.0) for a in depth])
+        depth = self.record.indentation
+        deepest = np.maximum(np.maximum.accumulate(depth), 0.0)
+        pairs = zip(depth[nearest].tolist(), deepest[nearest].tolist(), strict=True)
         rigid_mass = 0.0 if self.scene.target.fixed else self.scene.target.mass
         return {
             "impactor": 0.5 * self.scene.impactor.mass * self.record.velocity[nearest] ** 2,
             "target_rigid": 0.5 * rigid_mass * self.record.rigid_velocity[nearest] ** 2,
             "target_vibration": (displacement**2 + velocity**2) @ self._bank.energy,
-            "local": np.array([law.work(a) for a in depth]) + 0.5 * residual * forces**2,
+            "local": np.array([law.stored(a, most) for a, most in pairs])
+            + 0.5 * residual * self.record.spring_force[nearest] ** 2,
             "dissipated": self.record.lost[nearest],
         }
 

@@ -227,7 +227,7 @@ class ContactHistory(History):
 
     def local(self, t):
         depth = self._sampled(t, self.depth)
-        stored = np.array([self.law.work(a) for a in depth.tolist()])
+        stored = np.array([self.law.stored(a, 0.0) for a in depth.tolist()])
         return stored, self._sampled(t, self.lost)
 
     def deepest(self, unit):

@@ -46,8 +46,8 @@ def _solve_step(law, beta, h, indentation, velocity, incoming, guess, force, dep
         if settled:
             return True
         for i in range(STAGES):
-            by_depth, by_rate = law.slopes(depth[i], rate[i])
-            right[i] = law.force(depth[i], rate[i]) - force[i]
+            by_depth, by_rate = law.slopes(depth[i], rate[i], 0.0)
+            right[i] = law.force(depth[i], rate[i], 0.0) - force[i]
             for j in range(STAGES):
                 drop = h * INTEGRATE[i, j] + 2.0 * beta * h * h * INTEGRATE_TWICE[i, j]
                 matrix[i, j] = by_depth * drop + by_rate * 2.0 * beta * h * INTEGRATE[i, j]
@@ -92,7 +92,7 @@ def strike(law, beta, reflection, until, tolerance, capacity, max_contacts):
     h, status, failures, parting = 1e-3, FULL, 0, 0.0
     period = 2.0 if reflection > 0.0 else 1.0
     contacts[0, 2] = 1.0
-    lossy = law.force(1.0, 1.0) != law.force(1.0, 0.0)
+    lossy = law.force(1.0, 1.0, 0.0) != law.force(1.0, 0.0, 0.0)
     start[0] = 0.0
     breaks[0], break_count = 1.0, 1  # the first return; every event adds its own
     while n < capacity - 1 and break_count < capacity - 1 and count < max_contacts:
@@ -196,7 +196,7 @@ def strike(law, beta, reflection, until, tolerance, capacity, max_contacts):
                 if lossy:  # what the force took from the bodies less what the law keeps
                     for k in range(STAGES):
                         lost[n, k + 1] += step * INTEGRATE[k, i] * force[i] * rate[i]
-                    lost[n, i + 1] -= law.work(depth[i]) - law.work(depths[n, 0])
+                    lost[n, i + 1] -= law.stored(depth[i], 0.0) - law.stored(depths[n, 0], 0.0)
             losses = lost[n, STAGES]
             if presses:
                 pressed = end

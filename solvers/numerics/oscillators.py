@@ -74,22 +74,29 @@ class Record(NamedTuple):
     velocity: np.ndarray  # of the impactor [m/s]
     rigid_position: np.ndarray  # of a free target [m]
     rigid_velocity: np.ndarray
+    spring_force: np.ndarray  # in the spring of the modes left out [N]
     lost: np.ndarray  # energy dissipated by the law so far [J]
     checkpoint_displacement: np.ndarray
     checkpoint_velocity: np.ndarray
 
 
 @summing_kernel
-def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, stride, begin, end, record):
+def march(law, residual, jumps, mass, rigid_mass, step, bank, displacement, velocity, stride, begin, end, record):
     """Advance from instant `begin` to `end`; displacement and velocity (modes,) are turned already for `begin`.
 
-    residual [m/N]: compliance in series with the law; mass, rigid_mass [kg] of impactor and of the free target.
+    residual [m/N]: static compliance of the modes left out, which act as one more oscillator of infinite frequency, by
+    the trapezoidal rule: while the contact force is F its own force goes from f to 2 F - f. `jumps`: the law's force
+    may jump at first touch; there the oscillator would ring, so that for two steps it follows at once, f = F, and what
+    that costs counts as lost. mass, rigid_mass [kg]: of impactor and target where they move freely as a whole, or
+    infinity. The bank holds the oscillators of both bodies.
     """
     gain, rigid_gain, rate = step / mass, step / rigid_mass, 1.0 / step
-    compliance = 0.5 * step * (gain + rigid_gain) + bank.kick_displacement.sum()
+    stiff = 0.5 * step * (gain + rigid_gain) + bank.kick_displacement.sum()  # a step's compliance without the residual
     x, v = record.position[begin], record.velocity[begin]
     rigid_x, rigid_v = record.rigid_position[begin], record.rigid_velocity[begin]
-    indentation, lost = record.indentation[begin], record.lost[begin]
+    indentation, lost, spring = record.indentation[begin], record.lost[begin], record.spring_force[begin]
+    deepest = max(record.indentation[: begin + 1].max(), 0.0)
+    touched = begin == 0 or record.indentation[begin - 1] <= 0.0
     bending = displacement.sum()
     modes = displacement.size
     force, force_before = 0.0, 0.0
@@ -98,7 +105,18 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
         free = (x - rigid_x) + step * (v - rigid_v) - bending
         expected = force + force - force_before
         force_before = force
-        force, indentation, loss = law.mean_force(indentation, free, compliance, residual, rate, expected)
+        apart = indentation <= 0.0
+        if jumps and (apart or touched):
+            force, indentation, loss = law.mean_force(indentation, free, stiff + residual, rate, expected, deepest)
+            loss += 0.5 * residual * (force - spring) ** 2
+            spring = force
+        else:
+            compliance = stiff + 2.0 * residual
+            free += residual * spring
+            force, indentation, loss = law.mean_force(indentation, free, compliance, rate, expected, deepest)
+            spring = 2.0 * force - spring
+        touched = apart
+        deepest = max(deepest, indentation)
         lost += loss
         x += step * (v - 0.5 * gain * force)
         v -= gain * force
@@ -133,7 +151,7 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
         record.indentation[k + 1] = indentation
         record.position[k + 1], record.velocity[k + 1] = x, v
         record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
-        record.lost[k + 1] = lost
+        record.spring_force[k + 1], record.lost[k + 1] = spring, lost
 
 
 @kernel

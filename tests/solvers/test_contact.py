@@ -36,23 +36,23 @@ def test_the_catalog_knows_every_law():
 @each_law
 @given(indentation=st.floats(-1.0, 1.0), rate=st.floats(-1e6, 1e6))
 def test_force_never_pulls_and_starts_with_the_touch(law, indentation, rate):
-    force = law.force(indentation, rate)
+    force = law.force(indentation, rate, 0.0)
     assert force >= 0.0 and math.isfinite(force)
     if indentation <= 0.0:
         assert force == 0.0
-        assert law.work(indentation) == 0.0
-        assert law.slopes(indentation, rate)[0] == 0.0
+        assert law.stored(indentation, 0.0) == 0.0
+        assert law.slopes(indentation, rate, 0.0)[0] == 0.0
     else:
-        assert law.work(indentation) > 0.0 or indentation < 1e-100
+        assert law.stored(indentation, 0.0) > 0.0 or indentation < 1e-100
 
 
 def test_forces_as_printed():
     depth, rate = 3e-5, 0.7
-    assert Linear(2e8).force(depth, rate) == approx(2e8 * 3e-5, rel=1e-15)  # thesis (7.1)
-    assert Hertz(7e9).force(depth, rate) == approx(7e9 * 3e-5**1.5, rel=1e-15)  # thesis (7.5)
-    damped = HuntCrossley(7e9, 0.4).force(depth, rate)
+    assert Linear(2e8).force(depth, rate, 0.0) == approx(2e8 * 3e-5, rel=1e-15)  # thesis (7.1)
+    assert Hertz(7e9).force(depth, rate, 0.0) == approx(7e9 * 3e-5**1.5, rel=1e-15)  # thesis (7.5)
+    damped = HuntCrossley(7e9, 0.4).force(depth, rate, 0.0)
     assert damped == approx(7e9 * 3e-5**1.5 * (1.0 + 0.4 * 0.7), rel=1e-15)  # thesis 7.3.1
-    assert HuntCrossley(7e9, 2.0).force(depth, -0.7) == 0.0  # it lets go before it pulls
+    assert HuntCrossley(7e9, 2.0).force(depth, -0.7, 0.0) == 0.0  # it lets go before it pulls
 
 
 @each_law
@@ -60,38 +60,40 @@ def test_forces_as_printed():
 def test_slopes_are_derivatives_of_the_force(law, indentation, rate):
     if law.NAME == "hunt-crossley":
         assume(abs(1.0 + law.loss * rate) > 1e-3)  # not across the kink where the force has run out
-    by_depth, by_rate = law.slopes(indentation, rate)
+    by_depth, by_rate = law.slopes(indentation, rate, 0.0)
     h = 1e-5  # central differences: h^2 / 24 of the third derivative, which is below 1 in these units, and EPS / h
-    difference = law.force(indentation * (1.0 + h), rate) - law.force(indentation * (1.0 - h), rate)
+    difference = law.force(indentation * (1.0 + h), rate, 0.0) - law.force(indentation * (1.0 - h), rate, 0.0)
     assert by_depth == approx(difference / (2.0 * h * indentation), rel=1e-9, abs=1e-300)
-    difference = law.force(indentation, rate + h) - law.force(indentation, rate - h)
-    assert by_rate == approx(difference / (2.0 * h), rel=1e-7, abs=1e-9 * law.force(indentation, 0.0))
+    difference = law.force(indentation, rate + h, 0.0) - law.force(indentation, rate - h, 0.0)
+    assert by_rate == approx(difference / (2.0 * h), rel=1e-7, abs=1e-9 * law.force(indentation, 0.0, 0.0))
 
 
 @each_law
 @given(indentation=DEPTHS)
 def test_work_is_the_integral_of_the_elastic_force(law, indentation):
     # in y^2 = depth the integrand is a polynomial, which quad integrates to rounding
-    work, _ = quad(lambda y: law.force(y * y, 0.0) * 2.0 * y, 0.0, math.sqrt(indentation), epsabs=0.0, epsrel=1e-12)
-    assert law.work(indentation) == approx(work, rel=1e-12)
+    work, _ = quad(
+        lambda y: law.force(y * y, 0.0, 0.0) * 2.0 * y, 0.0, math.sqrt(indentation), epsabs=0.0, epsrel=1e-12
+    )
+    assert law.stored(indentation, 0.0) == approx(work, rel=1e-12)
 
 
 @each_law
 @given(length=SCALES, speed=SCALES, force=SCALES, indentation=DEPTHS, rate=st.floats(-1.0, 1.0))
 def test_a_scaled_law_is_the_same_law_in_other_units(law, length, speed, force, indentation, rate):
     scaled = law.scaled(length, speed, force)
-    there = scaled.force(indentation / length, rate / speed) * force
-    assert there == approx(law.force(indentation, rate), rel=1e-12, abs=1e-13 * law.force(indentation, 0.0))
-    assert scaled.work(indentation / length) * force * length == approx(law.work(indentation), rel=1e-12)
+    there = scaled.force(indentation / length, rate / speed, 0.0) * force
+    assert there == approx(law.force(indentation, rate, 0.0), rel=1e-12, abs=1e-13 * law.force(indentation, 0.0, 0.0))
+    assert scaled.stored(indentation / length, 0.0) * force * length == approx(law.stored(indentation, 0.0), rel=1e-12)
 
 
 @kernel
-def all_answers(law, indentation, rate, start, free, compliance, residual):
+def all_answers(law, indentation, rate, start, free, compliance):
     return (
-        law.force(indentation, rate),
-        law.work(indentation),
-        law.slopes(indentation, rate),
-        law.mean_force(start, free, compliance, residual, 1e6, 0.0),
+        law.force(indentation, rate, 0.0),
+        law.stored(indentation, 0.0),
+        law.slopes(indentation, rate, 0.0),
+        law.mean_force(start, free, compliance, 1e6, 0.0, 0.0),
     )
 
 
@@ -103,10 +105,10 @@ def all_answers(law, indentation, rate, start, free, compliance, residual):
     free=st.floats(-1e-3, 1e-3),
 )
 def test_compiled_laws_answer_like_plain_python(law, indentation, rate, start, free):
-    given_values = law, indentation, rate, start, free, 1e-9, 1e-10
+    given_values = law, indentation, rate, start, free, 1e-9
     compiled, plain = all_answers(*given_values), all_answers.py_func(*given_values)
     # compilers may turn powers into products: some last digits, of the largest term where the force factor cancels
-    scale = law.force(indentation, 0.0)
+    scale = law.force(indentation, 0.0, 0.0)
     assert compiled[0] == approx(plain[0], rel=8 * EPS, abs=8 * EPS * scale)
     assert compiled[1] == approx(plain[1], rel=8 * EPS)
     assert compiled[2] == approx(plain[2], rel=8 * EPS, abs=8 * EPS * (abs(plain[2][0]) + abs(plain[2][1])))
@@ -114,16 +116,6 @@ def test_compiled_laws_answer_like_plain_python(law, indentation, rate, start, f
 
 
 # --- the force of one step --------------------------------------------------------------------------------------------
-
-
-def stored(law, indentation, residual):
-    """Energy in the law and in the spring in series with it."""
-    return law.work(indentation) + 0.5 * residual * law.force(indentation, 0.0) ** 2
-
-
-def closing(law, indentation, residual):
-    """By how much law and spring in series are closed; negative: the gap."""
-    return indentation + residual * law.force(indentation, 0.0)
 
 
 @each_law
@@ -134,40 +126,35 @@ def closing(law, indentation, residual):
     ),
     travel=st.one_of(st.floats(-8.0, 3.0).map(lambda p: -(10.0**p)), st.floats(-8.0, 3.0).map(lambda p: 10.0**p)),
     compliance=st.floats(-8.0, 8.0).map(lambda p: 10.0**p),
-    residual=st.one_of(st.just(0.0), st.floats(-8.0, 8.0).map(lambda p: 10.0**p)),
     damping=st.floats(0.0, 100.0),
     expected=st.one_of(st.just(0.0), st.floats(-8.0, 8.0).map(lambda p: 10.0**p)),
 )
-def test_mean_force_works_exactly_what_the_contact_takes_up(
-    law, start, travel, compliance, residual, damping, expected
-):
-    """In units in which the stiffness is 1: force * closing gained = stored energy gained + lost, whatever happens."""
+def test_mean_force_works_exactly_what_the_contact_takes_up(law, start, travel, compliance, damping, expected):
+    """In units in which the stiffness is 1: force * path = stored energy gained + lost, whatever happens."""
     law = law._replace(stiffness=1.0)
     if law.NAME == "hunt-crossley":
         law = law._replace(loss=damping)
-    begin = closing(law, start, residual)
-    free = begin + travel
-    force, end, lost = law.mean_force(start, free, compliance, residual, 1.0, expected)
+    free = start + travel
+    force, end, lost = law.mean_force(start, free, compliance, 1.0, expected, max(start, 0.0))
     assert force >= 0.0 and math.isfinite(force)
     if start <= 0.0 and free <= 0.0:
         assert (force, end, lost) == (0.0, free, 0.0)
-    closed = free - compliance * force
-    before, after = stored(law, start, residual), stored(law, end, residual)
+    before, after = law.stored(start, 0.0), law.stored(end, 0.0)
     # `end` is known to EPS of itself, and the step's equation as well as its terms are; `steep` is its derivative
     deep = max(end, start, 0.0)
-    slope, elastic = law.slopes(deep, 0.0)[0], law.force(deep, 0.0)
-    steep = 1.0 + residual * slope + compliance * (slope * (1.0 + damping * abs(end - start)) + damping * elastic)
-    length_rounding = 16.0 * EPS * (abs(free) + abs(begin) + compliance * force + steep * abs(end))
-    assert closing(law, end, residual) == approx(closed, abs=length_rounding)
+    slope, elastic = law.slopes(deep, 0.0, 0.0)[0], law.force(deep, 0.0, 0.0)
+    steep = 1.0 + compliance * (slope * (1.0 + damping * abs(end - start)) + damping * elastic)
+    length_rounding = 16.0 * EPS * (abs(free) + abs(start) + compliance * force + steep * abs(end))
+    assert end == approx(free - compliance * force, abs=length_rounding)
     # of the work: that of the lengths, and the force itself is a length over the compliance
     rounding = (force + elastic) * length_rounding + 64.0 * EPS * (before + after)
-    rounding += length_rounding / compliance * abs(closed - begin)
-    assert force * (closed - begin) == approx(after - before + lost, abs=rounding)
+    rounding += length_rounding / compliance * abs(end - start)
+    assert force * (end - start) == approx(after - before + lost, abs=rounding)
     assert lost >= -rounding  # damping never creates energy
     if law.NAME != "hunt-crossley" or damping == 0.0:
         assert lost == approx(0.0, abs=rounding)
     else:
-        assert lost <= before + force * max(closed - begin, 0.0) + rounding
+        assert lost <= before + force * max(end - start, 0.0) + rounding
 
 
 @each_law
@@ -176,9 +163,9 @@ def test_mean_force_of_a_short_step_is_the_force(law):
     start, step = 1e-5, 1e-10
     rate = 1e-6 * start / step
     free = start * (1.0 + 1e-6)
-    force, end, _ = law.mean_force(start, free, 1e-30, 0.0, 1.0 / step, 0.0)
+    force, end, _ = law.mean_force(start, free, 1e-30, 1.0 / step, 0.0, 0.0)
     assert end == approx(free, rel=1e-15)
-    assert force == approx(law.force(0.5 * (start + free), rate), rel=1e-9)
+    assert force == approx(law.force(0.5 * (start + free), rate, 0.0), rel=1e-9)
 
 
 # --- Hertz from the bodies --------------------------------------------------------------------------------------------
@@ -229,7 +216,7 @@ def test_two_free_bodies_part_with_the_restitution_asked_for(restitution):
     part.terminal, part.direction = True, -1
     depth = (1.25 * reduced * 9.0 / law.stiffness) ** 0.4
     run = solve_ivp(
-        lambda t, y: [y[1], -law.force(y[0], y[1]) / reduced], (0.0, 1e4 * depth / 3.0), [0.0, 3.0],
+        lambda t, y: [y[1], -law.force(y[0], y[1], 0.0) / reduced], (0.0, 1e4 * depth / 3.0), [0.0, 3.0],
         method="DOP853", rtol=1e-12, atol=1e-14 * depth, events=part,
     )  # fmt: skip
     assert run.status == 1

@@ -207,10 +207,10 @@ def reference_first_contact(scene: Scene) -> tuple[float, float, float]:
     def force_at(t):
         run = runs[min(int(t / trip), len(runs) - 1)]
         x, _, u = run.sol(t)
-        return law.force(x - u, 0.0)
+        return law.force(x - u, 0.0, 0.0)
 
     def rate(t, y):
-        force = law.force(y[0] - y[2], 0.0)
+        force = law.force(y[0] - y[2], 0.0, 0.0)
         echoes = sum(r**k * force_at(t - k * trip) for k in range(1, len(runs) + 1) if t > k * trip)
         return [y[1], -force / m1, (force + 2.0 * echoes) / rod.impedance]
 

@@ -1,0 +1,139 @@
+"""What a contact law does over one step of the modal kernel: means along a straight path, and the force of the step."""
+
+import math
+
+from ..jit import kernel
+
+
+@kernel
+def hertz_mean(start, end):
+    """Mean of max(a, 0)^(3/2) over [start, end], without the differences that cancel."""
+    if start > end:
+        start, end = end, start
+    if end <= 0.0:
+        return 0.0
+    if start <= 0.0:
+        return 0.4 * end * end * math.sqrt(end) / (end - start)
+    root0, root1 = math.sqrt(start), math.sqrt(end)
+    cross, square = root0 * root1, start + end
+    return 0.4 * (square * (square + cross) - cross * cross) / (root0 + root1)
+
+
+@kernel
+def linear_mean(start, end):
+    """Mean of max(a, 0) over [start, end]."""
+    if start > end:
+        start, end = end, start
+    if start >= 0.0:
+        return 0.5 * (start + end)
+    return 0.5 * end * end / (end - start) if end > 0.0 else 0.0
+
+
+@kernel
+def power_mean(start, end, exponent):
+    """Mean of max(a, 0)^exponent over [start, end], to rounding however close they are."""
+    if exponent == 1.5:
+        return hertz_mean(start, end)
+    if start > end:
+        start, end = end, start
+    if end <= 0.0:
+        return 0.0
+    whole, relative = exponent + 1.0, (end - start) / end
+    if relative >= 1.0:
+        return end**exponent / (whole * relative)
+    if relative == 0.0:
+        return end**exponent
+    return end**exponent * (-math.expm1(whole * math.log1p(-relative)) / (whole * relative))
+
+
+@kernel
+def step_force(law, start, free, compliance, rate, expected, deepest):
+    """The constant force of one step whose work is exactly what the law takes up along the way.
+
+    `start` is the indentation at the start (negative: the gap), `free` at the end if there were no force; a force F
+    makes it free - compliance * F. `rate` is 1 / step, `expected` a guess of the force. The law's mean force grows with
+    the indentation at the end, so there is one solution; it is found to rounding. Returns the force, the indentation at
+    the end, and the energy lost.
+    """
+    opening = law.dent(deepest)
+    if start <= opening and free <= opening:
+        return 0.0, free, 0.0
+    high = free
+    low = opening if start <= opening else min(start, free - compliance * law.force(start, 0.0, deepest))
+    end = free - compliance * expected
+    if not low < end < high:
+        end = 0.5 * (low + high)
+    force, lost, before, miss_before = 0.0, 0.0, end, 0.0
+    close_enough = 2.0e-16 * (abs(free) + abs(start))
+    for iteration in range(200):
+        force, lost = law.mean(start, end, rate, deepest)
+        miss = end - free + compliance * force
+        if miss > 0.0:
+            high = end
+        else:
+            low = end
+        if abs(miss) <= close_enough or high - low <= 2.0e-16 * max(abs(high), abs(low)):
+            break
+        if iteration == 0:
+            by_depth, by_rate = law.slopes(0.5 * (start + end), (end - start) * rate, deepest)
+            following = end - miss / (1.0 + compliance * (0.5 * by_depth + by_rate * rate))
+        else:
+            difference = miss - miss_before
+            following = end - miss * (end - before) / difference if difference != 0.0 else low
+        if iteration % 5 == 4 or not low < following < high:
+            following = 0.5 * (low + high)
+        before, miss_before = end, miss
+        if following == end:
+            break
+        end = following
+    return force, end, lost
+
+
+@kernel
+def hertz_step_force(stiffness, loss, start, free, compliance, rate, expected):
+    """`step_force` of F = stiffness * a^(3/2) * (1 + loss * da/dt), in closed form where the bodies part."""
+    if start <= 0.0 and free <= 0.0:
+        return 0.0, free, 0.0
+    root0 = math.sqrt(max(start, 0.0))
+    stored = 0.4 * stiffness * root0**5
+    if start > 0.0 and free * start < compliance * stored:  # leaves within the step, if damping lets it
+        spread = compliance * stored
+        half = 0.5 * (start - free - spread * loss * rate)
+        root = math.sqrt(half * half + spread)
+        travel = half + root if half > 0.0 else spread / (root - half)
+        force = stored / travel * max(1.0 - loss * travel * rate, 0.0)
+        end = free - compliance * force
+        if end <= 0.0:
+            return force, end, stored + force * (end - start)
+    end = free - compliance * expected
+    low, high = 0.0, free
+    if not low < end < high:
+        end = 0.5 * high
+    before, miss_before, force, lost = end, 0.0, 0.0, 0.0
+    close_enough = 2.0e-16 * (abs(free) + abs(start))
+    for iteration in range(200):
+        elastic = stiffness * hertz_mean(start, end)
+        factor = max(1.0 + loss * (end - start) * rate, 0.0)
+        force = elastic * factor
+        lost = (force - elastic) * (end - start)
+        miss = end - free + compliance * force
+        if miss > 0.0:
+            high = end
+        else:
+            low = end
+        if abs(miss) <= close_enough or high - low <= 2.0e-16 * high:
+            break
+        slope = 1.5 * stiffness * math.sqrt(end)
+        following = end - miss / (1.0 + compliance * (0.5 * slope * factor + elastic * loss * rate))
+        if iteration > 3:  # the tangent is only nearly right; when that is not enough, the secant and halving are
+            difference = miss - miss_before
+            following = end - miss * (end - before) / difference if difference != 0.0 else low
+            if iteration % 4 == 0:
+                following = 0.5 * (low + high)
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        before, miss_before = end, miss
+        if following == end:
+            break
+        end = following
+    return force, end, lost
