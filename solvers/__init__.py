@@ -11,13 +11,14 @@ from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
 from .contact import LAWS
 from .method import Method, SceneNotSupported
-from .methods import METHODS, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
+from .methods import METHODS, Balance, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 
 __all__ = [
     "LAWS",
     "METHODS",
+    "Balance",
     "Body",
     "ContactPeriod",
     "Material",

@@ -133,7 +133,20 @@ class Scene:
         return contact_time(self.contact, self.reduced_mass, self.speed)
 
 
-METHOD_KEYS = ("name", "modes", "steps", "tolerance", "restitution", "model", "smoothing", "frame", "duration")
+METHOD_KEYS = (
+    "name",
+    "modes",
+    "elements",
+    "steps",
+    "step",
+    "tolerance",
+    "restitution",
+    "variant",
+    "model",
+    "smoothing",
+    "frame",
+    "duration",
+)
 
 
 def _check_approach(impactor: Any, target: Any) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from .. import checks
 from ..checks import SceneError
+from ..numerics.elements import Mesh, point_mesh
 from ..numerics.modes import Modes, one_mode, rigid_body
 from .material import MATERIALS, Material, read_material, read_radius
 
@@ -60,6 +61,9 @@ class RigidMass:
     def modes(self, count: int) -> Modes:
         return rigid_body(self.mass)
 
+    def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
+        return point_mesh(self.mass)
+
     def table(self) -> dict[str, object]:
         """As in a scene file."""
         written = {"kind": self.kind, "mass": self.mass, "velocity": self.velocity}
@@ -102,6 +106,9 @@ class SpringMass:
     def modes(self, count: int) -> Modes:
         return one_mode(self.mass, self.frequency)
 
+    def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
+        return point_mesh(self.mass, self.stiffness)
+
     def table(self) -> dict[str, object]:
         written = {"kind": self.kind, "mass": self.mass, "stiffness": self.stiffness}
         return written | _radius(self.radius) | {"material": self.material.table()}
@@ -137,6 +144,9 @@ class Wall:
 
     def modes(self, count: int) -> Modes:
         return rigid_body(math.inf)
+
+    def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
+        return point_mesh(math.inf)
 
     def table(self) -> dict[str, object]:
         material = {} if self.material is None else {"material": self.material.table()}

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from .. import checks
 from ..checks import SceneError
+from ..numerics.elements import Mesh, rod_mesh
 from ..numerics.modes import Modes, rod_modes
 from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
 from .material import Material, read_material, read_radius
@@ -100,6 +101,10 @@ class Rod:
 
     def modes(self, count: int) -> Modes:
         return rod_modes(self.length, self.mass, self.wave_speed, self.fixed, count)
+
+    def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
+        """Two-node elements of equal length; `lumping` of their mass stands on the nodes."""
+        return _mesh(self.rods, elements, self.fixed, lumping)
 
     def table(self) -> dict[str, object]:
         """As in a scene file."""
@@ -201,6 +206,10 @@ class Rods:
         """Of the whole chain [s]."""
         return sum(rod.round_trip_time for rod in self.rods)
 
+    def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
+        """As for one rod; every joint is taken as bonded."""
+        return _mesh(self.rods, elements, self.fixed, lumping)
+
     def table(self) -> dict[str, object]:
         """As in a scene file."""
         parts = [_bar_table(rod) for rod in self.rods]
@@ -217,6 +226,11 @@ class Rods:
             if value != nothing:
                 written[name] = value
         return written
+
+
+def _mesh(rods: tuple[Rod, ...], elements: int, fixed: bool, lumping: float) -> Mesh:
+    parts = [(rod.length, rod.mass - rod.end_mass, rod.stiffness) for rod in rods]
+    return rod_mesh(parts, elements, fixed, rods[-1].end_mass, lumping)
 
 
 def _read_bar(key: str, given: Mapping[str, object]) -> tuple[float, float, Material]:

@@ -28,6 +28,14 @@ class Modes:
         """Period of the highest kept mode [s]: no finer detail in time is resolved; 0 without modes."""
         return 2.0 * np.pi / float(self.frequencies[-1]) if self.frequencies.size else 0.0
 
+    @property
+    def front_time(self) -> float:
+        """What a front lasts that has run through a mesh with these modes [s]: who is apart for less may touch.
+
+        Dispersion spreads it over some (elements)^(1/3) of the shortest periods; measured on chattering contacts.
+        """
+        return 1.1 * self.frequencies.size ** (1.0 / 3.0) * self.shortest_period
+
 
 def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count: int) -> Modes:
     """Modes of a uniform rod, free where it is struck and fixed or free at the far end.

@@ -317,7 +317,11 @@ def test_words_and_tables(key, value, allowed):
         ("target.lenght", 1.0, "kind, length, section, material, support, at, velocity, end_mass, radius"),
         ("target.section.depth", 1.0, "width, height, radius, area, second_moment, shear_coefficient"),
         ("contact.stiffness", 1e9, "law"),  # rigid has no constants
-        ("method.mode", 5, "name, modes, steps, tolerance, restitution, model, smoothing, frame, duration"),
+        (
+            "method.mode",
+            5,
+            "name, modes, elements, steps, step, tolerance, restitution, variant, model, smoothing, frame, duration",
+        ),
     ],
 )
 def test_keys_that_do_not_exist(key, value, keys):

@@ -1,0 +1,359 @@
+"""Repeated balances of impulse and momentum between a striker and a body that can ring."""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from .. import checks
+from ..bodies import Rods
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..motion import SampledMotion, ShapeField
+from ..numerics import balances
+from ..numerics.balances import Bank, Events, Joined, exact_turn
+from ..numerics.elements import mesh_modes
+from ..numerics.modes import Modes
+from ..scene import Scene
+from ..solution import ContactPeriod, Solution, summary
+
+VARIANTS = ("event-located", "step-end", "step-halving")
+LOOKS_PER_PERIOD = 16  # of the highest mode, at which the faces are looked at
+SOFT = 1e-4  # of that period: shorter flights between balances are taken as staying together
+MOST_BALANCES = 20_000
+MOST_NUMBERS = 4_000_000  # doubles kept: coordinates after every balance
+DRAWN = 1500  # instants at which fields are known
+HALVINGS = 40
+
+
+@dataclass(frozen=True)
+class Balance(Method):
+    """Impulsive balances with a restitution each, as many as it takes, and free motion in between.
+
+    The bodies are meshes of `elements` (with all their modes or the lowest `modes`), or their exact modes where only
+    `modes` is given. `variant`: "event-located" balances at the very instants at which the faces meet, and lets them
+    stay together where restitution leaves endless ever smaller balances; "step-end", Newmark's fixed `step` with
+    balances at step ends only; "step-halving", steps halved until the faces overlap by less than `tolerance`.
+    Error: with restitution 1 a sequence of balances is chaotic, the rebound scatters by some 0.03 of the impact speed;
+    below 1 the loss falls as 1 / elements and does not depend on it. Of "step-end" the loss is an artefact of the step.
+    Source: thesis 6.3, 6.4.1 and 4.6. Differs: (6.22) speaks of halving, tables 6.2 to 6.5 follow from "step-end".
+    """
+
+    elements: int | None = None
+    modes: int | None = None
+    restitution: float = 1.0
+    variant: str = "event-located"
+    step: float | None = None  # [s]
+    tolerance: float | None = None  # of overlap [m]
+    estimate: bool = field(default=True, repr=False)
+
+    NAME = "balance"
+
+    @classmethod
+    def read(cls, given: Mapping[str, object]) -> "Balance":
+        given = checks.table("method", given, ("elements", "modes", "restitution", "variant", "step", "tolerance"))
+        variant = checks.choice("method.variant", given.get("variant", "event-located"), VARIANTS)
+        for name, variants in (("step", VARIANTS[1:]), ("tolerance", VARIANTS[2:])):
+            if given.get(name) is not None and variant not in variants:
+                raise checks.SceneError(f"method.{name}", given[name], f"nothing here, or variant = {variants[0]!r}")
+        elements = None if given.get("modes") is not None else 100
+        elements = given.get("elements", elements)
+        modes, step, tolerance = (given.get(name) for name in ("modes", "step", "tolerance"))
+        return cls(
+            None if elements is None else checks.whole_number("method.elements", elements, 1, 2000),
+            None if modes is None else checks.whole_number("method.modes", modes, 1, 2000),
+            checks.number("method.restitution", given.get("restitution", 1.0), 0.0, 1.0),
+            variant,
+            None if step is None else checks.number("method.step", step, 1e-15, 1e3, "s"),
+            None if tolerance is None else checks.number("method.tolerance", tolerance, 1e-30, 1.0, "m"),
+        )
+
+    def why_not(self, scene: Scene) -> str | None:
+        for body in (scene.impactor, scene.target):
+            if body.kind == "half-space" or getattr(body, "support", "") == "anechoic":
+                return "both bodies must have natural modes, which nothing has that waves run away in; use 'waves'"
+            if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
+                return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
+            rings = body.round_trip_time is not None
+            if rings and self._elements is None and (isinstance(body, Rods) or body.end_mass):
+                return "exact modes know uniform rods without a mass at their end only; give elements"
+        return None
+
+    @property
+    def _elements(self) -> int | None:
+        return 100 if self.elements is None and self.modes is None else self.elements
+
+    def _solve(self, scene: Scene, duration: float | None) -> Solution:
+        begun = time.perf_counter()
+        run = self._run(scene, duration)
+        motion = BalanceMotion(scene, run)
+        contacts = motion.contacts()
+        wall_time = time.perf_counter() - begun
+        found = summary(scene, motion, contacts, run.duration, wall_time)
+        found["diagnostics"] |= {
+            "steps": run.steps,
+            "estimated_error": self._estimated_error(scene, run) if self.estimate else None,
+            "balances": int(run.balances.sum()),
+            "resolved_time": run.pair.resolved_time,
+        }
+        peaks = [contact.peak_force for contact in contacts if contact.peak_force is not None]
+        return Solution(
+            scene=scene,
+            method=self.table(),
+            contacts=contacts,
+            duration=run.duration,
+            motion=motion,
+            peak_force=max(peaks, default=None),
+            peak_indentation=None,
+            residual_indentation=None,
+            notes=self._notes(scene, run),
+            **found,
+        )
+
+    def _notes(self, scene: Scene, run: "Run") -> list[str]:
+        notes = []
+        if run.full:
+            notes.append(
+                f"The solution stopped at {MOST_BALANCES} balances or what memory allows, before the bodies had parted "
+                "for good: take fewer elements or modes, or the variant 'event-located'."
+            )
+        if scene.contact.NAME != "rigid":
+            notes.append("A balance knows no contact law: of the contact only the restitution counts.")
+        many = run.pair.resolved_time > 0.0 and run.balances.sum() > 2
+        if many and self.restitution == 1.0:
+            notes.append(
+                "With restitution 1 a sequence of balances is chaotic: the rebound scatters with elements, modes and "
+                "masses by some 0.03 of the impact speed. With a restitution below 1 it does not."
+            )
+        if many and self.restitution < 1.0 and self.variant != "event-located":
+            notes.append(
+                "The energy lost is that of the time step, not of the restitution: it vanishes with the step. Use the "
+                "variant 'event-located'."
+            )
+        return notes
+
+    def _estimated_error(self, scene: Scene, run: "Run") -> float | None:
+        """Of the final velocity, relative to the impact speed: against half the elements or modes."""
+        if run.pair.resolved_time == 0.0:
+            return 0.0 if self.variant == "event-located" else None
+        half = {name: max(1, given // 2) for name in ("elements", "modes") if (given := getattr(self, name))}
+        other = replace(self, **(half or {"elements": 50}))._run(scene, run.duration)
+        return abs(run.final_velocity - other.final_velocity) / scene.speed
+
+    def _run(self, scene: Scene, duration: float | None) -> "Run":
+        """From the first touch until the bodies part for good, or for `duration` [s]."""
+        pair = Pair.of(scene, self._modes_of)
+        bank, room = pair.bank, max(100, min(MOST_BALANCES, MOST_NUMBERS // pair.bank.closing.size))
+        found = balances.events(room, bank.closing.size)
+        q, p = np.zeros(bank.closing.size), pair.start.copy()
+        end = MAX_ROUND_TRIPS * scene.time_unit if duration is None else duration
+        period = pair.shortest_period or scene.time_unit
+        joined, flight, step = Joined(*(np.zeros((0,) * n) for n in (1, 2, 1))), bank.frequencies, self.step
+        if self.variant == "event-located":
+            joined, step = balances.joined(bank), period / LOOKS_PER_PERIOD
+            count, reached = balances.event_located(
+                bank, joined, exact_turn(bank.frequencies, step), step, self.restitution, SOFT * period, end,
+                pair.patience, q, p, found,
+            )  # fmt: skip
+        elif self.variant == "step-end":
+            step = period / LOOKS_PER_PERIOD if step is None else step
+            flight = balances.newmark_frequencies(bank.frequencies, step)
+            turn = balances.newmark_turn(bank.frequencies, step)
+            count, reached = balances.at_step_ends(bank, turn, self.restitution, step, end, pair.patience, q, p, found)
+        else:
+            step = period / LOOKS_PER_PERIOD if step is None else step
+            tolerance = 1e-4 * scene.speed * scene.time_unit if self.tolerance is None else self.tolerance
+            turns = [exact_turn(bank.frequencies, step / 2.0**level) for level in range(HALVINGS)]
+            turns = balances.Turn(*(np.array(part) for part in zip(*turns, strict=True)))
+            count, reached = balances.by_halving(
+                bank, turns, self.restitution, step, tolerance, end, pair.patience, q, p, found
+            )
+        events = Events(*(values[:count] for values in found))
+        if duration is None:
+            duration = float(events.time[-1]) + AFTERGLOW * scene.time_unit
+        full = count + 2 > room and reached < end
+        return Run(pair, joined, flight, events, duration, full, 0 if step is None else int(np.ceil(duration / step)))
+
+    def _modes_of(self, body) -> Modes:
+        if body.round_trip_time is None or self._elements is None:
+            return body.modes(self.modes)
+        return mesh_modes(body.mesh(self._elements), self.modes)
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Both bodies as one bank of oscillators; the first `split` are the impactor's."""
+
+    bank: Bank
+    start: np.ndarray  # rates at the first touch
+    modes: tuple[Modes, Modes]
+    split: int
+    shortest_period: float
+    resolved_time: float  # [s] apart for less is still in contact, as far as these modes can tell
+    patience: float  # [s] apart for so long and moving apart: for good
+
+    @classmethod
+    def of(cls, scene: Scene, modes_of) -> "Pair":
+        bodies = (scene.impactor, scene.target)
+        modes = tuple(modes_of(body) for body in bodies)
+        frequencies, closing, start, places = [], [], [], []
+        for body, own, sign in zip(bodies, modes, (1.0, -1.0), strict=True):
+            places.append(sum(part.size for part in frequencies))
+            if np.isfinite(own.rigid_mass):
+                root = np.sqrt(own.rigid_mass)
+                frequencies.append(np.zeros(1)), closing.append(np.full(1, sign / root))
+                start.append(np.full(1, root * body.velocity))
+            else:
+                places[-1] = -1 if sign < 0.0 else 0
+            frequencies.append(own.frequencies), closing.append(sign * own.at_contact)
+            start.append(np.zeros(own.frequencies.size))
+        bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1])
+        highest = float(bank.frequencies.max())
+        shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
+        rings = [body.round_trip_time for body in bodies if body.round_trip_time is not None]
+        split = modes[0].frequencies.size + 1
+        patience = 2.0 * max(rings, default=scene.time_unit)
+        resolved = max(own.front_time for own in modes) if rings else 0.0
+        return cls(bank, np.concatenate(start), modes, split, shortest, resolved, patience)
+
+    def shapes(self, x: np.ndarray) -> np.ndarray:
+        """Displacement per unit of each coordinate, (modes, x); the impactor is where x is negative."""
+        return self._fields(x, "shapes")
+
+    def slopes(self, x: np.ndarray) -> np.ndarray:
+        return self._fields(x, "slopes")
+
+    def _fields(self, x: np.ndarray, name: str) -> np.ndarray:
+        x = np.asarray(x, float)
+        found = np.zeros((self.bank.closing.size, x.size))
+        whole = name == "shapes"
+        for modes, here, side, rows in (
+            (self.modes[0], x < 0.0, -1.0, slice(0, self.split)),
+            (self.modes[1], x >= 0.0, 1.0, slice(self.split, None)),
+        ):
+            part = getattr(modes, name)(side * x[here]) * (1.0 if whole else side)
+            if np.isfinite(modes.rigid_mass):
+                rigid = np.full((1, part.shape[1]), 1.0 / np.sqrt(modes.rigid_mass) if whole else 0.0)
+                part = np.vstack((rigid, part))
+            block = found[rows]
+            block[:, here] = part
+        return found
+
+
+@dataclass(frozen=True)
+class Run:
+    """What the kernel found."""
+
+    pair: Pair
+    joined: Joined
+    flight: np.ndarray
+    events: Events
+    duration: float
+    full: bool
+    steps: int
+
+    @property
+    def balances(self) -> np.ndarray:
+        """Which events are balances, and not the end of a stretch in which the faces moved as one."""
+        return ~np.append(False, self.events.stuck[:-1])
+
+    @property
+    def final_velocity(self) -> float:
+        return float(self.pair.bank.closing[0] * self.events.rates[-1, 0])
+
+    def states(self, after: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Coordinates and rates at `times`, each later than the event named by `after`; -1: before the first."""
+        delay = times - self.events.time[np.maximum(after, 0)]
+        q, p = balances.course(self.pair.bank, self.flight, self.joined, self.events, np.maximum(after, 0), delay)
+        q[after < 0], p[after < 0] = 0.0, self.pair.start
+        return q, p
+
+
+class BalanceMotion(SampledMotion):
+    """A motion of blows without duration; `impulses` holds their times [s] and impulses [N s].
+
+    The force shown is the impulse of one shortest period about each instant over that period: no finer detail is
+    known. It is zero where the target does not ring, as nothing tells how long a blow lasts.
+    """
+
+    def __init__(self, scene: Scene, run: Run):
+        self.scene, self.run = scene, run
+        events, pair = run.events, run.pair
+        self.impulses = events.time[run.balances], events.impulse[run.balances]
+        drawn = np.linspace(0.0, run.duration, DRAWN)
+        number = np.arange(events.time.size)
+        times = np.concatenate((drawn, events.time, events.time))
+        after = np.concatenate((np.searchsorted(events.time, drawn, "right") - 1, number - 1, number))
+        order = np.lexsort((after, times))
+        times, after = times[order], after[order]
+        found = np.concatenate(
+            [self._histories(after[i : i + 2000], times[i : i + 2000]) for i in range(0, times.size, 2000)]
+        ).T
+        impactor_position, impactor_velocity, end_position, end_velocity, rigid_velocity, *energies, impulse = found
+        lost = np.append(0.0, np.cumsum(events.lost))[after + 1]
+        super().__init__(
+            time=times,
+            force=np.zeros(times.size),
+            impulse=impulse,
+            impactor_position=impactor_position,
+            impactor_velocity=impactor_velocity,
+            end_position=end_position,
+            end_velocity=end_velocity,
+            rigid_velocity=rigid_velocity,
+            energies=dict(zip(("impactor", "target_rigid", "target_vibration"), energies, strict=True))
+            | {"local": np.zeros(times.size), "dissipated": lost},
+            field=self._shape_field(times, after, drawn) if scene.target.length else None,
+        )
+        if pair.resolved_time:
+            self._force = self._averaged(times, pair.shortest_period)
+
+    def _histories(self, after: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """Positions, velocities, energies and impulse, (times, 9)."""
+        pair, bank, q, p = self.run.pair, self.run.pair.bank, *self.run.states(after, times)
+        energy = 0.5 * (p * p + (bank.frequencies * q) ** 2)
+        split, target = pair.split, bank.target
+        rigid = energy[:, target] if target >= 0 else np.zeros(times.size)
+        rigid_velocity = -bank.closing[target] * p[:, target] if target >= 0 else np.zeros(times.size)
+        return np.column_stack(
+            (
+                bank.closing[0] * q[:, 0],
+                bank.closing[0] * p[:, 0],
+                -q[:, split:] @ bank.closing[split:],
+                -p[:, split:] @ bank.closing[split:],
+                rigid_velocity,
+                energy[:, :split].sum(1),
+                rigid,
+                energy[:, split:].sum(1) - rigid,
+                (pair.start[0] - p[:, 0]) / bank.closing[0],
+            )
+        )
+
+    def _shape_field(self, times: np.ndarray, after: np.ndarray, drawn: np.ndarray) -> ShapeField:
+        """At all instants of the histories, or, where these are too many, at those that are drawn."""
+        pair, events = self.run.pair, self.run.events
+        if times.size * pair.bank.closing.size > MOST_NUMBERS:
+            times, after = drawn, np.searchsorted(events.time, drawn, "right") - 1
+        q, p = self.run.states(after, times)
+        return ShapeField(times, q, p, pair.shapes, pair.slopes, self.scene.target.material.young)
+
+    def _averaged(self, times: np.ndarray, period: float) -> np.ndarray:
+        """Impulse of the period about each instant over the part of it that is after the first touch."""
+        first, last = np.maximum(times - 0.5 * period, 0.0), times + 0.5 * period
+        gained = self._at(last, self._impulse) - np.where(first > 0.0, self._at(first, self._impulse), 0.0)
+        return gained / (last - first)
+
+    def contacts(self) -> list[ContactPeriod]:
+        """Balances that follow each other closely make one contact."""
+        events, apart = self.run.events, self.run.pair.resolved_time
+        begins = np.flatnonzero(self.run.balances)
+        ends = begins + events.stuck[begins]
+        ends = np.minimum(ends, events.time.size - 1)
+        parts = events.time[begins[1:]] - events.time[ends[:-1]] > apart
+        firsts, lasts = begins[np.append(True, parts)], ends[np.append(parts, True)]
+        found = []
+        for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
+            start, end = float(events.time[first]), float(events.time[last])
+            near = (self.time >= start) & (self.time <= end)
+            peak = float(self._force[near].max()) if apart else None
+            found.append(ContactPeriod(start, end, float(events.impulse[first : last + 1].sum()), peak))
+        return found

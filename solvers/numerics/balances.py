@@ -1,0 +1,376 @@
+"""Repeated balances of impulse and momentum between two bodies known by their modes.
+
+Both bodies are one bank of oscillators in mass-normalised coordinates q, rigid-body motion being omega = 0; the faces
+overlap by w.q and an impulse P changes q' by -w P. A balance with restitution e is P = (1 + e) w.q' / w.w; between
+balances everything moves freely.
+Source: thesis 6.3 and 6.4.1.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..jit import kernel, summing_kernel
+
+
+class Bank(NamedTuple):
+    """frequencies [rad/s], zero for motion as a whole, and closing w [kg^-1/2], both (modes,).
+
+    The first is the motion of the impactor as a whole; `target` is the place of that of the target, -1 if it is held.
+    """
+
+    frequencies: np.ndarray
+    closing: np.ndarray
+    target: int
+
+
+class Events(NamedTuple):
+    """What happened, in order, (events,): balances, and ends of stretches in which the faces moved as one.
+
+    `stuck`: such a stretch runs from this event to the next, whose impulse is what was delivered in it.
+    coordinates and rates after the event, (events, modes).
+    """
+
+    time: np.ndarray  # [s]
+    impulse: np.ndarray  # [N s]
+    lost: np.ndarray  # energy [J]
+    stuck: np.ndarray
+    coordinates: np.ndarray
+    rates: np.ndarray
+
+
+def events(most: int, modes: int) -> Events:
+    return Events(
+        *(np.zeros(most) for _ in range(3)), np.zeros(most, np.bool_), *(np.zeros((most, modes)) for _ in range(2))
+    )
+
+
+def single_balance(mobility: np.ndarray, closing: np.ndarray, rates: np.ndarray, restitution: float) -> np.ndarray:
+    """Jumps of velocity in one balance, in any coordinates: nodes of a mesh or modes.
+
+    `mobility` (n, n): inverse of the mass matrix; `closing` (n,): rate of overlap per unit of each rate.
+    Source: thesis (6.13); table 6.1.
+    """
+    response = mobility @ closing
+    return -(1.0 + restitution) * float(closing @ rates) / float(closing @ response) * response
+
+
+class Turn(NamedTuple):
+    """One step of free motion, (modes,) each: q1 = stay q + go p, p1 = back q + stay p."""
+
+    stay: np.ndarray
+    go: np.ndarray
+    back: np.ndarray
+
+
+def exact_turn(frequencies: np.ndarray, step: float) -> Turn:
+    angle = frequencies * step
+    return Turn(np.cos(angle), step * np.sinc(angle / np.pi), -frequencies * np.sin(angle))
+
+
+def newmark_turn(frequencies: np.ndarray, step: float) -> Turn:
+    """Of Newmark's constant mean acceleration: the same in modes as in nodes."""
+    square = (0.5 * frequencies * step) ** 2
+    return Turn((1.0 - square) / (1.0 + square), step / (1.0 + square), -(frequencies**2) * step / (1.0 + square))
+
+
+@summing_kernel
+def _free(turn, closing, q, p):
+    """Advance one step in place; returns overlap and its rate."""
+    overlap, rate = 0.0, 0.0
+    for i in range(q.size):
+        moved = turn.stay[i] * q[i] + turn.go[i] * p[i]
+        p[i] = turn.stay[i] * p[i] + turn.back[i] * q[i]
+        q[i] = moved
+        overlap += closing[i] * moved
+        rate += closing[i] * p[i]
+    return overlap, rate
+
+
+@kernel
+def _apart(bank, p):
+    """Whether both bodies as a whole move away from each other."""
+    first = bank.closing[0] * p[0]
+    return first + bank.closing[bank.target] * p[bank.target] < 0.0 if bank.target >= 0 else first < 0.0
+
+
+@kernel
+def _write(events, count, time, impulse, lost, stuck, q, p):
+    events.time[count], events.impulse[count], events.lost[count] = time, impulse, lost
+    events.stuck[count] = stuck
+    events.coordinates[count], events.rates[count] = q, p
+
+
+@kernel
+def _balance(bank, restitution, rate, p):
+    """One balance, in place. Returns its impulse and the energy lost."""
+    effective = 1.0 / (bank.closing * bank.closing).sum()  # mass of the contact
+    impulse = (1.0 + restitution) * rate * effective
+    for i in range(p.size):
+        p[i] -= bank.closing[i] * impulse
+    return impulse, 0.5 * effective * (1.0 - restitution * restitution) * rate * rate
+
+
+@kernel
+def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
+    """A balance at the end of every step whose faces overlap and approach, and at time zero.
+
+    From (q, p) up to `end` [s], or until the bodies part and do not meet for `patience` [s]. Returns the number of
+    events and the time reached; stops when there is no room for more.
+    Source: thesis (6.21); with Newmark's turn tables 6.2 to 6.5 follow digit for digit.
+    Differs: (6.22) speaks of halving the step; the tables were made without.
+    """
+    impulse, lost = _balance(bank, restitution, (bank.closing * p).sum(), p)
+    _write(events, 0, 0.0, impulse, lost, False, q, p)
+    count, k = 1, 0
+    while k * step < end and count < events.time.size:
+        if k * step - events.time[count - 1] > patience and _apart(bank, p):
+            break
+        k += 1
+        overlap, rate = _free(turn, bank.closing, q, p)
+        if overlap >= 0.0 and rate > 0.0:
+            impulse, lost = _balance(bank, restitution, rate, p)
+            _write(events, count, k * step, impulse, lost, False, q, p)
+            count += 1
+    return count, k * step
+
+
+@kernel
+def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, events):
+    """As `at_step_ends`, with a step halved whose faces would come to overlap by more than `tolerance` [m].
+
+    turns: of the step and its halves, (levels, modes) each. After a balance the whole step is tried again.
+    Source: thesis (6.22).
+    """
+    levels, modes = turns.stay.shape
+    q1, p1 = np.empty(modes), np.empty(modes)
+    impulse, lost = _balance(bank, restitution, (bank.closing * p).sum(), p)
+    _write(events, 0, 0.0, impulse, lost, False, q, p)
+    count, time, level, part, before = 1, 0.0, 0, step, 0.0
+    while time < end and count < events.time.size:
+        if time - events.time[count - 1] > patience and _apart(bank, p):
+            break
+        q1[:], p1[:] = q, p
+        turn = Turn(turns.stay[level], turns.go[level], turns.back[level])
+        overlap, rate = _free(turn, bank.closing, q1, p1)
+        if overlap > tolerance >= before and level + 1 < levels:
+            level += 1
+            part *= 0.5
+            continue
+        q[:], p[:] = q1, p1
+        time += part
+        before = overlap
+        level, part = 0, step
+        if overlap >= 0.0 and rate > 0.0:
+            impulse, lost = _balance(bank, restitution, rate, p)
+            _write(events, count, time, impulse, lost, False, q, p)
+            count += 1
+    return count, time
+
+
+@kernel
+def _fly(bank, turn, step, q, p, q1, p1, longest):
+    """Free flight from (q, p) until the faces meet: q1, p1 there. Returns its duration, or -1 if over `longest`.
+
+    In every step the cubic through overlap and rate at both ends tells whether they met and parted again within it.
+    """
+    modes = q.size
+    q1[:], p1[:] = q, p
+    overlap, rate = 0.0, (bank.closing * p).sum()
+    steps, elapsed = 0, 0.0
+    while elapsed < longest:
+        before, rate_before = overlap, rate
+        overlap, rate = _free(turn, bank.closing, q1, p1)
+        high = _meets(before, rate_before, overlap, rate, step)
+        if high > 0.0 and (steps > 0 or rate_before < 0.0 or overlap > 0.0):
+            low = 0.0 if steps > 0 else 1e-9 * step  # past the touch that the flight began with
+            for i in range(modes):  # back to the start of the step
+                was = turn.stay[i] * q1[i] - turn.go[i] * p1[i]
+                p1[i] = turn.stay[i] * p1[i] - turn.back[i] * q1[i]
+                q1[i] = was
+            into = _root(bank, q1, p1, low, high)
+            _turn_by(bank, into, q1, p1)
+            return elapsed + into
+        steps += 1
+        elapsed += step
+    return -1.0
+
+
+@kernel
+def _meets(a, a_rate, b, b_rate, step):
+    """A place in (0, step] with overlap, or zero: its end, or the top of the cubic in between."""
+    if b >= 0.0:
+        return step
+    if not (a_rate > 0.0 and b_rate < 0.0):
+        return 0.0
+    # top of the cubic: slope zero
+    c1, c2 = a_rate * step, 3.0 * (b - a) - step * (2.0 * a_rate + b_rate)
+    c3 = 2.0 * (a - b) + step * (a_rate + b_rate)
+    root = c2 * c2 - 3.0 * c3 * c1
+    if root < 0.0:
+        return 0.0
+    place = c1 / (-c2 + np.sqrt(root)) if -c2 + np.sqrt(root) > 0.0 else 1.0
+    top = a + place * (c1 + place * (c2 + place * c3))
+    return place * step if top > 0.0 and 0.0 < place < 1.0 else 0.0
+
+
+@summing_kernel
+def _overlap_after(bank, time, q, p):
+    """Overlap and rate after free motion for `time`."""
+    overlap, rate = 0.0, 0.0
+    for i in range(q.size):
+        omega = bank.frequencies[i]
+        cosine, sine = np.cos(omega * time), np.sin(omega * time)
+        go = sine / omega if omega > 0.0 else time
+        overlap += bank.closing[i] * (cosine * q[i] + go * p[i])
+        rate += bank.closing[i] * (cosine * p[i] - omega * sine * q[i])
+    return overlap, rate
+
+
+@kernel
+def _turn_by(bank, time, q, p):
+    for i in range(q.size):
+        omega = bank.frequencies[i]
+        cosine, sine = np.cos(omega * time), np.sin(omega * time)
+        go = sine / omega if omega > 0.0 else time
+        q[i], p[i] = cosine * q[i] + go * p[i], cosine * p[i] - omega * sine * q[i]
+
+
+@kernel
+def _root(bank, q, p, low, high):
+    """The instant in (low, high) at which the overlap of a free motion becomes positive: Newton kept in brackets."""
+    place = high
+    for _ in range(100):
+        overlap, rate = _overlap_after(bank, place, q, p)
+        if overlap > 0.0:
+            high = place
+        else:
+            low = place
+        following = place - overlap / rate if rate > 0.0 else 0.5 * (low + high)
+        if not low < following < high:
+            following = 0.5 * (low + high)
+        if abs(following - place) <= 1e-15 * high or high - low <= 1e-15 * high:
+            return following
+        place = following
+    return place
+
+
+class Joined(NamedTuple):
+    """Both bodies while their faces stick together: modes of the whole, (modes - 1,); basis (modes, modes - 1)."""
+
+    frequencies: np.ndarray
+    basis: np.ndarray
+    press: np.ndarray  # of the faces, per unit of each coordinate [N / (m kg^1/2)]
+
+
+def joined(bank: Bank) -> Joined:
+    """Modes of both bodies with w.q = 0, by reflecting w on the first axis."""
+    from scipy.linalg import eigh
+
+    closing, squares = bank.closing, bank.frequencies**2
+    length = np.linalg.norm(closing)
+    mirror = closing / length
+    mirror[0] += np.copysign(1.0, mirror[0])
+    mirror /= np.linalg.norm(mirror)
+    free = np.eye(closing.size)[:, 1:] - 2.0 * np.outer(mirror, mirror[1:])
+    found, turned = eigh(free.T @ (squares[:, None] * free))
+    basis = free @ turned
+    found[found < 1e-12 * found.max(initial=0.0)] = 0.0
+    return Joined(np.sqrt(found), np.ascontiguousarray(basis), -(closing * squares / length**2) @ basis)
+
+
+@kernel
+def _stick(joined, step, q, p, longest):
+    """Move as one until the faces would pull; in place. Returns the duration, and whether it ended so."""
+    basis, modes = joined.basis, joined.frequencies.size
+    own, own_rate = basis.T @ q, basis.T @ p
+    after = Bank(joined.frequencies, -joined.press, -1)  # its "overlap" is the pull
+    turn_stay, turn_go, turn_back = np.empty(modes), np.empty(modes), np.empty(modes)
+    for i in range(modes):
+        omega = joined.frequencies[i]
+        sine = np.sin(omega * step)
+        turn_stay[i], turn_back[i] = np.cos(omega * step), -omega * sine
+        turn_go[i] = sine / omega if omega > 0.0 else step
+    turn = Turn(turn_stay, turn_go, turn_back)
+    elapsed, parted = 0.0, False
+    pull, rate = _overlap_after(after, 0.0, own, own_rate)
+    while elapsed < longest:
+        before, rate_before = pull, rate
+        pull, rate = _free(turn, after.closing, own, own_rate)
+        high = _meets(before, rate_before, pull, rate, step)
+        if high > 0.0:
+            for i in range(modes):
+                was = turn.stay[i] * own[i] - turn.go[i] * own_rate[i]
+                own_rate[i] = turn.stay[i] * own_rate[i] - turn.back[i] * own[i]
+                own[i] = was
+            into = _root(after, own, own_rate, 0.0, high)
+            _turn_by(after, into, own, own_rate)
+            elapsed += into
+            parted = True
+            break
+        elapsed += step
+    q[:], p[:] = basis @ own, basis @ own_rate
+    return elapsed, parted
+
+
+@kernel
+def event_located(bank, joined, turn, step, restitution, soft, end, patience, q, p, events):
+    """Balances at the very instants at which the faces meet, free flight between them exact.
+
+    `step` only looks for the instants: well below the shortest period. Where so little speed is left that the next
+    flight would be shorter than `soft` [s], the faces stay together until they would pull, as the endless sequence of
+    ever smaller balances has it. Arguments and result as for `at_step_ends`.
+    """
+    q1, p1 = np.empty(q.size), np.empty(q.size)
+    count, time = 0, 0.0
+    while time < end and count + 2 <= events.time.size:
+        rate = (bank.closing * p).sum()
+        impulse, lost = _balance(bank, restitution, rate, p)
+        parting = restitution * rate
+        push = -(bank.closing * bank.frequencies**2 * q).sum()  # how fast the faces would come back
+        sticks = push > 0.0 and 2.0 * parting <= soft * push
+        if sticks:
+            more, less = _balance(bank, 0.0, (bank.closing * p).sum(), p)
+            impulse, lost = impulse + more, lost + less
+        _write(events, count, time, impulse, lost, sticks, q, p)
+        count += 1
+        if sticks:
+            before = p[0]
+            elapsed, parted = _stick(joined, step, q, p, end - time)
+            time += elapsed
+            _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, False, q, p)
+            count += 1
+            if not parted:
+                break
+        elapsed = _fly(bank, turn, step, q, p, q1, p1, min(end - time, patience if _apart(bank, p) else np.inf))
+        if elapsed < 0.0:
+            break
+        time += elapsed
+        q[:], p[:] = q1, p1
+    return count, time
+
+
+def course(bank: Bank, flight: np.ndarray, joined: Joined, events: Events, after: np.ndarray, delay: np.ndarray):
+    """Coordinates and rates `delay` [s] after the events `after`, (times, modes) each.
+
+    `flight` [rad/s]: frequencies of the free motion; Newmark's are a little lower than those of the bank.
+    """
+    q, p = _swing(bank.frequencies, flight, events.coordinates[after], events.rates[after], delay[:, None])
+    stuck = np.flatnonzero(events.stuck[after])
+    if stuck.size:
+        own = (states[after[stuck]] @ joined.basis for states in (events.coordinates, events.rates))
+        own = _swing(joined.frequencies, joined.frequencies, *own, delay[stuck, None])
+        q[stuck], p[stuck] = (values @ joined.basis.T for values in own)
+    return q, p
+
+
+def _swing(frequencies, flight, q, p, delay):
+    angle = flight * delay
+    cosine, sine = np.cos(angle), np.sin(angle)
+    go = np.where(frequencies > 0.0, sine / np.where(frequencies > 0.0, frequencies, 1.0), delay)
+    return cosine * q + go * p, cosine * p - frequencies * sine * q
+
+
+def newmark_frequencies(frequencies: np.ndarray, step: float) -> np.ndarray:
+    """Those with which Newmark's step turns the modes: 2 atan(omega step / 2) / step."""
+    return 2.0 / step * np.arctan(0.5 * frequencies * step)
