@@ -145,6 +145,7 @@ METHOD_KEYS = (
     "model",
     "smoothing",
     "frame",
+    "residual",
     "duration",
 )
 

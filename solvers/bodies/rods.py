@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from .. import checks
 from ..checks import SceneError
 from ..numerics.elements import Mesh, rod_mesh
-from ..numerics.modes import Modes, rod_modes
+from ..numerics.modes import Modes, attached_rod_modes, rod_modes
 from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
 from .material import Material, read_material, read_radius
 
@@ -101,6 +101,10 @@ class Rod:
 
     def modes(self, count: int) -> Modes:
         return rod_modes(self.length, self.mass, self.wave_speed, self.fixed, count)
+
+    def attached_modes(self, count: int, struck_end: bool) -> Modes:
+        """Of the free rod, as a frame fixed to its struck or its far end and shapes clamped there give them."""
+        return attached_rod_modes(self.length, self.mass, self.wave_speed, count, struck_end)
 
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
         """Two-node elements of equal length; `lumping` of their mass stands on the nodes."""

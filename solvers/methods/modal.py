@@ -20,6 +20,8 @@ STEPS_PER_PERIOD = 20  # of the highest kept mode
 STEPS_PER_CONTACT = 200  # of the shortest contact there can be
 EXPECTED_STEPS = 60_000  # more are not chosen unasked: energy is kept at any step
 MAX_STEPS = 4_000_000
+FRAMES = ("mean-axis", "attached", "attached-far")
+FRAME_SAMPLES = 500  # at which the frame is watched after the contact
 CHECKPOINT_NUMBERS = 1_000_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
 
@@ -29,24 +31,34 @@ class Modal(Method):
 
     The modes left out act as a spring of their static compliance in series with the contact law; for rigid contact
     that spring is the whole law, so no stiffness is ever invented. Exact oscillators, energy-exact contact force.
-    Error: second order in the step; in the number of modes about 1/modes, less where the contact is soft.
+    A free rod may be described in a frame on the mean of its sections, with the shapes of the free rod, or in one fixed
+    to its struck or its far end, "attached" or "attached-far", with the shapes of a rod clamped there: thesis 10.2. The
+    oscillators are then those of the coupled system; what the frame does is in the diagnostics.
+    Error: second order in the step; in the number of modes about 1/modes, less where the contact is soft; without the
+    residual compliance 1/modes for any contact, but modes^-3 in the frame on the struck end.
     Source: thesis 5.2, 5.3, 9.2 and 9.3; kernel: see `numerics.oscillators`.
     Differs: thesis 8.2 takes the stiffness of the neighbouring element and misses the second contact below 400 modes.
     """
 
     modes: int = 50
     steps: int | None = None  # over the whole duration
+    frame: str = "mean-axis"  # of a free rod: floating frame and the shapes that go with it
+    residual: bool = True  # whether the modes left out give way
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
 
     NAME = "modal"
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Modal":
-        given = checks.table("method", given, ("modes", "steps"))
-        steps = given.get("steps")
+        given = checks.table("method", given, ("modes", "steps", "frame", "residual"))
+        steps, residual = given.get("steps"), given.get("residual", True)
+        if not isinstance(residual, bool):
+            raise checks.SceneError("method.residual", residual, "true or false")
         return cls(
             checks.whole_number("method.modes", given.get("modes", 50), 1, 10_000),
             None if steps is None else checks.whole_number("method.steps", steps, 10, MAX_STEPS),
+            checks.choice("method.frame", given.get("frame", "mean-axis"), FRAMES),
+            residual,
         )
 
     def why_not(self, scene: Scene) -> str | None:
@@ -54,6 +66,12 @@ class Modal(Method):
             return f"a mass must strike a rod, got {scene.impactor.kind} and {scene.target.kind}"
         if scene.target.support == "anechoic" or scene.target.velocity or scene.target.end_mass:
             return "the rod must be at rest, fixed or free, with no mass on its far end; use 'waves'"
+        if self.frame != "mean-axis" and scene.target.support != "free":
+            return f"a frame fixed to an end ('{self.frame}') floats with a free rod, got {scene.target.support}"
+        if not self.residual and isinstance(scene.contact, Rigid):
+            return (
+                "rigid contact needs the residual compliance, which is all that gives way; leave out residual = false"
+            )
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
@@ -69,6 +87,8 @@ class Modal(Method):
             "raw_peak_force": float(motion.record.contact_force.max()),
             "resolved_time": motion.modes.shortest_period,
         }
+        if self.frame != "mean-axis":
+            found["diagnostics"] |= motion.frame_figures(contacts[-1].end, self.frame == "attached")
         notes = []
         if motion.record.indentation[-1] > 0.0:
             notes.append("The bodies are still in contact at the end of the time solved.")
@@ -88,6 +108,12 @@ class Modal(Method):
             **found,
         )
 
+    def _modes(self, scene: Scene) -> Modes:
+        modes = scene.target.modes(self.modes)
+        if self.frame != "mean-axis":
+            modes = scene.target.attached_modes(self.modes, self.frame == "attached")
+        return modes if self.residual else replace(modes, residual_compliance=0.0)
+
     def _estimated_error(self, scene: Scene, motion: "ModalMotion") -> float:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
 
@@ -106,7 +132,7 @@ class Modal(Method):
         return estimated
 
     def _march(self, scene: Scene, duration: float | None) -> "ModalMotion":
-        modes = scene.target.modes(self.modes)
+        modes = self._modes(scene)
         if duration is None and self.steps is not None:
             duration = replace(self, steps=None)._march(scene, None).duration
         step = duration / self.steps if self.steps is not None else _default_step(scene, modes)
@@ -289,6 +315,22 @@ class ModalMotion:
             "local": np.array([law.stored(a, most) for a, most in pairs])
             + 0.5 * residual * self.record.spring_force[nearest] ** 2,
             "dissipated": self.record.lost[nearest],
+        }
+
+    def frame_figures(self, parting: float, struck_end: bool) -> dict[str, float | None]:
+        """What a frame fixed to an end does after the contact: thesis 10.2.
+
+        Its own velocity, which is that of its section and no velocity of the rod; and the largest stress on that end,
+        which is free and has none, relative to the peak pressure of the contact: fictitious, from the clamped shapes.
+        """
+        end = np.array([0.0 if struck_end else self.scene.target.length])
+        if self.duration <= parting + self.modes.shortest_period:
+            return {"frame_velocity": None, "fictitious_end_stress": None}
+        time = np.linspace(parting, self.duration, FRAME_SAMPLES)
+        pressure = float(self.record.contact_force.max()) / self.scene.target.area
+        return {
+            "frame_velocity": float(self.velocity(time[-1:], end)[0, 0]),
+            "fictitious_end_stress": float(np.abs(self.stress(time, end)).max()) / pressure,
         }
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:

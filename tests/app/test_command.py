@@ -88,7 +88,7 @@ def test_json_of_the_modal_method_says_how_it_counted(capsys):
     found = result(capsys, "bronze-rod-steel-ball", "--set", "method.name=modal", "--set", "method.modes=30")
     assert set(found) == KEYS
     assert set(found["diagnostics"]) == DIAGNOSTICS | MODAL_DIAGNOSTICS
-    assert found["method"] == {"name": "modal", "modes": 30, "steps": None}
+    assert found["method"] == {"name": "modal", "modes": 30, "steps": None, "frame": "mean-axis", "residual": True}
     assert found["peak_indentation"] > 0.0 and found["residual_indentation"] == 0.0
 
 

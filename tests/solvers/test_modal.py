@@ -319,7 +319,7 @@ def test_steps_and_duration_are_kept():
     solution = Modal(modes=7, steps=321).solve(struck_rod(1.0, "fixed"), 3.0 * T)
     assert solution.diagnostics["steps"] == 321
     assert solution.duration == approx(3.0 * T, rel=1e-15)
-    assert solution.method == {"name": "modal", "modes": 7, "steps": 321}
+    assert solution.method == {"name": "modal", "modes": 7, "steps": 321, "frame": "mean-axis", "residual": True}
 
 
 def test_steps_without_a_duration_go_over_the_whole_blow():
