@@ -49,14 +49,13 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
 
     solve = commands.add_parser("solve", help="solve a scene and print what happened")
-    solve.add_argument("scene", help="a built-in name (see: impact scenes) or a scene file")
-    solve.add_argument(
-        "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
-        help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
-    )  # fmt: skip
-    solve.add_argument("--json", action="store_true", help="print the whole result as JSON")
+    _scene_arguments(solve)
     solve.add_argument("--series", metavar="FILE", help="write histories (.csv), or histories and fields (.nc), too")
     solve.set_defaults(run=_solve)
+
+    compare = commands.add_parser("compare", help="solve a scene by every method and say what each one misses")
+    _scene_arguments(compare)
+    compare.set_defaults(run=_compare)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
     scenes.set_defaults(run=_scenes)
@@ -74,6 +73,20 @@ def _parser() -> argparse.ArgumentParser:
     warm = commands.add_parser("warm", help="compile every kernel now, so that the first solve is as quick as the rest")
     warm.set_defaults(run=_warm)
     return parser
+
+
+def _scene_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("scene", help="a built-in name (see: impact scenes) or a scene file")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
+        help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
+    )  # fmt: skip
+    parser.add_argument("--json", action="store_true", help="print the whole result as JSON")
+
+
+def _scene(options: argparse.Namespace) -> solvers.Scene:
+    scene = solvers.load(options.scene)
+    return scene.replace(parse_changes(options.changes)) if options.changes else scene
 
 
 def _warm(options: argparse.Namespace) -> int:
@@ -120,9 +133,7 @@ def parse_changes(changes: list[str]) -> dict[str, object]:
 
 
 def _solve(options: argparse.Namespace) -> int:
-    scene = solvers.load(options.scene)
-    if options.changes:
-        scene = scene.replace(parse_changes(options.changes))
+    scene = _scene(options)
     if options.series is not None:
         target = Path(options.series)
         if not options.series.endswith((".csv", ".nc")) or (target.exists() and not target.is_file()):
@@ -141,6 +152,19 @@ def _solve(options: argparse.Namespace) -> int:
         from .export import report
 
         print(report(solution))
+    return 0
+
+
+def _compare(options: argparse.Namespace) -> int:
+    scene = _scene(options)
+    exact, rows = solvers.solve(scene, "waves"), solvers.compare(scene)
+    if options.json:
+        found = {"exact": exact.table(), "methods": [row.table() for row in rows]}
+        print(json.dumps(found, indent=1, allow_nan=False))
+    else:
+        from .export import comparison
+
+        print(comparison(exact, rows))
     return 0
 
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from . import checks
 from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
+from .comparison import Row, compare
 from .contact import LAWS
 from .method import Method, SceneNotSupported
 from .methods import METHODS, Balance, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
@@ -30,6 +31,7 @@ __all__ = [
     "RigidMass",
     "Rod",
     "Rods",
+    "Row",
     "Scene",
     "SceneError",
     "SceneNotSupported",
@@ -37,6 +39,7 @@ __all__ = [
     "SpringMass",
     "Wall",
     "Waves",
+    "compare",
     "load",
     "read_method",
     "scene_names",

@@ -291,6 +291,8 @@ def test_series_that_cannot_be_written(capsys, tmp_path, file, said):
         ["solve", "fixed-rod", "--loud"],
         ["solve", "fixed-rod", "free-rod"],
         ["solve", "fixed-rod", "--set"],
+        ["compare"],
+        ["compare", "fixed-rod", "--set"],
         ["scenes", "all"],
         ["serve", "--port", "no"],
         ["serve", "--port", "0"],
@@ -309,6 +311,36 @@ def test_bad_command_lines_are_refused_in_one_line(capsys, arguments):
 def test_a_port_of_the_environment_is_checked_too(capsys, monkeypatch):
     monkeypatch.setenv("IMPACT_PORT", "eighty")
     assert "--port: got 'eighty'" in refusal(capsys, "serve")
+
+
+# --- compare ----------------------------------------------------------------------------------------------------------
+
+
+def test_compare_prints_a_row_for_every_method(capsys):
+    said = answer(capsys, "compare", "fixed-rod")
+    rows = {line.split()[0]: line for line in said.splitlines() if line.startswith("  ") and line.split()}
+    assert set(solvers.METHODS) <= set(rows)
+    assert " 2/2 " in rows["modal"]
+    assert "2.1246 to 2.1628" in said  # (4.35) and (4.37) in T
+
+
+def test_compare_in_json_for_scripts(capsys):
+    found = json.loads(answer(capsys, "compare", "fixed-rod", "--set", "impactor.mass=1.0665", "--json"))
+    assert set(found) == {"exact", "methods"}
+    assert set(found["exact"]) == KEYS
+    assert found["exact"]["scene"]["impactor"]["mass"] == 1.0665
+    assert {row["method"]["name"] for row in found["methods"]} == set(solvers.METHODS)
+    exact = found["methods"][0]
+    assert exact["method"]["name"] == "waves" and exact["rebound_error"] == 0.0
+
+
+def test_compare_says_which_methods_cannot(capsys):
+    said = answer(capsys, "compare", "bronze-rod-steel-ball")
+    assert "cannot: " in said
+
+
+def test_compare_refuses_what_has_no_exact_solution(capsys):
+    assert "method.name: got 'waves'" in refusal(capsys, "compare", "note-rod")
 
 
 # --- the extremes of what is allowed ----------------------------------------------------------------------------------
