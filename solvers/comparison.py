@@ -14,7 +14,11 @@ from .methods import METHODS, Waves
 from .scene import Scene
 from .solution import ContactPeriod, Solution
 
-VARIANTS: tuple[dict[str, object], ...] = ({"name": "waves", "steps": 500},)  # shown besides every method's defaults
+VARIANTS: tuple[dict[str, object], ...] = (  # shown besides every method with its defaults
+    {"name": "waves", "steps": 500},
+    {"name": "balance", "restitution": 0.0},
+    {"name": "balance", "restitution": 0.0, "modes": 50},
+)
 FORCE_SAMPLES = 20_000  # of the force, over the whole blow
 TIMED = 1.0  # [s] of repeated solves at most
 
@@ -36,7 +40,7 @@ class Row:
     true_contacts: int | None = None
     true_contacts_found: int | None = None
     second_contact_found: bool | None = None  # None: there is no second contact
-    raw_contacts: int | None = None  # before chatter was told from contacts
+    raw_contacts: int | None = None  # before chatter was told from contacts; of balances every single one
     force_error: float | None = None
     resolved_force_error: float | None = None
     wall_time: float | None = None  # of a whole solve, kernels compiled, median of repeats [s]
@@ -80,6 +84,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
     seen = overlapping(exact.contacts, found.contacts)
     first, true = (solution.contacts[0].end if solution.contacts else 0.0 for solution in (found, exact))
     resolved = getattr(found.motion, "resolved_force", None)
+    counted = found.diagnostics.get("balances", len(found.contacts))
     blow = any(contact.peak_force is None for contact in found.contacts)
     return Row(
         method=method.table(),
@@ -89,7 +94,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
         true_contacts=len(exact.contacts),
         true_contacts_found=sum(seen),
         second_contact_found=seen[1] if len(seen) > 1 else None,
-        raw_contacts=found.diagnostics.get("raw_contacts", len(found.contacts)),
+        raw_contacts=found.diagnostics.get("raw_contacts", counted),
         force_error=None if blow else force_error(exact, found, found.motion.force),
         resolved_force_error=None if resolved is None else force_error(exact, found, resolved),
         wall_time=_wall_time(lambda: method.solve(scene), repeats),
