@@ -49,7 +49,7 @@ class Row:
     def label(self) -> str:
         """Name of the method with the options that are not the usual ones."""
         usual = METHODS[self.method["name"]].read({}).table()
-        options = [f"{key}={value}" for key, value in self.method.items() if value != usual[key]]
+        options = [f"{key}={value}" for key, value in self.method.items() if value not in (usual[key], None)]
         return " ".join([self.method["name"], *options])
 
     def table(self) -> dict[str, Any]:
