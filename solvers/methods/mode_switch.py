@@ -8,7 +8,8 @@ import numpy as np
 
 from .. import checks
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..numerics.mode_switch import LENGTH, MAX_PHASES, SMOOTHINGS, SwitchedModes
+from ..numerics.mode_switch import MAX_PHASES, SwitchedModes
+from ..numerics.phases import LENGTH, SMOOTHINGS
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
 

@@ -12,6 +12,7 @@ from .. import checks
 from ..method import AFTERGLOW, Method
 from ..motion import SampledMotion, ShapeField
 from ..numerics.quasi_static import Collision, damped_collision, path_collision, power_collision, sine_collision
+from ..numerics.structural import SQUARE, Blow, against_equal, on_spring
 from ..scene import Scene, contact_time
 from ..solution import ContactPeriod, Solution, summary
 
@@ -143,190 +144,175 @@ def _equal_rods(scene: Scene) -> bool:
     return all(math.isclose(a, b, rel_tol=1e-9) for a, b in pairs)
 
 
-class _Course:
-    """Instants of contact and flight, and the contact period up to the end of the solution."""
+class _Instants:
+    """Of the contact and of the flight after it, and the contact period up to the end of the solution."""
 
-    def __init__(self, contact_time: float, after: float, unit: float, duration: float | None):
+    def __init__(self, contact_time: float, unit: float, duration: float | None):
         self.parting = contact_time
-        self.duration = contact_time + after if duration is None else duration
+        self.duration = contact_time + AFTERGLOW * unit if duration is None else duration
         flight = max(self.duration - contact_time, 0.0)
         count = 2 + int(min(SAMPLES * flight / unit, 20 * SAMPLES))
         self.contact = np.linspace(0.0, contact_time, SAMPLES + 1)
         self.flight = contact_time + np.linspace(0.0, max(flight, 1e-9 * contact_time), count)
-        self.time = np.concatenate((self.contact, self.flight))
 
-    def joined(self, during: np.ndarray, after: np.ndarray | float) -> np.ndarray:
-        return np.concatenate((during, np.broadcast_to(after, self.flight.shape)))
-
-    def period(self, force: np.ndarray, impulse: np.ndarray) -> ContactPeriod:
+    def period(self, blow: Blow) -> ContactPeriod:
         end = min(self.parting, self.duration)
-        within = self.time <= end
-        peak = float(max(force[within].max(), np.interp(end, self.contact, force[: self.contact.size])))
-        return ContactPeriod(0.0, end, float(np.interp(end, self.contact, impulse[: self.contact.size])), peak)
+        time, force, impulse = (values[: self.contact.size] for values in (blow.time, blow.force, blow.impulse))
+        peak = max(float(force[time <= end].max()), float(np.interp(end, time, force)))
+        return ContactPeriod(0.0, end, float(np.interp(end, time, impulse)), peak)
 
 
 def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> tuple:
     """A mass on a spring of the structure's stiffness, with some of the structure's mass or none. (3.13)-(3.20)"""
-    rod = scene.target.kind == "rod"
     mass, target, speed = scene.impactor.mass, scene.target, scene.speed
+    rod = target.kind == "rod"
     carried = (target.mass / 3.0 if rod else target.mass) if with_mass else 0.0  # (3.18)
-    frequency = math.sqrt(target.stiffness / (mass + carried))
-    start = speed * mass / (mass + carried)  # (3.19)
-    course = _Course(math.pi / frequency, AFTERGLOW * scene.time_unit, scene.time_unit, duration)
-    angle = frequency * course.contact
-    depth, rate = start / frequency * np.sin(angle), start * np.cos(angle)
-    force = mass * frequency * start * np.sin(angle)
-    first = mass * (speed - start)
-    impulse = first + mass * start * 2.0 * np.sin(0.5 * angle) ** 2
-    since, swing, swing_rate = (
-        course.flight - course.parting,
-        np.zeros_like(course.flight),
-        np.zeros_like(course.flight),
-    )
-    if carried:
-        own = math.sqrt(target.stiffness / carried)
-        swing, swing_rate = -start / own * np.sin(own * since), -start * np.cos(own * since)
-    position, velocity = course.joined(depth, -start * since), course.joined(rate, -start)
-    end, end_rate = course.joined(depth, swing), course.joined(rate, swing_rate)
-    force, impulse = course.joined(force, 0.0), course.joined(impulse, impulse[-1])
-    lost = 0.5 * mass * speed * (speed - start)
-    field = None
+    half_swing = math.pi * math.sqrt((mass + carried) / target.stiffness)
+    instants = _Instants(half_swing, scene.time_unit, duration)
+    blow = on_spring(mass, carried, target.stiffness, speed, instants.contact, instants.flight)
+    nothing, field = np.zeros_like(blow.time), None
     if rod:
-        shapes = lambda x: (1.0 - x / target.length)[None, :]  # noqa: E731
-        slopes = lambda x: np.full((1, x.size), -1.0 / target.length)  # noqa: E731
-        field = ShapeField(course.time, end[:, None], end_rate[:, None], shapes, slopes, target.material.young)
-    motion = SampledMotion(
-        time=course.time,
-        force=force,
-        impulse=impulse,
-        impactor_position=position,
-        impactor_velocity=velocity,
-        end_position=end,
-        end_velocity=end_rate,
-        rigid_velocity=0.5 * end_rate if rod else end_rate,
-        energies={
-            "impactor": 0.5 * mass * velocity**2,
-            "target_rigid": np.zeros_like(end),
-            "target_vibration": 0.5 * target.stiffness * end**2 + 0.5 * carried * end_rate**2,
-            "local": np.zeros_like(end),
-            "dissipated": np.full_like(end, lost),
-        },
-        field=field,
-    )
-    extra = {"initial_impulse": first, "peak_root_force": target.stiffness * start / frequency}
-    return motion, course.duration, course.period(force, impulse), None, None, extra
 
+        def shapes(x):
+            return (1.0 - x / target.length)[None, :]
 
-def _two_rods(scene: Scene, printed: bool, duration: float | None) -> tuple:
-    """Two equal rods, each with the shape u = (8/3) x1 (xi - xi^2 / 2), x1 the approach of its middle. (3.21)-(3.23)
+        def slopes(x):
+            return np.full((1, x.size), -1.0 / target.length)
 
-    The centres of mass follow from the impulse of the force; what they do not hold of the energy is in the bending.
-    """
-    rod, target = scene.impactor, scene.target
-    stop = target.kind == "stop"
-    mass, speed = rod.mass, scene.speed if stop else 0.5 * scene.speed
-    centre = 0.0 if stop else 0.5 * (rod.velocity + target.velocity)
-    frequency = math.sqrt(2.5 * rod.stiffness / mass)  # (3.22): 135/54
-    start = speed if printed else 15.0 / 16.0 * speed
-    course = _Course(math.pi / frequency, AFTERGLOW * rod.round_trip_time, rod.round_trip_time, duration)
-    angle = frequency * course.contact
-    force = 8.0 / 3.0 * rod.stiffness * start / frequency * np.sin(angle)  # (3.23)
-    impulse = 8.0 / 3.0 * rod.stiffness * start / frequency**2 * 2.0 * np.sin(0.5 * angle) ** 2
-    since = course.flight - course.parting
-    after = speed - impulse[-1] / mass  # of the impactor, as seen from the common centre
-    travel = speed * course.contact - 8.0 / 3.0 * rod.stiffness * start / (frequency**2 * mass) * (
-        course.contact - np.sin(angle) / frequency
-    )
-    approach = course.joined(speed - impulse / mass, after)
-    moved = course.joined(travel, travel[-1] + after * since)
-    bent = course.joined(start / frequency * np.sin(angle), 0.0)
-    bent_rate = course.joined(start * np.cos(angle), 0.0)
-    force, impulse = course.joined(force, 0.0), course.joined(impulse, impulse[-1])
-    away = course.joined(np.zeros_like(course.contact), -after * since) if not stop else np.zeros_like(bent)
-    leaving = course.joined(np.zeros_like(course.contact), -after) if not stop else np.zeros_like(bent)
-    velocity, mean = centre + approach, centre - (0.0 if stop else 1.0) * approach
+        field = ShapeField(
+            blow.time, blow.bent[:, None], blow.bent_rate[:, None], shapes, slopes, target.material.young
+        )
     energies = {
-        "impactor": 0.5 * mass * velocity**2,
-        "target_rigid": np.zeros_like(mean) if stop else 0.5 * mass * mean**2,
+        "impactor": 0.5 * mass * blow.velocity**2,
+        "target_rigid": nothing,
+        "target_vibration": 0.5 * target.stiffness * blow.bent**2 + 0.5 * carried * blow.bent_rate**2,
+        "local": nothing,
+        "dissipated": nothing + 0.5 * speed * blow.impulse[0],  # as two bodies become one
     }
-    held = sum(energies.values())
-    energies |= {
-        "target_vibration": np.maximum(scene.initial_energy - held, 0.0),
-        "local": np.zeros_like(held),
-        "dissipated": np.zeros_like(held),
-    }
-    field = None
-    if not stop:
-        length = target.length
-        shapes = lambda x: np.stack((np.ones(x.size), -8.0 / 3.0 * (x / length - 0.5 * (x / length) ** 2)))  # noqa: E731
-        slopes = lambda x: np.stack((np.zeros(x.size), -8.0 / 3.0 * (1.0 - x / length) / length))  # noqa: E731
-        coordinates = np.stack((centre * course.time + away, bent), axis=1)
-        rates = np.stack((centre + leaving, bent_rate), axis=1)
-        field = ShapeField(course.time, coordinates, rates, shapes, slopes, target.material.young)
     motion = SampledMotion(
-        time=course.time,
-        force=force,
-        impulse=impulse,
-        impactor_position=centre * course.time + moved,
-        impactor_velocity=velocity,
-        end_position=centre * course.time + away,
-        end_velocity=centre + leaving,
-        rigid_velocity=mean if not stop else np.zeros_like(mean),
+        time=blow.time,
+        force=blow.force,
+        impulse=blow.impulse,
+        impactor_position=blow.position,
+        impactor_velocity=blow.velocity,
+        end_position=blow.bent,
+        end_velocity=blow.bent_rate,
+        rigid_velocity=0.5 * blow.bent_rate if rod else blow.bent_rate,
         energies=energies,
         field=field,
     )
-    return motion, course.duration, course.period(force, impulse), None, None, {}
+    extra = {
+        "initial_impulse": float(blow.impulse[0]),
+        "peak_root_force": float(target.stiffness * blow.bent[: SAMPLES + 1].max()),
+    }
+    return motion, instants.duration, instants.period(blow), None, None, extra
+
+
+def _two_rods(scene: Scene, printed: bool, duration: float | None) -> tuple:
+    """Two equal rods, as seen from their common centre, or one on a stop. (3.21)-(3.23)
+
+    What the centres of mass do not hold of the energy is in the bending.
+    """
+    rod, target = scene.impactor, scene.target
+    stop = target.kind == "stop"
+    speed = scene.speed if stop else 0.5 * scene.speed
+    centre = rod.velocity - speed
+    start = speed if printed else 15.0 / 16.0 * speed
+    contact_time = math.pi * math.sqrt(rod.mass / (SQUARE * rod.stiffness))
+    instants = _Instants(contact_time, rod.round_trip_time, duration)
+    blow = against_equal(rod.mass, rod.stiffness, speed, start, instants.contact, instants.flight)
+    mirrored = 0.0 if stop else 1.0
+    after = blow.time >= instants.parting
+    after[: instants.contact.size] = False
+    leaving = np.where(after, -mirrored * blow.velocity, 0.0)  # of the touching faces
+    away = leaving * (blow.time - instants.parting)
+    mean = centre - mirrored * blow.velocity if not stop else np.zeros_like(blow.velocity)
+    impactor = 0.5 * rod.mass * (centre + blow.velocity) ** 2
+    rigid = 0.5 * rod.mass * mean**2
+    motion = SampledMotion(
+        time=blow.time,
+        force=blow.force,
+        impulse=blow.impulse,
+        impactor_position=centre * blow.time + blow.position,
+        impactor_velocity=centre + blow.velocity,
+        end_position=centre * blow.time + away,
+        end_velocity=centre + leaving,
+        rigid_velocity=mean,
+        energies={
+            "impactor": impactor,
+            "target_rigid": rigid,
+            "target_vibration": np.maximum(scene.initial_energy - impactor - rigid, 0.0),
+            "local": np.zeros_like(mean),
+            "dissipated": np.zeros_like(mean),
+        },
+        field=None if stop else _bent_rod(target, blow, centre * blow.time + away, centre + leaving),
+    )
+    return motion, instants.duration, instants.period(blow), None, None, {}
+
+
+def _bent_rod(rod: Any, blow: Blow, face: np.ndarray, face_rate: np.ndarray) -> ShapeField:
+    """The touching face, and the shape u = (8/3) x1 (xi - xi^2 / 2) of a rod that hangs from it."""
+
+    def shapes(x):
+        place = x / rod.length
+        return np.stack((np.ones_like(place), -8.0 / 3.0 * (place - 0.5 * place**2)))
+
+    def slopes(x):
+        place = x / rod.length
+        return np.stack((np.zeros_like(place), -8.0 / 3.0 * (1.0 - place) / rod.length))
+
+    coordinates, rates = np.stack((face, blow.bent), axis=1), np.stack((face_rate, blow.bent_rate), axis=1)
+    return ShapeField(blow.time, coordinates, rates, shapes, slopes, rod.material.young)
 
 
 def _local(scene: Scene, model: str, duration: float | None) -> tuple:
     """Two bodies that move as a whole, with the contact law between them. (3.28)-(3.34)"""
-    mass, speed, law = scene.reduced_mass, scene.speed, scene.contact
-    found = _collision(law, model, mass, speed)
+    law = scene.contact
+    found = _collision(law, model, scene.reduced_mass, scene.speed)
     parting = float(found.time[-1])
     duration = parting + AFTERGLOW * scene.time_unit if duration is None else duration
-    last = max(duration, parting * (1.0 + 1e-9))
-    indentation, force, impulse, stored, lost = (
-        np.append(values, values[-1])
-        for values in (found.indentation, found.force, found.impulse, found.stored, found.lost)
-    )
-    force[-2:] = 0.0
-    instants = np.append(found.time, last)
-    indentation[-1] += found.rate[-1] * (last - parting)
+    end = min(parting, duration)
+    within = found.time <= end
+    peak, depth = float(found.force[within].max()), float(found.indentation[within].max())
+    contact = ContactPeriod(0.0, end, float(np.interp(end, found.time, found.impulse)), peak)
+    dent = float(found.indentation[-1]) if law.LOSSY else 0.0
+    if law.PLASTIC:
+        dent = float(law.dent(depth))
+    motion = _as_a_whole(scene, found, max(duration, parting * (1.0 + 1e-9)))
+    extra = {"delivered_restitution": float(-found.rate[-1] / scene.speed)}
+    return motion, duration, contact, depth, max(dent, 0.0), extra
+
+
+def _as_a_whole(scene: Scene, found: Collision, last: float) -> SampledMotion:
+    """Both bodies about their common centre of mass, and free flight to the `last` instant."""
     target, impactor = scene.target, scene.impactor
+    time, indentation, impulse, stored, lost = (
+        np.append(values, values[-1])
+        for values in (found.time, found.indentation, found.impulse, found.stored, found.lost)
+    )
+    time[-1] = last
+    indentation[-1] += found.rate[-1] * (last - found.time[-1])
     share = 0.0 if target.held else impactor.mass / (impactor.mass + target.mass)  # of the target in the approach
     drift = 0.0 if target.held else share * impactor.velocity + (1.0 - share) * target.velocity
     velocity = impactor.velocity - impulse / impactor.mass
     mean = np.zeros_like(impulse) if target.held else target.velocity + impulse / target.mass
-    moving = 0.0 if target.held else 0.5 * target.mass * mean**2
-    dent = max(float(found.indentation[-1]), 0.0)
-    motion = SampledMotion(
-        time=instants,
-        force=force,
+    return SampledMotion(
+        time=time,
+        force=np.concatenate((found.force[:-1], [0.0, 0.0])),
         impulse=impulse,
-        impactor_position=drift * instants + (1.0 - share) * indentation,
+        impactor_position=drift * time + (1.0 - share) * indentation,
         impactor_velocity=velocity,
-        end_position=drift * instants - share * indentation,
+        end_position=drift * time - share * indentation,
         end_velocity=mean,
         rigid_velocity=mean,
         energies={
             "impactor": 0.5 * impactor.mass * velocity**2,
-            "target_rigid": np.zeros_like(mean) + moving,
+            "target_rigid": np.zeros_like(mean) if target.held else 0.5 * target.mass * mean**2,
             "target_vibration": np.zeros_like(mean),
             "local": stored,
             "dissipated": lost,
         },
     )
-    end = min(parting, duration)
-    within = found.time <= end
-    contact = ContactPeriod(
-        0.0, end, float(np.interp(end, found.time, found.impulse)), float(found.force[within].max())
-    )
-    if law.PLASTIC:
-        dent = float(law.dent(found.indentation[within].max()))
-    elif not law.LOSSY:
-        dent = 0.0
-    extra = {"delivered_restitution": float(-found.rate[-1] / speed)}
-    return motion, duration, contact, float(found.indentation[within].max()), dent, extra
 
 
 def _collision(law: Any, model: str, mass: float, speed: float) -> Collision:

@@ -8,8 +8,9 @@ from pytest import approx
 
 import solvers
 from solvers import ModeSwitch, SceneError, SceneNotSupported, Waves
-from solvers.numerics.mode_switch import LENGTH, SwitchedModes, _overlap
+from solvers.numerics.mode_switch import SwitchedModes
 from solvers.numerics.modes import composite_rod_modes, rod_modes
+from solvers.numerics.phases import LENGTH, overlap_integrals
 from tests.catalog import RIGID, ROD, SIGMA0_AREA, T, contact_table, struck_rod
 
 RATIOS = (0.1, 0.25, 0.8, 1.0, 2.0, 5.0)
@@ -64,7 +65,7 @@ def test_overlap_integrals_in_closed_form(ratio, fixed):
     x, weights = np.polynomial.legendre.leggauss(80)
     x, weights = 0.5 * LENGTH * (x + 1.0), 0.5 * LENGTH * weights
     integrals = ratio / LENGTH * (together.shapes(x) * weights) @ alone.shapes(x).T
-    assert _overlap(together, alone, ratio) == approx(integrals, abs=1e-12)
+    assert overlap_integrals(together, alone, ratio) == approx(integrals, abs=1e-12)
 
 
 # -- against the exact waves ------------------------------------------------------------------------------------------
