@@ -22,8 +22,8 @@ class ModeSwitch(Method):
     `energy_error`. `smoothing` says which contact force ends a contact: "delay", from the velocity of the mass and the
     wave that arrives; "lanczos", the modal series averaged over its shortest period; "none", the series as it is, which
     parts the bodies falsely before the front returns (Gibbs).
-    Error: for mass ratios 0.1 to 5 the rebound of a fixed rod is at most 0.7 / modes^2 of the impact speed off; that of a
-    free rod 0.2 * mass ratio / modes, as the series rounds off the kink at which the bodies part. The tests check both.
+    Error: for mass ratios 0.1 to 5 the rebound of a fixed rod is at most 0.7 / modes^2 of the impact speed off; that of
+    a free rod 0.2 * mass ratio / modes, as the series rounds off the kink at which the bodies part.
     Cost: closed form, roots searched for.
     Source: thesis 5.3, 9.2. Differs: (9.19) and (5.28), see `solvers.numerics`.
     """
