@@ -6,9 +6,9 @@ import platform
 from datetime import date
 from pathlib import Path
 
-from . import impulses, kernels, page, startup, sweep
+from . import impulses, kernels, methods, page, startup, sweep
 
-PARTS = {"startup": startup, "kernels": kernels, "impulses": impulses, "sweep": sweep, "page": page}
+PARTS = {"startup": startup, "kernels": kernels, "impulses": impulses, "methods": methods, "sweep": sweep, "page": page}
 
 RESULTS = Path(__file__).parent / "results.json"
 

@@ -85,6 +85,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
     first, true = (solution.contacts[0].end if solution.contacts else 0.0 for solution in (found, exact))
     resolved = getattr(found.motion, "resolved_force", None)
     counted = found.diagnostics.get("balances", len(found.contacts))
+    until = max(contact.end for contact in [*exact.contacts, *found.contacts])
     blow = any(contact.peak_force is None for contact in found.contacts)
     return Row(
         method=method.table(),
@@ -95,8 +96,8 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
         true_contacts_found=sum(seen),
         second_contact_found=seen[1] if len(seen) > 1 else None,
         raw_contacts=found.diagnostics.get("raw_contacts", counted),
-        force_error=None if blow else force_error(exact, found, found.motion.force),
-        resolved_force_error=None if resolved is None else force_error(exact, found, resolved),
+        force_error=None if blow else force_error(exact, until, _until_the_end(found, found.motion.force)),
+        resolved_force_error=None if resolved is None else force_error(exact, until, _until_the_end(found, resolved)),
         wall_time=_wall_time(lambda: method.solve(scene), repeats),
     )
 
@@ -112,13 +113,16 @@ def overlapping(true: Sequence[ContactPeriod], found: Sequence[ContactPeriod]) -
     return seen
 
 
-def force_error(exact: Solution, found: Solution, force: Callable[[np.ndarray], np.ndarray]) -> float:
-    """Relative L2 error of a force history; after the end of a solution there is no force."""
-    until = max(contact.end for contact in [*exact.contacts, *found.contacts])
+def force_error(exact: Solution, until: float, force: Callable[[np.ndarray], np.ndarray]) -> float:
+    """Relative L2 error of a force history up to a time [s]."""
     time = (np.arange(FORCE_SAMPLES) + 0.5) * until / FORCE_SAMPLES
-    true = np.where(time < exact.duration, exact.motion.force(time), 0.0)
-    own = np.where(time < found.duration, force(time), 0.0)
-    return float(np.linalg.norm(own - true) / np.linalg.norm(true))
+    true = _until_the_end(exact, exact.motion.force)(time)
+    return float(np.linalg.norm(force(time) - true) / np.linalg.norm(true))
+
+
+def _until_the_end(solution: Solution, force: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], np.ndarray]:
+    """After the end of a solution there is no force."""
+    return lambda time: np.where(time < solution.duration, force(time), 0.0)
 
 
 def _wall_time(work: Callable[[], object], repeats: int) -> float:
