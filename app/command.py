@@ -8,6 +8,7 @@ import socket
 import sys
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import solvers
 from solvers import SceneError
@@ -25,7 +26,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command; returns the exit code: 0, or 2 after one line on standard error."""
+    """Run the command; returns the exit code: 0, or 2 after one line on standard error; 130 if interrupted."""
     try:
         options = _parser().parse_args(arguments)
         code = options.run(options)
@@ -35,6 +36,9 @@ def main(arguments: list[str] | None = None) -> int:
         line = " ".join(str(refusal).split())
         print(f"impact: {line}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print("impact: stopped", file=sys.stderr)
+        return 130
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
@@ -57,6 +61,9 @@ def _parser() -> argparse.ArgumentParser:
     _scene_arguments(compare)
     compare.set_defaults(run=_compare)
 
+    _sweep_command(commands)
+    _record_command(commands)
+
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
     scenes.set_defaults(run=_scenes)
 
@@ -75,8 +82,48 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _scene_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("scene", help="a built-in name (see: impact scenes) or a scene file")
+def _sweep_command(commands: Any) -> None:
+    parser = commands.add_parser("sweep", help="solve a scene for many values of one of its keys")
+    _scene_arguments(parser)
+    parser.add_argument(
+        "--vary", required=True, metavar="KEY=LOW..HIGH[:COUNT][:log|:linear]",
+        help="21 values unless COUNT says otherwise; spaced by a constant factor over a hundredfold range or more",
+    )  # fmt: skip
+
+    def run(options: argparse.Namespace) -> int:
+        from .sweeps import print_sweep
+
+        return print_sweep(_scene(options), options.vary, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _record_command(commands: Any) -> None:
+    parser = commands.add_parser("record", help="compare a measured record with a scene, or recover the contact force")
+    parser.add_argument("file", help="a table (CSV): time and strain, stress or force, with units in the names")
+    _scene_arguments(parser, option=True)
+    parser.add_argument("--kind", help="strain, stress or force; needed if the file has several, or names none")
+    parser.add_argument(
+        "--at", action="append", default=[], metavar="X",
+        help="place of the gauge [m] from the struck end; a second one belongs to the second column of that kind",
+    )  # fmt: skip
+    parser.add_argument("--columns", metavar="NAMES", help="names of the columns, as time_us,microstrain")
+    parser.add_argument("--sign", default="1", help="-1: the record has the other sign (usual: strain + in tension)")
+    parser.add_argument("--shift", metavar="S", help="seconds to add to the times of the record; default: the best")
+    parser.add_argument("--recover", action="store_true", help="find the contact force from the record alone")
+    parser.add_argument("--series", metavar="FILE", help="write what was compared, or recovered, as .csv")
+
+    def run(options: argparse.Namespace) -> int:
+        from .measured import print_record
+
+        return print_record(_scene(options), options)
+
+    parser.set_defaults(run=run)
+
+
+def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:
+    known = "a built-in name (see: impact scenes) or a scene file"
+    parser.add_argument(*(("--scene",) if option else ("scene",)), **({"required": True} if option else {}), help=known)
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
         help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
@@ -90,6 +137,8 @@ def _scene(options: argparse.Namespace) -> solvers.Scene:
 
 
 def _warm(options: argparse.Namespace) -> int:
+    from solvers.studies import mass_ratio_sweep
+
     for name in solvers.scene_names():
         scene = solvers.load(name)
         if scene.normal is not None:  # closed form
@@ -103,6 +152,7 @@ def _warm(options: argparse.Namespace) -> int:
                     solvers.solve(changed, method)
         if scene.contact.NAME == "rigid":
             solvers.solve(scene, "waves", steps=100)
+    mass_ratio_sweep("fixed", [1.0])
     print("All kernels are compiled.")
     return 0
 

@@ -78,18 +78,20 @@ class Record:
             raise SceneError("record", f"{int(known.sum())} samples", "some while the solution is known and not zero")
         return Residual(float(np.linalg.norm(difference)) / norm, float(np.abs(difference).max()) / peak, model.size)
 
-    def aligned(self, times: np.ndarray, values: np.ndarray) -> Alignment:
+    def aligned(self, times: np.ndarray, values: np.ndarray, shift: float | None = None) -> Alignment:
         """The shift and the positive scale with which the record lies best on a solution, in least squares.
 
-        First by cross-correlation on a grid as fine as the record, then between its points.
+        First by cross-correlation on a grid as fine as the record, then between its points; a `shift` that is given
+        leaves only the scale to find.
         Error: of the shift about a hundredth of a step for smooth histories; where the solution jumps, one step.
         """
         if not np.ptp(self.values) > 0.0:
             raise SceneError("record", f"{self.values[0]:g} in every row", "values that change")
         if not np.any(values):
             raise SceneError("solution", "zero at all times", "one that is not: the record has nothing to lie on")
-        coarse, step = self._coarse_shift(np.asarray(times, float), np.asarray(values, float))
-        shift = _lowest(lambda by: self._fit(by, times, values)[0], coarse - 1.5 * step, coarse + 1.5 * step)
+        if shift is None:
+            coarse, step = self._coarse_shift(np.asarray(times, float), np.asarray(values, float))
+            shift = _lowest(lambda by: self._fit(by, times, values)[0], coarse - 1.5 * step, coarse + 1.5 * step)
         scale = self._fit(shift, times, values)[1]
         moved = self.shifted(shift).scaled(scale)
         return Alignment(shift, scale, moved.residual(times, values))
@@ -104,7 +106,12 @@ class Record:
         model = np.interp(np.arange(times[0], times[-1], step), times, values)
         if model.size < 2:
             raise SceneError("record", f"{self.step:.3g} s between samples", "steps shorter than the solution")
-        best = int(np.argmax(correlate(model, own, method="fft")))
+        products = correlate(model, own, method="fft")
+        best = int(np.argmax(products))
+        if products[best] <= 1e-9 * np.linalg.norm(model) * np.linalg.norm(own):
+            raise SceneError(
+                "record", "the other sign than the solution everywhere", "its own sign: turn it by sign -1"
+            )
         return times[0] - self.time[0] + (best - (own.size - 1)) * step, step
 
     def _fit(self, shift: float, times: np.ndarray, values: np.ndarray) -> tuple[float, float]:
@@ -153,11 +160,11 @@ def expected(solution: Any, kind: str, times: np.ndarray, x: float | None = None
     return _from_stress(kind, values, rod_at(parts, place))
 
 
-def align(record: Record, solution: Any, x: float | None = None) -> Alignment:
+def align(record: Record, solution: Any, x: float | None = None, shift: float | None = None) -> Alignment:
     """The shift and scale with which the record lies best on what `solution` says of `x` [m], see `expected`."""
     count = int(np.clip(2.0 * solution.duration / record.step, 2_000, LAGS))
     times = np.linspace(0.0, solution.duration, count)
-    return record.aligned(times, expected(solution, record.kind, times, x))
+    return record.aligned(times, expected(solution, record.kind, times, x), shift)
 
 
 def rod_at(parts: Any, x: float) -> Any:

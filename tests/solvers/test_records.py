@@ -53,6 +53,14 @@ def test_a_moved_record_is_put_back(kind, shift, scale):
     assert found.residual.samples == 1_050
 
 
+def test_a_shift_that_is_given_is_kept():
+    found = align(measured(1.0, shift=2e-5, scale=0.5), BALL, 1.0, shift=-3e-5)
+    assert found.shift == -3e-5
+    assert found.residual.relative > 0.05  # ten microseconds off a pulse of 115
+    right = align(measured(1.0, shift=2e-5, scale=0.5), BALL, 1.0, shift=-2e-5)
+    assert right.scale == approx(2.0, rel=1e-4)
+
+
 def test_noise_moves_it_by_less_than_a_sample():
     found = align(measured(1.0, shift=2e-5, noise=0.03), BALL, 1.0)
     assert found.shift == approx(-2e-5, abs=STEP)
@@ -115,6 +123,12 @@ def test_a_record_that_never_changes_or_never_meets_the_solution_is_refused():
         align(Record(time, np.full(50, 3.0), "force"), BALL)
     with pytest.raises(SceneError, match="while the solution is known"):
         Record(time + 1.0, np.sin(time), "force").residual(time, np.sin(time))
+
+
+def test_a_force_of_the_wrong_sign_is_refused_with_the_remedy():
+    time = np.linspace(0.0, 1.2e-4, 100)
+    with pytest.raises(SceneError, match="turn it by sign -1"):
+        align(Record(time, -BALL.motion.force(time), "force"), BALL)
 
 
 def test_gauges_sit_on_rods():

@@ -1,0 +1,185 @@
+"""The command `impact record`: a measured record beside a scene, and the contact force that it tells of."""
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import solvers
+from solvers import SceneError, Solution, checks
+from solvers.inverse import RecoveredWaves, from_one_gauge, from_two_gauges
+from solvers.record_files import load_record
+from solvers.records import Alignment, Record, align, expected
+
+LONGEST = 50.0  # time units of the scene that a record is followed beyond the blow
+UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
+
+
+def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
+    """Read, compare, recover if asked to, print."""
+    _check_series(options.series)
+    places = _places(options)
+    records = _records(options, max(len(places), 1))
+    if records[0].kind != "force" and not places:
+        raise SceneError("--at", None, "where the gauge sits, in metres from the struck end, for strain and stress")
+    places = places or [0.0]
+    solution = _solution(scene, records[0], max(places))
+    shift = None if options.shift is None else _float("--shift", options.shift, -1e4, 1e4, "s")
+    found = [align(records[0], solution, places[0], shift)]
+    found += [align(record, solution, x, found[0].shift) for record, x in zip(records[1:], places[1:], strict=True)]
+    waves = _recovered(solution, [r.shifted(found[0].shift) for r in records], places) if options.recover else None
+    notes = _notes(records[0], solution, places[0], found[0])
+    if options.series is not None:
+        _write(options.series, _series(solution, records, places, found, waves))
+    answer = _answer(solution, records, places, found, waves, notes)
+    print(json.dumps(answer, indent=1, allow_nan=False) if options.json else _report(answer))
+    return 0
+
+
+def _places(options: argparse.Namespace) -> list[float]:
+    if len(options.at) > 2:
+        raise SceneError("--at", options.at[2], "no third place: one gauge or two")
+    return [_float("--at", word, 0.0, 1e6, "m") for word in options.at]
+
+
+def _float(key: str, word: str, low: float, high: float, unit: str) -> float:
+    try:
+        value = float(word)
+    except ValueError:
+        value = word
+    return checks.number(key, value, low, high, unit)
+
+
+def _records(options: argparse.Namespace, count: int) -> list[Record]:
+    columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
+    checks.choice("--sign", options.sign, ("1", "-1"))
+    how = {"kind": options.kind, "columns": columns, "sign": int(options.sign)}
+    return [load_record(options.file, gauge=number, **how) for number in range(1, count + 1)]
+
+
+def _solution(scene: solvers.Scene, record: Record, x: float) -> Solution:
+    """The scene solved for as long as the record may tell of it."""
+    solution = solvers.solve(scene)
+    lag = x / scene.target.wave_speed if scene.target.kind == "rod" else 0.0
+    wanted = min(float(np.ptp(record.time)) + lag, solution.duration + LONGEST * scene.time_unit)
+    if "duration" in scene.method or solution.motion is None or wanted <= solution.duration:
+        return solution
+    return solvers.solve(scene, duration=wanted)
+
+
+def _recovered(solution: Solution, records: list[Record], places: list[float]) -> RecoveredWaves:
+    target = solution.scene.target
+    if target.kind != "rod":
+        raise SceneError("target.kind", target.kind, "'rod', to recover the contact force from waves in it")
+    if len(records) == 1:
+        return from_one_gauge(records[0], target, places[0])
+    return from_two_gauges(*records, target, *places)
+
+
+def _notes(record: Record, solution: Solution, x: float, found: Alignment) -> list[str]:
+    notes = list(solution.notes)
+    try:
+        other = align(record.scaled(-1.0), solution, x).residual.relative
+    except SceneError:  # with the other sign it lies nowhere
+        return notes
+    if other < 0.7 * found.residual.relative:
+        notes.append(f"With the other sign the record lies better, with a residual of {other:.3g}: try --sign -1.")
+    return notes
+
+
+def _answer(
+    solution: Solution,
+    records: list[Record],
+    places: list[float],
+    found: list[Alignment],
+    waves: RecoveredWaves | None,
+    notes: list[str],
+) -> dict[str, Any]:
+    gauges = [
+        {
+            "at": x,
+            "kind": record.kind,
+            "rows": record.time.size,
+            "shift": one.shift,
+            "scale": one.scale,
+            "residual": one.residual.relative,
+            "greatest_residual": one.residual.greatest,
+            "samples": one.residual.samples,
+        }
+        for record, x, one in zip(records, places, found, strict=True)
+    ]
+    recovered = None
+    if waves is not None:
+        within = waves.time <= solution.duration
+        true = expected(solution, "force", waves.time[within])
+        recovered = {
+            "peak_force": float(waves.force.max()),
+            "impulse": float(np.trapezoid(waves.force, waves.time)),
+            "until": float(waves.time[-1]),
+            "terms": waves.terms,
+            "residual": float(np.linalg.norm(waves.force[within] - true) / np.linalg.norm(true)),
+        }
+    blow = {"peak_force": solution.peak_force, "impulse": solution.impulse, "duration": solution.duration}
+    return {"gauges": gauges, "solution": blow, "recovered": recovered, "notes": notes}
+
+
+def _report(answer: dict[str, Any]) -> str:
+    lines = ["  gauge  at [m]    kind      shift [us]       scale   residual (L2)   (greatest)   samples"]
+    for number, one in enumerate(answer["gauges"], 1):
+        lines.append(
+            f"  {number:5d}{one['at']:8.4g}    {one['kind']:8}{1e6 * one['shift']:12.4f}{one['scale']:12.6g}"
+            f"{one['residual']:16.4g}{one['greatest_residual']:13.4g}{one['samples']:10d}"
+        )
+    if answer["recovered"] is not None:
+        blow, found = answer["solution"], answer["recovered"]
+        peak = "none" if blow["peak_force"] is None else f"{blow['peak_force'] / 1e3:.6g} kN"
+        lines += [
+            "",
+            "  contact force     recovered      solution",
+            f"  peak          {found['peak_force'] / 1e3:10.6g} kN   {peak}",
+            f"  impulse       {found['impulse']:10.6g} N s  {blow['impulse']:.6g} N s",
+            f"  residual (L2) {found['residual']:10.4g}",
+            f"  known until   {1e6 * found['until']:10.6g} us   from {found['terms']} readings at the end",
+        ]
+    return "\n".join(lines + [f"  Note: {note}" for note in answer["notes"]])
+
+
+def _series(
+    solution: Solution,
+    records: list[Record],
+    places: list[float],
+    found: list[Alignment],
+    waves: RecoveredWaves | None,
+) -> dict[str, np.ndarray]:
+    """Columns: the recovered force beside that of the solution, or the moved records beside what it says of them."""
+    if waves is not None:
+        return {
+            "time_s": waves.time,
+            "recovered_force_N": waves.force,
+            "solution_force_N": expected(solution, "force", waves.time),
+            "sent_stress_Pa": waves.sent,
+            "returned_stress_Pa": waves.returned,
+        }
+    columns = {"time_s": records[0].time + found[0].shift}
+    for number, (record, x, one) in enumerate(zip(records, places, found, strict=True), 1):
+        name = f"{record.kind}{UNITS[record.kind]}_{number}"
+        columns[f"measured_{name}"] = record.values * one.scale
+        columns[f"solution_{name}"] = expected(solution, record.kind, record.time + one.shift, x)
+    return columns
+
+
+def _check_series(name: str | None) -> None:
+    if name is not None and (not name.endswith(".csv") or (Path(name).exists() and not Path(name).is_file())):
+        raise SceneError("--series", name, "the name of a file that ends in .csv")
+
+
+def _write(name: str, columns: dict[str, np.ndarray]) -> None:
+    """Cells are empty where the solution has ended."""
+    rows = np.column_stack(list(columns.values())).tolist()
+    lines = [",".join(columns), *(",".join("" if v != v else f"{v:.12g}" for v in row) for row in rows)]
+    try:
+        Path(name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    except OSError as error:
+        raise SceneError("--series", name, f"a file that can be written ({error.strerror})") from None
