@@ -76,3 +76,13 @@ def _mean(self, start, end, rate, deepest):
 @overload_method(numba.types.BaseNamedTuple, "mean_force")
 def _mean_force(self, start, free, compliance, rate, expected, deepest):
     return self.instance_class.mean_force
+
+
+@overload_method(numba.types.BaseNamedTuple, "loading_mean")
+def _loading_mean(self, start, end):
+    return self.instance_class.loading_mean
+
+
+@overload_method(numba.types.BaseNamedTuple, "unloading_mean")
+def _unloading_mean(self, start, end, deepest):
+    return self.instance_class.unloading_mean

@@ -7,6 +7,9 @@ from typing import Any
 from .. import checks
 
 STIFFNESS_RANGE = (1e-6, 1e20)  # of any law, in its own unit
+EXPONENT_RANGE = (1.0, 3.0)
+LENGTH_RANGE = (1e-15, 1e6)  # of indentations [m]
+LARGEST_CONTACT = 1.0 / 3.0  # radius of the contact over that of the bodies: beyond, they are no longer half-spaces
 
 
 def read_stiffness(given: Mapping[str, object], unit: str) -> float:
@@ -59,3 +62,56 @@ def reduced_mass(impactor: Any, target: Any) -> float:
 def approach_speed(impactor: Any, target: Any) -> float:
     """v1 - v2 [m/s]."""
     return impactor.velocity - target.velocity
+
+
+def yield_indentation(given: Mapping[str, object], impactor: Any, target: Any) -> float:
+    """alpha_Y [m], where plastic flow begins: as given, or from the lower of the two yield strengths.
+
+    Source: thesis (7.26), a peak pressure of 1.6 yield strengths: alpha_Y = (0.8 pi sigma_Y / E*)^2 R.
+    Differs: (7.7) has 2.72 pi^2 = 26.85 where (7.26) has (1.6 pi)^2 = 25.27, a pressure of 1.65 yield strengths; table
+    7.1 was made with (7.26). Both are printed for two bodies of one material, E' = 2 E*.
+    """
+    if "yield_indentation" in given:
+        return checks.number("contact.yield_indentation", given["yield_indentation"], *LENGTH_RANGE, "m")
+    radius, modulus = derived("yield_indentation", "1e-15 to 1e+06 m", impactor, target)
+    strength = yield_strength(impactor, target)
+    if strength is None:
+        allowed = (
+            "a number from 1e-15 to 1e+06 m, or yield in the material of a body to derive it from (all are missing)"
+        )
+        raise checks.SceneError("contact.yield_indentation", None, allowed)
+    return first_yield(radius, modulus, strength)
+
+
+def first_yield(radius: float, modulus: float, strength: float) -> float:
+    """alpha_Y [m], (7.26)."""
+    return (0.8 * math.pi * strength / modulus) ** 2 * radius
+
+
+def yield_strength(impactor: Any, target: Any) -> float | None:
+    """The lower yield strength of the two [Pa], as that body flows first; None if neither is known."""
+    materials = (body.material for body in (impactor, target) if body.material is not None)
+    return min((m.yield_strength for m in materials if m.yield_strength is not None), default=None)
+
+
+def point_limits(deepest: float, impactor: Any, target: Any, plastic: bool) -> list[str]:
+    """What a law for two smooth bodies that touch in a point leaves out of a blow as deep as this [m], in sentences."""
+    radius, modulus, strength = contact_radius(impactor, target), contact_modulus(impactor, target), None
+    if radius is None:
+        return []
+    found = []
+    strength = yield_strength(impactor, target)
+    if strength is not None and modulus is not None and not plastic:
+        begins = first_yield(radius, modulus, strength)
+        if deepest > begins:
+            found.append(
+                f"The indentation reaches {deepest / begins:.3g} times that of first yield, but the contact law is"
+                " elastic: use 'plastic-power' or 'plastic-linear'."
+            )
+    contact = math.sqrt(deepest * radius * (2.0 if plastic else 1.0)) / radius
+    if contact > LARGEST_CONTACT:
+        found.append(
+            f"The contact radius reaches {contact:.2g} of the radius of curvature; the contact law holds up to about"
+            " a third."
+        )
+    return found

@@ -14,8 +14,9 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from .constants import hertz_stiffness, read_stiffness
-from .steps import hertz_mean, hertz_step_force, linear_mean
+from .. import checks
+from .constants import EXPONENT_RANGE, hertz_stiffness, point_limits, read_stiffness
+from .steps import hertz_mean, hertz_step_force, linear_mean, power_mean, step_force
 
 
 class Rigid(NamedTuple):
@@ -37,6 +38,10 @@ class Rigid(NamedTuple):
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Rigid":
         return cls()
 
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
+        """What the law leaves out of a blow as deep as this [m], in sentences."""
+        return []
+
 
 class Linear(NamedTuple):
     """A spring that cannot pull. Source: thesis (7.1)."""
@@ -55,6 +60,10 @@ class Linear(NamedTuple):
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Linear":
         return cls(read_stiffness(given, "N/m"))
+
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
+        """What the law leaves out of a blow as deep as this [m], in sentences."""
+        return []
 
     def scaled(self, length: float, speed: float, force: float) -> "Linear":
         """The same law in units of these."""
@@ -98,6 +107,57 @@ class Linear(NamedTuple):
         return force, free - compliance * force, 0.0
 
 
+class Power(NamedTuple):
+    """Any other elastic contact of one power: F = K alpha^n. Source: thesis (7.4)."""
+
+    stiffness: float  # K [N/m^n]
+    exponent: float  # n
+
+    NAME = "power"
+    KEYS = ("stiffness", "exponent")
+    LOSSY = PLASTIC = JUMPS = False
+    EXAMPLE = {"stiffness": 1e9, "exponent": 1.3}
+
+    limits = Linear.limits
+
+    def table(self, speed: float) -> dict[str, float]:
+        """The constants as in a scene file, for an impact at this speed [m/s]."""
+        return {"stiffness": self.stiffness, "exponent": self.exponent}
+
+    @classmethod
+    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Power":
+        value = checks.required("contact", given, "exponent", "a number from 1 to 3")
+        exponent = checks.number("contact.exponent", value, *EXPONENT_RANGE)
+        return cls(read_stiffness(given, f"N/m^{exponent:g}"), exponent)
+
+    def scaled(self, length: float, speed: float, force: float) -> "Power":
+        """The same law in units of these."""
+        return Power(self.stiffness * length**self.exponent / force, self.exponent)
+
+    def force(self, indentation, rate, deepest):
+        return self.stiffness * max(indentation, 0.0) ** self.exponent
+
+    def slopes(self, indentation, rate, deepest):
+        if indentation <= 0.0:
+            return 0.0, 0.0
+        return self.exponent * self.stiffness * indentation ** (self.exponent - 1.0), 0.0
+
+    def stored(self, indentation, deepest):
+        return self.stiffness * max(indentation, 0.0) ** (self.exponent + 1.0) / (self.exponent + 1.0)
+
+    def dent(self, deepest):
+        return 0.0
+
+    def corner(self, indentation, deepest):
+        return math.inf
+
+    def mean(self, start, end, rate, deepest):
+        return self.stiffness * power_mean(start, end, self.exponent), 0.0
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest):
+        return step_force(self, start, free, compliance, rate, expected, deepest)
+
+
 class Hertz(NamedTuple):
     """Two smooth elastic bodies that touch in a point. Source: thesis 3.4.1; F = K alpha^(3/2)."""
 
@@ -115,6 +175,10 @@ class Hertz(NamedTuple):
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Hertz":
         return cls(hertz_stiffness(given, impactor, target))
+
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
+        """What the law leaves out of a blow as deep as this [m], in sentences."""
+        return point_limits(deepest, impactor, target, False)
 
     def scaled(self, length: float, speed: float, force: float) -> "Hertz":
         """The same law in units of these."""
