@@ -143,10 +143,8 @@ def _warm(options: argparse.Namespace) -> int:
         scene = solvers.load(name)
         if scene.normal is not None:  # closed form
             continue
-        for law in solvers.LAWS:
-            contact = {"law": law} | ({} if law == "rigid" else {"stiffness": 1e9})
-            contact |= {"restitution": 0.5} if law == "hunt-crossley" else {}
-            changed = scene.replace({"contact": contact})
+        for name, law in solvers.LAWS.items():
+            changed = scene.replace({"contact": {"law": name} | law.EXAMPLE})
             for method, chosen in solvers.METHODS.items():
                 if chosen().refusal(changed) is None:
                     solvers.solve(changed, method)

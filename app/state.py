@@ -6,10 +6,11 @@ from typing import Any
 import param
 
 import solvers
-from solvers import LAWS, METHODS, Scene, SceneError
+from solvers import METHODS, Scene, SceneError
 from solvers.contact.viscous import LEAST_RESTITUTION
 
 SHOWN = ("waves", "modal")  # the methods that the page compares
+LAWS = ("rigid", "linear", "hertz", "hunt-crossley")  # those that it knows how to set
 SCENES = {
     name: scene
     for name, scene in ((name, solvers.load(name)) for name in solvers.scene_names())

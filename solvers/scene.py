@@ -84,8 +84,9 @@ class Scene:
     def table(self) -> dict[str, object]:
         """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
         contact = {"law": self.contact.NAME} | self.contact.table(self.speed)
-        if "restitution" in contact and self.given:  # as given: the way back through the damping rounds
-            contact["restitution"] = self.given["contact"]["restitution"]
+        for name in {"restitution", "nominal_restitution"} & set(self.given.get("contact", ())):
+            del contact["damping"]  # as given: it says more, and stays with the blow when its speed is changed
+            contact[name] = self.given["contact"][name]
         if self.normal is not None:
             contact["normal"] = list(self.normal)
         tables: dict[str, object] = {

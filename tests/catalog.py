@@ -1,6 +1,5 @@
 """What the tests share: scenes, contact laws, and how a rate of convergence is measured."""
 
-import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -62,12 +61,16 @@ def contact_table(law: str, softness: float = 1.0, restitution: float = 0.5) -> 
     if law == "rigid":
         return {"law": law}
     stiffness = ROD.stiffness / softness
-    if law == "linear":
-        return {"law": law, "stiffness": stiffness}
-    table = {"law": law, "stiffness": stiffness / math.sqrt(T)}
-    return table | ({"restitution": restitution} if law == "hunt-crossley" else {})
+    exponents = {"linear": 1.0, "kelvin-voigt": 1.0, "power": POWER}
+    table = {"law": law, "stiffness": stiffness * T ** (1.0 - exponents.get(law, 1.5))}
+    if law == "power":
+        return table | {"exponent": POWER}
+    if solvers.LAWS[law].PLASTIC:
+        return table | {"yield_indentation": 0.02 * T}
+    return table | ({"restitution": restitution} if solvers.LAWS[law].LOSSY else {})
 
 
+POWER = 1.3  # exponent of the power law in the tests
 LAWS = {law: struck_rod(contact=contact_table(law)).contact for law in solvers.LAWS}
 WITH_INDENTATION = [law for law in solvers.LAWS if law != "rigid"]
 

@@ -36,7 +36,7 @@ def read_damping(given: Mapping[str, object], dashpot: Dashpot, unit: float, uni
     return checks.number("contact.damping", value, 0.0, most, unit_name)
 
 
-# --- Hunt and Crossley: F = K a^n (1 + number * rate / approach speed) -------------------------------------------------
+# --- Hunt and Crossley: F = K a^n (1 + number * rate / approach speed) ------------------------------------------------
 
 
 def delivered_restitution(damping: float) -> float:
@@ -84,7 +84,7 @@ LANKARANI_NIKRAVESH = Dashpot(
 )
 
 
-# --- Kelvin and Voigt: the number is zeta = C / (2 sqrt(K m)) ----------------------------------------------------------
+# --- Kelvin and Voigt: the number is zeta = C / (2 sqrt(K m)) ---------------------------------------------------------
 
 
 def _pulled_free(zeta: float) -> float:
@@ -119,7 +119,7 @@ def _zeta_for_full_swing(restitution: float) -> float:
 KELVIN_VOIGT = Dashpot(_pulled_free, _zeta_for, _full_swing, _zeta_for_full_swing)
 
 
-# --- Lee and Wang: a'' = -(a^n + number * a a') with a'(0) = 1 ---------------------------------------------------------
+# --- Lee and Wang: a'' = -(a^n + number * a a') with a'(0) = 1 --------------------------------------------------------
 
 
 @lru_cache(maxsize=4000)

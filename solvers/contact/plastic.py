@@ -1,8 +1,9 @@
 """Laws that leave a dent: the material flows at the contact, and what it has taken up is gone.
 
 Loading follows the virgin curve; unloading, and loading again, one elastic curve up to the deepest indentation so far,
-beyond which plastic loading goes on. The surfaces part at the dent left behind, and meet again there: the memory outlives
-the contact. Forgetting the dent, or yielding again from the old indentation, would create energy or lose it twice.
+beyond which plastic loading goes on. The surfaces part at the dent left behind, and meet again there: the memory
+outlives the contact. Forgetting the dent, or yielding again from the old indentation, would create energy or lose it
+twice.
 """
 
 import math
@@ -209,7 +210,7 @@ class PlasticLinear(NamedTuple):
 
 @lru_cache(maxsize=1000)
 def hardening_exponent(ratio: float) -> float:
-    """n of (7.34), which depends on alpha_fp / alpha_Y alone: Yigit's tangent at first yield, Johnson's secant to full."""
+    """n of (7.34) from alpha_fp / alpha_Y alone: Yigit's tangent at first yield, Johnson's secant up to full flow."""
     from scipy.optimize import brentq
 
     return brentq(lambda n: 1.5 * (ratio**n - 1.0) / (n * (ratio - 1.0)) - JOHNSON, 1.0, 1.5, xtol=1e-15)

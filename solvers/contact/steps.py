@@ -104,7 +104,7 @@ def hertz_step_force(stiffness, loss, start, free, compliance, rate, expected):
         force = stored / travel * max(1.0 - loss * travel * rate, 0.0)
         end = free - compliance * force
         if end <= 0.0:
-            return force, end, stored + force * (end - start)
+            return force, end, (stored + force * (end - start) if loss > 0.0 else 0.0)
     end = free - compliance * expected
     low, high = 0.0, free
     if not low < end < high:

@@ -92,8 +92,8 @@ class HuntCrossley(NamedTuple):
 class LankaraniNikravesh(NamedTuple):
     """The force of Hunt and Crossley, with another formula for its damping: d = 3 (1 - e^2) / 4.
 
-    Source: Lankarani and Nikravesh (1990), of the family of thesis 7.3.1. Asked for the same delivered restitution it is
-    the same law.
+    Source: Lankarani and Nikravesh (1990), of the family of thesis 7.3.1. Asked for the same delivered restitution it
+    is the same law.
     Differs: its formula too holds next to e = 1 only; a nominal 0.5 delivers 0.73, a nominal 0 delivers 0.66.
     """
 

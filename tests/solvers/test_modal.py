@@ -23,7 +23,6 @@ from tests.catalog import (
     T,
     bronze_rod,
     contact_table,
-    observed_order,
     struck_rod,
 )
 
@@ -111,14 +110,17 @@ def test_second_order_in_the_step_for_every_law(law, support):
     scene = struck_rod(1.0, support, contact_table(law, softness=3.0, restitution=0.6))
     duration = (0.9 if law == "rigid" else 6.0) * T  # rigid: within the first stretch of pressure, not across chatter
 
-    def velocity(step):
-        return Modal(modes=3, steps=round(duration / step)).solve(scene, duration).impactor_velocity
+    def velocity(steps):
+        return Modal(modes=3, steps=steps, estimate=False).solve(scene, duration).impactor_velocity
 
-    order = observed_order(velocity, [duration / n for n in (500, 1000, 2000, 4000, 8000, 16000)])
+    # where a law yields or starts with a jump, the error depends on where in a step that happens: hence many near steps
+    finest, counts = velocity(1_000_000), (2000, 6000, 18_000)
+    misses = [math.sqrt(np.mean([(velocity(n + n * k // 50) - finest) ** 2 for k in range(8)])) for n in counts]
+    order = np.polyfit(-np.log(counts), np.log(misses), 1)[0]
     assert order == approx(2.0, abs=0.3)
 
 
-@pytest.mark.parametrize("law", WITH_INDENTATION)
+@pytest.mark.parametrize("law", ["linear", "hertz", "power", "hunt-crossley"])
 def test_contact_times_are_located_inside_the_steps(law):
     scene = struck_rod(1.0, "free", contact_table(law, softness=3.0, restitution=0.6))
 
@@ -136,13 +138,13 @@ def test_contact_times_are_located_inside_the_steps(law):
 
 @pytest.mark.parametrize("support", SUPPORTS)
 @pytest.mark.parametrize("law", solvers.LAWS)
-@settings(max_examples=100)
+@settings(max_examples=50)
 @given(
     modes=st.integers(1, 1000),
     steps=st.floats(1.0, 5.0).map(lambda power: round(10.0**power)),
     stiffness=st.floats(-6.0, 6.0).map(lambda power: 10.0**power),
     mass_ratio=st.floats(-2.0, 2.0).map(lambda power: 10.0**power),
-    restitution=st.floats(0.01, 1.0),
+    restitution=st.sampled_from([0.01, 0.3, 0.6, 0.9, 1.0]),
 )
 def test_energy_and_momentum_at_any_resolution(law, support, modes, steps, stiffness, mass_ratio, restitution):
     assume(modes * steps <= 2_000_000)
@@ -153,8 +155,8 @@ def test_energy_and_momentum_at_any_resolution(law, support, modes, steps, stiff
     initial = solution.energy["initial"]
     for name, value in solution.energy.items():
         assert value >= -1e-11 * initial, name
-    if law != "hunt-crossley":
-        assert abs(solution.energy["dissipated"]) <= 1e-14 * initial
+    if not (scene.contact.LOSSY or scene.contact.PLASTIC):
+        assert solution.energy["dissipated"] == 0.0
     assert solution.motion.record.contact_force.min() >= 0.0
     assert np.all(np.diff(solution.motion.record.lost) >= -1e-15 * initial)
     assert solution.diagnostics["raw_contacts"] >= len(solution.contacts) >= 1
