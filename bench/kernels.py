@@ -6,7 +6,7 @@ import solvers
 from solvers.contact import Hertz, Linear
 from solvers.jit import kernel
 from solvers.numerics import contact_waves, rigid_waves, stepped_waves
-from solvers.numerics.oscillators import Record, march, oscillator_bank
+from solvers.numerics.oscillators import Record, Residual, march, oscillator_bank
 
 from .timing import median, paired_medians, row
 
@@ -80,7 +80,7 @@ def _modal() -> list:
                 record.velocity[0] = 1.0
                 rest = np.zeros(modes), np.zeros(modes)
                 mass = scene.impactor.mass
-                march(law, residual, False, mass, known.rigid_mass, step, bank, *rest, STEPS + 1, 0, STEPS, record)
+                march(law, Residual(residual), mass, known.rigid_mass, step, bank, *rest, STEPS + 1, 0, STEPS, record)
 
             floor, spent, ratio = paired_medians(bare, run, 61)
             what = f"modal kernel, {modes} modes, {name}"

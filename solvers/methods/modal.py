@@ -12,7 +12,7 @@ from .. import checks
 from ..contact import Linear, Rigid
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.modes import Modes
-from ..numerics.oscillators import Record, advance, march, oscillator_bank
+from ..numerics.oscillators import Record, Residual, advance, march, oscillator_bank
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
 
@@ -169,6 +169,7 @@ def _default_step(scene: Scene, modes: Modes) -> float:
 def _follow(scene: Scene, modes: Modes, step: float, count: int | None) -> "ModalMotion":
     """March `count` steps, or whole periods of the structure until one has passed without a touch and none can come."""
     law, residual = _law(scene, modes)
+    settling = min(0.5, step / modes.shortest_period) if scene.contact.JUMPS or scene.contact.PLASTIC else 0.0
     trip = scene.target.round_trip_time
     period = 2.0 * trip if scene.target.fixed else trip
     bank = oscillator_bank(modes.frequencies, modes.at_contact, step)
@@ -184,7 +185,7 @@ def _follow(scene: Scene, modes: Modes, step: float, count: int | None) -> "Moda
         if until > record.contact_force.size:
             record = _grown(record, min(2 * until, most), stride)
         march(
-            law, residual, scene.contact.JUMPS, scene.impactor.mass, modes.rigid_mass, step, bank,
+            law, Residual(residual, settling, scene.contact.JUMPS), scene.impactor.mass, modes.rigid_mass, step, bank,
             displacement, velocity, stride, done, until, record,
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()

@@ -80,15 +80,26 @@ class Record(NamedTuple):
     checkpoint_velocity: np.ndarray
 
 
+class Residual(NamedTuple):
+    """The modes left out, as one more oscillator of infinite frequency, by the trapezoidal rule.
+
+    While the contact force is F its own force goes from f to 2 F - f; by what it once was out it rings on. `settling` is
+    a weight beyond a half of the new force in F, by which the ringing dies away; where a law's force may jump at first
+    touch (`jumps`), the oscillator follows at once for two steps, f = F. What either costs counts as lost; elastic laws
+    need neither.
+    """
+
+    compliance: float  # static, of all modes left out [m/N]
+    settling: float = 0.0
+    jumps: bool = False
+
+
 @summing_kernel
-def march(law, residual, jumps, mass, rigid_mass, step, bank, displacement, velocity, stride, begin, end, record):
+def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, stride, begin, end, record):
     """Advance from instant `begin` to `end`; displacement and velocity (modes,) are turned already for `begin`.
 
-    residual [m/N]: static compliance of the modes left out, which act as one more oscillator of infinite frequency, by
-    the trapezoidal rule: while the contact force is F its own force goes from f to 2 F - f. `jumps`: the law's force
-    may jump at first touch; there the oscillator would ring, so that for two steps it follows at once, f = F, and what
-    that costs counts as lost. mass, rigid_mass [kg]: of impactor and target where they move freely as a whole, or
-    infinity. The bank holds the oscillators of both bodies.
+    mass, rigid_mass [kg]: of impactor and target where they move freely as a whole, or infinity. The bank holds the
+    oscillators of both bodies.
     """
     gain, rigid_gain, rate = step / mass, step / rigid_mass, 1.0 / step
     stiff = 0.5 * step * (gain + rigid_gain) + bank.kick_displacement.sum()  # a step's compliance without the residual
@@ -106,15 +117,14 @@ def march(law, residual, jumps, mass, rigid_mass, step, bank, displacement, velo
         expected = force + force - force_before
         force_before = force
         apart = indentation <= 0.0
-        if jumps and (apart or touched):
-            force, indentation, loss = law.mean_force(indentation, free, stiff + residual, rate, expected, deepest)
-            loss += 0.5 * residual * (force - spring) ** 2
-            spring = force
-        else:
-            compliance = stiff + 2.0 * residual
-            free += residual * spring
-            force, indentation, loss = law.mean_force(indentation, free, compliance, rate, expected, deepest)
-            spring = 2.0 * force - spring
+        weight = 1.0 if residual.jumps and (apart or touched) else 0.5 + residual.settling
+        lag = 1.0 / weight - 1.0
+        free += residual.compliance * lag * spring
+        compliance = stiff + residual.compliance / weight
+        force, indentation, loss = law.mean_force(indentation, free, compliance, rate, expected, deepest)
+        change = force / weight - (lag + 1.0) * spring
+        loss += residual.compliance * (weight - 0.5) * change * change
+        spring += change
         touched = apart
         deepest = max(deepest, indentation)
         lost += loss

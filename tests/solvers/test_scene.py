@@ -289,7 +289,7 @@ def test_restitution(value):
         ("target.support", ["fixed"], "'fixed', 'free'"),
         ("target.material", "cheese", "'steel', 'bronze', 'aluminium'"),
         ("target.material", 5, "young, density"),
-        ("contact.law", "magic", "'rigid', 'linear', 'hertz', 'hunt-crossley'"),
+        ("contact.law", "magic", "'rigid', 'linear', 'hertz', 'power', 'kelvin-voigt'"),
         ("contact.law", None, "'rigid'"),
         ("contact", "rigid", "a table"),
         ("target.section", "round", "a table"),
