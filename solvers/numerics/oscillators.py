@@ -83,10 +83,10 @@ class Record(NamedTuple):
 class Residual(NamedTuple):
     """The modes left out, as one more oscillator of infinite frequency, by the trapezoidal rule.
 
-    While the contact force is F its own force goes from f to 2 F - f; by what it once was out it rings on. `settling` is
-    a weight beyond a half of the new force in F, by which the ringing dies away; where a law's force may jump at first
-    touch (`jumps`), the oscillator follows at once for two steps, f = F. What either costs counts as lost; elastic laws
-    need neither.
+    While the contact force is F its own force goes from f to 2 F - f; by what it once was out it rings on. `settling`
+    is a weight beyond a half of the new force in F, by which the ringing dies away; where a law's force may jump at
+    first touch (`jumps`), the oscillator follows at once for two steps, f = F. What either costs counts as lost;
+    elastic laws need neither.
     """
 
     compliance: float  # static, of all modes left out [m/N]
