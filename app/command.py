@@ -21,6 +21,10 @@ class _Refused(Exception):
 
 
 class _Parser(argparse.ArgumentParser):
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, **options)
+        self._negative_number_matcher = re.compile(r"-\.?\d")  # -3e-4 is a value too, not an option, before 3.14
+
     def error(self, message):
         raise _Refused(f"{message} (impact --help tells what is allowed)")
 

@@ -25,7 +25,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
     if records[0].kind != "force" and not places:
         raise SceneError("--at", None, "where the gauge sits, in metres from the struck end, for strain and stress")
     places = places or [0.0]
-    solution = _solution(scene, records[0], max(places))
+    solution = _solution(scene, records[0])
     shift = None if options.shift is None else _float("--shift", options.shift, -1e4, 1e4, "s")
     found = [align(records[0], solution, places[0], shift)]
     found += [align(record, solution, x, found[0].shift) for record, x in zip(records[1:], places[1:], strict=True)]
@@ -59,10 +59,10 @@ def _records(options: argparse.Namespace, count: int) -> list[Record]:
     return [load_record(options.file, gauge=number, **how) for number in range(1, count + 1)]
 
 
-def _solution(scene: solvers.Scene, record: Record, x: float) -> Solution:
+def _solution(scene: solvers.Scene, record: Record) -> Solution:
     """The scene solved for as long as the record may tell of it."""
     solution = solvers.solve(scene)
-    lag = x / scene.target.wave_speed if scene.target.kind == "rod" else 0.0
+    lag = sum(rod.round_trip_time for rod in getattr(scene.target, "rods", ()))  # beyond any place in them
     wanted = min(float(np.ptp(record.time)) + lag, solution.duration + LONGEST * scene.time_unit)
     if "duration" in scene.method or solution.motion is None or wanted <= solution.duration:
         return solution
@@ -71,11 +71,12 @@ def _solution(scene: solvers.Scene, record: Record, x: float) -> Solution:
 
 def _recovered(solution: Solution, records: list[Record], places: list[float]) -> RecoveredWaves:
     target = solution.scene.target
-    if target.kind != "rod":
-        raise SceneError("target.kind", target.kind, "'rod', to recover the contact force from waves in it")
-    if len(records) == 1:
+    if target.kind == "rod" and len(records) == 1:
         return from_one_gauge(records[0], target, places[0])
-    return from_two_gauges(*records, target, *places)
+    if target.kind not in ("rod", "rods") or len(records) == 1:
+        allowed = "'rod', to recover the contact force by one gauge; or 'rods', with two gauges on the first of them"
+        raise SceneError("target.kind", target.kind, allowed)
+    return from_two_gauges(*records, target.rods[0], *places)
 
 
 def _notes(record: Record, solution: Solution, x: float, found: Alignment) -> list[str]:

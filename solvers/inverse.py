@@ -10,6 +10,7 @@ Assumes: plane waves: sections several radii from the struck end, frequencies be
 disperse).
 Error: second order in the step h of the records, which are straight between samples; h^1.5 at the corners of a Hertz
 pulse; a jump is blurred over h. Interpolation never enlarges noise.
+Cost: rows times echoes; 24 million readings take half a second.
 Source: thesis 9.6 (strain is a replica of the contact force some instants before), 4.2.
 """
 
@@ -23,7 +24,7 @@ from . import checks
 from .checks import SceneError
 from .records import Record, as_stress
 
-MOST_ECHOES = 2_000  # terms of the sums below
+MOST_READINGS = 50_000_000  # interpolated for the sums below: a second or two
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ def from_one_gauge(record: Record, rod: Any, x: float) -> RecoveredWaves:
 
     The first term alone is the pulse shifted back, exact until t = D; the others take away the echoes of the far end,
     and there are t / D of them. Gauges near the far end are poor (D is small): white noise in the force grows by at
-    most the root of 2 t / D + 2, an offset of zero by at most T / D + 1.
+    most the root of 2 t / D + 2, or of twice that at a fixed end; an offset of zero by at most T / D + 1.
     Differs: thesis 9.6 shifts back only, so its record ends where the pulse meets its own reflection.
     Raises SceneError for a rod whose far end carries a mass (use two gauges), or a gauge too near that end.
     """
@@ -73,13 +74,11 @@ def from_one_gauge(record: Record, rod: Any, x: float) -> RecoveredWaves:
     lag = _lag(rod, x)
     delay = rod.round_trip_time - 2.0 * lag
     if reflection and delay < record.step:
-        allowed = (
-            f"at most {rod.length - 0.5 * record.step * rod.wave_speed:.6g} m: at the far end waves cancel or add up"
-        )
-        raise SceneError("at", x, allowed)
+        most = rod.length - 0.5 * record.step * rod.wave_speed
+        raise SceneError("at", x, f"at most {most:.6g} m: at the far end both waves are one")
     quiet, time = _Quiet(record, rod, lag), _instants(record, lag)
     terms = 1 + int(time[-1] / delay) if reflection else 1
-    _check_terms(terms)
+    _check_terms(terms, time.size)
 
     def sent(at):
         return sum((-reflection) ** k * quiet.at(at + lag - k * delay) for k in range(terms))
@@ -108,7 +107,7 @@ def from_two_gauges(first: Record, second: Record, rod: Any, x1: float, x2: floa
     ends = min(first.time[-1] - lag1, second.time[-1] + apart - lag1)
     time = _instants(first, lag1, ends)
     pairs = 1 + int(time[-1] / (2.0 * apart))
-    _check_terms(2 * pairs)
+    _check_terms(2 * pairs, time.size)
 
     def outward(at):  # at the first gauge
         return sum(one.at(at - 2 * k * apart) - two.at(at - (2 * k + 1) * apart) for k in range(pairs))
@@ -145,7 +144,8 @@ def _instants(record: Record, lag: float, ends: float = math.inf) -> np.ndarray:
     return np.arange(0, math.floor(last / record.step * (1.0 + 1e-12)) + 1) * record.step
 
 
-def _check_terms(terms: int) -> None:
-    if terms > MOST_ECHOES:
-        allowed = f"one short enough, and gauges far enough apart, for {MOST_ECHOES} echoes"
-        raise SceneError("record", f"one with {terms} echoes", allowed)
+def _check_terms(terms: int, instants: int) -> None:
+    if terms * instants > MOST_READINGS:
+        most = MOST_READINGS // terms
+        allowed = f"at most {most} rows where {terms} echoes must be told apart: a shorter record, or longer steps"
+        raise SceneError("record", f"{instants} rows", allowed)

@@ -88,8 +88,8 @@ def test_the_other_sign_is_noticed(capsys, file):
 
 
 def test_a_shift_that_is_given_is_kept(capsys, file):
-    found = record(capsys, file, "--at", "0.5", "--shift=-3e-4")
-    assert found["gauges"][0]["shift"] == -3e-4
+    for words in (["--shift", "-3e-4"], ["--shift=-.3e-3"]):
+        assert record(capsys, file, "--at", "0.5", *words)["gauges"][0]["shift"] == -3e-4
 
 
 def test_a_file_without_names(capsys, tmp_path):

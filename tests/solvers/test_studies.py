@@ -6,7 +6,7 @@ from pytest import approx
 
 import solvers
 from solvers import SceneError
-from solvers.studies import mass_ratio_sweep, spaced, sweep
+from solvers.studies import PIECES, RATIO_RANGE, _blows, mass_ratio_sweep, spaced, sweep
 from tests.catalog import ROD, SUPPORTS, T, struck_rod
 
 
@@ -66,6 +66,13 @@ def test_extreme_ratios(support):
     assert found.rebound_velocity[1] == approx(0.0 if support == "free" else -2.0 / np.e, rel=1e-9)
 
 
+@pytest.mark.parametrize("reflection", [1.0, -1.0])
+def test_every_blow_is_followed_to_its_end(reflection):
+    ratios = np.geomspace(*RATIO_RANGE, 500)
+    complete, count, _ = _blows(reflection, ratios, PIECES[-1])
+    assert complete and count.max() <= 2
+
+
 @pytest.mark.parametrize("ratios", [[], [0.0], [-1.0], [np.nan], [np.inf], [1e7], [[1.0]]])
 def test_ratios_that_are_none_are_refused(ratios):
     with pytest.raises(SceneError, match="mass ratios from 1e-06 to 1e"):
@@ -116,6 +123,8 @@ def test_keys_of_whole_numbers_get_each_of_them_once():
         ("target.colour", [1.0], "target.colour: got 1"),
         ("method.tolerance", [1e-9, 1.0], "method.tolerance: got 1.0"),
         ("impactor.mass", [], "number of values: got 0"),
+        ("impactor.mass", [1.0, np.nan], "impactor.mass: got nan"),
+        ("method.steps", [100.0, np.inf], "method.steps: got inf"),
     ],
 )
 def test_the_value_that_cannot_be_solved_is_named(key, values, said):
