@@ -43,7 +43,8 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
 
     Error: rounding; every ratio is solved by the event-exact kernel of `waves`. Neither the rebound nor the number of
     contacts is monotone.
-    Cost: 10 to 100 microseconds a ratio on one core, less than steps on a grid that counts the contacts as well.
+    Cost: 10 to 100 microseconds a ratio on one core. `stepped_waves` with 128 steps a round trip is six times cheaper
+    and counts the contacts as well, but misses the rebound from heavy rods by up to 0.27 of the speed.
     Source: thesis 4.4, 4.5 for ratios other than 1.
     """
     reflection = {"fixed": 1.0, "free": -1.0}[checks.choice("support", support, ("fixed", "free"))]
