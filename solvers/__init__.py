@@ -12,7 +12,7 @@ from .checks import SceneError
 from .comparison import Row, compare
 from .contact import LAWS
 from .method import Method, SceneNotSupported
-from .methods import METHODS, Balance, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
+from .methods import METHODS, Balance, FeModal, FeNodal, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 
@@ -22,6 +22,8 @@ __all__ = [
     "Balance",
     "Body",
     "ContactPeriod",
+    "FeModal",
+    "FeNodal",
     "Material",
     "Method",
     "Modal",

@@ -1,7 +1,7 @@
 """Repeated balances of impulse and momentum between a striker and a body that can ring."""
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,7 +12,7 @@ from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..motion import SampledMotion, ShapeField
 from ..numerics import balances
 from ..numerics.balances import Bank, Events, Joined, exact_turn
-from ..numerics.elements import mesh_modes
+from ..numerics.elements import mesh_modes, two_sided
 from ..numerics.modes import Modes
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
@@ -213,31 +213,14 @@ class Pair:
         rings = [body.round_trip_time for body in bodies if body.round_trip_time is not None]
         split = modes[0].frequencies.size + 1
         patience = 2.0 * max(rings, default=scene.time_unit)
-        resolved = max(own.front_time for own in modes) if rings else 0.0
+        ringing = [own for own, body in zip(modes, bodies, strict=True) if body.round_trip_time is not None]
+        resolved = max((own.front_time for own in ringing), default=0.0)
         return cls(bank, np.concatenate(start), modes, split, shortest, resolved, patience)
 
-    def shapes(self, x: np.ndarray) -> np.ndarray:
-        """Displacement per unit of each coordinate, (modes, x); the impactor is where x is negative."""
-        return self._fields(x, "shapes")
-
-    def slopes(self, x: np.ndarray) -> np.ndarray:
-        return self._fields(x, "slopes")
-
-    def _fields(self, x: np.ndarray, name: str) -> np.ndarray:
-        x = np.asarray(x, float)
-        found = np.zeros((self.bank.closing.size, x.size))
-        whole = name == "shapes"
-        for modes, here, side, rows in (
-            (self.modes[0], x < 0.0, -1.0, slice(0, self.split)),
-            (self.modes[1], x >= 0.0, 1.0, slice(self.split, None)),
-        ):
-            part = getattr(modes, name)(side * x[here]) * (1.0 if whole else side)
-            if np.isfinite(modes.rigid_mass):
-                rigid = np.full((1, part.shape[1]), 1.0 / np.sqrt(modes.rigid_mass) if whole else 0.0)
-                part = np.vstack((rigid, part))
-            block = found[rows]
-            block[:, here] = part
-        return found
+    def fields(self) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
+        """Shapes and slopes per unit of each coordinate, (modes, x); the impactor is where x is negative."""
+        (shapes1, slopes1), (shapes2, slopes2) = (modes.with_rigid() for modes in self.modes)
+        return two_sided(shapes1, shapes2, 1.0), two_sided(slopes1, slopes2, -1.0)
 
 
 @dataclass(frozen=True)
@@ -334,7 +317,7 @@ class BalanceMotion(SampledMotion):
         if times.size * pair.bank.closing.size > MOST_NUMBERS:
             times, after = drawn, np.searchsorted(events.time, drawn, "right") - 1
         q, p = self.run.states(after, times)
-        return ShapeField(times, q, p, pair.shapes, pair.slopes, self.scene.target.material.young)
+        return ShapeField(times, q, p, *pair.fields(), self.scene.target.material.young)
 
     def _averaged(self, times: np.ndarray, period: float) -> np.ndarray:
         """Impulse of the period about each instant over the part of it that is after the first touch."""

@@ -1,6 +1,6 @@
 """Rods as chains of two-node elements, and what follows from the chain: matrices, modes, a line of two bodies."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,14 @@ class Mesh(NamedTuple):
     mass_beside: np.ndarray
     stiffness: np.ndarray  # [N/m]
     stiffness_beside: np.ndarray
-    neighbour: float  # stiffness of the element at the struck node [N/m]; 0 where there is none
+    neighbour: float = 0.0  # stiffness of the element at the struck node [N/m]; 0 where there is none
+    transit: float = np.inf  # shortest that a wave takes through an element [s]
+    shortest_period: float = 0.0  # of an element on its own [s], just below that of the whole mesh
+
+    @property
+    def rings(self) -> bool:
+        """Whether it has elements."""
+        return self.place.size > 1
 
     @property
     def total_mass(self) -> float:
@@ -30,11 +37,15 @@ class Mesh(NamedTuple):
 
     def shapes(self, x: np.ndarray) -> np.ndarray:
         """Displacement at x [m] for 1 m at each node alone, (nodes, x)."""
+        if not self.rings:
+            return np.ones((self.mass.size, np.size(x)))
         cell, part = self._cell(x)
         return self._spread(cell, 1.0 - part, part)
 
     def slopes(self, x: np.ndarray) -> np.ndarray:
         """Strain at x [m] for 1 m at each node alone, (nodes, x) [1/m]."""
+        if not self.rings:
+            return np.zeros((self.mass.size, np.size(x)))
         cell, _ = self._cell(x)
         length = np.diff(self.place)[cell]
         return self._spread(cell, -1.0 / length, 1.0 / length)
@@ -78,13 +89,15 @@ def rod_mesh(
         stiffness[:kept],
         -springs[: kept - 1],
         float(springs[0]),
+        float(np.sqrt(masses / springs).min()),
+        float(2.0 * np.pi * np.sqrt(0.5 * (own - beside) / springs).min()),
     )
 
 
 def point_mesh(mass: float, stiffness: float = 0.0) -> Mesh:
     """A rigid mass [kg], free or on a spring [N/m] that is held; of infinite mass: no node at all."""
     nodes, none = int(np.isfinite(mass)), np.zeros(0)
-    return Mesh(np.zeros(nodes), np.full(nodes, mass), none, np.full(nodes, stiffness), none, 0.0)
+    return Mesh(np.zeros(nodes), np.full(nodes, mass), none, np.full(nodes, stiffness), none)
 
 
 def without_mass_in_front(mesh: Mesh) -> Mesh:
@@ -97,7 +110,10 @@ def without_mass_in_front(mesh: Mesh) -> Mesh:
     mass[0] += mesh.mass[0] + 2.0 * mesh.mass_beside[0]
     stiffness = mesh.stiffness[1:].copy()
     stiffness[0] -= mesh.neighbour
-    return Mesh(mesh.place[1:], mass, mesh.mass_beside[1:], stiffness, mesh.stiffness_beside[1:], mesh.neighbour)
+    beside = mesh.mass_beside[1:], mesh.stiffness_beside[1:]
+    return mesh._replace(
+        place=mesh.place[1:], mass=mass, mass_beside=beside[0], stiffness=stiffness, stiffness_beside=beside[1]
+    )
 
 
 def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> Modes:
@@ -162,6 +178,17 @@ def _compliance(mesh: Mesh, free: bool) -> float:
     if free:
         bent -= (inertia @ bent) / inertia.sum()
     return float(bent[0])
+
+
+def two_sided(first: Callable, second: Callable, sign: float) -> Callable:
+    """Fields of both bodies by rows: those of `first` where x is negative, at -x and times `sign`, else of `second`."""
+
+    def found(x: np.ndarray) -> np.ndarray:
+        x = np.asarray(x, float)
+        blocks = sign * first(np.where(x < 0.0, -x, 0.0)), second(np.where(x < 0.0, 0.0, x))
+        return np.vstack((blocks[0] * (x < 0.0), blocks[1] * (x >= 0.0)))
+
+    return found
 
 
 class Line(NamedTuple):

@@ -28,13 +28,28 @@ class Modes:
         """Period of the highest kept mode [s]: no finer detail in time is resolved; 0 without modes."""
         return 2.0 * np.pi / float(self.frequencies[-1]) if self.frequencies.size else 0.0
 
+    def with_rigid(self) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
+        """Shapes and slopes with the motion as a whole in front, of the same norm, if it is free."""
+        if not np.isfinite(self.rigid_mass):
+            return self.shapes, self.slopes
+        one = 1.0 / np.sqrt(self.rigid_mass)
+        return (
+            lambda x: np.vstack((np.full((1, np.size(x)), one), self.shapes(x))),
+            lambda x: np.vstack((np.zeros((1, np.size(x))), self.slopes(x))),
+        )
+
     @property
     def front_time(self) -> float:
-        """What a front lasts that has run through a mesh with these modes [s]: who is apart for less may touch.
+        """See `front_time`."""
+        return front_time(self.frequencies.size, self.shortest_period)
 
-        Dispersion spreads it over some (elements)^(1/3) of the shortest periods; measured on chattering contacts.
-        """
-        return 1.1 * self.frequencies.size ** (1.0 / 3.0) * self.shortest_period
+
+def front_time(count: int, shortest_period: float) -> float:
+    """What a front lasts that has run through a mesh of `count` elements [s]: who is apart for less may touch.
+
+    Dispersion spreads it over some count^(1/3) of the shortest periods; the factor is measured on chattering contacts.
+    """
+    return 1.1 * count ** (1.0 / 3.0) * shortest_period
 
 
 def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count: int) -> Modes:

@@ -31,8 +31,11 @@ class Bank(NamedTuple):
     excess: np.ndarray  # cosine^2 + sine^2 - 1, by rounding: undone now and then, as it would add up over 1e5 steps
 
 
-def oscillator_bank(frequencies: np.ndarray, at_contact: np.ndarray, step: float) -> Bank:
-    angle = frequencies * step
+def oscillator_bank(
+    frequencies: np.ndarray, at_contact: np.ndarray, step: float, turning: np.ndarray | None = None
+) -> Bank:
+    """`turning` [rad/s]: frequencies at which the step turns the oscillators, where it is not exact."""
+    angle = (frequencies if turning is None else turning) * step
     cosine, sine = np.cos(angle), np.sin(angle)
     softness = (at_contact / frequencies) ** 2
     kick_displacement = softness * 2.0 * np.sin(0.5 * angle) ** 2  # not 1 - cos, which cancels for low modes

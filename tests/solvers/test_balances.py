@@ -23,7 +23,7 @@ def blow(bank: Bank, variant: str, restitution: float, step: float, tolerance: f
     q, p = np.zeros(bank.closing.size), np.zeros(bank.closing.size)
     p[0] = 1.0 / bank.closing[0]
     initial = 0.5 * p[0] ** 2
-    events = balances.events(4000, q.size)
+    events = balances.events(3200, q.size)
     if variant == "step-end":
         turn = newmark_turn(bank.frequencies, step)
         count, _ = balances.at_step_ends(bank, turn, restitution, step, end, 1e3 * T, q, p, events)
@@ -113,7 +113,7 @@ def test_event_located_faces_never_overlap():
     bank = bank_of(20)
     for restitution in (1.0, 0.3):
         _, events, _, _ = blow(bank, "event-located", restitution, fine(bank))
-        times = np.linspace(0.0, events.time[-1], 20_000)
+        times = np.linspace(0.0, events.time[-1], 5000)
         after = np.searchsorted(events.time, times, "right") - 1
         joined = balances.joined(bank)
         q, _ = balances.course(bank, bank.frequencies, joined, events, after, times - events.time[after])

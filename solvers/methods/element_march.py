@@ -1,0 +1,210 @@
+"""What the methods of finite elements share: the options, the local stiffness, the march until the bodies part."""
+
+import math
+import time
+from abc import abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from .. import checks
+from ..bodies import Rods
+from ..contact import Linear
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..scene import Scene, contact_time
+from ..solution import Solution, summary
+from .element_motion import Course, ElementMotion
+
+STEPS_PER_CONTACT = 100
+EXPECTED_STEPS = 60_000  # more are not chosen unasked
+MAX_STEPS = 4_000_000
+SNAPSHOTS = 1000  # of all nodes, over the time expected
+MOST_NUMBERS = 10_000_000  # doubles kept of nodes
+ELEMENTS_RANGE = (1, 2000)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FiniteElements(Method):
+    """What both methods share: the mesh, the local stiffness of a rigid contact, the march until the bodies part."""
+
+    elements: int = 100
+    steps: int | None = None  # over the whole duration
+    contact_stiffness: float = 1.0  # of a rigid contact, in stiffnesses of the neighbouring element
+    estimate: bool = field(default=True, repr=False)
+
+    def why_not(self, scene: Scene) -> str | None:
+        bodies = (scene.impactor, scene.target)
+        for body in bodies:
+            if body.kind == "half-space" or getattr(body, "support", "") == "anechoic":
+                return "the bodies must end somewhere, got one that waves run away in; use 'waves'"
+            if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
+                return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
+        if all(body.round_trip_time is None for body in bodies):
+            return "at least one body must be a rod that can be divided into elements; use 'quasi-static' or 'balance'"
+        return None
+
+    def _solve(self, scene: Scene, duration: float | None) -> Solution:
+        begun = time.perf_counter()
+        course = self._course(scene, duration)
+        motion = ElementMotion(scene, course)
+        contacts = motion.contacts()
+        wall_time = time.perf_counter() - begun
+        found = summary(scene, motion, contacts, course.duration, wall_time)
+        found["diagnostics"] |= {
+            "steps": course.steps,
+            "momentum_error": motion.momentum_error(),
+            "estimated_error": self._estimated_error(scene, course) if self.estimate and not course.diverged else None,
+            "raw_contacts": motion.raw_contacts()[0].size,
+            "raw_peak_force": float(course.force.max()),
+            "resolved_time": course.resolved_time,
+        }
+        rigid = scene.contact.NAME == "rigid"
+        depth = None if rigid else float(max(course.indentation.max(), 0.0))
+        return Solution(
+            scene=scene,
+            method=self.table(),
+            contacts=contacts,
+            duration=course.duration,
+            motion=motion,
+            peak_force=max(contact.peak_force for contact in contacts),
+            peak_indentation=depth,
+            residual_indentation=None if rigid else float(scene.contact.dent(depth)),
+            notes=self._notes(scene, motion, duration, len(contacts)) + self._doubts(found["diagnostics"]),
+            **found,
+        )
+
+    def _doubts(self, diagnostics: Mapping[str, Any]) -> list[str]:
+        """What the figures themselves say."""
+        return []
+
+    def _notes(self, scene: Scene, motion: ElementMotion, duration: float | None, contacts: int) -> list[str]:
+        course, notes = motion.course, []
+        if scene.contact.NAME == "rigid" and self._needs_stiffness(scene):
+            notes.append(
+                f"A rigid contact of a mesh needs a local stiffness: {self.contact_stiffness:g} times that of the "
+                f"neighbouring element, {self._stiffness(scene):.4g} N/m, as the thesis takes it."
+            )
+        if course.diverged:
+            notes.append(
+                "The solution grows without bound and was stopped: the contact status is frozen over each step, which "
+                "feeds a stiff contact. Use status 'implicit', a smaller contact_stiffness or more steps."
+            )
+        elif course.force[-1] > 0.0:
+            notes.append("The bodies are still in contact at the end of the time solved.")
+        elif duration is None and not course.parted:
+            notes.append("The solution stopped at its limit of steps before the bodies had parted for good.")
+        raw = motion.raw_contacts()[0].size
+        if raw > contacts and not course.diverged:
+            notes.append(
+                f"The faces touch {raw} times in {contacts} contact{'s' * (contacts > 1)}: the mesh chatters at its "
+                "shortest period, and the peak of the raw force means nothing. All modes with the massless boundary of "
+                "'fe-modal' avoid most of it."
+            )
+        return notes
+
+    def _estimated_error(self, scene: Scene, course: Course) -> float:
+        """Of the final velocity, relative to the impact speed: against half the elements and half the steps."""
+        other = self._halved(course)._course(scene, course.duration)
+        scale = scene.impactor.mass * scene.speed
+        return float(abs(course.impulse[-1] - other.impulse[-1]) / scale)
+
+    def _halved(self, course: Course) -> "FiniteElements":
+        return replace(self, elements=max(1, self.elements // 2), steps=None)
+
+    def _stiffness(self, scene: Scene) -> float:
+        """Local stiffness of a rigid contact [N/m]: from the element next to it, the target's if it has any."""
+        neighbours = [body.mesh(self.elements).neighbour for body in (scene.target, scene.impactor)]
+        return self.contact_stiffness * next(stiffness for stiffness in neighbours if stiffness)
+
+    def _law(self, scene: Scene) -> Any:
+        return Linear(self._stiffness(scene)) if scene.contact.NAME == "rigid" else scene.contact
+
+    def _needs_stiffness(self, scene: Scene) -> bool:
+        """Whether a rigid contact needs a local stiffness."""
+        return True
+
+    @abstractmethod
+    def _course(self, scene: Scene, duration: float | None) -> Course: ...
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How far and how finely to march."""
+
+    step: float
+    count: int | None  # None: until the bodies part
+    most: int
+    chunk: int
+    stride: int
+
+    @classmethod
+    def of(cls, scene: Scene, law: Any, fine: float, limit: float, given: int | None, duration: float | None, nodes):
+        """`fine` [s]: the step wished for; `limit` [s]: the largest that is stable. Raises SceneError beyond it."""
+        ringing = [body for body in (scene.target, scene.impactor) if body.round_trip_time is not None]
+        trips = [body.round_trip_time for body in ringing]
+        softness = sum(1.0 / rod.stiffness for rod in ringing[0].rods)
+        touch = contact_time(law, scene.reduced_mass, scene.speed)
+        reduced = scene.reduced_mass
+        expected = 3.0 * (sum(trips) + touch + math.pi * math.sqrt(reduced * softness))
+        fine = min(max(min(fine, touch / STEPS_PER_CONTACT), expected / EXPECTED_STEPS), limit)
+        count = given
+        if duration is not None:
+            count = min(max(10, math.ceil(duration / fine)), MAX_STEPS) if given is None else given
+            fine = duration / count
+        if fine > limit * (1.0 + 1e-9):
+            least = math.ceil(duration / limit)
+            raise checks.SceneError(
+                "method.steps", count, f"at least {least} for this mesh, contact and duration: the step is explicit"
+            )
+        expected_steps = count or math.ceil(expected / fine)
+        stride = max(1, expected_steps // min(SNAPSHOTS, max(10, MOST_NUMBERS // nodes)))
+        if count is not None:
+            stride = next(part for part in range(stride, 0, -1) if count % part == 0)
+        period = 2.0 * max(trips)
+        most = count or int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
+        chunk = count or stride * math.ceil(period / fine / stride)
+        return cls(fine, count, most, chunk, stride)
+
+
+def follow(scene: Scene, plan: Plan, make: Callable, advance: Callable, impulse: Callable) -> tuple[Any, int, bool]:
+    """March by chunks until the bodies have not touched for one and move apart. Returns record, steps, parted.
+
+    make(steps): an empty record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s].
+    """
+    record, done, target = make(plan.chunk), 0, scene.target
+    while done < plan.most:
+        until = min(done + plan.chunk, plan.most)
+        if until > record.contact_force.size - 1:
+            record = _grown(record, make(max(until, min(2 * until, plan.most))))
+        before, reached = impulse(record, done), advance(done, until, record)
+        if reached < until:
+            return record, reached, False
+        done, gained = until, impulse(record, until)
+        if plan.count is None and gained == before:
+            rigid = 0.0 if target.held else target.velocity + gained / target.mass
+            if scene.impactor.velocity - gained / scene.impactor.mass < rigid:
+                return record, done, True
+    return record, done, False
+
+
+def _grown(record: Any, larger: Any) -> Any:
+    for old, new in zip(record, larger, strict=True):
+        new[: old.shape[0]] = old
+    return larger
+
+
+def end(plan: Plan, scene: Scene, last_touch: int, done: int) -> int:
+    """Steps to keep of a march until the bodies parted: a little beyond the last touch, up to a snapshot."""
+    wished = last_touch + math.ceil(AFTERGLOW * scene.time_unit / plan.step)
+    return min(done, plan.stride * math.ceil(wished / plan.stride))
+
+
+def read_common(given: Mapping[str, object]) -> dict[str, Any]:
+    steps = given.get("steps")
+    return {
+        "elements": checks.whole_number("method.elements", given.get("elements", 100), *ELEMENTS_RANGE),
+        "steps": None if steps is None else checks.whole_number("method.steps", steps, 10, MAX_STEPS),
+        "contact_stiffness": checks.number(
+            "method.contact_stiffness", given.get("contact_stiffness", 1.0), 1e-6, 1e8, "stiffnesses of an element"
+        ),
+    }

@@ -1,0 +1,116 @@
+"""What a march over a mesh gives: histories at every instant, fields at some, contacts located in between."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..motion import SampledMotion, ShapeField
+from ..scene import Scene
+from ..solution import ContactPeriod
+
+
+@dataclass(frozen=True)
+class Course:
+    """Histories (steps + 1,) at every instant, SI units, and snapshots (rows,) at every `stride`-th."""
+
+    step: float
+    stride: int
+    force: np.ndarray
+    impulse: np.ndarray
+    indentation: np.ndarray  # of the law; negative: the gap
+    position: np.ndarray  # of the impactor as a whole
+    end_position: np.ndarray  # of the target's face
+    end_velocity: np.ndarray
+    field: ShapeField
+    energies: dict[str, np.ndarray]  # (rows,)
+    momenta: tuple[float, float]  # of impactor and target at the end, summed over the mesh [kg m/s]
+    resolved_time: float  # apart for less is still in contact, as far as this mesh can tell [s]
+    shortest_period: float  # of the mesh [s]
+    parted: bool  # for good
+    diverged: bool
+
+    @property
+    def steps(self) -> int:
+        return self.force.size - 1
+
+    @property
+    def duration(self) -> float:
+        return self.steps * self.step
+
+
+class ElementMotion(SampledMotion):
+    """Straight between the instants; velocities as wholes from the impulse that both bodies received."""
+
+    def __init__(self, scene: Scene, course: Course):
+        self.scene, self.course = scene, course
+        time = np.arange(course.steps + 1) * course.step
+        rows = time[:: course.stride][: next(iter(course.energies.values())).size]
+        impactor, target = scene.impactor, scene.target
+        rigid = np.zeros(time.size) if target.held else target.velocity + course.impulse / target.mass
+        super().__init__(
+            time=time,
+            force=course.force,
+            impulse=course.impulse,
+            impactor_position=course.position,
+            impactor_velocity=impactor.velocity - course.impulse / impactor.mass,
+            end_position=course.end_position,
+            end_velocity=course.end_velocity,
+            rigid_velocity=rigid,
+            energies={name: np.interp(time, rows, values) for name, values in course.energies.items()},
+            field=course.field if target.length else None,
+        )
+
+    def momentum_error(self) -> float:
+        """Of what is summed over the meshes at the end against the impulse, relative to the smaller body's share."""
+        impactor, target = self.scene.impactor, self.scene.target
+        end = np.array([self.course.duration])
+        errors = [self.course.momenta[0] - impactor.mass * float(self.impactor_velocity(end)[0])]
+        if not target.held:
+            errors.append(self.course.momenta[1] - target.mass * float(self.rigid_velocity(end)[0]))
+        return max(errors, key=abs) / (min(impactor.mass, target.mass) * self.scene.speed)
+
+    def resolved_force(self, time: np.ndarray) -> np.ndarray:
+        """The force averaged over the shortest period of the mesh: the finest that it can tell."""
+        time, half = np.asarray(time, float), 0.5 * self.course.shortest_period
+        first, last = np.maximum(time - half, 0.0), time + half
+        return (self.impulse(last) - self.impulse(first)) / (last - first)
+
+    def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
+        """Start and end [s] of every stretch with a contact force, located inside the steps."""
+        course = self.course
+        pressing = course.force > 0.0
+        cells = np.flatnonzero(pressing[1:] | pressing[:-1] | (np.diff(course.impulse) > 0.0))
+        if not cells.size:
+            return np.zeros(1), np.zeros(1)
+        breaks = np.flatnonzero(np.diff(cells) > 1)
+        firsts, lasts = cells[np.append(0, breaks + 1)], cells[np.append(breaks, cells.size - 1)]
+        dent = getattr(self.scene.contact, "dent", lambda deepest: 0.0)
+        deepest = np.maximum(np.maximum.accumulate(course.indentation), 0.0)
+
+        def closed(instants: np.ndarray, cells: np.ndarray) -> np.ndarray:
+            return course.indentation[instants] - np.array([dent(value) for value in deepest[cells].tolist()])
+
+        starts = course.step * (firsts + _zero(closed(firsts, firsts), closed(firsts + 1, firsts)))
+        ends = course.step * (lasts + 1.0 - _zero(closed(lasts + 1, lasts), closed(lasts, lasts)))
+        return starts, ends
+
+    def contacts(self) -> list[ContactPeriod]:
+        """Contact periods as far as this mesh can tell: the bodies are apart for longer than a front lasts in it."""
+        starts, ends = self.raw_contacts()
+        parts = starts[1:] - ends[:-1] >= self.course.resolved_time
+        firsts, lasts = starts[np.append(True, parts)], ends[np.append(parts, True)]
+        rigid = self.scene.contact.NAME == "rigid"
+        found = []
+        for start, end in zip(firsts.tolist(), lasts.tolist(), strict=True):
+            first, last = int(start / self.course.step), min(int(np.ceil(end / self.course.step)), self.course.steps)
+            during = self.time[first : last + 1]
+            peak = float((self.resolved_force(during) if rigid else self.force(during)).max())
+            gained = float(self.course.impulse[last] - self.course.impulse[first])
+            found.append(ContactPeriod(start, end, gained, peak))
+        return found
+
+
+def _zero(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Where in a cell (0 to 1) the line from a negative value to a positive one is zero; 0 for any other."""
+    crosses = (before < 0.0) & (after > 0.0)
+    return np.where(crosses, before / np.where(crosses, before - after, 1.0), 0.0)

@@ -1,0 +1,193 @@
+"""Finite elements in nodal coordinates."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .. import checks
+from ..motion import ShapeField
+from ..numerics import newmark
+from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line, two_sided
+from ..numerics.modes import front_time
+from ..scene import Scene
+from .element_march import FiniteElements, Plan, end, follow, read_common
+from .element_motion import Course
+
+STEPS_PER_ELEMENT = 4  # of Newmark's step while a wave crosses one element
+DOUBTFUL = 0.01  # of the energy, gained or lost by the scheme
+EXPLICIT_SHARE = 0.8  # of the explicit limit; nearer to it a contact that opens and closes feeds the mesh
+
+
+@dataclass(frozen=True, kw_only=True)
+class FeNodal(FiniteElements):
+    """Two-node elements with straight displacements, marched node by node.
+
+    scheme "newmark": constant mean acceleration, consistent mass; "central-difference": explicit, lumped mass, below
+    its limit with the contact spring. Where `status` is
+    "implicit" the contact force of a step does exactly the law's work, stable at any stiffness; "frozen" is the
+    thesis's, decided at the start of the step, which diverges with stiff contacts.
+    A rigid contact gets the stiffness E A n / L of the neighbouring element, times `contact_stiffness`.
+    Error: second order in the step; first order in 1 / elements for a rigid contact. Cost: steps * nodes.
+    Source: thesis 6.4.1 and 8.2. Differs: table 8.1 prints an analytic peak of 89960 N, (4.33) gives 78277 N; its F_max
+    of 50 elements and more is that of the step of 1 us and of the chatter.
+    """
+
+    scheme: str = "newmark"
+    status: str = "implicit"
+
+    NAME = "fe-nodal"
+
+    @classmethod
+    def read(cls, given: Mapping[str, object]) -> "FeNodal":
+        given = checks.table("method", given, ("elements", "steps", "contact_stiffness", "scheme", "status"))
+        scheme = checks.choice("method.scheme", given.get("scheme", "newmark"), ("newmark", "central-difference"))
+        status = checks.choice("method.status", given.get("status", "implicit"), ("implicit", "frozen"))
+        if status == "frozen" and scheme != "newmark":
+            raise checks.SceneError("method.status", status, "'implicit', or scheme = 'newmark'")
+        return cls(**read_common(given), scheme=scheme, status=status)
+
+    def why_not(self, scene: Scene) -> str | None:
+        if self.status == "frozen" and scene.contact.NAME not in ("rigid", "linear"):
+            return f"a frozen status needs a contact with one stiffness, got {scene.contact.NAME}; use 'implicit'"
+        return super().why_not(scene)
+
+    def _doubts(self, diagnostics: Mapping[str, Any]) -> list[str]:
+        gained = diagnostics["energy_error"]
+        if abs(gained) < DOUBTFUL:
+            return []
+        remedy = "status 'implicit', which keeps the energy," if self.scheme == "newmark" else "more steps"
+        return [f"The steps have changed the energy by {100.0 * gained:.2g} %: use {remedy} to see what that does."]
+
+    def _course(self, scene: Scene, duration: float | None) -> Course:
+        if duration is None and self.steps is not None:
+            duration = replace(self, steps=None)._course(scene, None).duration
+        lumping = LUMPED if self.scheme == "central-difference" else CONSISTENT
+        meshes = tuple(body.mesh(self.elements, lumping) for body in (scene.impactor, scene.target))
+        whole, law = line(*meshes), self._law(scene)
+        fine, limit = min(mesh.transit for mesh in meshes) / STEPS_PER_ELEMENT, math.inf
+        if self.scheme == "central-difference":
+            limit = 2.0 / highest_frequency(whole, _steepest(law, scene))
+            fine = EXPLICIT_SHARE * limit
+        plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.size)
+        record, steps, parted, diverged = self._march(scene, whole, law, plan)
+        return _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged)
+
+    def _march(self, scene: Scene, whole: Line, law: Any, plan: Plan) -> tuple[newmark.Record, int, bool, bool]:
+        u, v = np.zeros(whole.mass.size), np.full(whole.mass.size, scene.target.velocity)
+        v[: whole.front + 1] = scene.impactor.velocity
+        start, step, stride = v.copy(), plan.step, plan.stride
+
+        def make(steps: int) -> newmark.Record:
+            record = newmark.record(steps, stride, start.size)
+            record.velocity[0] = start
+            record.first_velocity[0] = scene.impactor.velocity
+            record.second_velocity[0] = scene.target.velocity
+            return record
+
+        if self.scheme == "central-difference":
+            lossy, explicit = law.LOSSY or law.PLASTIC, newmark.explicit(whole, step)
+
+            def advance(begin, end, record):
+                newmark.march_explicit(law, lossy, explicit, step, u, v, stride, begin, end, record)
+                return end
+        elif self.status == "frozen":
+            apart, together = newmark.newmark(whole, step), newmark.newmark(_joined(whole, law.stiffness), step)
+            acceleration = np.zeros(u.size)
+
+            def advance(begin, end, record):
+                return newmark.march_frozen(
+                    law.stiffness, apart, together, step, u, v, acceleration, stride, begin, end, record
+                )
+        else:
+            matrices = newmark.newmark(whole, step)
+
+            def advance(begin, end, record):
+                newmark.march_implicit(law, matrices, step, u, v, stride, begin, end, record)
+                return end
+
+        record, done, parted = follow(scene, plan, make, advance, lambda record, k: float(record.impulse[k]))
+        diverged = self.status == "frozen" and done < plan.most and not parted
+        if diverged:
+            done -= done % stride
+        elif parted:
+            last = int(np.flatnonzero(record.contact_force[: done + 1] > 0.0)[-1]) + 1
+            done = end(plan, scene, last, done)
+        return record, max(done, stride), parted, diverged
+
+
+def _joined(whole: Line, stiffness: float) -> Line:
+    """The line with the contact spring [N/m] between its faces."""
+    diagonal, beside = whole.stiffness.copy(), whole.stiffness_beside.copy()
+    diagonal[whole.front : whole.front + 2] += stiffness
+    beside[whole.front : whole.front + 1] -= stiffness
+    return whole._replace(stiffness=diagonal, stiffness_beside=beside)
+
+
+def _steepest(law: Any, scene: Scene) -> float:
+    """Largest stiffness of the law that this blow can reach [N/m]: where it stores all energy of the approach."""
+    energy = 0.5 * scene.reduced_mass * scene.speed**2
+    depth = scene.speed * scene.time_unit * 1e-9
+    while law.stored(depth, depth) < energy and depth < 1e9 * scene.speed * scene.time_unit:
+        depth *= 1.25
+    return max(float(law.slopes(part * depth, 0.0, 0.0)[0]) for part in np.linspace(1e-3, 1.0, 200).tolist())
+
+
+def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged) -> Course:
+    """Histories and fields of a march over nodes."""
+    front, rows = whole.front, steps // plan.stride + 1
+    u, v = record.displacement[:rows], record.velocity[:rows]
+    momentum = _times(whole.mass, whole.mass_beside, v)
+    kinetic, strain = v * momentum, u * _times(whole.stiffness, whole.stiffness_beside, u)
+    own, other = (0.5 * (kinetic + strain)[:, part].sum(1) for part in (slice(front + 1), slice(front + 1, None)))
+    pushed = momentum[:, front + 1 :].sum(1)
+    rigid = np.zeros(rows) if scene.target.held else 0.5 * pushed**2 / scene.target.mass
+    instants = slice(0, steps + 1)
+    depth, deepest = (values[instants][:: plan.stride].tolist() for values in (record.indentation, record.deepest))
+    first, second = meshes
+    reversed_rows = lambda field: lambda x: field(x)[::-1]  # noqa: E731  (the impactor's face is its last node)
+    target = scene.target
+    travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
+    free = scene.impactor.velocity * plan.step * np.arange(steps + 1)
+    centre = free - 0.5 * plan.step * travelled / scene.impactor.mass
+    shortest = min(mesh.shortest_period for mesh in meshes if mesh.rings)
+    return Course(
+        step=plan.step,
+        stride=plan.stride,
+        force=record.contact_force[instants],
+        impulse=record.impulse[instants],
+        indentation=record.indentation[instants],
+        position=centre if first.rings else record.first[instants],
+        end_position=record.second[instants],
+        end_velocity=record.second_velocity[instants],
+        field=ShapeField(
+            plan.step * plan.stride * np.arange(rows),
+            u,
+            v,
+            two_sided(reversed_rows(first.shapes), second.shapes, 1.0),
+            two_sided(reversed_rows(first.slopes), second.slopes, -1.0),
+            target.material.young if target.length else 0.0,
+        ),
+        energies={
+            "impactor": own,
+            "target_rigid": rigid,
+            "target_vibration": other - rigid,
+            "local": np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)]),
+            "dissipated": record.lost[instants][:: plan.stride],
+        },
+        momenta=(float(momentum[-1, : front + 1].sum()), float(pushed[-1])),
+        resolved_time=max(front_time(mesh.mass.size, mesh.shortest_period) for mesh in meshes),
+        shortest_period=shortest,
+        parted=parted,
+        diverged=diverged,
+    )
+
+
+def _times(diagonal: np.ndarray, beside: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Matrix of three diagonals times every row, (rows, nodes)."""
+    found = diagonal * rows
+    found[:, 1:] += beside * rows[:, :-1]
+    found[:, :-1] += beside * rows[:, 1:]
+    return found

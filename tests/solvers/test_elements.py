@@ -1,0 +1,93 @@
+"""Meshes of rods as arrays: matrices, modes, compliance, the limit of an explicit step."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from solvers.numerics.elements import AVERAGED, CONSISTENT, LUMPED, highest_frequency, line, mesh_modes, point_mesh
+from tests.catalog import ROD, observed_order, struck_rod
+
+SHARES = (CONSISTENT, AVERAGED, LUMPED)
+
+
+def full(diagonal, beside):
+    return np.diag(diagonal) + np.diag(beside, 1) + np.diag(beside, -1)
+
+
+@pytest.mark.parametrize("lumping", SHARES)
+def test_mass_and_static_stiffness_are_those_of_the_rod(lumping):
+    free = struck_rod(support="free").target.mesh(7, lumping)
+    assert free.total_mass == approx(ROD.mass, rel=1e-14)
+    fixed = ROD.mesh(7, lumping)
+    assert np.linalg.inv(full(fixed.stiffness, fixed.stiffness_beside))[0, 0] == approx(1.0 / ROD.stiffness, rel=1e-12)
+    assert fixed.mass.size == 7 and free.mass.size == 8
+
+
+def test_matrices_of_6_16():
+    mesh = ROD.mesh(3)
+    m, k = ROD.mass / 9.0, 3.0 * ROD.stiffness
+    assert mesh.mass == approx(m * np.array([1.0, 2.0, 2.0]), rel=1e-14)
+    assert mesh.mass_beside == approx(m * np.array([0.5, 0.5]), rel=1e-14)
+    assert mesh.stiffness == approx(k * np.array([1.0, 2.0, 2.0]), rel=1e-14)
+    assert mesh.stiffness_beside == approx(-k * np.ones(2), rel=1e-14)
+    assert mesh.neighbour == approx(k, rel=1e-14)
+
+
+@pytest.mark.parametrize("support", ["fixed", "free"])
+@pytest.mark.parametrize("lumping, order", [(CONSISTENT, 2.0), (AVERAGED, 4.0), (LUMPED, 2.0)])
+def test_frequencies_tend_to_those_of_the_rod(support, lumping, order):
+    rod = struck_rod(support=support).target
+    counts = [12, 24, 48, 96]
+    third = [mesh_modes(rod.mesh(n, lumping), 3).frequencies[2] for n in counts]
+    assert third[-1] == approx(rod.modes(3).frequencies[2], rel=2e-3)
+    # errors fall as elements^-order
+    assert -observed_order(dict(zip(counts, third, strict=True)).__getitem__, counts) == approx(order, abs=0.2)
+
+
+@pytest.mark.parametrize("massless", [False, True])
+@pytest.mark.parametrize("support", ["fixed", "free"])
+def test_modes_kept_and_left_out_make_the_whole_compliance(support, massless):
+    rod = struck_rod(support=support).target
+    mesh = rod.mesh(30, AVERAGED)
+    every, few = mesh_modes(mesh, None, massless), mesh_modes(mesh, 8, massless)
+    kept = [float(((modes.at_contact / modes.frequencies) ** 2).sum()) for modes in (every, few)]
+    assert kept[0] + every.residual_compliance == approx(kept[1] + few.residual_compliance, rel=1e-10)
+    if massless:  # all that is left is the spring of the first element
+        assert every.residual_compliance == approx(1.0 / mesh.neighbour, rel=1e-9)
+    else:
+        assert every.residual_compliance == 0.0
+    # L / E A, or for a free rod relative to its motion as a whole L / 3 E A
+    whole = 1.0 / rod.stiffness if support == "fixed" else 1.0 / (3.0 * rod.stiffness)
+    assert kept[0] + every.residual_compliance == approx(whole, rel=2.0 / 30.0)
+
+
+def test_modes_are_orthonormal_and_the_face_stands_where_it_is_struck():
+    mesh = ROD.mesh(12)
+    modes = mesh_modes(mesh)
+    shapes = modes.shapes(mesh.place[:-1])
+    assert shapes @ full(mesh.mass, mesh.mass_beside) @ shapes.T == approx(np.eye(12), abs=1e-12)
+    assert shapes[:, 0] == approx(modes.at_contact, rel=1e-12)
+    assert modes.shapes(mesh.place[-1:]) == approx(np.zeros((12, 1)), abs=1e-15)
+    middle = 0.5 * (mesh.place[3] + mesh.place[4])
+    slope = (modes.shapes(mesh.place[4:5]) - modes.shapes(mesh.place[3:4])) / (mesh.place[4] - mesh.place[3])
+    assert modes.slopes(np.array([middle])) == approx(slope, rel=1e-10)
+
+
+def test_moving_the_mass_of_the_face_keeps_all_of_it():
+    rod = struck_rod(support="free").target
+    assert mesh_modes(rod.mesh(9, AVERAGED), None, True).rigid_mass == approx(rod.mass, rel=1e-13)
+
+
+def test_the_highest_frequency_includes_the_contact_spring():
+    impactor, rod = point_mesh(ROD.mass), ROD.mesh(40, LUMPED)
+    whole = line(impactor, rod)
+    element = rod.neighbour
+    for stiffness in (0.0, element, 100.0 * element):
+        matrix = full(whole.stiffness, whole.stiffness_beside)
+        matrix[:2, :2] += stiffness * np.array([[1.0, -1.0], [-1.0, 1.0]])
+        root = 1.0 / np.sqrt(whole.mass)
+        highest = np.linalg.eigvalsh(root[:, None] * matrix * root)[-1]
+        assert highest_frequency(whole, stiffness) == approx(np.sqrt(highest), rel=1e-10)
+    bare = highest_frequency(whole, 0.0)
+    assert bare == approx(2.0 / rod.transit, rel=1e-2)  # Courant's limit of one element
+    assert highest_frequency(whole, 100.0 * element) > 5.0 * bare
