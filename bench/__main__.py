@@ -6,9 +6,17 @@ import platform
 from datetime import date
 from pathlib import Path
 
-from . import impulses, kernels, methods, page, startup, sweep
+from . import elements, impulses, kernels, methods, page, startup, sweep
 
-PARTS = {"startup": startup, "kernels": kernels, "impulses": impulses, "methods": methods, "sweep": sweep, "page": page}
+PARTS = {
+    "startup": startup,
+    "kernels": kernels,
+    "elements": elements,
+    "impulses": impulses,
+    "methods": methods,
+    "sweep": sweep,
+    "page": page,
+}
 
 RESULTS = Path(__file__).parent / "results.json"
 

@@ -11,8 +11,8 @@ from .. import checks
 from ..contact import Linear
 from ..motion import ShapeField
 from ..numerics.elements import AVERAGED, CONSISTENT, mesh_modes, two_sided
-from ..numerics.modes import Modes
-from ..numerics.oscillators import Record, march, oscillator_bank
+from ..numerics.modes import Modes, front_time
+from ..numerics.oscillators import Record, Residual, march, oscillator_bank
 from ..scene import Scene
 from .element_march import ELEMENTS_RANGE, FiniteElements, Plan, end, follow, read_common
 from .element_motion import Course
@@ -87,6 +87,9 @@ class FeModal(FiniteElements):
         bank = oscillator_bank(frequencies, at_contact, plan.step, turning)
         displacement, velocity = np.zeros(frequencies.size), np.zeros(frequencies.size)
 
+        settling = min(0.5, plan.step * float(frequencies.max()) / (2.0 * np.pi)) if law.JUMPS or law.PLASTIC else 0.0
+        spring = Residual(residual, settling, law.JUMPS)
+
         def make(steps: int) -> Record:
             record = Record(
                 *(np.zeros(steps + 1) for _ in range(8)),
@@ -97,7 +100,7 @@ class FeModal(FiniteElements):
 
         def advance(begin, end, record):
             march(
-                law, residual, law.JUMPS, first.rigid_mass, second.rigid_mass, plan.step, bank,
+                law, spring, first.rigid_mass, second.rigid_mass, plan.step, bank,
                 displacement, velocity, plan.stride, begin, end, record,
             )  # fmt: skip
             return end
@@ -131,6 +134,7 @@ class FeModal(FiniteElements):
         else:
             face = np.interp(times, times[rows], field.displacement(times[rows], np.zeros(1))[:, 0])
         held, bodies = scene.target.held, (scene.impactor, scene.target)
+        order = 4 if self._massless(scene) else 2  # of the dispersion of averaged and of consistent mass
         ringing = [m for m, body in zip(modes, bodies, strict=True) if body.round_trip_time is not None]
         return Course(
             step=plan.step,
@@ -153,7 +157,7 @@ class FeModal(FiniteElements):
                 modes[0].rigid_mass * float(record.velocity[steps]),
                 0.0 if held else modes[1].rigid_mass * float(record.rigid_velocity[steps]),
             ),
-            resolved_time=max(m.front_time for m in ringing),
+            resolved_time=max(front_time(m.frequencies.size, m.shortest_period, order) for m in ringing),
             shortest_period=min(m.shortest_period for m in ringing),
             parted=parted,
             diverged=False,

@@ -44,12 +44,13 @@ class Modes:
         return front_time(self.frequencies.size, self.shortest_period)
 
 
-def front_time(count: int, shortest_period: float) -> float:
+def front_time(count: int, shortest_period: float, order: int = 2) -> float:
     """What a front lasts that has run through a mesh of `count` elements [s]: who is apart for less may touch.
 
-    Dispersion spreads it over some count^(1/3) of the shortest periods; the factor is measured on chattering contacts.
+    Dispersion of this order in the elements' size spreads it over count^(1 / (order + 1)) of the shortest periods; the
+    factor is measured on chattering contacts.
     """
-    return 1.1 * count ** (1.0 / 3.0) * shortest_period
+    return 1.1 * count ** (1.0 / (order + 1.0)) * shortest_period
 
 
 def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count: int) -> Modes:

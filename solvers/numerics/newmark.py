@@ -247,7 +247,8 @@ def _centred(law, lossy, indentation, rate, slowing, deepest):
 def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
     """Central difference: u at the instants, v half a step before them (in `record` at the instants).
 
-    The law's force belongs to the instant; its rate is carried there by the accelerations. Error: second order.
+    The law's force belongs to the instant; its rate is carried there by the accelerations. Error: second order, first
+    order where the force jumps at first touch.
     Stable below 2 / (highest frequency of the line with the contact spring). `lossy`: what the force's work leaves
     unstored is counted as lost.
     """

@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import Scene, SceneError, SceneNotSupported
+from solvers import Modal, Scene, SceneError, SceneNotSupported
 from tests.catalog import STEEL_ROD, STEEL_ROD_MASS, T, bronze_rod, contact_table, struck_rod
 
 VARIANTS = [
@@ -83,22 +83,26 @@ def test_the_neighbouring_stiffness_chatters_and_says_so():
     assert any("local stiffness" in note for note in solution.notes)
 
 
-@pytest.mark.parametrize("law", ["linear", "hertz", "hunt-crossley"])
-@pytest.mark.parametrize(
+THREE = pytest.mark.parametrize(
     "method, options", [VARIANTS[0], VARIANTS[1], VARIANTS[4]], ids=["newmark", "explicit", "modes"]
 )
-def test_laws_tend_to_the_exact_waves(method, options, law):
+
+
+@pytest.mark.parametrize("law", ["hertz", "hunt-crossley", "plastic-power"])
+@THREE
+def test_laws_elastic_lossy_and_with_memory(method, options, law):
     scene = struck_rod(contact=contact_table(law))
-    exact, found = solvers.solve(scene, "waves"), solvers.solve(scene, method, **options)
+    memory = scene.contact.PLASTIC  # the waves know none
+    exact = solvers.solve(scene, Modal(modes=200, estimate=False) if memory else "waves")
+    found = solvers.solve(scene, quick(method, **options))
     assert found.impactor_velocity == approx(exact.impactor_velocity, abs=2e-4)
     assert found.energy["dissipated"] == approx(exact.energy["dissipated"], abs=2e-4 * scene.initial_energy)
     assert found.peak_force == approx(exact.peak_force, rel=5e-3)
     assert found.peak_indentation == approx(exact.peak_indentation, rel=5e-3)
+    assert found.residual_indentation == approx(scene.contact.dent(found.peak_indentation))
 
 
-@pytest.mark.parametrize(
-    "method, options", [VARIANTS[0], VARIANTS[1], VARIANTS[4]], ids=["newmark", "explicit", "modes"]
-)
+@THREE
 def test_second_order_in_elements_where_the_contact_is_soft(method, options):
     # thesis 10.2; the front of a Hertz contact is smooth, so that the mesh shows its own order
     exact = solvers.solve(bronze_rod(), "waves").impactor_velocity
@@ -131,8 +135,8 @@ def test_stress_and_velocity_behind_the_front():
         motion = solvers.solve(scene, quick(method, elements=150)).motion
         exact = solvers.solve(scene, "waves").motion
         x = np.linspace(0.1, 0.25, 40) * rod.length  # behind the front, which is at 0.6 of the length
-        assert motion.stress(times, x).mean() == approx(exact.stress(times, x).mean(), rel=0.01)
-        assert motion.velocity(times, x).mean() == approx(exact.velocity(times, x).mean(), rel=0.01)
+        assert motion.stress(times, x).mean() == approx(exact.stress(times, x).mean(), rel=0.02)
+        assert motion.velocity(times, x).mean() == approx(exact.velocity(times, x).mean(), rel=0.02)
         assert abs(motion.stress(times, np.array([0.9 * rod.length]))[0, 0]) < 0.05 * rod.material.young * 2e-4
 
 
