@@ -1,0 +1,321 @@
+"""What the modal kernel has recorded, as a motion: fields and histories, and contacts told from chatter."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..contact import Linear, Rigid
+from ..numerics.modes import Modes
+from ..numerics.oscillators import Bank, Record, advance, oscillator_bank
+from ..scene import Scene
+from ..solution import ContactPeriod
+
+FRAME_SAMPLES = 500  # at which the frame is watched after the contact
+# Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
+# waves, mass ratios 0.02 to 50 on fixed and free rods, 20 to 200 modes: false gaps stay below, true ones open wider.
+LEAST_OPENING = 0.4
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The modes of both bodies side by side, as one bank of oscillators: the bending of either opens the contact."""
+
+    impactor: Modes
+    target: Modes
+    truncated: tuple[bool, bool]  # whether modes of impactor and of target were left out
+
+    @cached_property
+    def frequencies(self) -> np.ndarray:
+        return np.concatenate((self.impactor.frequencies, self.target.frequencies))
+
+    @cached_property
+    def at_contact(self) -> np.ndarray:
+        return np.concatenate((self.impactor.at_contact, self.target.at_contact))
+
+    @property
+    def split(self) -> int:
+        """Number of the impactor's oscillators, which come first."""
+        return self.impactor.frequencies.size
+
+    @property
+    def residual_compliance(self) -> float:
+        """Of the modes left out of both bodies [m/N]."""
+        return self.impactor.residual_compliance + self.target.residual_compliance
+
+    @property
+    def resolved_time(self) -> float:
+        """The shortest kept period, the longer one of two bodies [s]: nothing finer is known; 0 if none is left out."""
+        parts = zip((self.impactor, self.target), self.truncated, strict=True)
+        return max((modes.shortest_period for modes, truncated in parts if truncated), default=0.0)
+
+    def bank(self, step: float) -> Bank:
+        return oscillator_bank(self.frequencies, self.at_contact, step)
+
+    def law(self, scene: Scene) -> tuple[Any, float]:
+        """The law for the kernel, and the compliance in series with it [m/N]; rigid contact is that compliance."""
+        if isinstance(scene.contact, Rigid):
+            return Linear(1.0 / self.residual_compliance), 0.0
+        return scene.contact, self.residual_compliance
+
+
+class ModalMotion:
+    """Fields and histories rebuilt from the force on the oscillators; between instants they move exactly too.
+
+    Fields are sums of the kept modes alone. Struck faces give way by the residual compliance besides, so that
+    `end_position` is not `displacement` at x = 0: it lies deeper by compliance times force.
+    An impactor that can bend is where x is negative; its position and velocity are those of its centre of mass.
+    """
+
+    def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, parted: bool):
+        self.scene, self.pair, self.step, self.stride, self.record = scene, pair, step, stride, record
+        self.parted = parted
+        self.steps = record.contact_force.size
+        self.duration = self.steps * step
+        self._instants = np.arange(self.steps + 1) * step
+        self._impulses = np.concatenate(([0.0], np.cumsum(record.contact_force))) * step
+        self._bank = pair.bank(step)
+        self._softness = (pair.at_contact / pair.frequencies) ** 2
+
+    def _cell(self, time):
+        return np.clip(np.floor(np.asarray(time, float) / self.step + 1e-9), 0, self.steps - 1).astype(int)
+
+    def _at(self, time, values):
+        return np.interp(np.asarray(time, float), self._instants, values)
+
+    def force(self, time, after=True):
+        """The raw force: it chatters at the shortest kept period."""
+        return self.record.contact_force[self._cell(time)]
+
+    def resolved_force(self, time):
+        """The raw force averaged over the shortest kept period: the finest that these modes can tell."""
+        half = 0.5 * self.pair.resolved_time
+        if half == 0.0:
+            return self.force(time)
+        time = np.asarray(time, float)
+        return (self._at(time + half, self._impulses) - self._at(time - half, self._impulses)) / (2.0 * half)
+
+    def force_history(self):
+        """Times and raw forces, constant over each step: every instant stands twice."""
+        return np.repeat(self._instants, 2)[1:-1], np.repeat(self.record.contact_force, 2)
+
+    def impulse(self, time):
+        return self._at(time, self._impulses)
+
+    def amplitudes(self, time):
+        """at_contact * q and at_contact * q' / omega, each (time, modes)."""
+        time = np.asarray(time, float)
+        cells = self._cell(time)
+        found = np.empty((2, time.size, self.pair.frequencies.size))
+        for row, (t, cell) in enumerate(zip(time.tolist(), cells.tolist(), strict=True)):
+            saved = cell // self.stride
+            displacement = self.record.checkpoint_displacement[saved].copy()
+            velocity = self.record.checkpoint_velocity[saved].copy()
+            advance(self._bank, displacement, velocity, self.record.contact_force[saved * self.stride : cell])
+            angle = self.pair.frequencies * (t - cell * self.step)
+            push = self._softness * self.record.contact_force[cell]
+            cosine, sine = np.cos(angle), np.sin(angle)
+            found[0, row] = cosine * displacement + sine * velocity + push * 2.0 * np.sin(0.5 * angle) ** 2
+            found[1, row] = cosine * velocity - sine * displacement + push * sine
+        return found
+
+    def _rates(self, time):
+        """at_contact * q' (time, modes)."""
+        return self.amplitudes(time)[1] * self.pair.frequencies
+
+    # --- the bodies as wholes, and their struck faces
+
+    def impactor_position(self, time):
+        return self._at(time, self.record.position)
+
+    def impactor_velocity(self, time, after=True):
+        return self._at(time, self.record.velocity)
+
+    def rigid_velocity(self, time, after=True):
+        """Mean velocity of the target; what is held moves by the mean of its modes."""
+        target, modes = self.scene.target, self.pair.target
+        if np.isfinite(modes.rigid_mass) or not modes.frequencies.size:
+            return self._at(time, self.record.rigid_velocity)
+        if target.round_trip_time is None:  # all of it moves as its struck face
+            means = np.ones(modes.frequencies.size)
+        else:  # E phi'' = -rho omega^2 phi, integrated over the length
+            slopes = modes.slopes(np.array([target.length]))[:, 0] / modes.at_contact
+            means = -slopes * (target.wave_speed / modes.frequencies) ** 2 / target.length
+        return self._rates(time)[:, self.pair.split :] @ means
+
+    def end_position(self, time):
+        """Of the struck face of the target [m]."""
+        rigid, depth = isinstance(self.scene.contact, Rigid), self.record.indentation
+        if self.pair.split == 0:
+            # while they touch in rigid contact the struck face goes with the mass
+            return self._at(time, self.record.position - (np.minimum(depth, 0.0) if rigid else depth))
+        give = self.pair.target.residual_compliance * self.record.spring_force
+        if rigid:
+            give = self.pair.target.residual_compliance / self.pair.residual_compliance * np.maximum(depth, 0.0)
+        bent = self.amplitudes(time)[0][:, self.pair.split :].sum(axis=1)
+        return self._at(time, self.record.rigid_position + give) + bent
+
+    def end_velocity(self, time, after=True):
+        return self._at(time, self.record.rigid_velocity) + self._rates(time)[:, self.pair.split :].sum(axis=1)
+
+    def impactor_end_velocity(self, time):
+        """Of the striking face [m/s]."""
+        return self._at(time, self.record.velocity) - self._rates(time)[:, : self.pair.split].sum(axis=1)
+
+    # --- fields
+
+    def _sum(self, values, x, name):
+        """Sum over modes of values (time, modes) times shapes or slopes, bodies apart: (time, x)."""
+        x, found = np.asarray(x, float), np.zeros((values.shape[0], np.size(x)))
+        split = self.pair.split
+        for modes, part, here, side in (
+            (self.pair.impactor, values[:, :split], x < 0.0, -1.0),
+            (self.pair.target, values[:, split:], x >= 0.0, 1.0),
+        ):
+            if modes.frequencies.size and here.any():
+                found[:, here] = part @ (getattr(modes, name)(side * x[here]) / modes.at_contact[:, None])
+        return found
+
+    def _field(self, time, x, values, before, behind):
+        side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)
+        whole = np.where(side < 0.0, self._at(time, before)[:, None], self._at(time, behind)[:, None])
+        return whole + side * self._sum(values, x, "shapes")
+
+    def displacement(self, time, x):
+        return self._field(time, x, self.amplitudes(time)[0], self.record.position, self.record.rigid_position)
+
+    def velocity(self, time, x):
+        return self._field(time, x, self._rates(time), self.record.velocity, self.record.rigid_velocity)
+
+    def stress(self, time, x):
+        bodies = (self.scene.impactor, self.scene.target)
+        young = [0.0 if body.round_trip_time is None else body.material.young for body in bodies]
+        modulus = np.where(np.asarray(x, float) < 0.0, *young)
+        return -modulus * self._sum(self.amplitudes(time)[0], x, "slopes")
+
+    def energies(self, time):
+        """Energy split [J] at the instants nearest to `time`."""
+        nearest = np.clip(np.rint(np.asarray(time, float) / self.step), 0, self.steps).astype(int)
+        displacement, velocity = self.amplitudes(nearest * self.step)
+        ringing, split = (displacement**2 + velocity**2) * self._bank.energy, self.pair.split
+        law, residual = self.pair.law(self.scene)
+        pairs = zip(self.record.indentation[nearest].tolist(), self.deepest[nearest].tolist(), strict=True)
+        rigid_mass = self.pair.target.rigid_mass
+        moving = 0.5 * rigid_mass * self.record.rigid_velocity[nearest] ** 2 if np.isfinite(rigid_mass) else 0.0
+        return {
+            "impactor": 0.5 * self.scene.impactor.mass * self.record.velocity[nearest] ** 2
+            + ringing[:, :split].sum(axis=1),
+            "target_rigid": moving + np.zeros(nearest.size),
+            "target_vibration": ringing[:, split:].sum(axis=1),
+            "local": np.array([law.stored(a, most) for a, most in pairs])
+            + 0.5 * residual * self.record.spring_force[nearest] ** 2,
+            "dissipated": self.record.lost[nearest],
+        }
+
+    @cached_property
+    def deepest(self) -> np.ndarray:
+        """Largest indentation so far at every instant [m]."""
+        return np.maximum(np.maximum.accumulate(self.record.indentation), 0.0)
+
+    def frame_figures(self, parting: float, struck_end: bool) -> dict[str, float | None]:
+        """What a frame fixed to an end does after the contact: thesis 10.2.
+
+        Its own velocity, which is that of its section and no velocity of the rod; and the largest stress on that end,
+        which is free and has none, relative to the peak pressure of the contact: fictitious, from the clamped shapes.
+        """
+        end = np.array([0.0 if struck_end else self.scene.target.length])
+        if self.duration <= parting + self.pair.resolved_time:
+            return {"frame_velocity": None, "fictitious_end_stress": None}
+        time = np.linspace(parting, self.duration, FRAME_SAMPLES)
+        pressure = float(self.record.contact_force.max()) / self.scene.target.area
+        return {
+            "frame_velocity": float(self.velocity(time[-1:], end)[0, 0]),
+            "fictitious_end_stress": float(np.abs(self.stress(time, end)).max()) / pressure,
+        }
+
+    # --- contacts
+
+    def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
+        """First step, and the one after the last, of every stretch of steps with a force, chatter and all."""
+        pressing = np.concatenate(([False], self.record.contact_force > 0.0, [False]))
+        edges = np.flatnonzero(pressing[1:] != pressing[:-1])
+        return edges[::2], edges[1::2]
+
+    @cached_property
+    def _opening_told(self) -> float:
+        """How far the faces must part before these modes can tell it [m]."""
+        peak = float(self.resolved_force(self._instants).max())
+        return LEAST_OPENING * self.pair.residual_compliance * peak
+
+    def _apart(self, first: int, last: int) -> bool:
+        """Whether the faces truly part between these instants: no resolved force, and a gap that the modes can tell."""
+        if (last - first) * self.step < self.pair.resolved_time:
+            return False
+        dent = self.pair.law(self.scene)[0].dent(float(self.deepest[first]))
+        return dent - float(self.record.indentation[first : last + 1].min()) > self._opening_told
+
+    def contacts(self) -> list[ContactPeriod]:
+        """Contact periods as far as these modes can tell, by the resolved force: the rest is chatter."""
+        starts, ends = (edges.tolist() for edges in self.raw_contacts())
+        parts = [self._apart(end, start) for end, start in zip(ends[:-1], starts[1:], strict=True)]
+        firsts = [start for start, kept in zip(starts, [True, *parts], strict=True) if kept]
+        lasts = [end for end, kept in zip(ends, [*parts, True], strict=True) if kept]
+        found = []
+        for first, last in zip(firsts, lasts, strict=True):
+            force = self.record.contact_force[first:last]
+            peak = force.max()
+            if isinstance(self.scene.contact, Rigid):
+                peak = self.resolved_force(self._instants[first : last + 1]).max()
+            impulse = float(force.sum() * self.step)
+            found.append(ContactPeriod(self._start(first), self._end(last), impulse, float(peak)))
+        return found
+
+    def _start(self, first: int) -> float:
+        """When the faces met [s], in the first step with a force."""
+        dent = self.pair.law(self.scene)[0].dent(float(self.deepest[first]))
+        if first == 0 or self.record.indentation[first] >= dent:
+            return first * self.step
+        return self.step * (first + _upward_zero(*(self.record.indentation[first - 1 : first + 2] - dent).tolist()))
+
+    def _end(self, after: int) -> float:
+        """When the force ran out [s], in the step before instant `after`; the end, if that comes too soon to tell."""
+        dent = self.pair.law(self.scene)[0].dent(float(self.deepest[after]))
+        gap = self.record.indentation - dent
+        if after == self.steps and gap[after] > 0.0:
+            return self.duration
+        if not self.parted and after < self.steps:
+            opened = -float(gap[after:].min())
+            soon = (self.steps - after) * self.step < self.pair.resolved_time
+            if soon or 0.0 < opened <= self._opening_told:
+                return self.duration
+        if gap[after] > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
+            return self.step * (
+                after - 1 + _run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist())
+            )
+        later = gap[min(after + 1, self.steps)]
+        return self.step * (after - _upward_zero(float(later), float(gap[after]), float(gap[after - 1])))
+
+
+def _run_out(*forces: float) -> float:
+    """How many steps after three steps with these mean forces the force comes to zero: from 0 to 2."""
+    if len(forces) < 3:
+        return 1.0
+    first, second, third = forces  # in the middle of the steps; the parabola through them, from the last one on
+    slope, bend = 0.5 * (3.0 * third - 4.0 * second + first), 0.5 * (third - 2.0 * second + first)
+    square = slope * slope - 4.0 * bend * third
+    if square <= 0.0 or slope - np.sqrt(square) >= 0.0:
+        return 1.0
+    return float(np.clip(-2.0 * third / (slope - np.sqrt(square)) - 0.5, 0.0, 2.0))
+
+
+def _upward_zero(before: float, x: float, y: float) -> float:
+    """Where between x <= 0 (at 0) and y (at 1) the parabola through both and `before` (at -1) rises through zero."""
+    bend = 0.5 * (before - 2.0 * x + y)
+    slope = (y - x) - bend
+    square = slope * slope - 4.0 * bend * x
+    if square > 0.0 and slope + np.sqrt(square) > 0.0:
+        place = -2.0 * x / (slope + np.sqrt(square))
+        if place <= 1.0:
+            return float(place)
+    return float(min(-x / (y - x), 1.0)) if y > 0.0 else 1.0
