@@ -73,6 +73,7 @@ def contact_table(law: str, softness: float = 1.0, restitution: float = 0.5) -> 
 POWER = 1.3  # exponent of the power law in the tests
 LAWS = {law: struck_rod(contact=contact_table(law)).contact for law in solvers.LAWS}
 WITH_INDENTATION = [law for law in solvers.LAWS if law != "rigid"]
+SMOOTH = [law for law in WITH_INDENTATION if not (solvers.LAWS[law].PLASTIC or solvers.LAWS[law].JUMPS)]
 
 
 def observed_order(value_at: Callable[[float], float], steps: Sequence[float]) -> float:

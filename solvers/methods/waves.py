@@ -43,8 +43,8 @@ class Waves(Method):
     def why_not(self, scene: Scene) -> str | None:
         if scene.impactor.kind not in ("mass", "sphere") or scene.target.kind != "rod":
             return f"a mass must strike a rod, got {scene.impactor.kind} and {scene.target.kind}"
-        if scene.contact.PLASTIC:
-            return f"the contact law must have no memory, got {scene.contact.NAME}; use 'modal'"
+        if scene.contact.PLASTIC or scene.contact.JUMPS:
+            return f"the contact law must have no memory and no jump, got {scene.contact.NAME}; use 'modal'"
         if self.steps is not None and not isinstance(scene.contact, Rigid):
             return "steps is for rigid contact; with a contact law give tolerance, or use 'modal'"
         return None

@@ -19,8 +19,8 @@ from tests.catalog import (
     RIGID,
     ROD,
     SIGMA0_AREA,
+    SMOOTH,
     SUPPORTS,
-    WITH_INDENTATION,
     T,
     bronze_rod,
     contact_table,
@@ -296,13 +296,13 @@ def test_the_bodies_only_push(support, mass_ratio):
     assert gap.min() >= -ROUNDING * T  # nor do they enter each other
 
 
-@pytest.mark.parametrize("law", WITH_INDENTATION)
+@pytest.mark.parametrize("law", SMOOTH)
 @pytest.mark.parametrize("support", SUPPORTS)
 @settings(max_examples=40)
 @given(
     mass_ratio=st.floats(-2.0, 2.0).map(lambda p: 10.0**p),
     softness=st.floats(-4.0, 4.0).map(lambda p: 10.0**p),
-    restitution=st.floats(0.01, 1.0),
+    restitution=st.sampled_from([0.02, 0.2, 0.5, 0.9, 1.0]),
 )
 def test_a_law_accounts_for_all_energy(law, support, mass_ratio, softness, restitution):
     scene = struck_rod(mass_ratio, support, contact_table(law, softness, restitution))
@@ -310,7 +310,7 @@ def test_a_law_accounts_for_all_energy(law, support, mass_ratio, softness, resti
     assert abs(solution.diagnostics["energy_error"]) <= 1e-9
     assert abs(solution.diagnostics["momentum_error"]) <= 1e-9
     assert solution.energy["dissipated"] >= -1e-9 * solution.energy["initial"]
-    if law != "hunt-crossley":
+    if not scene.contact.LOSSY:
         assert solution.energy["dissipated"] == approx(0.0, abs=1e-9 * solution.energy["initial"])
     assert solution.motion.force_history()[1].min() >= 0.0
 
@@ -516,7 +516,7 @@ def test_stepped_waves_find_the_same_contacts(beta, support):
     assert stepped.diagnostics["estimated_error"] >= abs(stepped.impactor_velocity - exact.impactor_velocity)
 
 
-@pytest.mark.parametrize("law", WITH_INDENTATION)
+@pytest.mark.parametrize("law", SMOOTH)
 def test_a_tighter_tolerance_gives_a_smaller_error(law):
     scene = struck_rod(1.0, "fixed", contact_table(law, restitution=0.7))
     finest = Waves(tolerance=1e-13).solve(scene).impactor_velocity
@@ -528,7 +528,7 @@ def test_a_tighter_tolerance_gives_a_smaller_error(law):
     assert errors[-1] < 1e-3 * max(errors[0], 1e-9)
 
 
-@pytest.mark.parametrize("law", WITH_INDENTATION)
+@pytest.mark.parametrize("law", SMOOTH)
 def test_the_modes_tend_to_the_waves(law):
     scene = struck_rod(1.0, "free", contact_table(law, softness=0.5, restitution=0.7))
     exact = Waves().solve(scene, 6.0 * T).impactor_velocity
