@@ -124,6 +124,14 @@ class Scene:
         return 0.5 * sum(b.mass * b.velocity**2 for b in (self.impactor, self.target) if b.velocity)
 
     @property
+    def blow(self) -> float:
+        """m / Z of a compact body on a rod [s]: in this time a wave brings it to rest; infinite for any other pair."""
+        bodies = (self.impactor, self.target)
+        rings = [body for body in bodies if body.round_trip_time is not None]
+        compact = [body for body in bodies if body.round_trip_time is None]
+        return compact[0].mass / rings[0].impedance if rings and compact else math.inf
+
+    @property
     def time_unit(self) -> float:
         """Round trip T of a wave in the target [s], or else in the impactor; without waves, about a contact time."""
         for body in (self.target, self.impactor):

@@ -138,7 +138,11 @@ class Balance(Method):
             return 0.0 if self.variant == "event-located" else None
         half = {name: max(1, given // 2) for name in ("elements", "modes") if (given := getattr(self, name))}
         other = replace(self, **(half or {"elements": 50}))._run(scene, run.duration)
-        return abs(run.final_velocity - other.final_velocity) / scene.speed
+        if run.full or other.full:
+            return None
+        estimated = abs(run.final_velocity - other.final_velocity) / scene.speed
+        # shorter than these modes can tell: all numbers of them are wrong alike
+        return max(estimated, 1.0) if scene.blow < run.pair.shortest_period else estimated
 
     def _run(self, scene: Scene, duration: float | None) -> "Run":
         """From the first touch until the bodies part for good, or for `duration` [s]."""

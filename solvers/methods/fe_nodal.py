@@ -18,7 +18,6 @@ from .element_motion import Course
 
 STEPS_PER_ELEMENT = 4  # of Newmark's step while a wave crosses one element
 DOUBTFUL = 0.01  # of the energy, gained or lost by the scheme
-EXPLICIT_SHARE = 0.8  # of the explicit limit; nearer to it a contact that opens and closes feeds the mesh
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,7 +69,7 @@ class FeNodal(FiniteElements):
         fine, limit = min(mesh.transit for mesh in meshes) / STEPS_PER_ELEMENT, math.inf
         if self.scheme == "central-difference":
             limit = 2.0 / highest_frequency(whole, _steepest(law, scene))
-            fine = EXPLICIT_SHARE * limit
+            fine = limit
         plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.size)
         record, steps, parted, diverged = self._march(scene, whole, law, plan)
         return _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged)

@@ -184,6 +184,15 @@ def test_the_estimate_is_of_the_size_of_the_error():
             assert error < 3.0 * solvers.solve(scene, method).diagnostics["estimated_error"] + 1e-3
 
 
+@pytest.mark.parametrize("method, options", VARIANTS, ids=IDS)
+def test_a_blow_too_short_for_the_mesh_is_doubted_and_a_long_one_is_followed(method, options):
+    short = solvers.solve(struck_rod(1e4), method, **options)
+    assert short.diagnostics["estimated_error"] >= 1.0
+    long = solvers.solve(struck_rod(1e-6), method, **options)
+    assert long.impactor_velocity == approx(-1.0, abs=2e-3)
+    assert abs(long.diagnostics["energy_error"]) < 1e-3
+
+
 @pytest.mark.parametrize(
     "method, options, key",
     [
