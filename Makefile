@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
 PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: serve test bench screenshot clean chromium
+.PHONY: serve test bench peers screenshot clean chromium
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
@@ -15,6 +15,11 @@ test: $(VENV)/.installed-test chromium
 
 bench: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench
+
+# Other programs on the same blow, on one thread; `make bench` runs them too once they are installed.
+peers: $(VENV)/.installed-test
+	$(PIP_INSTALL) --editable '.[test,peers]'
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench --only peers
 
 screenshot: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench.screenshot docs/page.png

@@ -6,7 +6,7 @@ import platform
 from datetime import date
 from pathlib import Path
 
-from . import elements, impulses, kernels, methods, page, startup, sweep
+from . import elements, impulses, kernels, methods, page, peers, startup, sweep
 
 PARTS = {
     "startup": startup,
@@ -15,6 +15,7 @@ PARTS = {
     "impulses": impulses,
     "methods": methods,
     "sweep": sweep,
+    "peers": peers,
     "page": page,
 }
 
@@ -42,7 +43,9 @@ def main() -> None:
     print("Machine:", ", ".join(f"{key} {value}" for key, value in stored["machine"].items()))
     for part in parts:
         print(f"\n== {part}")
-        stored[part] = PARTS[part].measure()
+        measured = PARTS[part].measure()
+        if measured is not None:  # else what it needs is not installed, and what was stored stays
+            stored[part] = measured
     RESULTS.write_text(json.dumps(stored, indent=1) + "\n")
     print(f"\nStored in {RESULTS.relative_to(Path.cwd()) if RESULTS.is_relative_to(Path.cwd()) else RESULTS}")
 

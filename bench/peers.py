@@ -1,0 +1,155 @@
+"""Time at equal error: what a user would otherwise take, beside our own methods, on one blow.
+
+Steel rod fixed at one end, struck by its own mass (scene fixed-rod, rigid contact): two contacts, the second one 0.04 T
+long. A peer that knows no rigid contact presses on a penalty spring as stiff as the neighbouring element, E A over the
+element's length. All run over 2.5 T, on one thread. Of a peer only the integration is timed, its model built before; of
+our own methods the whole `solve()` with contacts, energies and error estimate.
+"""
+
+import importlib.util
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, fields
+
+import numpy as np
+
+import solvers
+from solvers import SceneError, Solution
+from solvers.comparison import force_error
+
+from . import peer_models
+from .peer_models import Problem, Record
+from .timing import median
+
+OPTIONAL = {"scikit-fem": "skfem", "exudyn": "exudyn", "elwaspatid": "elwaspatid"}
+PEERS = {
+    "SciPy solve_ivp, DOP853": peer_models.solve_ivp_elements,
+    "scikit-fem, Newmark": peer_models.scikit_fem_newmark,
+    "Exudyn, implicit trapezoidal": peer_models.exudyn_trapezoidal,
+    "Exudyn, velocity Verlet": peer_models.exudyn_verlet,
+    "elwaspatid, WP2": peer_models.elwaspatid_bars,
+}
+ERRORS = (0.01, 0.003)  # of the rebound, in impact speeds
+RESOLUTIONS = tuple(round(25 * 2 ** (i / 2)) for i in range(13))  # 25, 35, 50, ... 1600
+KINDS = ("elements", "modes", "steps")  # what the resolution of a method of ours is called, the first that it has
+LONGEST = 4.0  # [s] of one solve; finer resolutions are left out
+REPEATS = 5
+TRIPS = 2.5
+
+
+@dataclass(frozen=True)
+class Run:
+    """One solver at one resolution; errors are found minus exact."""
+
+    resolution: int | None  # None: it needs none
+    rebound_error: float  # in impact speeds
+    force_error: float  # relative, in the L2 norm over 2.5 T
+    contacts: int  # stretches of force
+    time: float  # [s] median of warm repeats
+
+
+def missing() -> list[str]:
+    """Optional peers that are not installed."""
+    return [name for name, module in OPTIONAL.items() if importlib.util.find_spec(module) is None]
+
+
+def measure() -> dict[str, object] | None:
+    if missing():
+        print(f"  not installed: {', '.join(missing())}; `make peers` installs and runs them")
+        return None
+    scene = solvers.load("fixed-rod")
+    exact = solvers.solve(scene)
+    problem = Problem.of(scene, TRIPS * scene.time_unit)
+    print(_header())
+    found = {}
+    for name, prepare in PEERS.items():
+        found[name] = _entry(name, _peer_runs(problem, exact, prepare))
+    for name, kind in _own(scene):
+        found[f"{name}, {kind}" if kind else name] = _entry(name, _own_runs(scene, exact, name, kind), kind)
+    return found
+
+
+def _own(scene: solvers.Scene) -> list[tuple[str, str | None]]:
+    """Our methods that can solve the scene and what their resolution is called; the exact one has none."""
+    found: list[tuple[str, str | None]] = [("waves", None)]
+    for name, method in solvers.METHODS.items():
+        options = [option.name for option in fields(method)]
+        kind = next((kind for kind in KINDS if kind in options), None)
+        if kind is not None and method.read({kind: RESOLUTIONS[0]}).refusal(scene) is None:
+            found.append((name, kind))
+    return found
+
+
+def _peer_runs(problem: Problem, exact: Solution, prepare: Callable[[Problem, int], peer_models.Run]) -> list[Run]:
+    runs: list[Run] = []
+    for elements in RESOLUTIONS:
+        work = prepare(problem, elements)
+        record = work()
+        runs.append(_run(elements, exact, problem.duration, record, work))
+        if runs[-1].time > LONGEST:
+            break
+    return runs
+
+
+def _own_runs(scene: solvers.Scene, exact: Solution, name: str, kind: str | None) -> list[Run]:
+    runs: list[Run] = []
+    duration = TRIPS * scene.time_unit
+    for resolution in (None,) if kind is None else RESOLUTIONS:
+        try:
+            method = solvers.METHODS[name].read({} if kind is None else {kind: resolution})
+            found = method.solve(scene, duration)
+        except SceneError:  # finer than the method goes
+            break
+        runs.append(
+            Run(
+                resolution,
+                (found.impactor_velocity - exact.impactor_velocity) / scene.speed,
+                force_error(exact, duration, found.motion.force),
+                found.diagnostics.get("raw_contacts", len(found.contacts)),
+                median(lambda method=method: method.solve(scene, duration), REPEATS),
+            )
+        )
+        if runs[-1].time > LONGEST:
+            break
+    return runs
+
+
+def _run(elements: int, exact: Solution, duration: float, record: Record, work: peer_models.Run) -> Run:
+    pressing = np.concatenate(([False], record.force > 0.0))
+    return Run(
+        elements,
+        (record.velocity - exact.impactor_velocity) / exact.scene.speed,
+        force_error(exact, duration, lambda time: np.interp(time, record.time, record.force)),
+        int((pressing[1:] & ~pressing[:-1]).sum()),
+        median(work, REPEATS),
+    )
+
+
+def reached(runs: list[Run], error: float) -> Run | None:
+    """The coarsest run from which on every finer one stays within the error: a chance hit does not count."""
+    good = None
+    for run in reversed(runs):
+        if not abs(run.rebound_error) <= error:
+            break
+        good = run
+    return good
+
+
+def _entry(name: str, runs: list[Run], kind: str | None = "elements") -> dict[str, object]:
+    line = f"  {name:30}"
+    found: dict[str, object] = {"resolution": kind, "runs": [asdict(run) for run in runs]}
+    for error in ERRORS:
+        run = reached(runs, error)
+        found[f"within {100 * error:g} %"] = None if run is None else asdict(run)
+        if run is None:
+            line += f"{'not reached':>34}"
+        else:
+            at = "" if run.resolution is None else f"{run.resolution} {kind}"
+            line += f"{1e3 * run.time:9.3g}{at:>14}{100 * run.force_error:8.1f}{run.contacts:3d}"
+    finest = runs[-1]
+    print(f"{line}{100 * finest.rebound_error:+12.3f}{'' if finest.resolution is None else finest.resolution:>7}")
+    return found
+
+
+def _header() -> str:
+    columns = "".join(f"{f'within {100 * error:g} %: ms, at, L2 %, contacts':>34}" for error in ERRORS)
+    return f"  {'':30}{columns}{'finest %, at':>19}"
