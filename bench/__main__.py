@@ -6,7 +6,7 @@ import platform
 from datetime import date
 from pathlib import Path
 
-from . import elements, impulses, kernels, methods, page, peers, startup, sweep
+from . import elements, impulses, kernels, methods, page, peers, startup, sweep, waves
 
 PARTS = {
     "startup": startup,
@@ -15,6 +15,7 @@ PARTS = {
     "impulses": impulses,
     "methods": methods,
     "sweep": sweep,
+    "waves": waves,
     "peers": peers,
     "page": page,
 }

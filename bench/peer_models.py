@@ -154,7 +154,8 @@ def exudyn_verlet(problem: Problem, elements: int) -> Run:
 
 def _exudyn(problem: Problem, elements: int, solver: str, courant: float, lumped: bool) -> Run:
     sys.exudynFast = True  # its build without range checks
-    exudyn = importlib.import_module("exudyn")
+    with _silent():
+        exudyn = importlib.import_module("exudyn")
     items = importlib.import_module("exudyn.itemInterface")
     element_mass, stiffness, transit = problem.element(elements)
     system = exudyn.SystemContainer().AddSystem()

@@ -141,15 +141,14 @@ def _entry(name: str, runs: list[Run], kind: str | None = "elements") -> dict[st
         run = reached(runs, error)
         found[f"within {100 * error:g} %"] = None if run is None else asdict(run)
         if run is None:
-            line += f"{'not reached':>34}"
+            line += f"{'not reached':>40}"
         else:
             at = "" if run.resolution is None else f"{run.resolution} {kind}"
-            line += f"{1e3 * run.time:9.3g}{at:>14}{100 * run.force_error:8.1f}{run.contacts:3d}"
-    finest = runs[-1]
-    print(f"{line}{100 * finest.rebound_error:+12.3f}{'' if finest.resolution is None else finest.resolution:>7}")
+            line += f"{1e3 * run.time:9.3g}{at:>14}{100 * run.force_error:8.1f}{run.contacts:9d}"
+    print(f"{line}{100 * runs[-1].rebound_error:+12.3f}{runs[-1].resolution or '':>9}")
     return found
 
 
 def _header() -> str:
-    columns = "".join(f"{f'within {100 * error:g} %: ms, at, L2 %, contacts':>34}" for error in ERRORS)
-    return f"  {'':30}{columns}{'finest %, at':>19}"
+    columns = "".join(f"{f'<= {100 * error:g} %: ms':>13}{'at':>10}{'L2 %':>8}{'contacts':>9}" for error in ERRORS)
+    return f"  {'':30}{columns}{'finest: %':>12}{'at':>9}"

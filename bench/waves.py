@@ -1,0 +1,35 @@
+"""Waves by steps on a grid of times: the cost of a step at the struck interface, and what a step is worth."""
+
+import numpy as np
+
+import solvers
+from solvers.numerics import rigid_waves, stepped_waves
+
+from .timing import median, row
+
+STEPS = (500, 5_000, 50_000)  # over three round trips
+TRIPS = 3
+
+
+def measure() -> dict[str, object]:
+    exact = solvers.solve(solvers.load("fixed-rod"))
+    rows = [
+        row(
+            "event-exact kernel, whole blow",
+            1e6 * median(lambda: rigid_waves.strike(1.0, 1.0, 3.0, 400, 40, 400), 200),
+            "us",
+        )
+    ]
+    for steps in STEPS:
+        per_trip = steps // TRIPS
+
+        def stepped(steps=steps, per_trip=per_trip):
+            return stepped_waves.strike(1.0, 1.0, per_trip, steps, True, 50)
+
+        spent = median(stepped, 200 if steps < 10_000 else 50)
+        error = stepped()[4][-1, 3] - exact.impactor_velocity
+        rows += [
+            row(f"{steps} steps: per step and interface", 1e9 * spent / steps, "ns", "<= 20"),
+            row(f"{steps} steps: error of the rebound", np.abs(error), "v"),
+        ]
+    return dict(rows)
