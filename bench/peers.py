@@ -10,6 +10,7 @@ import importlib.util
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields
+from typing import Any
 
 import numpy as np
 
@@ -32,10 +33,8 @@ PEERS = {
 ERRORS = (0.01, 0.003)  # of the rebound, in impact speeds
 RESOLUTIONS = tuple(round(25 * 2 ** (i / 2)) for i in range(13))  # 25, 35, 50, ... 1600
 KINDS = ("elements", "modes", "steps")  # what the resolution of a method of ours is called, the first that it has
-LONGEST = (
-    4.0  # [s] of one warm solve; resolutions that take longer, and finer ones, are left out, of peers and ours alike
-)
-REPEATS = 5
+LONGEST = 30.0  # [s] of one warm solve, of peers and ours alike: what takes longer, and all finer, is left out
+REPEATS, SLOW, SLOW_REPEATS = 5, 1.0, 2  # timed solves; of those slower than that [s]
 TRIPS = 2.5
 
 
@@ -87,11 +86,10 @@ def _peer_runs(problem: Problem, exact: Solution, prepare: Callable[[Problem, in
     for elements in RESOLUTIONS:
         work = prepare(problem, elements)
         work()  # what is compiled or cached at the first call
-        begun = time.perf_counter()
-        record = work()
-        if time.perf_counter() - begun > LONGEST:
+        record, spent = _timed(work)
+        if spent is None:
             break
-        runs.append(_run(elements, exact, problem.duration, record, work))
+        runs.append(_run(elements, exact, problem.duration, record, spent))
     return runs
 
 
@@ -104,9 +102,8 @@ def _own_runs(scene: solvers.Scene, exact: Solution, name: str, kind: str | None
             method.solve(scene, duration)
         except SceneError:  # finer than the method goes
             break
-        begun = time.perf_counter()
-        found = method.solve(scene, duration)
-        if time.perf_counter() - begun > LONGEST:
+        found, spent = _timed(lambda method=method: method.solve(scene, duration))
+        if spent is None:
             break
         runs.append(
             Run(
@@ -114,21 +111,31 @@ def _own_runs(scene: solvers.Scene, exact: Solution, name: str, kind: str | None
                 (found.impactor_velocity - exact.impactor_velocity) / scene.speed,
                 force_error(exact, duration, found.motion.force),
                 found.diagnostics.get("raw_contacts", len(found.contacts)),
-                median(lambda method=method: method.solve(scene, duration), REPEATS),
+                spent,
             )
         )
     return runs
 
 
-def _run(elements: int, exact: Solution, duration: float, record: Record, work: peer_models.Run) -> Run:
+def _run(elements: int, exact: Solution, duration: float, record: Record, spent: float) -> Run:
     pressing = np.concatenate(([False], record.force > 0.0))
     return Run(
         elements,
         (record.velocity - exact.impactor_velocity) / exact.scene.speed,
         force_error(exact, duration, lambda at: np.interp(at, record.time, record.force)),
         int((pressing[1:] & ~pressing[:-1]).sum()),
-        median(work, REPEATS),
+        spent,
     )
+
+
+def _timed(work: Callable[[], Any]) -> tuple[Any, float | None]:
+    """What it gives and its median time [s]; None if it is too slow."""
+    begun = time.perf_counter()
+    found = work()
+    once = time.perf_counter() - begun
+    if once > LONGEST:
+        return found, None
+    return found, median(work, REPEATS if once < SLOW else SLOW_REPEATS)
 
 
 def reached(runs: list[Run], error: float) -> Run | None:
