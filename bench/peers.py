@@ -16,7 +16,7 @@ import numpy as np
 
 import solvers
 from solvers import SceneError, Solution
-from solvers.comparison import force_error
+from solvers.comparison import VARIANTS, force_error
 
 from . import peer_models
 from .peer_models import Problem, Record
@@ -65,20 +65,22 @@ def measure() -> dict[str, object] | None:
     found = {}
     for name, prepare in PEERS.items():
         found[name] = _entry(name, _peer_runs(problem, exact, prepare))
-    for name, kind in _own(scene):
-        found[f"{name}, {kind}" if kind else name] = _entry(name, _own_runs(scene, exact, name, kind), kind)
+    for label, table, kind in _own(scene):
+        found[label] = _entry(label, _own_runs(scene, exact, table, kind), kind)
     return found
 
 
-def _own(scene: solvers.Scene) -> list[tuple[str, str | None]]:
-    """Our methods that can solve the scene and what their resolution is called; the exact one has none."""
-    found: list[tuple[str, str | None]] = [("waves", None)]
-    for name, method in solvers.METHODS.items():
-        options = [option.name for option in fields(method)]
+def _own(scene: solvers.Scene) -> list[tuple[str, dict[str, object], str | None]]:
+    """Label, options and name of the resolution of all of ours that can solve the scene; the exact one has none."""
+    found: list[tuple[str, dict[str, object], str | None]] = [("waves", {"name": "waves"}, None)]
+    for table in [{"name": name} for name in solvers.METHODS] + list(VARIANTS):
+        options = [option.name for option in fields(solvers.METHODS[table["name"]])]
         kind = next((kind for kind in KINDS if kind in options), None)
-        if kind is not None and method.read({kind: RESOLUTIONS[0]}).refusal(scene) is None:
-            found.append((name, kind))
-    return found
+        if kind is None or table.keys() & set(KINDS):
+            continue
+        if solvers.read_method(table | {kind: RESOLUTIONS[0]})[0].refusal(scene) is None:
+            found.append((" ".join([f"{value}" for value in table.values()] + ["by", kind]), table, kind))
+    return sorted(found, key=lambda entry: list(solvers.METHODS).index(entry[1]["name"]))
 
 
 def _peer_runs(problem: Problem, exact: Solution, prepare: Callable[[Problem, int], peer_models.Run]) -> list[Run]:
@@ -93,12 +95,12 @@ def _peer_runs(problem: Problem, exact: Solution, prepare: Callable[[Problem, in
     return runs
 
 
-def _own_runs(scene: solvers.Scene, exact: Solution, name: str, kind: str | None) -> list[Run]:
+def _own_runs(scene: solvers.Scene, exact: Solution, table: dict[str, object], kind: str | None) -> list[Run]:
     runs: list[Run] = []
     duration = TRIPS * scene.time_unit
     for resolution in (None,) if kind is None else RESOLUTIONS:
         try:
-            method = solvers.METHODS[name].read({} if kind is None else {kind: resolution})
+            method, _ = solvers.read_method(table if kind is None else table | {kind: resolution})
             method.solve(scene, duration)
         except SceneError:  # finer than the method goes
             break
@@ -149,7 +151,7 @@ def reached(runs: list[Run], error: float) -> Run | None:
 
 
 def _entry(name: str, runs: list[Run], kind: str | None = "elements") -> dict[str, object]:
-    line = f"  {name:30}"
+    line = f"  {name:36}"
     found: dict[str, object] = {"resolution": kind, "runs": [asdict(run) for run in runs]}
     for error in ERRORS:
         run = reached(runs, error)
@@ -165,4 +167,4 @@ def _entry(name: str, runs: list[Run], kind: str | None = "elements") -> dict[st
 
 def _header() -> str:
     columns = "".join(f"{f'<= {100 * error:g} %: ms':>13}{'at':>10}{'L2 %':>8}{'contacts':>9}" for error in ERRORS)
-    return f"  {'':30}{columns}{'finest: %':>12}{'at':>9}"
+    return f"  {'':36}{columns}{'finest: %':>12}{'at':>9}"

@@ -16,6 +16,9 @@ from .solution import ContactPeriod, Solution
 
 VARIANTS: tuple[dict[str, object], ...] = (  # shown besides every method with its defaults
     {"name": "waves", "steps": 500},
+    {"name": "fe-nodal", "scheme": "central-difference"},
+    {"name": "fe-nodal", "status": "frozen"},
+    {"name": "fe-modal", "boundary": "consistent"},
     {"name": "balance", "restitution": 0.0},
     {"name": "balance", "restitution": 0.0, "modes": 50},
 )
