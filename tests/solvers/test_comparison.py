@@ -7,7 +7,7 @@ from pytest import approx
 
 import solvers
 from solvers import METHODS, ContactPeriod, Modal, SceneNotSupported, Waves, compare
-from solvers.comparison import force_error, overlapping
+from solvers.comparison import chosen_methods, force_error, overlapping
 from tests.catalog import T, bronze_rod, struck_rod
 
 MASS_RATIOS = (0.8, 1.0)  # where thesis 4.5 has two contacts, the second one short
@@ -17,9 +17,8 @@ def period(start: float, end: float) -> ContactPeriod:
     return ContactPeriod(start, end, 1.0, 1.0)
 
 
-@pytest.mark.parametrize("mass_ratio", MASS_RATIOS)
-def test_every_method_has_a_row(mass_ratio):
-    scene = struck_rod(mass_ratio)
+def test_every_method_has_a_row():
+    scene = struck_rod(0.8)
     rows = compare(scene, repeats=1)
     assert {row.method["name"] for row in rows} == set(METHODS)
     for row in rows:
@@ -104,8 +103,9 @@ def test_a_method_that_cannot_says_why():
 
 def test_the_resolution_that_the_scene_gives_is_used():
     scene = struck_rod(1.0).replace({"method": {"name": "modal", "modes": 7}})
-    modal = next(row for row in compare(scene, repeats=1) if row.method["name"] == "modal")
-    assert modal.method["modes"] == 7
+    chosen = chosen_methods(scene)
+    assert [method.modes for method in chosen if method.NAME == "modal"] == [7]
+    assert {method.NAME for method in chosen} == set(METHODS)
 
 
 def test_without_an_exact_solution_there_is_nothing_to_compare_with():
