@@ -22,6 +22,12 @@ def answers() -> dict[str, list[float]]:
         "stepped": Waves(steps=120).solve(struck_rod(1.0, "fixed"), 3.0 * T),
         "modal rigid": Modal(modes=3, steps=150).solve(struck_rod(1.0, "fixed"), 3.0 * T),
         "modal hertz": Modal(modes=3, steps=60).solve(struck_rod(1.0, "free", contact_table("hertz")), 2.0 * T),
+        "modal kelvin-voigt": Modal(modes=3, steps=60).solve(
+            struck_rod(1.0, "free", contact_table("kelvin-voigt")), 2.0 * T
+        ),
+        "modal plastic-power": Modal(modes=3, steps=60).solve(
+            struck_rod(1.0, "free", contact_table("plastic-power")), 2.0 * T
+        ),
         "waves linear": Waves(tolerance=1e-5).solve(struck_rod(1.0, "free", contact_table("linear")), 1.2 * T),
     }
     return {
