@@ -8,12 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Body, Scene, SceneError, Solution
+from solvers import Body, Scene, Solution
 from solvers.bodies import in_space
 from solvers.numerics.free_rotation import rotations
-from solvers.numerics.impulses import NULL_MOMENT, principal
+from solvers.numerics.impulses import principal
 
 from .frames import packed
+from .space import equivalent_box
+from .state import acting_choices
 
 STEPS = 60  # samples of the movement on either side of the blow
 LARGEST_TURN = 1.2  # [rad] shown on either side
@@ -21,7 +23,7 @@ LARGEST_MOVE = 0.7  # of the size of the bodies
 ALIKE = 1e-6  # relative difference of the principal moments of what is drawn as a ball
 
 
-def bodies_frame(solution: Solution) -> bytes:
+def bodies_frame(solution: Solution, chosen: dict[str, Any] | None = None) -> bytes:
     """The message for one blow between bodies in space."""
     scene = solution.scene
     after = {
@@ -39,6 +41,9 @@ def bodies_frame(solution: Solution) -> bytes:
         }
     header = {
         "kind": "bodies",
+        "chosen": chosen,
+        "acting": [] if chosen is None else acting_choices(chosen),
+        "refusals": {},
         "title": scene.title,
         "source": scene.source,
         "scene": scene.table(),
@@ -80,53 +85,6 @@ def figures(solution: Solution) -> list[list[Any]]:
         ["residual of angular momentum", found["angular_momentum_error"], ""],
         ["residual of energy", found["energy_error"], ""],
     ]
-
-
-def struck_place(scene: Scene) -> float:
-    """Where along the longest side of the struck body the blow falls: 0 and 1 are its ends."""
-    _, body = _struck(scene)
-    axis, length = _longest_side(body)
-    return 0.5 - float(np.dot(body.centre, axis)) / length
-
-
-def struck_at(scene: Scene, place: float) -> Scene:
-    """The scene with its rod, or the longest side of its body, struck at another place from 0 to 1 along it.
-
-    The end at 1 is the one that lies towards the positive coordinate axis. Raises SceneError for a place out of range,
-    and for point masses, which have no length.
-    """
-    name, body = _struck(scene)
-    if not isinstance(place, (int, float)) or not 0.0 <= place <= 1.0:
-        raise SceneError("place", place, "a number from 0 to 1, along the length of the body")
-    axis, length = _longest_side(body)
-    centre = np.array(body.centre)
-    centre += ((0.5 - place) * length - centre @ axis) * axis
-    return scene.replace({f"{name}.centre": centre.tolist()})
-
-
-def _struck(scene: Scene) -> tuple[str, Body]:
-    """The target, if it is long at all, or else the impactor."""
-    for name in ("target", "impactor"):
-        body = getattr(scene, name)
-        if isinstance(body, Body) and not body.is_point:
-            return name, body
-    raise SceneError("target.inertia", None, "a tensor that is not zero: a point mass has no length to be struck along")
-
-
-def _longest_side(body: Body) -> tuple[np.ndarray, float]:
-    sides, axes = equivalent_box(body)
-    axis = axes[:, int(np.argmax(sides))]
-    return axis * np.sign(axis[int(np.argmax(np.abs(axis)))]), float(np.max(sides))
-
-
-def equivalent_box(body: Body) -> tuple[np.ndarray, np.ndarray]:
-    """Sides [m] of the uniform box of this mass and inertia, and their directions as columns; a thin rod has one side.
-
-    From I1 = m (b^2 + c^2) / 12 and its like.
-    """
-    moments, axes = principal(np.array(body.inertia))
-    squares = 6.0 / body.mass * (moments.sum() - 2.0 * moments)
-    return np.sqrt(np.where(squares > 10.0 * NULL_MOMENT * squares.max(), squares, 0.0)), axes
 
 
 def _drawn(body: Any) -> dict[str, Any]:

@@ -6,72 +6,247 @@ then float32 arrays in the order and length that the header states.
 """
 
 import json
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
-from solvers import ContactPeriod, Modal, Scene, Solution, Waves
+from solvers import METHODS, ContactPeriod, Modal, RigidImpulse, Scene, SceneError, Solution, Waves
 from solvers.contact.viscous import LEAST_RESTITUTION
-from solvers.methods.modal import STEPS_PER_PERIOD
+from solvers.methods.modal import STEPS_PER_PERIOD, ModalMotion
+from solvers.restitution import common_velocity
 
-from .state import chosen_scene
+from .state import acting_choices, chosen_scene
 
-WAVE_POINTS = 2_600  # of the wave's history
-MOTION_POINTS = 400  # of the motions of mass and struck end
+WAVE_NUMBERS = 4_800  # of the histories of all waves together
+FORCE_POINTS = 1_500  # of a contact force
+MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
+INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and modes
+LARGEST_RATIO = 1e12  # told of a wall
+CYCLE_POINTS, BLOW_POINTS = 60, 300  # of the contact law's cycle, and of the blow in it
 
 
 def solve_frame(chosen: dict[str, Any]) -> bytes:
-    """Solve what is chosen with both methods and pack what the page draws."""
+    """Solve what is chosen, exactly and by the method shown beside it, and pack what the page draws."""
     scene = chosen_scene(chosen)
-    waves = Waves().solve(scene)
-    period = scene.target.modes(chosen["modes"]).shortest_period
-    steps = int(min(max(STEPS_PER_PERIOD * waves.duration / period, 1_000), MAX_FORCE_STEPS))
-    modal = Modal(modes=chosen["modes"], steps=steps, estimate=False).solve(
-        scene, waves.duration
-    )  # waves tell the error
-    return pack(chosen, scene, waves, modal)
+    if scene.normal is not None:
+        from .bodies_frame import bodies_frame
+
+        return bodies_frame(RigidImpulse(restitution=chosen["restitution"]).solve(scene), chosen)
+    exact = exact_solution(scene)
+    return pack(chosen, scene, exact, beside(scene, chosen, exact))
 
 
-def pack(chosen: dict[str, Any], scene: Scene, waves: Solution, modal: Solution) -> bytes:
-    """The message for one pair of solutions."""
-    rod, speed = scene.target, scene.impactor.velocity
-    trip, force_unit = rod.round_trip_time, rod.impedance * speed
-    reach = waves.duration
+def exact_solution(scene: Scene) -> Solution:
+    """The solution that the others are measured by: waves; for bodies without waves one integrated to rounding."""
+    for method in (Waves(), Modal(modes=1), RigidImpulse()):
+        if not method.refusal(scene):
+            return method.solve(scene, scene.method.get("duration"))
+    raise SceneError("method.name", None, "a scene that some method can solve")
+
+
+def beside(scene: Scene, chosen: dict[str, Any], exact: Solution) -> Solution | None:
+    """The chosen method, or modes if waves are chosen; None if it cannot solve this scene or is the exact one."""
+    name = chosen["method"] if chosen["method"] != "waves" else "modal"
+    if name == exact.method["name"]:
+        name = "quasi-static"
+    method = METHODS[name].read(method_options(name, scene, chosen, exact))
+    if method.refusal(scene):
+        return None
+    if isinstance(method, Modal):
+        method = replace(method, estimate=False)  # the exact solution tells the error
+    return method.solve(scene, exact.duration)
+
+
+def method_options(name: str, scene: Scene, chosen: dict[str, Any], exact: Solution) -> dict[str, Any]:
+    """Those of a method's options that the page sets."""
+    if name == "modal":
+        period = scene.target.modes(chosen["modes"]).shortest_period
+        if period == 0.0 or scene.target.kind != "rod":
+            return {"modes": chosen["modes"]}
+        steps = int(min(max(STEPS_PER_PERIOD * exact.duration / period, 1_000), MAX_FORCE_STEPS))
+        return {"modes": chosen["modes"], "steps": steps}
+    options: dict[str, Any] = {}
+    known = {option.name for option in fields(METHODS[name])}
+    for option in ("modes", "elements"):
+        if option in known:
+            options[option] = chosen[option]
+    if name in ("balance", "rigid"):
+        options["restitution"] = chosen["restitution"]
+    return options
+
+
+def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution | None) -> bytes:
+    """The message for one scene."""
+    speed, trip = scene.speed, scene.time_unit
+    force_unit = getattr(scene.target, "impedance", scene.reduced_mass / trip) * speed
+    reach = exact.duration
     even = np.linspace(0.0, reach, MOTION_POINTS + 1)
     length_unit = speed * trip
-    arrays = {
-        **_wave_history(waves),
-        "waveMass": waves.motion.impactor_position(even) / length_unit,
-        "modalForce": modal.motion.record.contact_force / force_unit,
-        "modalMass": modal.motion.impactor_position(even) / length_unit,
-        "modalEnd": modal.motion.end_position(even) / length_unit,
-    }
+    rods, arrays = _rods(scene, exact)
+    carried = other is not None and _carried_by_the_browser(other)
+    for name, solution in (("exact", exact), ("other", other)):
+        if solution is None:
+            continue
+        arrays |= {
+            f"{name}Mass": solution.motion.impactor_position(even) / length_unit,
+            f"{name}End": solution.motion.end_position(even) / length_unit,
+        }
+        if solution is exact or not carried:
+            time, force = _force_history(solution)
+            arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
+    arrays |= _cycle(exact)
+    steps = None
+    if carried:
+        arrays["modalForce"] = other.motion.record.contact_force / force_unit
+        steps = other.motion.step / trip
+    elif other is not None and chosen["method"] == other.method["name"]:
+        arrays |= _sampled_fields(other, force_unit, length_unit)
     header = {
+        "kind": "axial",
         "chosen": chosen,
+        "acting": acting_choices(chosen),
+        "refusals": {name: method().refusal(scene) for name, method in METHODS.items()},
         "title": scene.title,
         "source": scene.source,
         "trip": trip,
         "duration": reach / trip,
-        "fixed": rod.fixed,
-        "length": rod.length,
-        "waveSpeed": rod.wave_speed,
-        "targetMass": rod.mass,
-        "impactorMass": scene.impactor.mass,
+        "rods": rods,
+        "impactor": {"kind": scene.impactor.kind, "mass": scene.impactor.mass},
+        "target": _target(scene),
         "speed": speed,
         "forceUnit": force_unit,
-        "stressUnit": force_unit / rod.area,
-        "stiffness": rod.stiffness,
-        "sphere": scene.impactor.kind == "sphere",
+        "stressUnit": force_unit / getattr(scene.target, "area", 1.0),
         "modes": chosen["modes"],
-        "step": modal.motion.step / trip,
-        "waves": _figures(waves),
-        "modal": _figures(modal),
+        "step": steps,
+        "exact": _figures(exact),
+        "other": None if other is None else _figures(other),
         "ghost": ghost(scene, chosen["restitution"]),
-        "match": waves.restitution["newton"],
+        "match": exact.restitution["newton"],
+        "delivered": scene.contact.table(scene.speed).get("restitution"),
+        "conservative": not (scene.contact.LOSSY or scene.contact.PLASTIC),
         "leastRestitution": LEAST_RESTITUTION,
     }
     return packed(header, arrays)
+
+
+def _carried_by_the_browser(solution: Solution) -> bool:
+    """Whether the browser rebuilds the fields from the modes of one rod and the forces on them."""
+    scene = solution.scene
+    return isinstance(solution.motion, ModalMotion) and scene.impactor.kind != "rod" and scene.target.kind == "rod"
+
+
+def _target(scene: Scene) -> dict[str, Any]:
+    target = scene.target
+    return {
+        "kind": target.kind,
+        "mass": min(target.mass, LARGEST_RATIO * scene.impactor.mass),
+        "length": target.length,
+        "support": getattr(target, "support", None),
+        "held": target.held,
+        "endMass": getattr(target, "end_mass", 0.0) or getattr(target.rods[-1], "end_mass", 0.0)
+        if target.kind in ("rod", "rods")
+        else 0.0,
+    }
+
+
+def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, np.ndarray]]:
+    """Every rod from left to right, and the waves that its ends send: time and value, at a jump the time stands twice.
+
+    A uniform rod that is fixed or free at its far end is its own mirror: one wave says all.
+    """
+    bodies = ([scene.impactor] if scene.impactor.kind == "rod" else []) + list(getattr(scene.target, "rods", ()))
+    if not bodies or not hasattr(exact.motion, "sent"):
+        return [], {}
+    trip, reach = scene.time_unit, exact.duration / scene.time_unit
+    first = len(bodies) - len(scene.target.rods)
+    joints = [None] * (first + 1) + ["bonded" if joint.bonded else "touching" for joint in scene.target.joints]
+    mirrored = len(bodies) == 1 and bodies[0].support != "anechoic" and not bodies[0].end_mass
+    waves = len(bodies) * (1 if mirrored else 2)
+    even = np.linspace(0.0, reach, WAVE_NUMBERS // (2 * waves))
+    edge = -bodies[0].length if first else 0.0
+    rods, arrays = [], {}
+    for number, body in enumerate(bodies):
+        rods.append(
+            {
+                "from": edge,
+                "to": edge + body.length,
+                "transit": 0.5 * body.round_trip_time / trip,
+                "impedance": body.impedance / scene.target.impedance,
+                "drift": body.velocity / scene.speed,
+                "area": body.area / scene.target.area,
+                "joint": joints[number],
+                "mirror": (1 if body.fixed else -1) if mirrored else 0,
+            }
+        )
+        edge += body.length
+        for way in (True,) if mirrored else (True, False):
+            time, wave = _wave_history(exact.motion, number, way, even)
+            arrays |= {f"{'f' if way else 'g'}{number}Time": time, f"{'f' if way else 'g'}{number}": wave}
+    return rods, arrays
+
+
+def _wave_history(motion: Any, rod: int, right_going: bool, even: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    time = np.unique(np.concatenate([even, motion.jumps(rod, right_going, float(even[-1]))[: even.size // 3]]))
+    before, after = motion.sent(rod, right_going, time, False), motion.sent(rod, right_going, time, True)
+    after[-1] = before[-1]  # at the end of the time solved no value after a jump is known
+    return _doubled(time, before, after, 1e-6)
+
+
+def _doubled(time: np.ndarray, before: np.ndarray, after: np.ndarray, least: float) -> tuple[np.ndarray, np.ndarray]:
+    """One history of values before and after each instant: where they differ the time stands twice."""
+    jump = np.abs(after - before) > least
+    order = np.argsort(np.concatenate([time[jump], time]), kind="stable")
+    return np.concatenate([time[jump], time])[order], np.concatenate([before[jump], after])[order]
+
+
+def _force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
+    """Times [s] and contact forces [N], thinned so that every stretch keeps its highest and lowest."""
+    time, force = solution.motion.force_history()
+    inside = time <= solution.duration
+    time, force = time[inside], force[inside]
+    if time.size <= FORCE_POINTS:
+        return time, force
+    edges = np.linspace(0, time.size, FORCE_POINTS // 2 + 1).astype(int)
+    kept = {0, time.size - 1}
+    for low, high in zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True):
+        kept |= {low + int(np.argmin(force[low:high])), low + int(np.argmax(force[low:high]))}
+    rows = np.array(sorted(kept))
+    return time[rows], force[rows]
+
+
+def _sampled_fields(solution: Solution, force_unit: float, length_unit: float) -> dict[str, np.ndarray]:
+    """Fields at (instant, place), flat, for methods whose fields the browser cannot rebuild."""
+    scene, motion = solution.scene, solution.motion
+    start = -scene.impactor.length if scene.impactor.kind == "rod" else 0.0
+    if scene.target.length == start:
+        return {}
+    time, x = np.linspace(0.0, solution.duration, INSTANTS), np.linspace(start, scene.target.length, PLACES)
+    return {
+        "fieldStress": (motion.stress(time, x) / (force_unit / scene.target.area)).ravel(),
+        "fieldVelocity": (motion.velocity(time, x) / scene.speed).ravel(),
+        "fieldDisplacement": (motion.displacement(time, x) / length_unit).ravel(),
+    }
+
+
+def _cycle(exact: Solution) -> dict[str, np.ndarray]:
+    """The contact law's cycle, slowly to the depth of this blow and back, and what this blow did [m, N]."""
+    law, deepest = exact.scene.contact, exact.peak_indentation
+    if deepest is None or deepest <= 0.0:
+        return {}
+    time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), BLOW_POINTS)
+    depth = exact.motion.impactor_position(time) - exact.motion.end_position(time)
+    force = exact.motion.force(time)
+    force[depth <= law.dent(0.0)] = 0.0
+    down = np.linspace(0.0, deepest, CYCLE_POINTS)
+    return {
+        "cycleDepth": down,
+        "cycleLoading": np.array([law.force(a, 0.0, 0.0) for a in down.tolist()]),
+        "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
+        "blowDepth": depth,
+        "blowForce": force,
+    }
 
 
 def packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
@@ -82,31 +257,10 @@ def packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
     return len(text).to_bytes(4, "little") + text + b"".join(a.astype("<f4").tobytes() for a in arrays.values())
 
 
-def _wave_history(waves: Solution) -> dict[str, np.ndarray]:
-    """Times, wave sent by the struck end, its integral, contact force; at a jump the time stands twice."""
-    history, trip = waves.motion.history, waves.scene.target.round_trip_time
-    unit = waves.scene.target.impedance * waves.scene.impactor.velocity
-    reach = waves.duration / trip
-    even = np.linspace(0.0, reach, WAVE_POINTS - 200)
-    jumps = history.jumps()
-    jumps = jumps[(jumps >= 0.0) & (jumps <= reach)][:200]
-    time = np.unique(np.concatenate([even, jumps]))
-    before, after, total = history.wave(time, False), history.wave(time, True), history.total(time)
-    force_before, force_after = (waves.motion.force(time * trip, side) / unit for side in (False, True))
-    doubled = (np.abs(after - before) > 1e-6) | (np.abs(force_after - force_before) > 1e-6)
-    order = np.argsort(np.concatenate([time[doubled], time]), kind="stable")
-    pairs = {
-        "waveTime": (time, time),
-        "wave": (before, after),
-        "waveTotal": (total, total),
-        "waveForce": (force_before, force_after),
-    }
-    return {name: np.concatenate([first[doubled], last])[order] for name, (first, last) in pairs.items()}
-
-
 def _figures(solution: Solution) -> dict[str, Any]:
-    trip, speed = solution.scene.target.round_trip_time, solution.scene.impactor.velocity
+    trip, speed = solution.scene.time_unit, solution.scene.speed
     return {
+        "name": solution.method["name"],
         "contacts": [
             [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
             for contact in solution.contacts
@@ -121,6 +275,7 @@ def _figures(solution: Solution) -> dict[str, Any]:
         "targetFinal": solution.target_velocity / speed,
         "peakForce": solution.peak_force,
         "peakIndentation": solution.peak_indentation,
+        "residualIndentation": solution.residual_indentation,
         "restitution": solution.restitution,
         "energy": solution.energy,
         "diagnostics": solution.diagnostics,
@@ -130,7 +285,9 @@ def _figures(solution: Solution) -> dict[str, Any]:
 
 def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:
     """Whether the force was taken away at once by an arriving wave, rather than fading to zero."""
-    shortly_before = contact.end - 0.02 * solution.scene.target.round_trip_time
+    if contact.end < solution.scene.time_unit * (1.0 - 1e-9):
+        return False  # no wave has come back yet
+    shortly_before = contact.end - 0.02 * solution.scene.time_unit
     if shortly_before <= contact.start:
         return False
     return bool(solution.motion.force(np.array([shortly_before]))[0] > 0.1 * contact.peak_force)
@@ -138,11 +295,11 @@ def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:
 
 def ghost(scene: Scene, restitution: float) -> dict[str, float]:
     """Velocities after a classical rigid-body blow, in units of the impact speed, (9.1); a fixed rod stays at rest."""
-    if scene.target.fixed:
-        return {"impactor": -restitution, "target": 0.0}
-    beta = scene.mass_ratio
-    velocity = (1.0 - restitution * beta) / (1.0 + beta)
-    return {"impactor": velocity, "target": (1.0 + restitution) / (1.0 + beta)}
+    common = common_velocity(scene)
+    share = 1.0 if scene.target.held else scene.reduced_mass / scene.impactor.mass
+    impactor = scene.impactor.velocity - share * (1.0 + restitution) * scene.speed
+    target = 0.0 if scene.target.held else common + (common - impactor) / scene.mass_ratio
+    return {"impactor": impactor / scene.speed, "target": target / scene.speed}
 
 
 def read_header(message: bytes) -> dict[str, Any]:

@@ -12,7 +12,7 @@ import param
 from .analysis import energy_shares, energy_view
 from .frames import solve_frame
 from .runner import Runner
-from .state import Choices, accepts, from_address, refusal
+from .state import Choices, accepts, from_address, refusal, scene_groups
 
 STATIC = Path(__file__).parent / "static"
 VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
@@ -111,6 +111,8 @@ def _spec() -> dict[str, Any]:
         parameter = Choices.param[name]
         if isinstance(parameter, param.Selector):
             found[name] = {"default": parameter.default, "options": list(parameter.objects)}
+            if name == "scene":
+                found[name]["groups"] = scene_groups()
         else:
             low, high = parameter.bounds
             whole = isinstance(parameter, param.Integer)

@@ -22,7 +22,7 @@ TEMPLATE = """
 MODULES
 {% endblock %}
 """
-MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", "plot")
+MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", "plot", "bodies")
 
 
 def serve(port: int, address: str, origins: list[str]) -> int:

@@ -1,36 +1,40 @@
 """What a visitor has chosen: bounded values, no widget. The same bounds guard sliders, address and socket."""
 
 import re
+from dataclasses import fields
 from typing import Any
 
+import numpy as np
 import param
 
 import solvers
-from solvers import METHODS, Scene, SceneError
+from solvers import LAWS, METHODS, Scene, SceneError
 from solvers.contact.viscous import LEAST_RESTITUTION
 
-SHOWN = ("waves", "modal")  # the methods that the page compares
-LAWS = ("rigid", "linear", "hertz", "hunt-crossley")  # those that it knows how to set
-SCENES = {
-    name: scene
-    for name, scene in ((name, solvers.load(name)) for name in solvers.scene_names())
-    if not any(METHODS[method]().refusal(scene) for method in SHOWN)
-}
+from .space import has_length, struck_at, struck_place
+
+SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
 START = next(iter(SCENES))
+DEPTH = 1e-5  # [m] at which `force_at_depth` tells how stiff a power law is: its stiffness has no unit of its own
 
 
 class Choices(param.Parameterized):
     """Everything that can be set on the page. SI units; a value out of bounds raises ValueError."""
 
     scene = param.Selector(default=START, objects=list(SCENES))
-    method = param.Selector(default="waves", objects=list(SHOWN))
+    method = param.Selector(default="waves", objects=list(METHODS))
     mass_ratio = param.Number(default=1.0, bounds=(1e-3, 1e3))  # target / impactor
-    speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # [m/s]
+    speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # of approach [m/s]
     law = param.Selector(default="rigid", objects=list(LAWS))
     linear_stiffness = param.Number(default=1.3e10, bounds=(1e5, 1e14))  # [N/m]
-    hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5], Hertz and Hunt-Crossley
+    hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5]
+    force_at_depth = param.Number(default=1e4, bounds=(1e-1, 1e9))  # [N], of laws with an exponent of their own
+    exponent = param.Number(default=1.5, bounds=(1.0, 3.0))
+    yield_indentation = param.Number(default=1e-6, bounds=(1e-9, 1e-2))  # [m]
     restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
     modes = param.Integer(default=50, bounds=(1, 200))
+    elements = param.Integer(default=50, bounds=(1, 200))
+    place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a rod in space the blow falls
 
     CHOSEN = (
         "scene",
@@ -40,8 +44,13 @@ class Choices(param.Parameterized):
         "law",
         "linear_stiffness",
         "hertz_stiffness",
+        "force_at_depth",
+        "exponent",
+        "yield_indentation",
         "restitution",
         "modes",
+        "elements",
+        "place",
     )
 
     def chosen(self) -> dict[str, Any]:
@@ -50,38 +59,128 @@ class Choices(param.Parameterized):
 
     @staticmethod
     def of_scene(name: str) -> dict[str, Any]:
-        """The values that a built-in scene asks for."""
+        """The values that a built-in scene asks for, each within its bounds."""
         scene = SCENES[name]
-        values = {
-            "mass_ratio": float(f"{scene.mass_ratio:.12g}"),
-            "speed": scene.impactor.velocity,
-            "law": scene.contact.NAME,
-            "linear_stiffness": _rounded(20.0 * scene.target.stiffness),
-        }
-        if scene.contact.NAME in ("hertz", "hunt-crossley"):
-            values["hertz_stiffness"] = scene.contact.stiffness
-        return values
+        wanted: dict[str, Any] = {"speed": scene.speed}
+        if in_space(scene):
+            wanted["place"] = struck_place(scene)
+        elif np.isfinite(scene.mass_ratio):
+            wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
+        method = dict(scene.method)
+        wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
+        wanted["method"] = method.get("name", "rigid" if in_space(scene) else "waves")
+        if not in_space(scene):
+            wanted |= {"law": scene.contact.NAME} | _constants(scene)
+        return {name: value for name, value in wanted.items() if accepts(name, value)}
+
+
+def scene_groups() -> list[list[Any]]:
+    """Scenes by heading, each as [name, what it is], for the picker."""
+    groups: dict[str, list[list[str]]] = {}
+    for name, scene in SCENES.items():
+        groups.setdefault(_heading(name, scene), []).append([name, scene.title or name])
+    return [[heading, scenes] for heading, scenes in groups.items()]
+
+
+def _heading(name: str, scene: Scene) -> str:
+    if found := re.fullmatch(r"(figure|table)-(\d+)\..*", name):
+        return f"Thesis, chapter {found[2]}"
+    if in_space(scene):
+        return "Bodies in space"
+    if scene.impactor.kind == "rod" or scene.target.kind == "rods":
+        return "Several rods"
+    return "One rod" if scene.target.kind == "rod" else "Compact bodies"
+
+
+def in_space(scene: Scene) -> bool:
+    """Whether the bodies are not on one axis but in space."""
+    return scene.normal is not None
+
+
+def _constants(scene: Scene) -> dict[str, Any]:
+    """What the sliders of the contact laws show for a scene."""
+    law, found = scene.contact, {}
+    stiffness = getattr(scene.target, "stiffness", None)
+    if stiffness is not None:
+        found["linear_stiffness"] = _rounded(20.0 * stiffness)
+    table = law.table(scene.speed)
+    if "stiffness" in table:
+        name = STIFFNESS.get(law.NAME, "hertz_stiffness")
+        found[name] = table["stiffness"]
+        if name == "force_at_depth":
+            found[name] *= DEPTH ** table.get("exponent", 1.5)
+    for name in ("exponent", "yield_indentation", "restitution"):
+        if name in table:
+            found[name] = table[name]
+    return found
+
+
+STIFFNESS = {"linear": "linear_stiffness", "kelvin-voigt": "linear_stiffness"} | {
+    law: "force_at_depth" for law in LAWS if "exponent" in LAWS[law].KEYS
+}
+
+
+def law_choices(law: str) -> list[str]:
+    """The choices that set the constants of a contact law."""
+    keys = LAWS[law].KEYS
+    names = [STIFFNESS.get(law, "hertz_stiffness")] if "stiffness" in keys else []
+    return names + [name for name in ("exponent", "yield_indentation") if name in keys]
+
+
+def acting_choices(chosen: dict[str, Any]) -> list[str]:
+    """The choices that change anything in the chosen scene."""
+    base = SCENES[chosen["scene"]]
+    if in_space(base):
+        return ["scene", "speed", "restitution"] + (["place"] if has_length(base) else [])
+    names = ["scene", "method", "speed", "law", "restitution", *law_choices(chosen["law"])]
+    if base.impactor.kind in ("mass", "sphere") and np.isfinite(base.mass_ratio):
+        names.append("mass_ratio")
+    shown = "modal" if chosen["method"] == "waves" else chosen["method"]
+    options = {option.name for option in fields(METHODS[shown])}
+    return names + [name for name in ("modes", "elements") if name in options]
 
 
 def _rounded(value: float) -> float:
     return float(f"{value:.2g}")
 
 
+def contact_table(chosen: dict[str, Any]) -> dict[str, Any]:
+    """The table `[contact]` that these choices describe."""
+    law = chosen["law"]
+    keys, table = LAWS[law].KEYS, {"law": law}
+    for name in ("exponent", "yield_indentation"):
+        if name in keys:
+            table[name] = chosen[name]
+    if "stiffness" in keys:
+        name = STIFFNESS.get(law, "hertz_stiffness")
+        table["stiffness"] = chosen[name]
+        if name == "force_at_depth":
+            table["stiffness"] /= DEPTH ** chosen["exponent"]
+    if "restitution" in keys:
+        table["restitution"] = max(chosen["restitution"], LEAST_RESTITUTION)
+    return table
+
+
 def chosen_scene(chosen: dict[str, Any]) -> Scene:
     """The scene that these choices describe."""
     base = SCENES[chosen["scene"]]
-    contact: dict[str, Any] = {"law": chosen["law"]}
-    if chosen["law"] == "linear":
-        contact["stiffness"] = chosen["linear_stiffness"]
-    elif chosen["law"] != "rigid":
-        contact["stiffness"] = chosen["hertz_stiffness"]
-    if chosen["law"] == "hunt-crossley":
-        contact["restitution"] = max(chosen["restitution"], LEAST_RESTITUTION)
-    changes: dict[str, Any] = {
-        "impactor.mass": base.target.mass / chosen["mass_ratio"],
-        "impactor.velocity": chosen["speed"],
-        "contact": contact,
-    }
+    if in_space(base):
+        faster = chosen["speed"] / base.speed
+        scene = base.replace(
+            {
+                f"{name}.{key}": [faster * v for v in getattr(getattr(base, name), key)]
+                for name in ("impactor", "target")
+                for key in ("velocity", "spin")
+                if hasattr(getattr(base, name), "spin")
+            }
+        )
+        return struck_at(scene, chosen["place"]) if has_length(base) else scene
+    changes: dict[str, Any] = {"impactor.velocity": chosen["speed"] + base.target.velocity}
+    if "mass_ratio" in acting_choices(chosen):
+        changes["impactor.mass"] = base.target.mass / chosen["mass_ratio"]
+    own = Choices.of_scene(chosen["scene"])
+    if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
+        changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)
 
 

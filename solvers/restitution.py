@@ -29,7 +29,8 @@ def restitution(scene: Any, motion: Any, parting: float, until: float) -> dict[s
     end, parted = np.array([until]), np.array([parting])
     impactor = float(motion.impactor_velocity(end)[0])
     target = 0.0 if scene.target.held else float(motion.rigid_velocity(end)[0])
-    apart = float(motion.end_velocity(parted)[0] - motion.impactor_velocity(parted)[0])
+    face_velocity = getattr(motion, "face_velocity", motion.impactor_velocity)  # a rod's face moves on its own
+    apart = float(motion.end_velocity(parted)[0] - face_velocity(parted)[0])
     return {
         "newton": (target - impactor) / scene.speed,
         "poisson": poisson(motion, common_velocity(scene), until),

@@ -67,14 +67,17 @@ class Solution:
     effective_mass: float | None = None  # of the contact [kg], where the blow is one impulse
     impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
     target_spin: tuple[float, float, float] | None = None
+    joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
 
     def table(self) -> dict[str, object]:
         """The result as plain tables, with the keys that scripts rely on."""
         effective_mass = {} if self.effective_mass is None else {"effective_mass": self.effective_mass}
+        joints = [[asdict(contact) for contact in joint] for joint in self.joints]
         return {
             "scene": self.scene.table(),
             "method": self.method,
             "contacts": [asdict(contact) for contact in self.contacts],
+            **({"joints": joints} if joints else {}),
             "impulse": self.impulse,
             **effective_mass,
             "peak_force": self.peak_force,
@@ -121,7 +124,7 @@ def summary(
         "energy": {"initial": initial} | energies,
         "diagnostics": {
             "energy_error": (sum(energies.values()) - initial) / initial,
-            "momentum_error": max(mismatches, key=abs) / (min(m1, m2) * speed),
+            "momentum_error": max(mismatches, key=abs) / (m1 * speed),
             "steps": 0,
             "wall_time": wall_time,
             "estimated_error": None,

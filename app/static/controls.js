@@ -1,17 +1,28 @@
 // The form: one control for each choice, made from the bounds that the server holds.
 
 const LABELS = {
-  scene: ['Scene', '', { 'fixed-rod': 'Steel rod, far end fixed', 'free-rod': 'Steel rod, both ends free', 'bronze-rod-steel-ball': 'Bronze rod, steel ball' }],
-  method: ['Pictures drawn from', '', { waves: 'Exact waves', modal: 'Modes' }],
-  mass_ratio: ['Mass ratio', 'rod/mass', null, 'log'],
+  scene: ['Scene', '', {}],
+  method: ['Method beside the exact one', '', {
+    waves: 'Modes (pictures: exact)', modal: 'Modes', 'fe-nodal': 'Finite elements', 'fe-modal': 'Modes of finite elements', balance: 'Impulse balances',
+    'mode-switch': 'Modes that switch', 'quasi-static': 'Quasi-static', rigid: 'Rigid bodies', 'floating-frame': 'Floating frame',
+  }],
+  mass_ratio: ['Mass ratio', 'm₂/m₁', null, 'log'],
   speed: ['Impact speed', 'm/s', null, 'log'],
-  law: ['Contact law', '', { rigid: 'Rigid', linear: 'Linear spring', hertz: 'Hertz', 'hunt-crossley': 'Hunt–Crossley' }],
+  law: ['Contact law', '', {
+    rigid: 'Rigid', linear: 'Linear spring', hertz: 'Hertz', power: 'Power law', 'kelvin-voigt': 'Kelvin–Voigt', 'lee-wang': 'Lee–Wang', 'hunt-crossley': 'Hunt–Crossley',
+    'lankarani-nikravesh': 'Lankarani–Nikravesh', 'yigit-christoforou': 'Yigit–Christoforou', 'plastic-linear': 'Plastic, linear', 'plastic-power': 'Plastic, power (Tabor)',
+  }],
   linear_stiffness: ['Stiffness', 'N/m', null, 'log'],
   hertz_stiffness: ['Stiffness', 'N/m¹·⁵', null, 'log'],
+  force_at_depth: ['Force at 10 µm', 'N', null, 'log'],
+  exponent: ['Exponent', '', null],
+  yield_indentation: ['Yields at', 'm', null, 'log'],
   restitution: ['Restitution', '', null],
   modes: ['Modes', 'kept', null, 'log'],
+  elements: ['Elements', '', null, 'log'],
+  place: ['Struck at', 'of its length', null],
 };
-const ORDER = ['scene', 'mass_ratio', 'speed', 'law', 'linear_stiffness', 'hertz_stiffness', 'restitution', 'modes', 'method'];
+const ORDER = ['scene', 'mass_ratio', 'speed', 'place', 'law', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth', 'exponent', 'yield_indentation', 'restitution', 'modes', 'elements', 'method'];
 const STEPS = 1000;
 
 const make = (tag, properties = {}, ...children) => {
@@ -36,10 +47,14 @@ export class Controls {
   select(name) {
     const [label, , words] = LABELS[name], id = `choice-${name}`;
     const input = make('select', { id });
-    for (const option of this.spec[name].options) input.append(make('option', { value: option, textContent: words[option] ?? option }));
+    const groups = this.spec[name].groups ?? [['', this.spec[name].options.map((option) => [option, words[option] ?? option])]];
+    for (const [heading, options] of groups) {
+      const made = options.map(([value, text]) => make('option', { value, textContent: text }));
+      input.append(...(heading ? [make('optgroup', { label: heading }, ...made)] : made));
+    }
     input.onchange = () => this.send(name, input.value);
     const root = make('div', { className: `field field-${name}` }, make('label', { htmlFor: id, textContent: label }), input);
-    this.fields[name] = { root, set: (value) => { input.value = value; } };
+    this.fields[name] = { root, input, set: (value) => { input.value = value; } };
     return root;
   }
   slider(name) {
@@ -81,15 +96,22 @@ export class Controls {
     return root;
   }
   show(name, value) { this.fields[name]?.set(value); }
-  // What depends on the law: its constants, and what restitution acts on.
+  // Only what acts on this scene is shown; methods that cannot solve it say why.
   arrange(frame) {
-    const { law, restitution } = frame.chosen, match = frame.match === null ? '' : ` To match the last velocity: ${frame.match.toFixed(3)}.`;
-    this.fields.linear_stiffness.root.hidden = law !== 'linear';
-    this.fields.hertz_stiffness.root.hidden = law !== 'hertz' && law !== 'hunt-crossley';
-    if (law === 'hunt-crossley') {
-      const least = frame.leastRestitution;
-      this.note.textContent = `Sets what this contact would deliver between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}${match}`;
-    } else this.note.textContent = 'Sets the ghost: the answer of rigid-body theory, dashed grey. This contact law itself loses nothing.' + match;
+    const { law, restitution, method } = frame.chosen;
+    for (const name of ORDER) this.fields[name].root.hidden = !frame.acting.includes(name);
+    for (const option of this.fields.method.input.options) {
+      const reason = frame.refusals[option.value];
+      option.disabled = Boolean(reason) && option.value !== 'waves';
+      option.title = reason ?? '';
+    }
+    if (frame.kind === 'bodies') { this.note.textContent = 'Speed of parting over speed of approach of the touching points, along the normal.'; return; }
+    const match = frame.match === null ? '' : ` To match the last velocity: ${frame.match.toFixed(3)}.`, least = frame.leastRestitution;
+    const acts = frame.delivered !== null ? `Sets what this contact delivers between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}`
+      : method === 'balance' ? 'Sets the restitution of every balance, and the ghost.'
+      : `Sets the ghost: the answer of rigid-body theory, dashed grey. ${law === 'rigid' || frame.conservative ? 'This contact law itself loses nothing.' : 'This contact law loses by yielding.'}`;
+    const refused = frame.refusals[method];
+    this.note.textContent = acts + match + (refused && method !== 'waves' ? ` ${refused}` : '');
   }
 }
 

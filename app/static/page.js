@@ -1,7 +1,8 @@
 // The page: wires choices, clock and views together. One message from the server per change; none while playing.
-import { Displacements, Force, SpaceTime } from './charts.js';
+import { BodiesStage } from './bodies.js';
+import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
 import { Controls } from './controls.js';
-import { decode, ModalField, WaveField } from './physics.js';
+import { at, CompactField, decode, ModalField, SampledField, WaveField } from './physics.js';
 import { Player } from './player.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
@@ -20,14 +21,16 @@ class Page {
     this.names = Object.keys(model.spec);
     this.waiting = {};
     this.what = 'stress';
-    this.modalField = ModalField;
     this.controls = new Controls(model.spec, (name, value) => this.send(name, value), (sentence) => this.complain(sentence));
     this.stage = new Stage();
+    this.space = new BodiesStage();
+    this.space.root.hidden = true;
     this.player = new Player((t) => this.show(t));
     this.spaceTime = new SpaceTime();
     this.force = new Force();
     this.displacements = new Displacements();
     this.charts = [this.spaceTime, this.force, this.displacements];
+    this.cycle = new Cycle();
     this.story = new Story((t) => this.player.go(t + 2e-4), (start, end) => this.zoom(start, end));
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
@@ -42,20 +45,20 @@ class Page {
     const colour = make('div', { className: 'segments', role: 'group' });
     colour.setAttribute('aria-label', 'Colour shows');
     for (const what of ['stress', 'velocity']) {
-      const button = make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); this.show(this.player.t); } });
+      const button = make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); this.player.go(this.player.t); } });
       button.setAttribute('aria-pressed', String(what === this.what));
       colour.append(button);
     }
     this.colour = colour;
     const bar = make('header', { className: 'top' },
-      make('h1', {}, 'Strikewave'), make('p', { textContent: 'A body strikes a rod. Waves run along it, come back, and decide how the body leaves.' }),
+      make('h1', {}, 'Strikewave'), make('p', { textContent: 'One body strikes another that can bend and ring. Waves decide how it leaves.' }),
       make('nav', {},
         this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }),
         make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() }),
         make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })));
     const view = make('main', { className: 'views' },
-      make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
-      this.stage.root, this.player.root, ...this.charts.map((c) => c.chart.root));
+      this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
+      this.stage.root, this.space.root, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root);
     this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.story.root, this.toast);
     return this.root;
   }
@@ -75,8 +78,9 @@ class Page {
       event.preventDefault();
       this.player.toggle();
     });
-    this.observer = new ResizeObserver(() => { if (this.frame) { this.drawCharts(); this.show(this.player.t); } });
+    this.observer = new ResizeObserver(() => { if (this.frame) { this.drawCharts(); this.player.go(this.player.t); } });
     this.observer.observe(this.stage.root);
+    this.observer.observe(this.space.root);
     model.on('remove', () => { this.player.playing = false; this.observer.disconnect(); document.removeEventListener('keydown', this.key); });
   }
   // Changes go out one at a time: the next when the last is answered, and then only the newest of each.
@@ -111,13 +115,21 @@ class Page {
     const data = this.model.frame;
     if (!data || !data.byteLength) return;
     this.frame = decode(data);
-    const { chosen, duration } = this.frame;
-    this.fields = [new WaveField(this.frame), null];
-    this.view = [0, duration];
-    this.whole.hidden = true;
-    this.force.load(this.frame);
-    this.displacements.load(this.frame, this.fields);
-    this.dress();
+    const { chosen, duration } = this.frame, inSpace = this.frame.kind === 'bodies';
+    this.stage.root.hidden = this.head.hidden = inSpace;
+    this.space.root.hidden = !inSpace;
+    for (const { chart } of this.charts) chart.root.hidden = inSpace;
+    this.cycle.chart.root.hidden = inSpace || !this.frame.cycleDepth;
+    this.spaceTime.chart.root.hidden = inSpace || !this.frame.rods.length;
+    if (inSpace) this.space.load(this.frame);
+    else {
+      this.fields = [this.frame.rods.length ? new WaveField(this.frame) : new CompactField(this.frame), null];
+      this.view = [0, duration];
+      this.whole.hidden = true;
+      this.force.load(this.frame);
+      this.displacements.load(this.frame, this.fields);
+      this.dress();
+    }
     this.player.load(this.frame);
     this.settle();
     this.tell(chosen);
@@ -138,24 +150,31 @@ class Page {
     else this.telling = setTimeout(write, Math.max(40, this.toldAt + 150 - performance.now()));
   }
   get field() {
-    if (this.frame.chosen.method === 'waves') return this.fields[0];
-    return this.fields[1] ??= new ModalField(this.frame);
+    return drawnFromOther(this.frame) ? this.otherField : this.fields[0];
+  }
+  get otherField() {
+    const { frame } = this, Field = frame.modalForce ? ModalField : frame.fieldStress ? SampledField : null;
+    return this.fields[1] ??= Field ? new Field(frame) : new CompactField(frame, 'other');
   }
   // Colours of stage and x-t diagram.
   dress() {
     const largest = this.fields[0].largest(this.what);
-    this.spaceTime.load(this.field, this.what, largest);
+    if (this.frame.rods.length) this.spaceTime.load(this.field, this.what, largest);
     this.stage.load(this.frame, this.field, this.what, largest);
     for (const button of this.colour.children) button.setAttribute('aria-pressed', String(button.textContent === this.what));
     this.drawCharts();
   }
   drawCharts() {
-    for (const chart of this.charts) chart.draw(this.frame, this.view);
+    if (this.frame.kind === 'bodies') return;
+    for (const chart of this.charts) if (!chart.chart.root.hidden) chart.draw(this.frame, this.view);
+    this.cycle.draw(this.frame);
   }
   show(t) {
     if (!this.frame) return;
+    if (this.frame.kind === 'bodies') { this.space.draw(t); this.painted = (this.painted ?? 0) + 1; return; }
     this.stage.draw(t);
-    if (this.spaceTime.chart.box) this.spaceTime.chart.cursor(t);
+    if (this.spaceTime.chart.box && !this.spaceTime.chart.root.hidden) this.spaceTime.chart.cursor(t);
+    this.cycle.cursor(t, this.frame, this.force);
     this.force.cursor(t);
     this.displacements.cursor(t);
     if (!this.telling) this.story.at(t);
@@ -208,13 +227,15 @@ class Page {
     catch { this.complain(`The link to what you see: ${location.href}`); }
   }
   saveData() {
-    const { frame, fields: [waves] } = this, rows = ['time_s,force_waves_N,force_modes_N,mass_waves_m,struck_end_waves_m,mass_modes_m,struck_end_modes_m'];
-    const length = frame.speed * frame.trip, points = 2000;
+    const { frame } = this, length = frame.speed * frame.trip, points = 2000;
+    if (frame.kind === 'bodies') { this.complain('There is no history to save: this blow takes no time. impact solve SCENE --json gives its figures.'); return; }
+    const names = frame.other ? ['exact', 'other'] : ['exact'], called = names.map((key) => frame[key].name.replaceAll('-', '_'));
+    const rows = [['time_s', ...called.map((n) => `force_${n}_N`), ...called.flatMap((n) => [`impactor_${n}_m`, `struck_face_${n}_m`])].join(',')];
     for (let k = 0; k <= points; k++) {
-      const t = k / points * frame.duration, i = Math.min(Math.round(t / frame.step), this.force.resolved.length - 1);
-      const place = k / points * (frame.modalMass.length - 1), j = Math.min(Math.floor(place), frame.modalMass.length - 2), part = place - j;
-      const between = (a) => a[j] + part * (a[j + 1] - a[j]);
-      rows.push([t * frame.trip, this.force.at(t) * frame.forceUnit, this.force.resolved[i] * frame.forceUnit, waves.mass(t) * length, waves.end(t) * length, between(frame.modalMass) * length, between(frame.modalEnd) * length].map((v) => v.toPrecision(7)).join(','));
+      const t = k / points * frame.duration;
+      const forces = names.map((key) => (key === 'exact' ? this.force.at(t) : this.force.otherAt(t)) * frame.forceUnit);
+      const places = names.flatMap((key) => ['Mass', 'End'].map((what) => at(frame[key + what], t, frame.duration) * length));
+      rows.push([t * frame.trip, ...forces, ...places].map((v) => v.toPrecision(7)).join(','));
     }
     const link = make('a', { href: URL.createObjectURL(new Blob([rows.join('\n') + '\n'], { type: 'text/csv' })), download: `strikewave-${frame.chosen.scene}.csv` });
     link.click();

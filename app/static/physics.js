@@ -23,68 +23,99 @@ export function at(samples, t, duration) {
 
 const CELLS = 8192;
 
-// The exact field: one wave out, the same wave back one round trip later.
-export class WaveField {
-  constructor(frame) {
-    this.frame = frame;
-    this.reflection = frame.fixed ? 1 : -1;
-    const { waveTime: time, wave, waveTotal, duration } = frame;
+// One wave that a rod end sends, on even cells: value, and integral from the beginning.
+class Wave {
+  constructor(time, value, duration) {
+    this.duration = duration;
     this.perTrip = CELLS / duration;
-    this.wave = new Float64Array(CELLS + 1);
-    this.total = new Float64Array(CELLS + 1);
+    this.value = new Float64Array(CELLS + 1);
+    this.sum = new Float64Array(CELLS + 1);
+    const sums = new Float64Array(time.length);
+    for (let j = 1; j < time.length; j++) sums[j] = sums[j - 1] + 0.5 * (value[j] + value[j - 1]) * (time[j] - time[j - 1]);
     for (let k = 0, j = 0; k <= CELLS; k++) {
       const t = (k + 0.5) / this.perTrip; // cell middles: jumps stay within one cell
       const u = k / this.perTrip;
       while (j < time.length - 2 && time[j + 1] <= t) j++;
       const part = time[j + 1] > time[j] ? Math.min((t - time[j]) / (time[j + 1] - time[j]), 1) : 1;
-      this.wave[k] = wave[j] + part * (wave[j + 1] - wave[j]);
+      this.value[k] = value[j] + part * (value[j + 1] - value[j]);
       let i = j;
       while (i > 0 && time[i] > u) i--;
-      const share = time[i + 1] > time[i] ? Math.min((u - time[i]) / (time[i + 1] - time[i]), 1) : 1;
-      this.total[k] = waveTotal[i] + share * (waveTotal[i + 1] - waveTotal[i]);
+      const step = Math.max(u - time[i], 0), width = time[i + 1] - time[i], slope = width > 0 ? (value[i + 1] - value[i]) / width : 0;
+      this.sum[k] = sums[i] + Math.min(step, width) * (value[i] + 0.5 * slope * Math.min(step, width));
     }
+    this.strongest = 0;
+    for (const v of value) this.strongest = Math.max(this.strongest, Math.abs(v));
     this.embolden();
-  }
-  // The largest stress or velocity anywhere: both double where the wave turns back.
-  largest(what) {
-    const { wave, waveForce, fixed } = this.frame;
-    let sent = 0, force = 0;
-    for (const v of wave) sent = Math.max(sent, Math.abs(v));
-    for (const v of waveForce) force = Math.max(force, v);
-    if (what === 'stress') return Math.max(fixed ? 2 * sent : sent, force, 1e-12);
-    return Math.max(fixed ? sent : 2 * sent, 1e-12);
   }
   // Pulses narrower than a pixel are drawn a pixel wide: of every pixel's worth of time, the strongest value.
   embolden() {
-    const pixel = Math.max(0.0045, this.frame.duration / 480), count = Math.min(Math.ceil(this.frame.duration / pixel), CELLS), each = (CELLS + 1) / count;
+    const pixel = Math.max(0.0045, this.duration / 480), count = Math.min(Math.ceil(this.duration / pixel), CELLS), each = (CELLS + 1) / count;
     let whole = 0, seen = 0;
     const bold = new Float64Array(count + 1);
     for (let k = 0; k <= CELLS; k++) {
-      const cell = Math.min(Math.floor(k / each), count), v = this.wave[k];
+      const cell = Math.min(Math.floor(k / each), count), v = this.value[k];
       if (Math.abs(v) > Math.abs(bold[cell])) bold[cell] = v;
       whole = Math.max(whole, Math.abs(v));
     }
-    for (let k = 0; k < count; k += 2) seen = Math.max(seen, Math.abs(this.wave[Math.floor((k + 0.9) * each)]));
+    for (let k = 0; k < count; k += 2) seen = Math.max(seen, Math.abs(this.value[Math.floor((k + 0.9) * each)]));
     if (seen > 0.6 * whole) return;
     this.bold = bold;
-    this.boldPerTrip = count / this.frame.duration;
+    this.boldPerTrip = count / this.duration;
   }
-  sent(t) {
+  at(t) {
     if (this.bold) return t < 0 ? 0 : this.bold[Math.min(Math.floor(t * this.boldPerTrip), this.bold.length - 1)];
-    return t < 0 ? 0 : this.wave[Math.min(Math.floor(t * this.perTrip), CELLS)];
+    return t < 0 ? 0 : this.value[Math.min(Math.floor(t * this.perTrip), CELLS)];
   }
-  sentTotal(t) {
+  total(t) {
     if (t <= 0) return 0;
     const place = Math.min(t * this.perTrip, CELLS - 1e-9), i = Math.floor(place);
-    return this.total[i] + (place - i) * (this.total[i + 1] - this.total[i]);
+    return this.sum[i] + (place - i) * (this.sum[i + 1] - this.sum[i]);
+  }
+}
+
+// The same wave a transit time later, as it was or turned over: what the far end of a uniform rod sends back.
+class Mirrored {
+  constructor(wave, sign, transit) { Object.assign(this, { wave, sign, transit, strongest: wave.strongest }); }
+  at(t) { return this.sign * this.wave.at(t - this.transit); }
+  total(t) { return this.sign * this.wave.total(t - this.transit); }
+}
+
+// The field of any number of rods, from the waves that their ends send. Places run from `from` to `to` over all rods.
+export class WaveField {
+  constructor(frame) {
+    this.frame = frame;
+    const { rods, duration } = frame;
+    this.from = rods[0].from;
+    this.to = rods.at(-1).to;
+    this.rods = rods.map((rod, i) => {
+      const f = new Wave(frame[`f${i}Time`], frame[`f${i}`], duration);
+      const g = rod.mirror ? new Mirrored(f, rod.mirror, rod.transit) : new Wave(frame[`g${i}Time`], frame[`g${i}`], duration);
+      return { ...rod, f, g };
+    });
+  }
+  // The largest stress or velocity anywhere: waves add up where they meet.
+  largest(what) {
+    let most = 1e-12;
+    const columns = 120, profile = new Float64Array(this.rods.length === 1 && this.rods[0].mirror ? 0 : 121);
+    for (const { f, mirror, area, impedance } of this.rods) {
+      const doubled = mirror > 0 === (what === 'stress') ? 2 : 1; // at a wall the stress doubles, at a free end the velocity
+      if (mirror) most = Math.max(most, doubled * f.strongest / (what === 'stress' ? area : impedance));
+    }
+    for (let c = 0; c < columns && profile.length; c++) {
+      for (const v of this.profile((c + 0.5) / columns * this.frame.duration, what, profile)) most = Math.max(most, Math.abs(v));
+    }
+    if (what === 'stress') for (const v of this.frame.exactForce) most = Math.max(most, v);
+    return most;
   }
   profile(t, what, out) {
-    const n = out.length - 1, r = this.reflection;
-    for (let i = 0; i <= n; i++) {
-      const lag = i / n / 2;
-      if (what === 'stress') out[i] = this.sent(t - lag) + r * this.sent(t + lag - 1);
-      else if (what === 'velocity') out[i] = this.sent(t - lag) - r * this.sent(t + lag - 1);
-      else out[i] = this.sentTotal(t - lag) - r * this.sentTotal(t + lag - 1);
+    const n = out.length - 1, { rods, from, to } = this;
+    for (let i = 0, r = 0; i <= n; i++) {
+      const x = from + (to - from) * i / n;
+      while (r < rods.length - 1 && x > rods[r].to) r++;
+      const { f, g, transit, impedance, drift, area, from: left, to: right } = rods[r], s = (x - left) / (right - left) * transit;
+      if (what === 'stress') out[i] = (f.at(t - s) + g.at(t - transit + s)) / area;
+      else if (what === 'velocity') out[i] = drift + (f.at(t - s) - g.at(t - transit + s)) / impedance;
+      else out[i] = drift * t + (f.total(t - s) - g.total(t - transit + s)) / impedance;
     }
     return out;
   }
@@ -92,8 +123,44 @@ export class WaveField {
     const column = new Float64Array(rows);
     for (let c = 0; c < columns; c++) visit(c, this.profile((c + 0.5) / columns * this.frame.duration, what, column));
   }
-  end(t) { return this.sentTotal(t) - this.reflection * this.sentTotal(t - 1); }
-  mass(t) { return at(this.frame.waveMass, t, this.frame.duration); }
+  end(t) { return at(this.frame.exactEnd, t, this.frame.duration); }
+  mass(t) { return at(this.frame.exactMass, t, this.frame.duration); }
+}
+
+// No rod at all: bodies that move as a whole.
+export class CompactField {
+  constructor(frame, which = 'exact') { Object.assign(this, { frame, which, from: 0, to: 0 }); }
+  largest() { return 1; }
+  profile(t, what, out) { return out.fill(what === 'displacement' ? this.end(t) : 0); }
+  image(what, columns, rows, visit) { const column = new Float64Array(rows); for (let c = 0; c < columns; c++) visit(c, column); }
+  end(t) { return at(this.frame[`${this.which}End`], t, this.frame.duration); }
+  mass(t) { return at(this.frame[`${this.which}Mass`], t, this.frame.duration); }
+}
+
+// Fields sampled by the server, for methods whose fields cannot be rebuilt here.
+export class SampledField extends CompactField {
+  constructor(frame) {
+    super(frame, 'other');
+    this.from = frame.rods[0]?.from ?? 0;
+    this.to = frame.rods.at(-1)?.to ?? 0;
+    this.instants = 110;
+    this.places = frame.fieldStress.length / this.instants;
+    this.sampled = true;
+  }
+  profile(t, what, out) {
+    const { frame, instants, places } = this, n = out.length - 1;
+    const field = frame[{ stress: 'fieldStress', velocity: 'fieldVelocity', displacement: 'fieldDisplacement' }[what]];
+    const row = Math.min(Math.max(t / frame.duration, 0), 1) * (instants - 1), i = Math.min(Math.floor(row), instants - 2), a = row - i;
+    for (let k = 0; k <= n; k++) {
+      const place = k / n * (places - 1), j = Math.min(Math.floor(place), places - 2), b = place - j, p = i * places + j;
+      out[k] = (1 - a) * ((1 - b) * field[p] + b * field[p + 1]) + a * ((1 - b) * field[p + places] + b * field[p + places + 1]);
+    }
+    return out;
+  }
+  image(what, columns, rows, visit) {
+    const column = new Float64Array(rows);
+    for (let c = 0; c < columns; c++) visit(c, this.profile((c + 0.5) / columns * this.frame.duration, what, column));
+  }
 }
 
 const SAVED_NUMBERS = 400_000;
@@ -102,10 +169,14 @@ const SAVED_NUMBERS = 400_000;
 export class ModalField {
   constructor(frame) {
     this.frame = frame;
+    this.from = frame.rods[0].from;
+    this.to = frame.rods[0].to;
+    const fixed = frame.rods[0].mirror > 0;
+    this.free = !fixed;
     const n = frame.modes, h = frame.step;
     this.steps = frame.modalForce.length;
     this.stride = Math.max(1, Math.ceil(this.steps * n / SAVED_NUMBERS));
-    this.omega = Float64Array.from({ length: n }, (_, i) => 2 * Math.PI * (frame.fixed ? i + 0.5 : i + 1));
+    this.omega = Float64Array.from({ length: n }, (_, i) => 2 * Math.PI * (fixed ? i + 0.5 : i + 1));
     this.cosine = this.omega.map((w) => Math.cos(w * h));
     this.sine = this.omega.map((w) => Math.sin(w * h));
     this.kickQ = this.omega.map((w) => 8 / (w * w) * Math.sin(w * h / 2) ** 2);
@@ -124,7 +195,7 @@ export class ModalField {
       q[i] = cosine[i] * a + sine[i] * b + kickQ[i] * force;
       w[i] = cosine[i] * b - sine[i] * a + kickW[i] * force;
     }
-    if (!this.frame.fixed) { // the free rod as a whole: x'' = 2 F
+    if (this.free) { // the free rod as a whole: x'' = 2 F
       this.rigid[0] += h * (this.rigid[1] + h * force);
       this.rigid[1] += 2 * h * force;
     }
@@ -173,8 +244,8 @@ export class ModalField {
     const column = new Float64Array(rows);
     for (let c = 0; c < columns; c++) visit(c, this.profile((c + 0.5) / columns * this.frame.duration, what, column));
   }
-  end(t) { return at(this.frame.modalEnd, t, this.frame.duration); }
-  mass(t) { return at(this.frame.modalMass, t, this.frame.duration); }
+  end(t) { return at(this.frame.otherEnd, t, this.frame.duration); }
+  mass(t) { return at(this.frame.otherMass, t, this.frame.duration); }
 }
 
 // Modal force, raw and averaged over the shortest kept period.
@@ -182,7 +253,7 @@ export function modalForces(frame) {
   const raw = frame.modalForce, h = frame.step, n = raw.length;
   const impulse = new Float64Array(n + 1);
   for (let k = 0; k < n; k++) impulse[k + 1] = impulse[k] + raw[k] * h;
-  const window = frame.modal.diagnostics.resolved_time / frame.trip;
+  const window = frame.other.diagnostics.resolved_time / frame.trip;
   const value = (t) => {
     const place = Math.min(Math.max(t / h, 0), n), i = Math.min(Math.floor(place), n - 1);
     return impulse[i] + (place - i) * (impulse[i + 1] - impulse[i]);

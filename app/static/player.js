@@ -33,11 +33,15 @@ export class Player {
   }
   load(frame) {
     const first = !this.duration;
-    this.duration = frame.duration;
-    this.trip = frame.trip;
+    // bodies in space: time runs from -1 to 1 in units of the message's duration, the blow at 0
+    this.start = frame.kind === 'bodies' ? -1 : 0;
+    this.duration = frame.kind === 'bodies' ? 2 : frame.duration;
+    this.trip = frame.kind === 'bodies' ? frame.duration : frame.trip;
     // long blows play in about half a minute
     this.perSecond = Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
     if (first) this.t = Math.min(0.36, 0.4 * this.duration);
+    if (frame.kind === 'bodies' && this.was !== 'bodies') this.t = 1.7; // after the blow
+    this.was = frame.kind;
     this.t = Math.min(this.t, this.duration);
     this.label();
     this.go(this.t);
@@ -68,9 +72,11 @@ export class Player {
   go(t) {
     this.t = Math.min(Math.max(t, 0), this.duration);
     this.scrub.value = Math.round(this.t / this.duration * 10000);
-    const real = this.t * this.trip, [factor, unit] = real < 1e-3 ? [1e6, 'µs'] : real < 1 ? [1e3, 'ms'] : [1, 's'];
-    this.clock.textContent = `${this.t.toFixed(3)} T = ${(real * factor).toFixed(1)} ${unit}`;
+    const now = this.t + this.start, real = now * this.trip, size = Math.abs(real);
+    const [factor, unit] = size < 1e-3 ? [1e6, 'µs'] : size < 1 ? [1e3, 'ms'] : [1, 's'];
+    const trips = this.start ? '' : `${this.t.toFixed(3)} T = `;
+    this.clock.textContent = `${trips}${(real * factor).toFixed(1).replace('-', '−')} ${unit}`;
     this.scrub.setAttribute('aria-valuetext', this.clock.textContent);
-    this.show(this.t);
+    this.show(now);
   }
 }

@@ -2,7 +2,7 @@
 
 export const COLORS = {
   ink: '#1c2733', faint: '#66788a', grid: '#e3e9ef', panel: '#ffffff',
-  waves: '#0b4f8a', modal: '#d9730d', raw: 'rgba(217,115,13,.30)', ghost: '#8b95a1', cursor: '#c81e4a', contact: 'rgba(11,79,138,.09)',
+  waves: '#0b4f8a', modal: '#d9730d', raw: 'rgba(217,115,13,.30)', ghost: '#8b95a1', cursor: '#c81e4a', contact: 'rgba(11,79,138,.09)', record: '#2e7d4f',
 };
 
 // Diverging colours: tension blue, rest almost white, compression red.

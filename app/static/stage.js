@@ -22,10 +22,11 @@ export class Stage {
       const t = k / 200 * frame.duration;
       reach = Math.max(reach, Math.abs(field.mass(t)), Math.abs(field.end(t)));
     }
-    const real = reach * frame.speed * frame.trip / frame.length; // as a fraction of the length
+    this.span = field.to - field.from || reach * frame.speed * frame.trip * 4; // length drawn [m]
+    const real = reach * frame.speed * frame.trip / this.span; // as a fraction of what is drawn
     const wanted = 0.16 / real, power = 10 ** Math.floor(Math.log10(wanted));
     this.factor = power * [5, 2, 1].find((f) => f * power <= wanted);
-    this.stretch = this.factor * frame.speed * frame.trip / frame.length;
+    this.stretch = this.factor * frame.speed * frame.trip / this.span;
   }
   draw(t) {
     const { canvas, frame } = this;
@@ -39,39 +40,105 @@ export class Stage {
     const c = canvas.getContext('2d');
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.clearRect(0, 0, width, height);
-    const narrow = width < 560, left = (narrow ? 0.25 : 0.21) * width, right = frame.fixed ? width - 30 : width * 0.82;
-    const length = right - left, middle = height * 0.47, thick = Math.min(height * 0.3, 56), top = middle - thick / 2;
-    const scale = this.stretch * length, field = this.field;
-    field.profile(t, this.what, this.values);
-    field.profile(t, 'displacement', this.moved);
-    // the rod, slice by slice
-    for (let i = 0; i < SLICES - 1; i++) {
-      const a = left + i / (SLICES - 1) * length + this.moved[i] * scale;
-      const b = left + (i + 1) / (SLICES - 1) * length + this.moved[i + 1] * scale;
-      c.fillStyle = css(0.5 * (this.values[i] + this.values[i + 1]), this.largest);
-      c.fillRect(a, top, b - a + 0.7, thick);
+    const narrow = width < 560, { rods, target } = frame, rodStrikes = frame.impactor.kind === 'rod';
+    const left = rodStrikes ? 40 : (narrow ? 0.25 : 0.21) * width, right = target.held ? width - 30 : width * (rodStrikes ? 0.86 : 0.82);
+    const length = right - left, middle = height * 0.47, thick = Math.min(height * 0.3, 56);
+    const scale = this.stretch * length;
+    let start = left;
+    if (rods.length) {
+      this.field.profile(t, this.what, this.values);
+      this.field.profile(t, 'displacement', this.moved);
+      start = this.rods(c, left, length, middle, thick, scale);
+      if (target.support === 'fixed') this.wall(c, right, middle, thick);
+      if (target.support === 'anechoic') this.onward(c, right, middle, thick);
+      if (target.endMass) this.endMass(c, right + this.moved[SLICES - 1] * scale, middle, thick);
+    } else {
+      start = 0.45 * width;
+      this.compact(c, start, middle, thick, scale, t, width);
     }
-    const start = left + this.moved[0] * scale, end = right + this.moved[SLICES - 1] * scale;
-    c.strokeStyle = '#4a5968';
-    c.lineWidth = 1.2;
-    c.strokeRect(start, top, end - start, thick);
-    // rings painted on the rod, evenly spaced before the blow
-    c.strokeStyle = 'rgba(28,39,51,.28)';
-    c.beginPath();
-    for (let k = 1; k < 12; k++) {
-      const i = k * (SLICES - 1) / 12, x = left + k / 12 * length + this.moved[i] * scale;
-      c.moveTo(x, top); c.lineTo(x, top + thick);
-    }
-    c.stroke();
-    if (frame.fixed) this.wall(c, right, middle, thick);
-    this.mass(c, left, middle, scale, t, height, width);
-    this.front(c, t, left, length, top, thick);
+    if (!rodStrikes) this.mass(c, start, middle, scale, t, height, width);
+    else this.touch(c, left + length * -this.field.from / this.span, middle, thick, scale, t);
+    if (rods.length === 1 && rods[0].mirror) this.front(c, t, left, length, middle - thick / 2, thick);
     c.fillStyle = COLORS.faint;
     c.font = '12px system-ui, sans-serif';
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     c.fillText(`movement drawn × ${this.factor >= 1 ? this.factor.toLocaleString('en') : this.factor.toPrecision(1)}`, 12, height - 10);
-    this.scaleBar(c, width, height);
+    if (rods.length) this.scaleBar(c, width, height);
+  }
+  // Every rod slice by slice, its height by the side of its section; returns where the struck face is at rest.
+  rods(c, left, length, middle, thick, scale) {
+    const { frame, field } = this, widest = Math.max(...frame.rods.map((rod) => rod.area));
+    const place = (x) => left + (x - field.from) / this.span * length;
+    frame.rods.forEach((rod, number) => {
+      const tall = thick * Math.max(Math.sqrt(rod.area / widest), 0.18), top = middle - tall / 2;
+      // a hair inside, as at a joint that has opened the field jumps
+      const inside = (rod.to - rod.from) * 1e-6, slot = (x) => (x - field.from) / this.span * (SLICES - 1);
+      const first = Math.ceil(slot(rod.from + inside)), last = Math.max(Math.floor(slot(rod.to - inside)), first);
+      const ends = [place(rod.from) + this.moved[first] * scale, place(rod.to) + this.moved[last] * scale];
+      for (let i = first; i <= last; i++) {
+        const x = (k) => (k <= first ? ends[0] : k >= last ? ends[1] : left + k / (SLICES - 1) * length + this.moved[k] * scale);
+        if (i === last && i > first) continue;
+        c.fillStyle = css(first === last ? this.values[first] : 0.5 * (this.values[i] + this.values[i + 1]), this.largest);
+        c.fillRect(x(i), top, first === last ? ends[1] - ends[0] : x(i + 1) - x(i) + 0.7, tall);
+      }
+      c.strokeStyle = '#4a5968';
+      c.lineWidth = 1.2;
+      c.strokeRect(ends[0], top, ends[1] - ends[0], tall);
+      c.strokeStyle = 'rgba(28,39,51,.28)'; // rings painted on the rods, evenly spaced before the blow
+      c.beginPath();
+      for (let k = 1; k < 24; k++) {
+        const i = Math.round(k * (SLICES - 1) / (frame.rods.length > 1 ? 24 : 12));
+        if (i <= first || i >= last) continue;
+        const x = left + i / (SLICES - 1) * length + this.moved[i] * scale;
+        c.moveTo(x, top); c.lineTo(x, top + tall);
+      }
+      c.stroke();
+      if (number && rod.joint === 'bonded') { c.fillStyle = '#4a5968'; c.fillRect(ends[0] - 1, top - 3, 2, tall + 6); }
+    });
+    return place(0);
+  }
+  onward(c, x, middle, thick) { // a rod without end
+    c.fillStyle = COLORS.faint;
+    c.font = '18px system-ui, sans-serif';
+    c.textAlign = 'left';
+    c.textBaseline = 'middle';
+    c.fillText('⋯ ∞', x - 2, middle + thick * 0.02);
+  }
+  endMass(c, x, middle, thick) {
+    c.fillStyle = '#3b4a59';
+    c.beginPath(); c.roundRect(x, middle - thick * 0.7, thick * 0.8, thick * 1.4, 5); c.fill();
+  }
+  // A struck body in which no wave runs.
+  compact(c, x, middle, thick, scale, t, width) {
+    const { target } = this.frame, face = x + this.field.end(t) * scale, size = thick * 1.2;
+    if (target.kind === 'stop') { this.wall(c, face, middle, thick); return; }
+    c.fillStyle = '#8fb4d6';
+    c.strokeStyle = '#4a5968';
+    if (target.kind === 'half-space') {
+      c.fillRect(face, middle - thick * 1.3, width - face, thick * 2.6);
+      c.beginPath(); c.moveTo(face, middle - thick * 1.3); c.lineTo(face, middle + thick * 1.3); c.stroke();
+      return;
+    }
+    c.beginPath(); c.roundRect(face, middle - size / 2, size, size, 5); c.fill(); c.stroke();
+    if (target.kind === 'spring-mass') {
+      const from = face + size, to = width - 30, turns = 14;
+      c.beginPath(); c.moveTo(from, middle);
+      for (let k = 1; k < turns; k++) c.lineTo(from + k / turns * (to - from), middle + (k % 2 ? -9 : 9));
+      c.lineTo(to, middle); c.stroke();
+      this.wall(c, to, middle, thick);
+    }
+  }
+  touching(t) {
+    const { frame, field } = this;
+    return frame[field.omega || field.which === 'other' ? 'other' : 'exact'].contacts.some(([a, b]) => t >= a && t <= b);
+  }
+  // Where two rods press on each other.
+  touch(c, x, middle, thick, scale, t) {
+    if (!this.touching(t)) return;
+    const at = x + this.field.end(t) * scale;
+    c.fillStyle = COLORS.cursor;
+    c.fillRect(at - 1.5, middle - thick / 2 - 8, 3, thick + 16);
   }
   wall(c, x, middle, thick) {
     const tall = thick * 0.95;
@@ -84,10 +151,10 @@ export class Stage {
   }
   mass(c, left, middle, scale, t, height, width) {
     const { frame, field } = this;
-    const size = Math.min(Math.max(52 * (frame.impactorMass / frame.targetMass) ** (1 / 6), 22), 0.16 * width, height * 0.62);
+    const size = Math.min(Math.max(52 * (frame.impactor.mass / frame.target.mass) ** (1 / 6), 22), 0.16 * width, height * 0.62);
     const shape = (face) => {
       c.beginPath();
-      if (frame.sphere) c.arc(face - size / 2, middle, size / 2, 0, 7);
+      if (frame.impactor.kind === 'sphere') c.arc(face - size / 2, middle, size / 2, 0, 7);
       else c.roundRect(face - size, middle - size / 2, size, size, 5);
     };
     c.setLineDash([5, 4]);
@@ -103,8 +170,7 @@ export class Stage {
     shape(face);
     c.fillStyle = fill;
     c.fill();
-    const touching = frame[field.omega ? 'modal' : 'waves'].contacts.some(([a, b]) => t >= a && t <= b);
-    if (touching) { c.fillStyle = COLORS.cursor; c.fillRect(face - 1.5, middle - size / 2 - 5, 3, size + 10); }
+    if (this.touching(t)) { c.fillStyle = COLORS.cursor; c.fillRect(face - 1.5, middle - size / 2 - 5, 3, size + 10); }
   }
   // Where the front that set out at first touch is now, and which way it runs.
   front(c, t, left, length, top, thick) {

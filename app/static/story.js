@@ -1,4 +1,5 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
+import { naming } from './charts.js';
 import { pretty } from './controls.js';
 
 const make = (tag, properties = {}, ...children) => {
@@ -10,9 +11,32 @@ const percent = (share) => `${(100 * share).toFixed(Math.abs(share) < 0.0995 ? 2
 const signed = (value, digits = 3) => `${value < 0 && Number(value.toFixed(digits)) !== 0 ? '−' : ''}${Math.abs(value).toFixed(digits)}`;
 const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
+const SHORT = { waves: 'waves', modal: 'modes' };
+const short = (name) => SHORT[name] ?? naming(name);
+const kilo = (value) => (value === null ? '–' : pretty(value / 1e3));
+
 // The events of a blow as [time in T, sentence].
 export function events(frame) {
-  const { fixed, waves, duration, chosen } = frame, rigid = chosen.law === 'rigid', found = [];
+  return frame.rods.length === 1 && frame.rods[0].mirror ? blowOnOneRod(frame) : plainEvents(frame);
+}
+
+// For bodies of any other kind: the contacts, and what the impactor does after each.
+function plainEvents(frame) {
+  const { exact, rods, impactor, target } = frame, striker = { rod: 'rod', sphere: 'ball' }[impactor.kind] ?? 'mass', found = [];
+  const struck = { rods: 'chain of rods', mass: 'other mass', 'spring-mass': 'mass on the spring', 'half-space': 'half-space' }[target.kind] ?? target.kind;
+  const waves = rods.length ? ' Waves set out from the contact; at every change of section or material part of each turns back.' : '';
+  exact.contacts.forEach(([start, end], k) => {
+    found.push([start, k === 0 ? `The ${striker} touches the ${struck}.${waves}` : `Contact ${k + 1}: they meet again.`]);
+    const left = exact.left[k], speed = Math.abs(left), last = k === exact.contacts.length - 1;
+    if (last && exact.stillTouching) { found.push([end, 'Here the time that was solved ends. They still touch.']); return; }
+    const goes = speed < 5e-4 ? 'is left standing' : `goes ${left < 0 ? 'back' : 'on'} at ${speed.toFixed(3)} v`;
+    found.push([end, end > start ? `The force is gone. The ${striker}, as a whole, ${goes}.${last ? ' They part for good.' : ''}` : `One impulse, in no time: the ${striker} ${goes}.`]);
+  });
+  return found.filter(([t]) => t <= frame.duration + 1e-9).sort((a, b) => a[0] - b[0]);
+}
+
+function blowOnOneRod(frame) {
+  const { exact: waves, duration, chosen } = frame, fixed = frame.rods[0].mirror > 0, rigid = chosen.law === 'rigid', found = [];
   const { contacts, left } = waves, firstEnd = contacts[0][1];
   const pressure = pretty(frame.stressUnit / 1e6);
   found.push([0, rigid
@@ -51,19 +75,24 @@ export class Story {
     this.figures = make('table', { className: 'figures' });
     this.energy = make('div', { className: 'energy' });
     this.trust = make('p', { className: 'trust' });
-    const heading = (text) => make('h2', { textContent: text });
+    this.headings = ['What happens', 'Can one number stand for the waves?', 'Contact periods', 'After the blow', 'Where the energy went'].map((text) => make('h2', { textContent: text }));
+    const [happens, number, periods, after, energy] = this.headings;
     this.root = make('aside', { className: 'story' },
-      heading('What happens'), this.units, this.list, heading('Can one number stand for the waves?'), this.match,
-      heading('Contact periods'), make('div', { className: 'scroll' }, this.table),
-      heading('After the blow'), make('div', { className: 'scroll' }, this.figures),
-      heading('Where the energy went'), this.energy, this.trust);
+      happens, this.units, this.list, number, this.match,
+      periods, make('div', { className: 'scroll' }, this.table),
+      after, make('div', { className: 'scroll' }, this.figures),
+      energy, this.energy, this.trust);
   }
   load(frame) {
     this.frame = frame;
     this.latest = undefined;
+    this.headings.forEach((heading, k) => { heading.hidden = frame.kind === 'bodies' && k !== 0 && k !== 3; });
+    for (const part of [this.match, this.table, this.energy]) part.hidden = frame.kind === 'bodies';
+    if (frame.kind === 'bodies') { this.bodies(); return; }
     this.events = events(frame);
     const trip = frame.trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
-    this.units.textContent = `T = ${pretty(frame.trip * trip[0])} ${trip[1]}: a wave runs to the far end and back. v: the speed of the blow.`;
+    const what = !frame.rods.length ? 'about the time of a contact' : frame.target.kind === 'rods' ? 'waves run through all rods and back' : frame.rods.length > 1 ? 'a wave runs to the far end of the struck rod and back' : 'a wave runs to the far end and back';
+    this.units.textContent = `T = ${pretty(frame.trip * trip[0])} ${trip[1]}: ${what}. v: the speed of the blow.`;
     const shown = this.events.length > 24 ? [...this.events.slice(0, 23), this.events.at(-1)] : this.events;
     this.items = shown.map(([t, sentence]) => {
       const time = make('button', { type: 'button', className: 'when', textContent: `${Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))} T` });
@@ -75,51 +104,65 @@ export class Story {
     this.answers();
     this.shares();
   }
+  // One impulse between bodies in space: a sentence and the figures.
+  bodies() {
+    const { frame } = this, vector = (v) => v.map((c) => pretty(Math.abs(c) < 1e-12 ? 0 : c)).join(', ');
+    this.events = [];
+    this.units.textContent = frame.impulse > 0
+      ? `The bodies touch in one point and press on each other along the normal, without friction, in no time at all. The impulse is ${pretty(frame.impulse)} N s.`
+      : 'The bodies move apart: no impulse.';
+    this.items = [];
+    this.list.replaceChildren();
+    this.figures.replaceChildren(make('tbody', {}, ...frame.figures.map(([name, value, unit]) => make('tr', {},
+      make('td', { textContent: name }), make('td', { textContent: Array.isArray(value) ? vector(value) : value === null ? '–' : pretty(value) }), make('td', { textContent: unit })))));
+    this.trust.textContent = `${frame.title}. Source: ${frame.source}. ${frame.notes.join(' ')}`;
+  }
   contacts() {
     const { frame } = this, rows = [];
     const head = make('tr', {}, ...['', 'from', 'to', 'impulse', 'peak'].map((text) => make('th', { textContent: text })));
     const units = make('tr', { className: 'units' }, ...['', 'T', 'T', 'N s', 'kN'].map((text) => make('td', { textContent: text })));
-    for (const [name, key] of [['waves', 'waves'], ['modes', 'modal']]) {
+    for (const key of frame.other ? ['exact', 'other'] : ['exact']) {
       frame[key].contacts.slice(0, 12).forEach(([start, end, impulse, peak], k) => {
-        const look = make('button', { type: 'button', className: `when ${key}`, textContent: `${name} ${k + 1}`, title: 'look closer' });
+        const look = make('button', { type: 'button', className: `when ${key}`, textContent: `${short(frame[key].name)} ${k + 1}`, title: 'look closer' });
         look.onclick = () => this.zoom(start, end);
-        rows.push(make('tr', {}, make('td', {}, look), ...[start.toFixed(4), end.toFixed(4), pretty(impulse), pretty(peak / 1e3)].map((text) => make('td', { textContent: text }))));
+        rows.push(make('tr', {}, make('td', {}, look), ...[start.toFixed(4), end.toFixed(4), pretty(impulse), kilo(peak)].map((text) => make('td', { textContent: text }))));
       });
     }
     this.table.replaceChildren(make('thead', {}, head, units), make('tbody', {}, ...rows));
   }
   answers() {
-    const { frame } = this, { waves, modal, ghost, match, chosen } = frame;
-    const error = Math.abs(modal.final - waves.final);
-    const ways = [['mass leaves at, v', 'final'], ['rod moves on at, v', 'targetFinal']];
-    const rows = ways.map(([text, key]) => [text, signed(waves[key], 4), signed(modal[key], 4), signed(key === 'final' ? ghost.impactor : ghost.target, 3)]);
+    const { frame } = this, { exact, other, ghost, match, chosen } = frame, both = other ? [exact, other] : [exact];
+    const row = (text, show, last = '–') => [text, ...both.map(show), last];
+    const value = (v, digits = 4) => (v === null ? '–' : signed(v, digits));
+    const rows = [row('impactor leaves, v', (s) => value(s.final), signed(ghost.impactor)), row('target goes on, v', (s) => value(s.targetFinal), signed(ghost.target))];
     const names = { newton: 'restitution e', poisson: 'e by impulses', newton_at_contact: 'e of the faces' };
     const meaning = {
       'restitution e': 'speed of parting over speed of approach, mean velocities of both bodies',
       'e by impulses': 'impulse after over impulse before the instant of equal velocities',
       'e of the faces': 'speed at which the touching faces part; it says nothing about energy',
-      'error of rebound': 'waves: estimated; modes and ghost: difference from the waves, as a share of the impact speed',
+      'error of rebound': 'first column: estimated; the others: difference from it, as a share of the impact speed',
     };
-    for (const [key, text] of Object.entries(names)) {
-      const show = (value) => (value === null ? '–' : signed(value, 4));
-      rows.push([text, show(waves.restitution[key]), show(modal.restitution[key]), key === 'newton' ? chosen.restitution.toFixed(3) : '']);
-    }
-    rows.push(['peak force, kN', pretty(waves.peakForce / 1e3), pretty(modal.peakForce / 1e3), '–']);
-    rows.push(['indentation, µm', ...[waves, modal].map((s) => (s.peakIndentation === null ? 'none' : pretty(s.peakIndentation * 1e6))), '–']);
-    rows.push(['error of rebound', waves.diagnostics.estimated_error < 1e-9 ? '< 1e-9' : waves.diagnostics.estimated_error.toExponential(0), percent(error), percent(Math.abs(ghost.impactor - waves.final))]);
-    rows.push(['solved in, ms', ...[waves, modal].map((s) => pretty(s.diagnostics.wall_time * 1e3)), '–']);
-    const head = make('tr', {}, ...['', 'waves', count(chosen.modes, 'mode'), 'ghost'].map((text) => make('th', { textContent: text })));
-    this.figures.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map((row) => make('tr', { title: meaning[row[0]] ?? '' }, ...row.map((text) => make('td', { textContent: text }))))));
-    const says = `A restitution of ${chosen.restitution.toFixed(2)} between rigid bodies sends the mass off at ${signed(ghost.impactor)} v (dashed grey). The waves send it at ${signed(waves.final)} v: `;
+    for (const [key, text] of Object.entries(names)) rows.push(row(text, (s) => value(s.restitution[key]), key === 'newton' ? chosen.restitution.toFixed(3) : ''));
+    rows.push(row('peak force, kN', (s) => kilo(s.peakForce)));
+    rows.push(row('indentation, µm', (s) => (s.peakIndentation === null ? 'none' : pretty(s.peakIndentation * 1e6))));
+    if (both.some((s) => s.residualIndentation)) rows.push(row('dent left, µm', (s) => (s.residualIndentation === null ? '–' : pretty(s.residualIndentation * 1e6))));
+    const estimated = (e) => (e === null ? '–' : e < 1e-9 ? '< 1e-9' : e.toExponential(0));
+    rows.push(['error of rebound', estimated(exact.diagnostics.estimated_error), ...(other ? [percent(Math.abs(other.final - exact.final))] : []), percent(Math.abs(ghost.impactor - exact.final))]);
+    rows.push(row('solved in, ms', (s) => pretty(s.diagnostics.wall_time * 1e3)));
+    const column = (s) => (s.name === 'modal' && frame.modalForce ? count(chosen.modes, 'mode') : short(s.name));
+    const head = make('tr', {}, ...['', ...both.map(column), 'ghost'].map((text) => make('th', { textContent: text })));
+    this.figures.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map((cells) => make('tr', { title: meaning[cells[0]] ?? '' }, ...cells.map((text) => make('td', { textContent: text }))))));
+    const theory = exact.name === 'waves' ? 'The waves send' : 'This contact sends';
+    const says = `A restitution of ${chosen.restitution.toFixed(2)} between rigid bodies sends the impactor off at ${signed(ghost.impactor)} v (dashed grey). ${theory} it at ${signed(exact.final)} v: `;
     const needed = make('b', { textContent: match === null ? 'no e' : `e = ${match.toFixed(3)}` });
-    const verdict = waves.contacts.length > 1
-      ? ` would have matched the last velocity, but not the ${waves.contacts.length} contacts, nor when they happen.`
+    const verdict = exact.contacts.length > 1
+      ? ` would have matched the last velocity, but not the ${exact.contacts.length} contacts, nor when they happen.`
       : ' would have matched the last velocity, but not the force, nor the time it takes.';
     this.match.replaceChildren(says, needed, verdict);
   }
   shares() {
-    const { energy, diagnostics } = this.frame.waves, parts = [];
-    const names = [['impactor', 'mass'], ['target_rigid', 'rod as a whole'], ['target_vibration', 'waves left in the rod'], ['local', 'local'], ['dissipated', 'lost in the contact']];
+    const { exact, other } = this.frame, { energy, diagnostics } = exact, parts = [];
+    const names = [['impactor', 'impactor'], ['target_rigid', 'target as a whole'], ['target_vibration', 'waves left in it'], ['local', 'local'], ['dissipated', 'lost in the contact']];
     const bar = make('div', { className: 'bar' });
     for (const [key, name] of names) {
       const share = energy[key] / energy.initial;
@@ -130,11 +173,11 @@ export class Story {
       parts.push(make('span', { className: 'key' }, make('i', { className: `chip ${key}` }), `${name} ${percent(share)}`));
     }
     this.energy.replaceChildren(bar, make('p', {}, ...parts));
-    const modal = this.frame.modal.diagnostics, most = (value) => Math.abs(value).toExponential(0);
-    const notes = [...new Set([...this.frame.waves.notes, ...this.frame.modal.notes])].join(' ');
-    this.trust.textContent = `Energy unaccounted for: waves ${most(diagnostics.energy_error)}, modes ${most(modal.energy_error)} of the whole. `
-      + `The modes tell nothing shorter than ${pretty(modal.resolved_time * 1e6)} µs apart; their raw force made contact ${count(modal.raw_contacts, 'time')}. `
-      + `${this.frame.title}. Source: ${this.frame.source}. ${notes}`;
+    const most = (value) => Math.abs(value).toExponential(0), notes = [...new Set([...exact.notes, ...(other?.notes ?? [])])].join(' ');
+    const words = [`Energy unaccounted for: ${short(exact.name)} ${most(diagnostics.energy_error)}${other ? `, ${short(other.name)} ${most(other.diagnostics.energy_error)}` : ''} of the whole.`];
+    const { resolved_time: finest, raw_contacts: touches } = other?.diagnostics ?? {};
+    if (finest) words.push(`The modes tell nothing shorter than ${pretty(finest * 1e6)} µs apart; their raw force made contact ${count(touches, 'time')}.`);
+    this.trust.textContent = `${words.join(' ')} ${this.frame.title}. Source: ${this.frame.source}. ${notes}`;
   }
   // Mark the latest event at the instant t.
   at(t) {

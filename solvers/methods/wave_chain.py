@@ -42,6 +42,17 @@ NO_LAW = Linear(1.0)  # where no law is asked for
 MAX_NODES = MAX_RODS + 2
 
 
+def end_notes(parted: bool, touching: bool, asked: bool, cut: bool = False) -> list[str]:
+    """What to say of the end of a solution."""
+    if cut or (not parted and not asked):
+        return [
+            "The solution stopped at its limit of steps before the bodies had parted for good: do not trust its end."
+        ]
+    if touching:
+        return ["The bodies are still in contact at the end of the time solved."]
+    return []
+
+
 class ChainHistory:
     """What the kernel returned for a scene."""
 
@@ -71,6 +82,9 @@ class ChainHistory:
         self.contacts = self.periods(self.contact)
         self.cut = status in (wave_network.FULL, wave_network.FAILED) or (status == wave_network.STOPPED and not asked)
         self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
+
+    def notes(self) -> list[str]:
+        return end_notes(True, self.touching, True, self.cut)
 
     def _laws(self) -> list[Any]:
         """The scaled law of every node, or None."""
@@ -367,6 +381,16 @@ class ChainMotion:
             stored += [law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)]
             lost += self.history.sampled(node, LOST, t)
         return stored, lost
+
+    def jumps(self, rod: int, right_going: bool, until: float) -> np.ndarray:
+        """Times [T] at which a wave jumps as it is sent."""
+        node, quantity = (rod, OUT_RIGHT) if right_going else (rod + 1, OUT_LEFT)
+        count = int(self.history.record.count[node])
+        values, start = self.history.record.values[node, :count, quantity], self.history.record.start[node, :count]
+        jumped = np.abs(values[1:, 0] - values[:-1, -1]) > 1e-6
+        first = start[:1] if abs(values[0, 0]) > 1e-6 else start[:0]
+        jumps = np.concatenate([first, start[1:][jumped]])
+        return jumps[jumps <= until]
 
     # --- fields -------------------------------------------------------------------------------------------------------
 

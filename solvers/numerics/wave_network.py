@@ -22,8 +22,6 @@ from .collocation import (
     INTEGRATE,
     INTEGRATE_TWICE,
     NODES,
-    SLOPE_AT_END,
-    SLOPE_AT_START,
     STAGE_NODES,
     STAGES,
     interpolate,
@@ -86,6 +84,7 @@ class State(NamedTuple):
     largest: np.ndarray  # force so far
     opened: np.ndarray  # whether the faces have come apart since they last met
     closed: np.ndarray
+    loading: np.ndarray  # whether a law with memory is on the curve of first loading
     seek_left: np.ndarray  # where the last look into the neighbour's past ended
     seek_right: np.ndarray
     breaks: np.ndarray  # (nodes, many): times at which jumps arrive, ascending
@@ -129,6 +128,7 @@ def _new_state(chain, capacity):
         np.zeros(nodes),
         chain.gap > 0.0,
         chain.gap <= 0.0,
+        np.ones(nodes, np.bool_),
         np.zeros(nodes, np.int64),
         np.zeros(nodes, np.int64),
         np.zeros((nodes, capacity)),
@@ -189,7 +189,7 @@ def _arrivals(record, sender, quantity, delay, t, step, seek, arriving):
     The first is the value after a jump at t, the last the value before a jump at t + step.
     """
     back, near = t - delay, _tiny(t)
-    if back + step <= near:  # nothing was sent before the blow
+    if back < -near and back + step <= near:  # nothing was sent before the blow
         for i in range(POINTS):
             arriving[i] = 0.0
         return seek
@@ -327,18 +327,20 @@ def _law_force(law, rods, masses, depth, deepest, step, work):
 
 
 @kernel
-def _unresolved(work, step):
-    """How far the stretch is from a polynomial: of the force and of both waves sent.
+def _unresolved(work, step, pressing):
+    """How far the stretch is from a polynomial: of the force of a law, and of what is sent.
 
-    Of the waves only the area counts, or the rounding of t would be taken for detail where a stiff contact sends steep
-    fronts.
+    Where no law is at work only the area counts, or the rounding of t would be taken for detail where a stiff contact
+    sends steep fronts.
     """
     miss, miss_left, miss_right = -work.forces[0], work.from_left[0], work.from_right[0]
     for i in range(STAGES):
         miss += BACK_TO_START[i] * work.forces[i + 1]
         miss_left -= BACK_TO_START[i] * work.from_left[i + 1]
         miss_right -= BACK_TO_START[i] * work.from_right[i + 1]
-    return max(abs(miss), max(abs(miss_left), abs(miss_right)) * min(1.0, step / LONG_STEP))
+    weight = min(1.0, step / LONG_STEP)
+    sent = max(abs(miss_left), abs(miss_right)) * weight
+    return max(abs(miss) * (1.0 if pressing else weight), sent)
 
 
 @kernel
@@ -404,26 +406,23 @@ def _keep(chain, state, record, node, step, work, lost_so_far, stored_change, co
 
 
 @kernel
-def _jumped(record, node, tolerance):
-    """Whether the last stretch begins with a jump or a bend in what the node sends."""
-    n = record.count[node] - 1
-    width = record.start[node, n + 1] - record.start[node, n]
-    before_width = record.start[node, n] - record.start[node, n - 1] if n > 0 else width
-    shorter = min(width, before_width)
+def _tells(record, state, node, tolerance):
+    """Whether what the node sends changes by more than rounding just before or after the start of its last stretch.
+
+    Only then need others know of that instant: a step of theirs across it could miss a short pulse altogether.
+    """
+    n, peak = record.count[node] - 1, 0.0
+    for other in range(state.largest.size):
+        peak = max(peak, state.largest[other])
+    least = max(0.01 * tolerance, 1e-12) * peak
     for quantity in (OUT_LEFT, OUT_RIGHT):
-        now, jump, bend = record.values[node, n, quantity], 0.0, 0.0
+        now = record.values[node, n, quantity]
+        before = record.values[node, n - 1, quantity, STAGES] if n > 0 else 0.0
         for i in range(POINTS):
-            bend += SLOPE_AT_START[i] * now[i] / width
-        jump = now[0]
-        scale = abs(now[0])
-        if n > 0:
-            before = record.values[node, n - 1, quantity]
-            jump -= before[STAGES]
-            scale = max(scale, abs(before[STAGES]))
-            for i in range(POINTS):
-                bend -= SLOPE_AT_END[i] * before[i] / before_width
-        if abs(jump) > 1e-14 + 1e-13 * scale or abs(bend) * shorter > max(0.1 * tolerance, 1e-12) * (scale + 1e-3):
-            return True
+            if abs(now[i] - before) > least:
+                return True
+            if n > 0 and abs(record.values[node, n - 1, quantity, i] - before) > least:
+                return True
     return False
 
 
@@ -444,7 +443,7 @@ def _given_force(pulse, t):
     return forces[low] + (forces[high] - forces[low]) * ((t - times[low]) / width if width > 0.0 else 1.0)
 
 
-SMOOTH, PARTS, TOUCHES, BENDS, FAILS, RETRIES = range(6)  # how a stretch ends
+SMOOTH, PARTS, TOUCHES, BENDS, TURNS, FAILS, RETRIES = range(7)  # how a stretch ends
 
 
 @kernel
@@ -484,7 +483,8 @@ def _simple_forces(chain, state, node, rods, masses, pulse, step, work):
 def _law_forces(state, node, law, rods, masses, guess, step, work):
     """Force, depth and rate of one step through a contact law."""
     depth, deepest = state.depth[node], state.deepest[node]
-    work.forces[0] = _first_force(law, rods, depth, work.closing[0], deepest, guess)
+    inside = max(depth, 1e-300)  # faces that have just met press already, if the law's force jumps at touch
+    work.forces[0] = _first_force(law, rods, inside, work.closing[0], deepest, guess)
     for i in range(1, POINTS):
         work.forces[i] = work.forces[0]
     return _law_force(law, rods, masses, depth, deepest, step, work)
@@ -523,12 +523,12 @@ def _law_events(state, node, remembers, loses, dent, corner, span, step, located
             work.depth[STAGES] = level
             return PARTS if parts else BENDS, step, located
         return RETRIES, min(max(step - late, 0.1 * step), min(1.5 * step, span)), PARTS if parts else BENDS
-    if remembers and state.depth[node] >= state.deepest[node]:
+    if remembers and state.loading[node]:
         place = _first_crossing(work.rate, 0.0, False)  # where it begins to give way again, the curve changes
-        if place <= 1.0 - 1e-9 and located < FAILS + 3:
-            return RETRIES, step * place, max(located, FAILS) + 1
-        if located > FAILS or place <= 1.0:
-            return BENDS, step, located
+        if place <= 1.0 - 1e-9 and located < TURNS + 3:
+            return RETRIES, step * place, max(located, TURNS) + 1
+        if located > TURNS or place <= 1.0:
+            return TURNS, step, located
     first, last = work.forces[0], work.forces[STAGES]
     if loses and state.depth[node] > dent and (first > 0.0) != (last > 0.0) and step > SHORT_STEP:
         # where damping stops the surface from pressing, the force has a corner: step up to it, not across it
@@ -537,14 +537,14 @@ def _law_events(state, node, remembers, loses, dent, corner, span, step, located
 
 
 @kernel
-def _error(state, tolerance, step, work):
+def _error(state, tolerance, step, pressing, work):
     """Of the step as a share of what is allowed, and the largest force so far."""
     peak = 0.0
     for other in range(state.largest.size):
         peak = max(peak, state.largest[other])
     for i in range(POINTS):
         peak = max(peak, abs(work.forces[i]), abs(work.from_left[i]), abs(work.from_right[i]))
-    return (_unresolved(work, step) / (tolerance * peak) if peak > 0.0 else 0.0), peak
+    return (_unresolved(work, step, pressing) / (tolerance * peak) if peak > 0.0 else 0.0), peak
 
 
 @kernel
@@ -553,7 +553,11 @@ def _advance(chain, state, record, node, law, remembers, loses, pulse, span, tol
     rods, masses = _mobility(chain, node)
     with_law, deepest = chain.kind[node] == LAW, state.deepest[node]
     dent = law.dent(deepest) if with_law else 0.0
-    corner = law.corner(state.depth[node], deepest) if with_law and remembers else np.inf
+    corner = np.inf
+    if with_law and remembers:
+        corner = law.corner(state.depth[node], deepest)
+        if not state.loading[node] and state.depth[node] >= deepest:  # just turned: should it come back, it loads on
+            corner = deepest * (1.0 + 1e-12)
     n, step = record.count[node], min(state.step[node], span)
     guess = record.values[node, n - 1, FORCE, STAGES] if n > 0 else 0.0
     if step > 0.5 * span:
@@ -571,7 +575,7 @@ def _advance(chain, state, record, node, law, remembers, loses, pulse, span, tol
         if not good:
             step, located = 0.25 * step, 0
             continue
-        error, peak = _error(state, tolerance, step, work)
+        error, peak = _error(state, tolerance, step, pressing, work)
         if error > 1.0 and step > 1e-13 and (located == 0 or attempt < 60):
             step, located = step * max(0.1, 0.8 * error ** (-1.0 / STAGES)), 0
             continue
@@ -610,6 +614,10 @@ def _finish(chain, state, record, node, counts_loss, remembers, dent, step, ends
     _keep(chain, state, record, node, step, work, lost, work.right, counts_loss)
     if remembers:
         state.deepest[node] = max(state.deepest[node], state.depth[node])
+        if ends == BENDS:
+            state.loading[node] = state.depth[node] >= state.deepest[node]
+        elif ends in (TURNS, PARTS):
+            state.loading[node] = False
     if ends == PARTS:
         state.closed[node], state.opened[node] = False, False
         if chain.kind[node] == RIGID_FACES:
@@ -650,7 +658,7 @@ def _announce(chain, state, record, node, t, limit, changed, tolerance):
         state.time[node] = limit
         record.start[node, record.count[node]] = limit
     good = True
-    if changed and _jumped(record, node, tolerance):
+    if changed and _tells(record, state, node, tolerance):
         if node > 0:
             good = add_break(state, node - 1, t + chain.transit[node - 1])
         if good and node < chain.kind.size - 1:

@@ -10,8 +10,9 @@ from pytest import approx
 
 import solvers
 from app import bodies_frame as frame_module
-from app.bodies_frame import bodies_frame, equivalent_box, struck_at, struck_place
+from app.bodies_frame import bodies_frame
 from app.frames import read_header
+from app.space import equivalent_box, struck_at, struck_place
 from solvers import SceneError
 from tests.app.test_frames import arrays
 

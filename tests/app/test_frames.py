@@ -28,16 +28,21 @@ def test_histories_match_the_solution_and_keep_the_jump():
     unit = scene.target.impedance
     motion = solvers.solve(scene).motion
     trip = scene.target.round_trip_time
-    smooth = np.abs(found["waveTime"][:, None] - np.arange(5)).min(axis=1) > 1e-3
-    expected = motion.force(found["waveTime"][smooth].astype(float) * trip) / unit
-    assert np.median(np.abs(found["waveForce"][smooth] - expected)) < 1e-6
-    at_jump = np.flatnonzero(found["waveTime"] == 1.0)
-    assert found["waveForce"][at_jump] == pytest.approx([np.exp(-2.0), 2.0 + np.exp(-2.0)], rel=1e-6)  # (4.17)
+    smooth = np.abs(found["exactTime"][:, None] - np.arange(5)).min(axis=1) > 1e-3
+    expected = motion.force(found["exactTime"][smooth].astype(float) * trip) / unit
+    assert np.median(np.abs(found["exactForce"][smooth] - expected)) < 1e-6
+    at_jump = np.flatnonzero(found["exactTime"] == 1.0)
+    assert found["exactForce"][at_jump] == pytest.approx([np.exp(-2.0), 2.0 + np.exp(-2.0)], rel=1e-6)  # (4.17)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(
     scene=st.sampled_from(Choices.param.scene.objects),
+    force_at_depth=st.floats(-1, 9).map(lambda x: 10.0**x),
+    exponent=st.floats(1, 3),
+    yield_indentation=st.floats(-9, -2).map(lambda x: 10.0**x),
+    elements=st.integers(1, 60),
+    place=st.floats(0, 1),
     method=st.sampled_from(Choices.param.method.objects),
     law=st.sampled_from(Choices.param.law.objects),
     mass_ratio=st.floats(-3, 3).map(lambda x: min(max(10.0**x, 1e-3), 1e3)),
@@ -54,17 +59,19 @@ def test_whatever_the_sliders_say_is_answered_in_a_small_finite_message(**chosen
         assert np.isfinite(values).all(), name
     header = read_header(message)
     json.dumps(header, allow_nan=False)
-    assert abs(header["waves"]["diagnostics"]["energy_error"]) < 1e-6
-    assert abs(header["modal"]["diagnostics"]["energy_error"]) < 1e-10
+    if header["kind"] == "axial":
+        assert abs(header["exact"]["diagnostics"]["energy_error"]) < 1e-6
+    if header["kind"] == "axial" and header["other"] and header["other"]["name"] == "modal":
+        assert abs(header["other"]["diagnostics"]["energy_error"]) < 1e-10
 
 
 @pytest.mark.parametrize("name", Choices.param.scene.objects)
 def test_a_scene_by_its_own_values_is_the_scene(name):
     chosen = Choices(scene=name, **Choices.of_scene(name)).chosen()
     base, scene = solvers.load(name), chosen_scene(chosen)
-    assert scene.target == base.target
     assert scene.contact == base.contact
-    assert scene.impactor.mass == pytest.approx(base.impactor.mass, rel=1e-14)
+    assert scene.impactor.mass == pytest.approx(base.impactor.mass, rel=1e-11)  # 12 digits of the ratio are kept
+    assert scene.target.mass == base.target.mass
 
 
 def test_the_ghost_is_the_classical_answer():

@@ -33,7 +33,7 @@ def settled(page) -> None:
 
 def test_the_first_view_tells_the_story_of_the_fixed_rod(open_page):
     page = open_page()
-    contacts = page.header("waves")["contacts"]
+    contacts = page.header("exact")["contacts"]
     assert [c[:2] for c in contacts] == [
         pytest.approx([0.0, FIRST_END], abs=1e-9),
         pytest.approx([SECOND_START, SECOND_END], abs=1e-9),
@@ -80,7 +80,7 @@ def test_each_slider_changes_what_is_drawn(open_page, label, name, to, query):
         ("Contact law", "linear", "law"),
         ("Contact law", "hertz", "law"),
         ("Contact law", "hunt-crossley", "law"),
-        ("Pictures drawn from", "modal", "method"),
+        ("Method beside the exact one", "modal", "method"),
     ],
 )
 def test_each_picker_changes_what_is_drawn(open_page, label, option, name):
@@ -107,16 +107,16 @@ def test_a_scene_brings_its_own_values(open_page):
 
 def test_restitution_moves_the_ghost_in_every_law_and_the_waves_only_where_it_acts(open_page):
     page = open_page("?law=hertz&hertz_stiffness=1e10")
-    before = page.header("waves")["final"]
+    before = page.header("exact")["final"]
     page.answered(lambda: drag(page, "Restitution", 0.5))
     settled(page)
     chosen = page.header("chosen")["restitution"]
     assert page.header("ghost")["impactor"] == pytest.approx(-chosen)
-    assert page.header("waves")["final"] == before
+    assert page.header("exact")["final"] == before
     expect(page.tab.locator(".field-restitution .help")).to_contain_text("ghost")
     page.answered(lambda: page.tab.get_by_label("Contact law", exact=True).select_option("hunt-crossley"))
     settled(page)
-    assert abs(page.header("waves")["final"]) < abs(before)
+    assert abs(page.header("exact")["final"]) < abs(before)
     expect(page.tab.locator(".field-restitution .help")).to_contain_text("two rigid bodies")
 
 
@@ -180,7 +180,7 @@ def test_the_browser_rebuilds_the_same_fields_as_the_library(open_page):
     x = np.linspace(0.0, length, 61)
     profile = """([t, what, modal]) => {
       const p = strikewave.page;
-      const field = modal ? (p.fields[1] ??= new (p.modalField)(p.frame)) : p.fields[0];
+      const field = modal ? p.otherField : p.fields[0];
       return [...field.profile(t, what, new Float64Array(61))];
     }"""
     exact = solvers.solve(scene)
@@ -190,7 +190,7 @@ def test_the_browser_rebuilds_the_same_fields_as_the_library(open_page):
         drawn = np.array(page.evaluate(profile, [t, "stress", False]))
         assert np.median(np.abs(drawn - stress)) < 2e-3  # the picture's cells are 4e-4 T wide
         assert page.evaluate(profile, [t, "displacement", False]) == pytest.approx(moved, abs=1e-4)
-    page.answered(lambda: page.tab.get_by_label("Pictures drawn from", exact=True).select_option("modal"))
+    page.answered(lambda: page.tab.get_by_label("Method beside the exact one", exact=True).select_option("modal"))
     settled(page)
     steps = len(page.evaluate("() => [...strikewave.page.frame.modalForce]"))
     modal = solvers.Modal(modes=30, steps=steps).solve(scene, page.header("duration") * trip)
@@ -240,7 +240,7 @@ def test_the_address_says_what_is_shown(open_page):
     page = open_page("?scene=free-rod&mass_ratio=2.5&modes=20")
     chosen = page.header("chosen")
     assert (chosen["scene"], chosen["mass_ratio"], chosen["modes"]) == ("free-rod", 2.5, 20)
-    assert page.header("waves")["final"] == pytest.approx(math.exp(-5.0))
+    assert page.header("exact")["final"] == pytest.approx(math.exp(-5.0))
     page.answered(lambda: page.tab.get_by_label("Contact law", exact=True).select_option("hertz"))
     settled(page)
     again = open_page("?" + page.tab.url.split("?")[1])

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from pytest import approx
 from scipy.integrate import solve_ivp
 
-from solvers import Modal, Scene, SceneNotSupported, Waves
+from solvers import LAWS, Modal, Scene, SceneNotSupported, Waves
 from tests.catalog import (
     BRONZE_STIFFNESS,
     RIGID,
@@ -296,9 +296,9 @@ def test_the_bodies_only_push(support, mass_ratio):
     assert gap.min() >= -ROUNDING * T  # nor do they enter each other
 
 
-@pytest.mark.parametrize("law", SMOOTH)
+@pytest.mark.parametrize("law", WITH_INDENTATION)
 @pytest.mark.parametrize("support", SUPPORTS)
-@settings(max_examples=40)
+@settings(max_examples=15)
 @given(
     mass_ratio=st.floats(-2.0, 2.0).map(lambda p: 10.0**p),
     softness=st.floats(-4.0, 4.0).map(lambda p: 10.0**p),
@@ -310,7 +310,7 @@ def test_a_law_accounts_for_all_energy(law, support, mass_ratio, softness, resti
     assert abs(solution.diagnostics["energy_error"]) <= 1e-9
     assert abs(solution.diagnostics["momentum_error"]) <= 1e-9
     assert solution.energy["dissipated"] >= -1e-9 * solution.energy["initial"]
-    if not scene.contact.LOSSY:
+    if not LAWS[law].LOSSY and not LAWS[law].PLASTIC:
         assert solution.energy["dissipated"] == approx(0.0, abs=1e-9 * solution.energy["initial"])
     assert solution.motion.force_history()[1].min() >= 0.0
 
@@ -457,6 +457,7 @@ def test_positions_are_integrals_of_velocities_and_impulse_of_force(scene):
     motion = solution.motion
     edges = np.unique(np.concatenate([[0.0, solution.duration], motion.force_history()[0]]))
     edges = edges[edges <= solution.duration]
+    edges = np.unique(np.concatenate([edges[:-1] + k / 4 * np.diff(edges) for k in range(4)] + [edges[-1:]]))
     nodes, weights = np.polynomial.legendre.leggauss(6)
     times = edges[:-1, None] + 0.5 * np.diff(edges)[:, None] * (1.0 + nodes)
     weigh = 0.5 * np.diff(edges)[:, None] * weights
@@ -465,7 +466,7 @@ def test_positions_are_integrals_of_velocities_and_impulse_of_force(scene):
         return (weigh * history(times.ravel()).reshape(times.shape)).sum()
 
     end = np.array([solution.duration])
-    # Gauss on 200 pieces per T; where F starts as t^1.5 that leaves 200^-2.5 * 1e-3 = 2e-9
+    # Gauss on 800 pieces per T; where F starts as t^1.5 that leaves 800^-2.5 * 0.05 = 3e-9
     tolerance = ROUNDING if scene.contact.NAME == "rigid" else 3e-9
     assert integral(motion.force) == approx(motion.impulse(end)[0], rel=tolerance)
     assert integral(motion.impactor_velocity) == approx(motion.impactor_position(end)[0], abs=tolerance * T)
@@ -516,7 +517,7 @@ def test_stepped_waves_find_the_same_contacts(beta, support):
     assert stepped.diagnostics["estimated_error"] >= abs(stepped.impactor_velocity - exact.impactor_velocity)
 
 
-@pytest.mark.parametrize("law", SMOOTH)
+@pytest.mark.parametrize("law", WITH_INDENTATION)
 def test_a_tighter_tolerance_gives_a_smaller_error(law):
     scene = struck_rod(1.0, "fixed", contact_table(law, restitution=0.7))
     finest = Waves(tolerance=1e-13).solve(scene).impactor_velocity
