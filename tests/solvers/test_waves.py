@@ -21,6 +21,7 @@ from tests.catalog import (
     SIGMA0_AREA,
     SMOOTH,
     SUPPORTS,
+    WITH_INDENTATION,
     T,
     bronze_rod,
     contact_table,
