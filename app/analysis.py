@@ -4,28 +4,27 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Waves
-
+from .frames import exact_solution
 from .state import chosen_scene
 
 INSTANTS = 161
 SHARES = {  # name in the solution: what the reader calls it, and its colour
-    "impactor": ("mass", "#33475b"),
-    "target_rigid": ("rod as a whole", "#4f9bd8"),
-    "target_vibration": ("waves in the rod", "#e08a4d"),
+    "impactor": ("impactor", "#33475b"),
+    "target_rigid": ("target as a whole", "#4f9bd8"),
+    "target_vibration": ("waves in it", "#e08a4d"),
     "local": ("stored in the contact", "#7c9a54"),
     "dissipated": ("lost in the contact", "#a4243b"),
 }
 
 
 def energy_shares(chosen: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Energy of every part against time [T], as a share of the impactor's before the blow; exact waves."""
+    """Energy of every part against time [T], as a share of the impactor's before the blow."""
     scene = chosen_scene(chosen)
-    solution = Waves().solve(scene)
+    solution = exact_solution(scene)
     time = np.linspace(0.0, solution.duration, INSTANTS)
     energies = solution.motion.energies(time)
     shares = {SHARES[name][0]: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
-    return {"time": time / scene.target.round_trip_time, **shares}
+    return {"time": time / scene.time_unit, **shares}
 
 
 def energy_view(pipe: Any) -> Any:

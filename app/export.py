@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from solvers import Row, SceneError, Solution
+from solvers import ContactPeriod, Row, SceneError, Solution
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
@@ -25,12 +25,10 @@ def report(solution: Solution) -> str:
         "",
         "  contact     start / T       end / T    impulse [N s]   peak force [kN]",
     ]
-    for number, contact in enumerate(solution.contacts, 1):
-        lines.append(
-            f"  {number:7d}{contact.start / trip:14.6f}{contact.end / trip:14.6f}"
-            f"{contact.impulse:17.6g}"
-            + ("       no duration" if contact.peak_force is None else f"{contact.peak_force / 1e3:18.6g}")
-        )
+    lines += _periods(solution.contacts, trip)
+    for number, joint in enumerate(solution.joints, 1):
+        if joint:
+            lines += [f"  joint {number}", *_periods(joint, trip)]
     lines += [
         "",
         f"  impactor leaves at   {solution.impactor_velocity:+.8g} m/s"
@@ -130,6 +128,14 @@ def _vector(values: tuple[float, float, float]) -> str:
 
 def _title(solution: Solution) -> str:
     return "".join(sign if sign.isprintable() else "?" for sign in solution.scene.title) or "Scene"
+
+
+def _periods(contacts: list[ContactPeriod], trip: float) -> list[str]:
+    return [
+        f"  {number:7d}{contact.start / trip:14.6f}{contact.end / trip:14.6f}{contact.impulse:17.6g}"
+        + ("       no duration" if contact.peak_force is None else f"{contact.peak_force / 1e3:18.6g}")
+        for number, contact in enumerate(contacts, 1)
+    ]
 
 
 def _method_line(solution: Solution) -> str:

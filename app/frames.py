@@ -124,8 +124,8 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         "other": None if other is None else _figures(other),
         "ghost": ghost(scene, chosen["restitution"]),
         "match": exact.restitution["newton"],
-        "delivered": scene.contact.table(scene.speed).get("restitution"),
-        "conservative": not (scene.contact.LOSSY or scene.contact.PLASTIC),
+        "damps": scene.contact.LOSSY,
+        "yields": scene.contact.PLASTIC,
         "leastRestitution": LEAST_RESTITUTION,
     }
     return packed(header, arrays)

@@ -12,7 +12,7 @@ import param
 from .analysis import energy_shares, energy_view
 from .frames import solve_frame
 from .runner import Runner
-from .state import Choices, accepts, from_address, refusal, scene_groups
+from .state import SCENES, Choices, accepts, from_address, in_space, refusal, scene_groups
 
 STATIC = Path(__file__).parent / "static"
 VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
@@ -72,8 +72,9 @@ class Lab(Choices, pn.custom.JSComponent):
         self._ask_energy()
 
     def _ask_energy(self, *events: param.parameterized.Event) -> None:
-        self.below.visible = self.energy_shown
-        if self.energy_shown:
+        shown = self.energy_shown and not in_space(SCENES[self.scene])
+        self.below.visible = shown
+        if shown:
             pn.state.execute(partial(self._energy_runner.want, self.chosen()))
 
     def _show_energy(self, shares: dict[str, Any]) -> None:

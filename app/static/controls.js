@@ -98,7 +98,7 @@ export class Controls {
   show(name, value) { this.fields[name]?.set(value); }
   // Only what acts on this scene is shown; methods that cannot solve it say why.
   arrange(frame) {
-    const { law, restitution, method } = frame.chosen;
+    const { restitution, method } = frame.chosen;
     for (const name of ORDER) this.fields[name].root.hidden = !frame.acting.includes(name);
     for (const option of this.fields.method.input.options) {
       const reason = frame.refusals[option.value];
@@ -107,9 +107,9 @@ export class Controls {
     }
     if (frame.kind === 'bodies') { this.note.textContent = 'Speed of parting over speed of approach of the touching points, along the normal.'; return; }
     const match = frame.match === null ? '' : ` To match the last velocity: ${frame.match.toFixed(3)}.`, least = frame.leastRestitution;
-    const acts = frame.delivered !== null ? `Sets what this contact delivers between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}`
+    const acts = frame.damps ? `Sets what this contact delivers between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}`
       : method === 'balance' ? 'Sets the restitution of every balance, and the ghost.'
-      : `Sets the ghost: the answer of rigid-body theory, dashed grey. ${law === 'rigid' || frame.conservative ? 'This contact law itself loses nothing.' : 'This contact law loses by yielding.'}`;
+      : `Sets the ghost: the answer of rigid-body theory, dashed grey. ${frame.yields ? 'This contact loses by yielding.' : 'This contact law itself loses nothing.'}`;
     const refused = frame.refusals[method];
     this.note.textContent = acts + match + (refused && method !== 'waves' ? ` ${refused}` : '');
   }

@@ -116,7 +116,7 @@ class Page {
     if (!data || !data.byteLength) return;
     this.frame = decode(data);
     const { chosen, duration } = this.frame, inSpace = this.frame.kind === 'bodies';
-    this.stage.root.hidden = this.head.hidden = inSpace;
+    this.stage.root.hidden = this.head.hidden = this.energy.hidden = inSpace;
     this.space.root.hidden = !inSpace;
     for (const { chart } of this.charts) chart.root.hidden = inSpace;
     this.cycle.chart.root.hidden = inSpace || !this.frame.cycleDepth;

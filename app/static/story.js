@@ -11,7 +11,7 @@ const percent = (share) => `${(100 * share).toFixed(Math.abs(share) < 0.0995 ? 2
 const signed = (value, digits = 3) => `${value < 0 && Number(value.toFixed(digits)) !== 0 ? '−' : ''}${Math.abs(value).toFixed(digits)}`;
 const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
-const SHORT = { waves: 'waves', modal: 'modes' };
+const SHORT = { waves: 'waves', modal: 'modes', 'fe-nodal': 'elements', 'fe-modal': 'FE modes', 'quasi-static': 'static', 'mode-switch': 'switched', balance: 'balances', rigid: 'rigid' };
 const short = (name) => SHORT[name] ?? naming(name);
 const kilo = (value) => (value === null ? '–' : pretty(value / 1e3));
 

@@ -351,9 +351,7 @@ class ChainMotion:
                 for now in t.tolist()
             ]
             target = target + unit * np.array(gone) / history.chain.impedance[last]
-        rigid = np.zeros_like(t)
-        if not scene.target.held:
-            rigid = 0.5 * scene.target.mass * self.rigid_velocity(t * history.trip) ** 2
+        rigid = self._as_wholes(t)
         impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
         if history.contact:
             impactor = unit * self._energy(0, t)
@@ -365,6 +363,22 @@ class ChainMotion:
             "local": unit * local,
             "dissipated": unit * lost,
         }
+
+    def _as_wholes(self, t: np.ndarray) -> np.ndarray:
+        """Kinetic energy [J] of the mean motion of each part of the target that nothing holds and no joint divides."""
+        rods, target = self.history.rods, self.scene.target
+        energy, momentum, mass = np.zeros_like(t), np.zeros_like(t), 0.0
+        for rod in range(self.history.contact, len(rods)):
+            momentum, mass = momentum + self._momentum(rod, t), mass + rods[rod].mass
+            if rods[rod].end_mass:
+                momentum = momentum + rods[rod].end_mass * self._face(rod, False, t)[1]
+            joint = rod - self.history.contact
+            last = rod == len(rods) - 1
+            if last or not target.joints[joint].bonded:
+                if not (last and target.held):
+                    energy += 0.5 * (self.history.speed * momentum) ** 2 / mass
+                momentum, mass = np.zeros_like(t), 0.0
+        return energy
 
     def _local(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Energy stored in the contact laws, and lost by them [Z v^2 T]."""
