@@ -5,6 +5,8 @@ import errno
 import logging
 import signal
 import sys
+import threading
+from collections.abc import Iterable
 from typing import Any
 
 from solvers.jit import kernels_compiled
@@ -86,12 +88,23 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     )
 
 
+USUAL_LAWS = ("rigid", "linear", "hertz", "hunt-crossley")  # ready before the page opens; the others soon after
+
+
 def _warm() -> None:
-    """Compile or load every kernel that a slider can ask for."""
+    """Compile or load every kernel that a slider can ask for: the usual ones now, the others while the page serves."""
+    from .state import Choices
+
+    _warm_laws(USUAL_LAWS)
+    others = [law for law in Choices.param.law.objects if law not in USUAL_LAWS]
+    threading.Thread(target=_warm_laws, args=(others,), name="warm", daemon=True).start()
+
+
+def _warm_laws(laws: Iterable[str]) -> None:
     from .frames import solve_frame
     from .state import Choices
 
-    for law in Choices.param.law.objects:
+    for law in laws:
         solve_frame(Choices(law=law, modes=5).chosen())
 
 
