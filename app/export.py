@@ -70,19 +70,19 @@ def comparison(exact: Solution, rows: list[Row]) -> str:
         f"  contacts, exact [T]             {periods}",
         f"  impactor leaves at, exact       {exact.impactor_velocity:+.8g} m/s",
         "",
-        f"  {'method':34}{'rebound':>10}{'1st contact':>13}{'true':>7}{'listed':>8}{'raw':>6}"
+        f"  {'method':38}{'rebound':>10}{'1st contact':>13}{'true':>7}{'listed':>8}{'raw':>6}"
         f"{'force L2':>10}{'resolved':>10}{'time':>9}",
-        f"  {'':34}{'error [%]':>10}{'error [T]':>13}{'found':>7}{'':14}{'[%]':>10}{'[%]':>10}{'[ms]':>9}",
+        f"  {'':38}{'error [%]':>10}{'error [T]':>13}{'found':>7}{'':14}{'[%]':>10}{'[%]':>10}{'[ms]':>9}",
     ]
     for row in rows:
         if row.reason is not None:
-            lines.append(f"  {row.label:34}cannot: {row.reason}")
+            lines.append(f"  {row.label:38}cannot: {row.reason}")
             continue
         shares = [
             "-" if share is None else f"{100 * share:.1f}" for share in (row.force_error, row.resolved_force_error)
         ]
         lines.append(
-            f"  {row.label:34}{100 * row.rebound_error:+10.4f}{row.duration_error:+13.5f}"
+            f"  {row.label:38}{100 * row.rebound_error:+10.4f}{row.duration_error:+13.5f}"
             f"{f'{row.true_contacts_found}/{row.true_contacts}':>7}{row.contacts:8d}{row.raw_contacts:6d}"
             f"{shares[0]:>10}{shares[1]:>10}{row.wall_time * 1e3:9.3f}"
         )

@@ -22,7 +22,6 @@ from solvers import Scene
 from solvers.jit import kernel
 
 SOLVE_IVP_TOLERANCE = 1e-3  # relative, its own default; DOP853 holds it with the fewest evaluations of its methods
-IMPLICIT_COURANT = 1.0  # steps of the implicit rules, in transit times of an element
 VERLET_COURANT = 0.5  # 1/sqrt(2) and more is unstable with the penalty spring
 
 
@@ -98,8 +97,11 @@ def _rates(time, state, element_mass, stiffness, penalty, mass):
     return rates
 
 
-def scikit_fem_newmark(problem: Problem, elements: int) -> Run:
-    """Matrices of scikit-fem, linear elements; Newmark 1/2 1/4 with both of its matrices factorised beforehand."""
+def scikit_fem_newmark(problem: Problem, elements: int, courant: float) -> Run:
+    """Matrices of scikit-fem, linear elements; Newmark 1/2 1/4 with both of its matrices factorised beforehand.
+
+    Steps of `courant` transit times of an element.
+    """
     import skfem
     from skfem.models.poisson import laplace, mass
 
@@ -117,7 +119,7 @@ def scikit_fem_newmark(problem: Problem, elements: int) -> Run:
     gap = np.zeros(elements + 1)
     gap[0], gap[-1] = -1.0, 1.0  # indentation = gap @ displacement
     touching = (apart + penalty * scipy.sparse.csc_array(np.outer(gap, gap))).tocsc()
-    steps = math.ceil(problem.duration / (IMPLICIT_COURANT * transit))
+    steps = math.ceil(problem.duration / (courant * transit))
     step = problem.duration / steps
     matrices = apart, touching
     factors = [splu((inertia + 0.25 * step**2 * matrix).tocsc()) for matrix in matrices]
@@ -142,9 +144,9 @@ def scikit_fem_newmark(problem: Problem, elements: int) -> Run:
     return run
 
 
-def exudyn_trapezoidal(problem: Problem, elements: int) -> Run:
+def exudyn_trapezoidal(problem: Problem, elements: int, courant: float) -> Run:
     """Exudyn's implicit trapezoidal rule, consistent masses, sparse, Newton's matrix kept while it serves."""
-    return _exudyn(problem, elements, "TrapezoidalIndex2", IMPLICIT_COURANT, lumped=False)
+    return _exudyn(problem, elements, "TrapezoidalIndex2", courant, lumped=False)
 
 
 def exudyn_verlet(problem: Problem, elements: int) -> Run:

@@ -1,6 +1,5 @@
 """One blow by every method, each against the exact waves: what it misses, and what it costs."""
 
-import statistics
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
@@ -137,4 +136,4 @@ def _wall_time(work: Callable[[], object], repeats: int) -> float:
         before = time.perf_counter()
         work()
         times.append(time.perf_counter() - before)
-    return statistics.median(times)
+    return float(np.median(times))
