@@ -36,7 +36,7 @@ from ..solution import ContactPeriod
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
-PRESSES = 1e-13  # of the peak force: less at the end of a contact is rounding
+ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
 UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
 NO_LAW = Linear(1.0)  # where no law is asked for
 MAX_NODES = MAX_RODS + 2
@@ -167,20 +167,26 @@ class ChainHistory:
         return out.reshape(t.shape)
 
     def periods(self, node: int) -> list[ContactPeriod]:
-        """Stretches of time in which the faces at a node press on each other."""
+        """Stretches of time in which the faces at a node press on each other.
+
+        Faces that stay together without force, as two equal rods do, do not press; openings no larger than rounding
+        part nothing.
+        """
         count = int(self.record.count[node])
-        closed, start = self.record.closed[node, :count], self.record.start[node]
-        force = self.record.values[node, :count, FORCE]
-        presses = closed & (force.max(axis=1) > PRESSES * force.max(initial=0.0))
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], closed.astype(np.int8), [0]))))
+        values, start = self.record.values[node, :count], self.record.start[node]
+        force, closed = values[:, FORCE], self.record.closed[node, :count]
+        waves = np.maximum(np.abs(values[:, OUT_LEFT]), np.abs(values[:, OUT_RIGHT]))
+        arriving = np.maximum(np.abs(force - values[:, OUT_LEFT]), np.abs(force - values[:, OUT_RIGHT]))
+        presses = closed & (force.max(axis=1) > ROUNDING * np.maximum(waves, arriving).max(axis=1))
+        together = closed | (values[:, DEPTH].min(axis=1) > -ROUNDING)
+        edges = np.flatnonzero(np.diff(np.concatenate(([0], together.astype(np.int8), [0]))))
         found = []
         for first, beyond in edges.reshape(-1, 2):
-            pressing = np.flatnonzero(presses[first:beyond])
+            pressing = first + np.flatnonzero(presses[first:beyond])
             if not pressing.size:
                 continue
-            begins = first + int(np.flatnonzero(force[first:beyond].max(axis=1) > 0.0)[0])
-            ends = first + int(pressing[-1])
-            impulse = self.record.values[node, ends, IMPULSE, -1] - self.record.values[node, begins, IMPULSE, 0]
+            begins, ends = int(pressing[0]), int(pressing[-1])
+            impulse = values[ends, IMPULSE, -1] - values[begins, IMPULSE, 0]
             found.append(
                 ContactPeriod(
                     start=self.trip * float(start[begins]),
