@@ -31,7 +31,9 @@ def report(solution: Solution) -> str:
             lines += [f"  joint {number}", *_periods(joint, trip)]
     lines += [
         "",
-        f"  impactor leaves at   {solution.impactor_velocity:+.8g} m/s"
+        "  a prescribed force: nothing strikes, nothing leaves"
+        if solution.impactor_velocity is None
+        else f"  impactor leaves at   {solution.impactor_velocity:+.8g} m/s"
         f"   ({solution.impactor_velocity / scene.impactor.velocity:+.6f} of its speed)",
         f"  target moves on at   {solution.target_velocity:+.8g} m/s   (centre of mass)",
     ]

@@ -23,7 +23,7 @@ FORCE_POINTS = 1_500  # of a contact force
 MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and modes
-LARGEST_RATIO = 1e12  # told of a wall
+LARGEST_MASS = 1e12  # [kg] told of what has none or is infinite
 CYCLE_POINTS, BLOW_POINTS = 60, 300  # of the contact law's cycle, and of the blow in it
 
 
@@ -113,7 +113,7 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         "trip": trip,
         "duration": reach / trip,
         "rods": rods,
-        "impactor": {"kind": scene.impactor.kind, "mass": scene.impactor.mass},
+        "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},
         "target": _target(scene),
         "speed": speed,
         "forceUnit": force_unit,
@@ -122,7 +122,7 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         "step": steps,
         "exact": _figures(exact),
         "other": None if other is None else _figures(other),
-        "ghost": ghost(scene, chosen["restitution"]),
+        "ghost": None if scene.impactor.kind == "pulse" else ghost(scene, chosen["restitution"]),
         "match": exact.restitution["newton"],
         "damps": scene.contact.LOSSY,
         "yields": scene.contact.PLASTIC,
@@ -141,7 +141,7 @@ def _target(scene: Scene) -> dict[str, Any]:
     target = scene.target
     return {
         "kind": target.kind,
-        "mass": min(target.mass, LARGEST_RATIO * scene.impactor.mass),
+        "mass": min(target.mass, LARGEST_MASS),
         "length": target.length,
         "support": getattr(target, "support", None),
         "held": target.held,
@@ -267,11 +267,13 @@ def _figures(solution: Solution) -> dict[str, Any]:
         ],
         "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
         "cutOff": [_cut_off(solution, contact) for contact in solution.contacts],
-        "left": [
+        "left": []
+        if solution.impactor_velocity is None
+        else [
             float(solution.motion.impactor_velocity(np.array([min(contact.end, solution.duration)]))[0]) / speed
             for contact in solution.contacts
         ],
-        "final": solution.impactor_velocity / speed,
+        "final": None if solution.impactor_velocity is None else solution.impactor_velocity / speed,
         "targetFinal": solution.target_velocity / speed,
         "peakForce": solution.peak_force,
         "peakIndentation": solution.peak_indentation,

@@ -132,6 +132,8 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     base = SCENES[chosen["scene"]]
     if in_space(base):
         return ["scene", "speed", "restitution"] + (["place"] if has_length(base) else [])
+    if base.impactor.kind == "pulse":
+        return ["scene"]
     names = ["scene", "method", "speed", "law", "restitution", *law_choices(chosen["law"])]
     if base.impactor.kind in ("mass", "sphere") and np.isfinite(base.mass_ratio):
         names.append("mass_ratio")
@@ -175,6 +177,8 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
             }
         )
         return struck_at(scene, chosen["place"]) if has_length(base) else scene
+    if base.impactor.kind == "pulse":
+        return base
     changes: dict[str, Any] = {"impactor.velocity": chosen["speed"] + base.target.velocity}
     if "mass_ratio" in acting_choices(chosen):
         changes["impactor.mass"] = base.target.mass / chosen["mass_ratio"]

@@ -24,6 +24,7 @@ class Method(ABC):
 
     NAME: ClassVar[str]
     SPATIAL: ClassVar[bool] = False  # whether it knows bodies in space, beside those on an axis
+    PULSES: ClassVar[bool] = False  # whether it knows a prescribed force, beside bodies that strike
 
     @classmethod
     @abstractmethod
@@ -38,6 +39,8 @@ class Method(ABC):
         """`why_not`, and before it what every method says that knows bodies on an axis only."""
         if scene.normal is not None and not self.SPATIAL:
             return "the bodies must meet on an axis; for bodies in space use 'rigid'"
+        if scene.impactor.kind == "pulse" and not self.PULSES:
+            return "the impactor must be a body; for a prescribed force use 'waves'"
         return self.why_not(scene)
 
     @abstractmethod

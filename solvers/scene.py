@@ -48,9 +48,12 @@ class Scene:
             checks.required("", given, part, "a table")
         impactor, target = read_body("impactor", given["impactor"]), read_body("target", given["target"])
         normal = _read_normal(impactor, target, given.get("contact"))
-        if normal is None:
-            _check_approach(impactor, target)
-        _check_masses(impactor, target)
+        if impactor.kind == "pulse":
+            impactor = _on_rod(impactor, target, given.get("contact"))
+        else:
+            if normal is None:
+                _check_approach(impactor, target)
+            _check_masses(impactor, target)
         method = given.get("method", {})
         checks.table("method", method, METHOD_KEYS)
         return cls(
@@ -109,6 +112,8 @@ class Scene:
         if self.normal is not None:
             moving = (impulses.point_velocity(in_space(body)) for body in (self.impactor, self.target))
             return float(np.dot(self.normal, np.subtract(*moving)))
+        if self.impactor.kind == "pulse":
+            return self.impactor.velocity
         return self.impactor.velocity - self.target.velocity
 
     @property
@@ -121,7 +126,8 @@ class Scene:
         """Kinetic energy of both bodies before the blow [J]."""
         if self.normal is not None:
             return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
-        return 0.5 * sum(b.mass * b.velocity**2 for b in (self.impactor, self.target) if b.velocity)
+        moving = [body for body in (self.impactor, self.target) if body.velocity and body.kind != "pulse"]
+        return 0.5 * sum(body.mass * body.velocity**2 for body in moving)
 
     @property
     def blow(self) -> float:
@@ -161,6 +167,15 @@ METHOD_KEYS = (
     "residual",
     "duration",
 )
+
+
+def _on_rod(pulse: Any, target: Any, contact: object) -> Any:
+    """A prescribed force, which needs a rod to act on and no contact."""
+    if target.kind not in ("rod", "rods"):
+        raise SceneError("target.kind", target.kind, "'rod' or 'rods': a pulse acts on the end of a rod")
+    if contact is not None and contact != {"law": "rigid"}:
+        raise SceneError("contact", contact, "nothing: a pulse is a force, whatever the contact")
+    return pulse.on(target.impedance)
 
 
 def _check_approach(impactor: Any, target: Any) -> None:

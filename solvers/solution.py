@@ -58,7 +58,7 @@ class Solution:
     peak_force: float | None
     peak_indentation: float | None
     residual_indentation: float | None
-    impactor_velocity: float | tuple[float, float, float]
+    impactor_velocity: float | tuple[float, float, float] | None  # None: a prescribed force has none
     target_velocity: float | tuple[float, float, float]
     restitution: dict[str, float | None]
     energy: dict[str, float]
@@ -103,6 +103,8 @@ def summary(
     scene: Scene, motion: Motion, contacts: list[ContactPeriod], duration: float, wall_time: float
 ) -> dict[str, Any]:
     """What follows from any motion alone: velocities, `solvers.restitution`, energies and residuals."""
+    if scene.impactor.kind == "pulse":
+        return _summary_of_a_push(scene, motion, duration, wall_time)
     m1, m2, speed = scene.impactor.mass, scene.target.mass, scene.speed
     end = np.array([duration])
     final = float(motion.impactor_velocity(end)[0])
@@ -125,6 +127,29 @@ def summary(
         "diagnostics": {
             "energy_error": (sum(energies.values()) - initial) / initial,
             "momentum_error": max(mismatches, key=abs) / (m1 * speed),
+            "steps": 0,
+            "wall_time": wall_time,
+            "estimated_error": None,
+        },
+    }
+
+
+def _summary_of_a_push(scene: Scene, motion: Any, duration: float, wall_time: float) -> dict[str, Any]:
+    """The same for a prescribed force: nothing strikes, nothing is restored; the first energy is the work it does."""
+    end = np.array([duration])
+    impulse, held = float(motion.impulse(end)[0]), scene.target.held
+    final = 0.0 if held else float(motion.rigid_velocity(end)[0])
+    energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
+    initial = scene.initial_energy + motion.work(duration)
+    return {
+        "impulse": impulse,
+        "impactor_velocity": None,
+        "target_velocity": final,
+        "restitution": {"newton": None, "poisson": None, "newton_at_contact": None},
+        "energy": {"initial": initial} | energies,
+        "diagnostics": {
+            "energy_error": (sum(energies.values()) - initial) / initial,
+            "momentum_error": 0.0 if held else scene.target.mass * (final - scene.target.velocity) / impulse - 1.0,
             "steps": 0,
             "wall_time": wall_time,
             "estimated_error": None,

@@ -221,8 +221,8 @@ export class Displacements {
     chart.axes(c);
     chart.clip(c);
     shadeContacts(c, chart, frame);
-    chart.line(c, 2, (k) => t(k * (points - 1)), (k) => this.ghost(t(k * (points - 1))) * s, COLORS.ghost, 1.6, [6, 4]);
-    if (!frame.target.held) chart.line(c, 2, (k) => t(k * (points - 1)), (k) => frame.ghost.target * t(k * (points - 1)) * s, COLORS.ghost, 1.6, [2, 3]);
+    if (frame.ghost) chart.line(c, 2, (k) => t(k * (points - 1)), (k) => this.ghost(t(k * (points - 1))) * s, COLORS.ghost, 1.6, [6, 4]);
+    if (frame.ghost && !frame.target.held) chart.line(c, 2, (k) => t(k * (points - 1)), (k) => frame.ghost.target * t(k * (points - 1)) * s, COLORS.ghost, 1.6, [2, 3]);
     if (frame.other) {
       chart.line(c, points, t, (k) => at(frame.otherEnd, t(k), frame.duration) * s, COLORS.modal, 1, [3, 2]);
       chart.line(c, points, t, (k) => at(frame.otherMass, t(k), frame.duration) * s, COLORS.modal, 1);
@@ -230,10 +230,10 @@ export class Displacements {
     chart.line(c, points, t, (k) => waves.end(t(k)) * s, '#4f9bd8', 1.8);
     chart.line(c, points, t, (k) => waves.mass(t(k)) * s, COLORS.waves, 2);
     c.restore();
-    const ghosts = frame.target.held ? [['ghost', 'line ghost']] : [['ghost', 'line ghost'], ['ghost of target', 'line dots']];
+    const ghosts = !frame.ghost ? [] : frame.target.held ? [['ghost', 'line ghost']] : [['ghost', 'line ghost'], ['ghost of target', 'line dots']];
     chart.key([['impactor', 'line waves'], ['face', 'line end'], ...(frame.other ? [[naming(frame.other.name), 'line modal']] : []), ...ghosts]);
   }
-  ghost(t) { return this.frame.ghost.impactor * t; }
+  ghost(t) { return (this.frame.ghost?.impactor ?? 0) * t; }
   cursor(t) {
     const { chart, scale } = this;
     if (!chart.box) return;

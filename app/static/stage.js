@@ -56,7 +56,8 @@ export class Stage {
       start = 0.45 * width;
       this.compact(c, start, middle, thick, scale, t, width);
     }
-    if (!rodStrikes) this.mass(c, start, middle, scale, t, height, width);
+    if (frame.impactor.kind === 'pulse') this.push(c, start, middle, thick, t);
+    else if (!rodStrikes) this.mass(c, start, middle, scale, t, height, width);
     else this.touch(c, left + length * -this.field.from / this.span, middle, thick, scale, t);
     if (rods.length === 1 && rods[0].mirror) this.front(c, t, left, length, middle - thick / 2, thick);
     c.fillStyle = COLORS.faint;
@@ -108,6 +109,18 @@ export class Stage {
   endMass(c, x, middle, thick) {
     c.fillStyle = '#3b4a59';
     c.beginPath(); c.roundRect(x, middle - thick * 0.7, thick * 0.8, thick * 1.4, 5); c.fill();
+  }
+  // The prescribed force, as an arrow on the end while it acts.
+  push(c, x, middle, thick, t) {
+    if (!this.touching(t)) return;
+    const at = x;
+    c.strokeStyle = c.fillStyle = COLORS.cursor;
+    c.lineWidth = 4;
+    c.beginPath(); c.moveTo(at - 70, middle); c.lineTo(at - 14, middle); c.stroke();
+    c.beginPath(); c.moveTo(at - 2, middle); c.lineTo(at - 18, middle - 9); c.lineTo(at - 18, middle + 9); c.fill();
+    c.font = '12px system-ui, sans-serif';
+    c.textAlign = 'center';
+    c.fillText('force', at - 44, middle - thick * 0.3);
   }
   // A struck body in which no wave runs.
   compact(c, x, middle, thick, scale, t, width) {

@@ -23,6 +23,7 @@ export function events(frame) {
 // For bodies of any other kind: the contacts, and what the impactor does after each.
 function plainEvents(frame) {
   const { exact, rods, impactor, target } = frame, striker = { rod: 'rod', sphere: 'ball' }[impactor.kind] ?? 'mass', found = [];
+  if (impactor.kind === 'pulse') return [[0, 'A force is applied to the end of the first rod, as prescribed. Its wave sets out; at every change of section or material part of it turns back.'], [exact.contacts.at(-1)[1], 'The force is over. The waves run on.']];
   const struck = { rods: 'chain of rods', mass: 'other mass', 'spring-mass': 'mass on the spring', 'half-space': 'half-space' }[target.kind] ?? target.kind;
   const waves = rods.length ? ' Waves set out from the contact; at every change of section or material part of each turns back.' : '';
   exact.contacts.forEach(([start, end], k) => {
@@ -134,7 +135,7 @@ export class Story {
     const { frame } = this, { exact, other, ghost, match, chosen } = frame, both = other ? [exact, other] : [exact];
     const row = (text, show, last = '–') => [text, ...both.map(show), last];
     const value = (v, digits = 4) => (v === null ? '–' : signed(v, digits));
-    const rows = [row('impactor leaves, v', (s) => value(s.final), signed(ghost.impactor)), row('target goes on, v', (s) => value(s.targetFinal), signed(ghost.target))];
+    const rows = [row('impactor leaves, v', (s) => value(s.final), ghost ? signed(ghost.impactor) : ''), row('target goes on, v', (s) => value(s.targetFinal), ghost ? signed(ghost.target) : '')];
     const names = { newton: 'restitution e', poisson: 'e by impulses', newton_at_contact: 'e of the faces' };
     const meaning = {
       'restitution e': 'speed of parting over speed of approach, mean velocities of both bodies',
@@ -147,11 +148,12 @@ export class Story {
     rows.push(row('indentation, µm', (s) => (s.peakIndentation === null ? 'none' : pretty(s.peakIndentation * 1e6))));
     if (both.some((s) => s.residualIndentation)) rows.push(row('dent left, µm', (s) => (s.residualIndentation === null ? '–' : pretty(s.residualIndentation * 1e6))));
     const estimated = (e) => (e === null ? '–' : e < 1e-9 ? '< 1e-9' : e.toExponential(0));
-    rows.push(['error of rebound', estimated(exact.diagnostics.estimated_error), ...(other ? [percent(Math.abs(other.final - exact.final))] : []), percent(Math.abs(ghost.impactor - exact.final))]);
+    rows.push(['error of rebound', estimated(exact.diagnostics.estimated_error), ...(other ? [percent(Math.abs(other.final - exact.final))] : []), ghost ? percent(Math.abs(ghost.impactor - exact.final)) : '–']);
     rows.push(row('solved in, ms', (s) => pretty(s.diagnostics.wall_time * 1e3)));
     const column = (s) => (s.name === 'modal' && frame.modalForce ? count(chosen.modes, 'mode') : short(s.name));
     const head = make('tr', {}, ...['', ...both.map(column), 'ghost'].map((text) => make('th', { textContent: text })));
     this.figures.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map((cells) => make('tr', { title: meaning[cells[0]] ?? '' }, ...cells.map((text) => make('td', { textContent: text }))))));
+    if (!ghost) { this.match.replaceChildren('Nothing strikes: a force is prescribed, so there is nothing to restore.'); return; }
     const theory = exact.name === 'waves' ? 'The waves send' : 'This contact sends';
     const says = `A restitution of ${chosen.restitution.toFixed(2)} between rigid bodies sends the impactor off at ${signed(ghost.impactor)} v (dashed grey). ${theory} it at ${signed(exact.final)} v: `;
     const needed = make('b', { textContent: match === null ? 'no e' : `e = ${match.toFixed(3)}` });

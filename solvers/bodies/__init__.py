@@ -10,9 +10,10 @@ from .. import checks
 from .body import Body, check_struck, in_space, read_normal
 from .compact import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
+from .pulse import Pulse
 from .rods import Joint, Rod, Rods, read_section
 
-IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod, "body": Body}
+IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod, "body": Body, "pulse": Pulse}
 TARGETS = {
     "rod": Rod,
     "rods": Rods,
@@ -30,6 +31,7 @@ __all__ = [
     "Body",
     "Joint",
     "Material",
+    "Pulse",
     "RigidMass",
     "Rod",
     "Rods",

@@ -25,6 +25,7 @@ from ..numerics.wave_network import (
     OUT_LEFT,
     OUT_RIGHT,
     PLACE,
+    PRESSED,
     RIGID_FACES,
     SPEED,
     TOTAL_LEFT,
@@ -65,7 +66,9 @@ class ChainHistory:
         self.contact = len(self.rods) - len(scene.target.rods)
         self.laws = self._laws()
         self.chain = self._chain()
-        if self.rods[-1].support == "anechoic":
+        if scene.impactor.kind == "pulse":
+            until = min(until, scene.impactor.end / self.trip + 2.0)
+        elif self.rods[-1].support == "anechoic":
             until = min(until, self._faded())
         asked, limit = math.isfinite(until), min(until, MAX_ROUND_TRIPS)
         wait = math.inf if asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
@@ -113,13 +116,15 @@ class ChainHistory:
         mass_unit = self.force_unit * self.trip / self.speed
         if scene.impactor.kind == "rod":
             kind[0] = FREE
-        else:
+        elif scene.impactor.kind != "pulse":
             mass_left[0], mass_drift[0] = scene.impactor.mass / mass_unit, scene.impactor.velocity / self.speed
         for number, joint in enumerate(scene.target.joints, self.contact + 1):
             gap[number] = joint.gap / (self.speed * self.trip)
             if not joint.bonded:
                 kind[number] = RIGID_FACES if self.laws[number] is None else LAW
         kind[self.contact] = RIGID_FACES if self.laws[self.contact] is None else LAW
+        if scene.impactor.kind == "pulse":
+            kind[0] = PRESSED
         last = self.rods[-1]
         if last.support == "free":
             kind[-1], mass_right[-1] = (BONDED, last.end_mass / mass_unit) if last.end_mass else (FREE, 0.0)
@@ -146,7 +151,11 @@ class ChainHistory:
         return 2.0 * len(self.rods) + 14.0 * self.scene.impactor.mass / slowest / self.trip
 
     def _pulse(self) -> np.ndarray:
-        return np.zeros((2, 1))
+        """Times and values of a prescribed force."""
+        pulse = self.scene.impactor
+        if pulse.kind != "pulse":
+            return np.zeros((2, 1))
+        return np.array([pulse.times, pulse.forces]) / np.array([[self.trip], [self.force_unit]])
 
     def _masses(self) -> np.ndarray:
         """Of the impactor, and of what it strikes up to the first joint that can open."""
@@ -358,9 +367,11 @@ class ChainMotion:
             ]
             target = target + unit * np.array(gone) / history.chain.impedance[last]
         rigid = self._as_wholes(t)
-        impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
+        impactor = np.zeros_like(t)
         if history.contact:
             impactor = unit * self._energy(0, t)
+        elif scene.impactor.kind != "pulse":
+            impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
         local, lost = self._local(t)
         return {
             "impactor": impactor,
@@ -369,6 +380,16 @@ class ChainMotion:
             "local": unit * local,
             "dissipated": unit * lost,
         }
+
+    def work(self, time: float) -> float:
+        """What the contact force has done to the target [J]: the integral of force times velocity of its face."""
+        history, rod = self.history, self.history.contact
+        t, lag, z = min(time / history.trip, history.reach), history.chain.transit[rod], history.chain.impedance[rod]
+        out = wave_network.square_integral(history.record, rod, OUT_RIGHT, 0.0, t)
+        back = wave_network.square_integral(history.record, rod + 1, OUT_LEFT, 0.0, max(t - lag, 0.0))
+        pushed = float(history.sampled(rod, IMPULSE, np.array([t]))[0])
+        unit = history.force_unit * history.speed * history.trip
+        return float(unit * ((out - back) / z + history.chain.drift[rod] * pushed))
 
     def _as_wholes(self, t: np.ndarray) -> np.ndarray:
         """Kinetic energy [J] of the mean motion of each part of the target that nothing holds and no joint divides."""

@@ -33,6 +33,7 @@ class Waves(Method):
     tolerance: float = 1e-9
 
     NAME = "waves"
+    PULSES = True
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Waves":

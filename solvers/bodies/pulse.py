@@ -1,0 +1,99 @@
+"""A force prescribed on the end of a rod: the input of a bar test, whatever made it."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from .. import checks
+from ..checks import SceneError
+
+SHAPES = ("rectangle", "triangle", "half-sine", "trapezoid")
+MAX_POINTS = 2_000
+SINE_POINTS = 65  # straight lines in a half sine; they miss at most 3e-4 of its peak
+
+
+@dataclass(frozen=True)
+class Pulse:
+    """A compressive force on the struck end, given as straight lines between points; nothing strikes.
+
+    `velocity` is that of the end of a rod without reflections under the largest force, F / Z.
+    """
+
+    times: tuple[float, ...]  # [s], from 0
+    forces: tuple[float, ...]  # [N]
+    velocity: float = 1.0  # [m/s]
+
+    KEYS = ("kind", "shape", "force", "duration", "rise", "points")
+    kind = "pulse"
+    mass = math.inf
+    fixed = held = False
+    radius = material = None
+    round_trip_time = None
+    length = 0.0
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, object]) -> "Pulse":
+        """From the table `[impactor]`: `points = [[t, F], ...]`, or `shape`, `force`, `duration` and for a trapezoid
+        `rise`. Raises SceneError naming the key.
+        """
+        given = checks.table(key, given, cls.KEYS)
+        if "points" in given:
+            for name in ("shape", "force", "duration", "rise"):
+                if name in given:
+                    raise SceneError(f"{key}.{name}", given[name], "nothing beside points")
+            return cls(*_read_points(f"{key}.points", given["points"]))
+        shape = checks.choice(f"{key}.shape", given.get("shape", "rectangle"), SHAPES)
+        force = checks.required(key, given, "force", "a number from 1e-09 to 1e+15 N")
+        force = checks.number(f"{key}.force", force, 1e-9, 1e15, "N")
+        duration = checks.required(key, given, "duration", "a number from 1e-09 to 10 s")
+        duration = checks.number(f"{key}.duration", duration, 1e-9, 10.0, "s")
+        if "rise" in given and shape != "trapezoid":
+            raise SceneError(f"{key}.rise", given["rise"], 'nothing here, or shape = "trapezoid"')
+        rise = checks.number(f"{key}.rise", given.get("rise", 0.1 * duration), 0.0, 0.5 * duration, "s")
+        times, shares = _shape(shape, duration, rise)
+        return cls(tuple(times), tuple(force * share for share in shares))
+
+    def on(self, impedance: float) -> "Pulse":
+        """The same pulse on a rod of this impedance [kg/s]."""
+        return replace(self, velocity=max(self.forces) / impedance)
+
+    @property
+    def end(self) -> float:
+        """When it is over [s]."""
+        return self.times[-1]
+
+    def table(self) -> dict[str, object]:
+        points = [list(point) for point in zip(self.times, self.forces, strict=True)]
+        return {"kind": self.kind, "points": points}
+
+
+def _shape(shape: str, duration: float, rise: float) -> tuple[list[float], list[float]]:
+    """Corners of a pulse of unit height."""
+    if shape == "rectangle":
+        return [0.0, duration], [1.0, 1.0]
+    if shape == "triangle":
+        return [0.0, 0.5 * duration, duration], [0.0, 1.0, 0.0]
+    if shape == "trapezoid":
+        return [0.0, rise, duration - rise, duration], [0.0, 1.0, 1.0, 0.0]
+    place = np.linspace(0.0, 1.0, SINE_POINTS)
+    return (duration * place).tolist(), np.sin(np.pi * place).clip(0.0).tolist()
+
+
+def _read_points(key: str, given: object) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    allowed = f"2 to {MAX_POINTS} pairs [time in s, force in N >= 0], times from 0 and never going back"
+    if not isinstance(given, list) or not 2 <= len(given) <= MAX_POINTS:
+        raise SceneError(key, given, allowed)
+    times, forces = [], []
+    for number, point in enumerate(given, 1):
+        if not isinstance(point, list) or len(point) != 2:
+            raise SceneError(f"{key}[{number}]", point, allowed)
+        times.append(checks.number(f"{key}[{number}]", point[0], 0.0, 10.0, "s"))
+        forces.append(checks.number(f"{key}[{number}]", point[1], 0.0, 1e15, "N"))
+    if times[0] != 0.0 or any(b < a for a, b in pairwise(times)) or times[-1] < 1e-9:
+        raise SceneError(key, given, allowed)
+    if max(forces) < 1e-9:
+        raise SceneError(key, given, "a force that is somewhere at least 1e-09 N")
+    return tuple(times), tuple(forces)
