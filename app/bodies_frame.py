@@ -46,6 +46,7 @@ def bodies_frame(solution: Solution, chosen: dict[str, Any] | None = None) -> by
         "refusals": {},
         "title": scene.title,
         "source": scene.source,
+        "note": scene.note,
         "scene": scene.table(),
         "duration": duration,
         "size": size,

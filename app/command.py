@@ -159,9 +159,12 @@ def _warm(options: argparse.Namespace) -> int:
 
 
 def _scenes(options: argparse.Namespace) -> int:
-    for name in solvers.scene_names():
-        scene = solvers.load(name)
-        print(f"{name:24}{scene.title}  [{scene.source}]")
+    from .state import SCENES, scene_groups
+
+    for heading, scenes in scene_groups():
+        print(heading)
+        for name, title in scenes:
+            print(f"  {name:24}{title}  [{SCENES[name].source}]")
     return 0
 
 

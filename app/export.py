@@ -1,11 +1,12 @@
 """Results as text: a report to read, a table of histories to plot elsewhere."""
 
 import io
+import textwrap
 from pathlib import Path
 
 import numpy as np
 
-from solvers import ContactPeriod, Row, SceneError, Solution
+from solvers import ContactPeriod, Row, Scene, SceneError, Solution
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
@@ -19,6 +20,7 @@ def report(solution: Solution) -> str:
     trip = scene.time_unit
     lines = [
         _title(solution),
+        *_told(scene),
         f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
         f"  round trip of a wave, T         {trip * 1e6:.6g} us",
         f"  method                          {_method_line(solution)}",
@@ -96,6 +98,7 @@ def _bodies_report(solution: Solution) -> str:
     scene, found, energy = solution.scene, solution.diagnostics, solution.energy
     lines = [
         _title(solution),
+        *_told(scene),
         f"  method                          {_method_line(solution)}",
         f"  normal, impactor to target      {_vector(scene.normal)}",
         f"  approach of the touching points {scene.speed:+.8g} m/s",
@@ -129,7 +132,16 @@ def _vector(values: tuple[float, float, float]) -> str:
 
 
 def _title(solution: Solution) -> str:
-    return "".join(sign if sign.isprintable() else "?" for sign in solution.scene.title) or "Scene"
+    return _printable(solution.scene.title) or "Scene"
+
+
+def _told(scene: Scene) -> list[str]:
+    """What the scene says about itself, as lines."""
+    return textwrap.wrap(_printable(scene.note), 100, initial_indent="  ", subsequent_indent="  ")
+
+
+def _printable(text: str) -> str:
+    return "".join(sign if sign.isprintable() else "?" for sign in text)
 
 
 def _periods(contacts: list[ContactPeriod], trip: float) -> list[str]:

@@ -110,6 +110,7 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         "refusals": {name: method().refusal(scene) for name, method in METHODS.items()},
         "title": scene.title,
         "source": scene.source,
+        "note": scene.note,
         "trip": trip,
         "duration": reach / trip,
         "rods": rods,

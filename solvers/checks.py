@@ -49,10 +49,10 @@ def choice(key: str, value: object, options: Iterable[str]) -> str:
     return value
 
 
-def text(key: str, value: object) -> str:
+def text(key: str, value: object, longest: int = 300) -> str:
     """A line of text."""
-    if not isinstance(value, str) or len(value) > 300:
-        raise SceneError(key, value, "text of at most 300 characters")
+    if not isinstance(value, str) or len(value) > longest:
+        raise SceneError(key, value, f"text of at most {longest} characters")
     return value
 
 

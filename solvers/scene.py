@@ -1,6 +1,7 @@
 """A scene: what is struck by what. SI units, immutable, checked when built, and written back without loss."""
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +17,7 @@ from .contact import LAWS
 from .numerics import impulses
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles tell nothing
+LONGEST_NOTE = 600  # characters
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
 
 
@@ -24,7 +26,7 @@ class Scene:
     """An impactor about to touch a target at rest at time zero.
 
     `contact` is a contact law with its constants in SI units; `method` holds the table `[method]` as given, which says
-    how the scene is solved unless the caller says otherwise.
+    how the scene is solved unless the caller says otherwise; `note` tells the reader what is seen and what was printed.
     """
 
     impactor: Any
@@ -36,6 +38,7 @@ class Scene:
     method: Mapping[str, object] = field(default_factory=dict)
     given: Mapping[str, object] = field(default_factory=dict, repr=False, compare=False)
     normal: tuple[float, float, float] | None = None  # from impactor to target, where they are bodies in space
+    note: str = ""
 
     @classmethod
     def from_table(cls, given: object) -> "Scene":
@@ -43,7 +46,7 @@ class Scene:
 
         Raises SceneError that names the key, the value and what is allowed.
         """
-        given = checks.table("", given, ("title", "source", "impactor", "target", "contact", "method"))
+        given = checks.table("", given, ("title", "source", "note", "impactor", "target", "contact", "method"))
         for part in ("impactor", "target"):
             checks.required("", given, part, "a table")
         impactor, target = read_body("impactor", given["impactor"]), read_body("target", given["target"])
@@ -66,6 +69,7 @@ class Scene:
             dict(method),
             given,
             normal,
+            checks.text("note", given.get("note", ""), LONGEST_NOTE),
         )
 
     def replace(self, changes: Mapping[str, object]) -> "Scene":
@@ -95,6 +99,7 @@ class Scene:
         tables: dict[str, object] = {
             "title": self.title,
             "source": self.source,
+            **({"note": self.note} if self.note else {}),
             "impactor": self.impactor.table(),
             "target": self.target.table(),
             "contact": contact,
@@ -252,8 +257,15 @@ SCENES = Path(__file__).parent / "scenes"
 
 
 def scene_names() -> list[str]:
-    """Names of the scenes that come with the library, the first one being the one to start with."""
-    return sorted((path.stem for path in SCENES.glob("*.toml")), key=lambda name: (name != "fixed-rod", name))
+    """Names of the scenes that come with the library: the one to start with, others, the thesis's figures and tables."""
+    return sorted((path.stem for path in SCENES.glob("*.toml")), key=_rank)
+
+
+def _rank(name: str) -> tuple[object, ...]:
+    figure = re.fullmatch(r"(figure|table)-(\d+)\.(\d+)", name)
+    if figure is None:
+        return name != "fixed-rod", 0, "", 0, name
+    return True, int(figure[2]), figure[1], int(figure[3]), name
 
 
 def load(name_or_path: str | Path) -> Scene:
@@ -270,7 +282,8 @@ def load(name_or_path: str | Path) -> Scene:
         except (OSError, ValueError):  # no name a file could have
             found = False
         if not found:
-            allowed = "a scene file, or one of " + ", ".join(scene_names())
+            plain = [name for name in scene_names() if "." not in name]
+            allowed = f"a scene file, or one of {', '.join(plain)}, or a figure or table such as figure-4.13"
             raise SceneError("scene", str(name_or_path), allowed)
     return Scene.from_table(read_toml(path))
 

@@ -13,6 +13,7 @@ const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
 const SHORT = { waves: 'waves', modal: 'modes', 'fe-nodal': 'elements', 'fe-modal': 'FE modes', 'quasi-static': 'static', 'mode-switch': 'switched', balance: 'balances', rigid: 'rigid' };
 const short = (name) => SHORT[name] ?? naming(name);
+const told = ({ title, source, note }) => [`${title}. Source: ${source}.`, note].filter(Boolean).join(' ');
 const kilo = (value) => (value === null ? '–' : pretty(value / 1e3));
 
 // The events of a blow as [time in T, sentence].
@@ -116,7 +117,7 @@ export class Story {
     this.list.replaceChildren();
     this.figures.replaceChildren(make('tbody', {}, ...frame.figures.map(([name, value, unit]) => make('tr', {},
       make('td', { textContent: name }), make('td', { textContent: Array.isArray(value) ? vector(value) : value === null ? '–' : pretty(value) }), make('td', { textContent: unit })))));
-    this.trust.textContent = `${frame.title}. Source: ${frame.source}. ${frame.notes.join(' ')}`;
+    this.trust.textContent = `${told(frame)} ${frame.notes.join(' ')}`;
   }
   contacts() {
     const { frame } = this, rows = [];
@@ -179,7 +180,7 @@ export class Story {
     const words = [`Energy unaccounted for: ${short(exact.name)} ${most(diagnostics.energy_error)}${other ? `, ${short(other.name)} ${most(other.diagnostics.energy_error)}` : ''} of the whole.`];
     const { resolved_time: finest, raw_contacts: touches } = other?.diagnostics ?? {};
     if (finest) words.push(`The modes tell nothing shorter than ${pretty(finest * 1e6)} µs apart; their raw force made contact ${count(touches, 'time')}.`);
-    this.trust.textContent = `${words.join(' ')} ${this.frame.title}. Source: ${this.frame.source}. ${notes}`;
+    this.trust.textContent = `${words.join(' ')} ${told(this.frame)} ${notes}`;
   }
   // Mark the latest event at the instant t.
   at(t) {
