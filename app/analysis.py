@@ -20,7 +20,7 @@ SHARES = {  # name in the solution: what the reader calls it, and its colour
 def energy_shares(chosen: dict[str, Any]) -> dict[str, np.ndarray]:
     """Energy of every part against time [T], as a share of the impactor's before the blow."""
     scene = chosen_scene(chosen)
-    solution = exact_solution(scene)
+    solution = exact_solution(scene, chosen["restitution"])
     time = np.linspace(0.0, solution.duration, INSTANTS)
     energies = solution.motion.energies(time)
     shares = {SHARES[name][0]: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}

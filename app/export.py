@@ -57,7 +57,7 @@ def report(solution: Solution) -> str:
     lines += [
         "",
         f"  energy residual {found['energy_error']:+.1e}   momentum residual {found['momentum_error']:+.1e}"
-        f"   estimated error of the velocity {found['estimated_error']:.1e} of the impact speed",
+        f"   estimated error of the velocity {_estimate(found['estimated_error'])}",
         f"  {found['steps']} steps, {found['wall_time'] * 1e3:.3g} ms",
         *(f"  Note: {note}" for note in solution.notes),
     ]
@@ -152,9 +152,14 @@ def _periods(contacts: list[ContactPeriod], trip: float) -> list[str]:
     ]
 
 
+def _estimate(error: float | None) -> str:
+    return "unknown" if error is None else f"{error:.1e} of the impact speed"
+
+
 def _method_line(solution: Solution) -> str:
     options = {key: value for key, value in solution.method.items() if key != "name" and value is not None}
-    return solution.method["name"] + "".join(f", {key} {value:g}" for key, value in options.items())
+    shown = {key: f"{value:g}" if type(value) in (int, float) else value for key, value in options.items()}
+    return solution.method["name"] + "".join(f", {key} {value}" for key, value in shown.items())
 
 
 def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:

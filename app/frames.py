@@ -6,23 +6,24 @@ then float32 arrays in the order and length that the header states.
 """
 
 import json
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from solvers import METHODS, ContactPeriod, Modal, RigidImpulse, Scene, SceneError, Solution, Waves
+from solvers import METHODS, Balance, ContactPeriod, Modal, RigidImpulse, Scene, SceneError, Solution, Waves
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal import STEPS_PER_PERIOD, ModalMotion
 from solvers.restitution import common_velocity
 
-from .state import acting_choices, chosen_scene
+from .state import acting_choices, chosen_scene, own_options, resolutions
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
-FORCE_POINTS = 1_500  # of a contact force
+FORCE_POINTS = 1_200  # of a contact force
 MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and modes
+LEAST_SWITCHED = 2  # modes that can change with the contact
 LARGEST_MASS = 1e12  # [kg] told of what has none or is infinite
 CYCLE_POINTS, BLOW_POINTS = 60, 300  # of the contact law's cycle, and of the blow in it
 
@@ -34,13 +35,16 @@ def solve_frame(chosen: dict[str, Any]) -> bytes:
         from .bodies_frame import bodies_frame
 
         return bodies_frame(RigidImpulse(restitution=chosen["restitution"]).solve(scene), chosen)
-    exact = exact_solution(scene)
+    exact = exact_solution(scene, chosen["restitution"])
     return pack(chosen, scene, exact, beside(scene, chosen, exact))
 
 
-def exact_solution(scene: Scene) -> Solution:
-    """The solution that the others are measured by: waves; for bodies without waves one integrated to rounding."""
-    for method in (Waves(), Modal(modes=1), RigidImpulse()):
+def exact_solution(scene: Scene, restitution: float) -> Solution:
+    """The solution that the others are measured by: waves; for bodies without waves one integrated to rounding.
+
+    Where nothing gives way at the contact of bodies without waves, the restitution stands for it.
+    """
+    for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
             return method.solve(scene, scene.method.get("duration"))
     raise SceneError("method.name", None, "a scene that some method can solve")
@@ -61,17 +65,16 @@ def beside(scene: Scene, chosen: dict[str, Any], exact: Solution) -> Solution | 
 
 def method_options(name: str, scene: Scene, chosen: dict[str, Any], exact: Solution) -> dict[str, Any]:
     """Those of a method's options that the page sets."""
+    own = own_options(scene, name)
     if name == "modal":
-        period = scene.target.modes(chosen["modes"]).shortest_period
-        if period == 0.0 or scene.target.kind != "rod":
-            return {"modes": chosen["modes"]}
-        steps = int(min(max(STEPS_PER_PERIOD * exact.duration / period, 1_000), MAX_FORCE_STEPS))
-        return {"modes": chosen["modes"], "steps": steps}
-    options: dict[str, Any] = {}
-    known = {option.name for option in fields(METHODS[name])}
-    for option in ("modes", "elements"):
-        if option in known:
-            options[option] = chosen[option]
+        options = own | {"modes": chosen["modes"]}
+        if scene.target.kind == "rod" and "steps" not in own:
+            period = scene.target.modes(chosen["modes"]).shortest_period
+            options["steps"] = int(min(max(STEPS_PER_PERIOD * exact.duration / period, 1_000), MAX_FORCE_STEPS))
+        return options
+    options = own | {option: chosen[option] for option in resolutions(scene, name)}
+    if name == "mode-switch":
+        options["modes"] = max(options["modes"], LEAST_SWITCHED)
     if name in ("balance", "rigid"):
         options["restitution"] = chosen["restitution"]
     return options
@@ -135,7 +138,9 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
 def _carried_by_the_browser(solution: Solution) -> bool:
     """Whether the browser rebuilds the fields from the modes of one rod and the forces on them."""
     scene = solution.scene
-    return isinstance(solution.motion, ModalMotion) and scene.impactor.kind != "rod" and scene.target.kind == "rod"
+    if not isinstance(solution.motion, ModalMotion) or scene.impactor.kind == "rod" or scene.target.kind != "rod":
+        return False
+    return solution.method["frame"] == "mean-axis" and solution.method["residual"]
 
 
 def _target(scene: Scene) -> dict[str, Any]:
@@ -288,8 +293,8 @@ def _figures(solution: Solution) -> dict[str, Any]:
 
 def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:
     """Whether the force was taken away at once by an arriving wave, rather than fading to zero."""
-    if contact.end < solution.scene.time_unit * (1.0 - 1e-9):
-        return False  # no wave has come back yet
+    if contact.peak_force is None or contact.end < solution.scene.time_unit * (1.0 - 1e-9):
+        return False  # one impulse, or no wave has come back yet
     shortly_before = contact.end - 0.02 * solution.scene.time_unit
     if shortly_before <= contact.start:
         return False

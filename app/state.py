@@ -9,6 +9,7 @@ import param
 
 import solvers
 from solvers import LAWS, METHODS, Scene, SceneError
+from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
 from .space import has_length, struck_at, struck_place
@@ -138,8 +139,21 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     if base.impactor.kind in ("mass", "sphere") and np.isfinite(base.mass_ratio):
         names.append("mass_ratio")
     shown = "modal" if chosen["method"] == "waves" else chosen["method"]
-    options = {option.name for option in fields(METHODS[shown])}
-    return names + [name for name in ("modes", "elements") if name in options]
+    return names + resolutions(base, shown)
+
+
+def own_options(scene: Scene, method: str) -> dict[str, Any]:
+    """What the scene itself says on how this method is to solve it."""
+    if scene.method.get("name") != method:
+        return {}
+    return {option: value for option, value in scene.method.items() if option not in ("name", "duration")}
+
+
+def resolutions(scene: Scene, method: str) -> list[str]:
+    """Which of modes and elements the method takes; where the scene gives any of them, those only."""
+    known, own = {option.name for option in fields(METHODS[method])}, own_options(scene, method)
+    found = [name for name in ("modes", "elements") if name in known]
+    return [name for name in found if name in own] or found
 
 
 def _rounded(value: float) -> float:
@@ -157,7 +171,7 @@ def contact_table(chosen: dict[str, Any]) -> dict[str, Any]:
         name = STIFFNESS.get(law, "hertz_stiffness")
         table["stiffness"] = chosen[name]
         if name == "force_at_depth":
-            table["stiffness"] /= DEPTH ** chosen["exponent"]
+            table["stiffness"] = min(table["stiffness"] / DEPTH ** chosen["exponent"], STIFFNESS_RANGE[1])
     if "restitution" in keys:
         table["restitution"] = max(chosen["restitution"], LEAST_RESTITUTION)
     return table
@@ -179,7 +193,10 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         return struck_at(scene, chosen["place"]) if has_length(base) else scene
     if base.impactor.kind == "pulse":
         return base
-    changes: dict[str, Any] = {"impactor.velocity": chosen["speed"] + base.target.velocity}
+    changes: dict[str, Any] = {"impactor.velocity": chosen["speed"]}
+    if base.target.velocity:
+        faster = chosen["speed"] / base.speed
+        changes = {f"{name}.velocity": faster * getattr(base, name).velocity for name in ("impactor", "target")}
     if "mass_ratio" in acting_choices(chosen):
         changes["impactor.mass"] = base.target.mass / chosen["mass_ratio"]
     own = Choices.of_scene(chosen["scene"])

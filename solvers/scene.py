@@ -257,7 +257,7 @@ SCENES = Path(__file__).parent / "scenes"
 
 
 def scene_names() -> list[str]:
-    """Names of the scenes that come with the library: the one to start with, others, the thesis's figures and tables."""
+    """Names of the scenes that come with the library: the first to start with, the thesis's figures and tables last."""
     return sorted((path.stem for path in SCENES.glob("*.toml")), key=_rank)
 
 

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solvers
+from app.export import report
 from app.frames import ghost, read_header, solve_frame
 from app.state import Choices, chosen_scene
 
@@ -80,3 +81,17 @@ def test_the_ghost_is_the_classical_answer():
     after = ghost(free, 0.6)
     assert after["target"] - after["impactor"] == pytest.approx(0.6)
     assert after["impactor"] + free.mass_ratio * after["target"] == pytest.approx(1.0)  # momentum, (9.1)
+
+
+@pytest.mark.parametrize("name", solvers.scene_names())
+def test_every_scene_is_drawn_and_reported_as_it_says(name):
+    scene = solvers.load(name)
+    solution = solvers.solve(scene)
+    assert scene.note[:40] in report(solution)
+    frame = read_header(solve_frame(Choices(scene=name, **Choices.of_scene(name)).chosen()))
+    assert frame["note"] == scene.note
+    if frame["kind"] == "axial":
+        columns = [column for column in (frame["exact"], frame["other"]) if column]
+        shown = next((c for c in columns if c["name"] == solution.method["name"]), columns[0])
+        # the page gives modes a step of its own
+        assert shown["final"] == pytest.approx(solution.impactor_velocity / scene.speed, abs=1e-4)
