@@ -192,7 +192,7 @@ def test_scenes(capsys):
     scenes = [line for line in lines if line.startswith("  ")]
     assert lines[0] in headings and scenes[0].split()[0] == "fixed-rod"
     assert sorted(line.split()[0] for line in scenes) == sorted(solvers.scene_names())
-    assert all("[thesis" in line or "[note" in line for line in scenes)
+    assert all(line.endswith(f"[{solvers.load(line.split()[0]).source}]") and "[]" not in line for line in scenes)
     chapters = [int(line.rsplit(" ", 1)[1]) for line in headings if line.startswith("Thesis, chapter")]
     assert chapters == [3, 4, 5, 6, 7, 8, 9, 10]
 
