@@ -111,7 +111,10 @@ def test_a_method_that_cannot_solve_the_scene_says_so(capsys):
 def test_it_can_be_interrupted():
     words = ["sweep", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--vary", "impactor.mass=1..2:2000"]  # fmt: skip
-    ready = "import sys; from app.command import main; print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    ready = (
+        "import sys, solvers; from app.command import main; solvers.solve(solvers.load('fixed-rod'), 'modal'); "
+        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    )  # kernels first: while one is compiled an interrupt may be lost
     process = subprocess.Popen(
         [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
