@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -63,7 +63,7 @@ class Scene:
             impactor,
             target,
             _read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target, normal is not None),
-            _read_joint_laws(target),
+            _read_joint_laws(impactor, target),
             checks.text("title", given.get("title", "")),
             checks.text("source", given.get("source", "")),
             dict(method),
@@ -224,10 +224,12 @@ def _read_law(key: str, given: object, impactor: Any, target: Any, spatial: bool
     return law.read(given, impactor, target)
 
 
-def _read_joint_laws(target: Any) -> tuple[Any, ...]:
+def _read_joint_laws(impactor: Any, target: Any) -> tuple[Any, ...]:
+    """Of a chain; where a law's constants depend on the speed of approach, that of the blow stands for the joint's."""
     if not isinstance(target, Rods):
         return ()
-    pairs = zip(target.joints, target.rods[:-1], target.rods[1:], strict=True)
+    coming = [replace(rod, velocity=impactor.velocity) for rod in target.rods]
+    pairs = zip(target.joints, coming[:-1], target.rods[1:], strict=True)
     return tuple(
         None if joint.bonded else _read_law(f"target.rods[{number}].contact", joint.contact or {}, front, behind)
         for number, (joint, front, behind) in enumerate(pairs, 2)

@@ -83,10 +83,13 @@ class ChainHistory:
         self.reach = float(self.state.time.min())
         self.steps = int(self.record.count.sum())
         self.contacts = self.periods(self.contact)
+        self.failed = status == wave_network.FAILED
         self.cut = status in (wave_network.FULL, wave_network.FAILED) or (status == wave_network.STOPPED and not asked)
         self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
 
     def notes(self) -> list[str]:
+        if self.failed:
+            return ["The equations of a contact could not be solved beyond this time: try another tolerance."]
         return end_notes(True, self.touching, True, self.cut)
 
     def _laws(self) -> list[Any]:
@@ -158,15 +161,20 @@ class ChainHistory:
         return np.array([pulse.times, pulse.forces]) / np.array([[self.trip], [self.force_unit]])
 
     def _masses(self) -> np.ndarray:
-        """Of the impactor, and of what it strikes up to the first joint that can open."""
+        """Of the part to the right of every joint that can open, the contact being one; of the impactor at last."""
         unit = self.force_unit * self.trip / self.speed
-        struck, held = 0.0, self.scene.target.held
-        for number, rod in enumerate(self.scene.target.rods):
-            if number and not self.scene.target.joints[number - 1].bonded:
-                held = False
-                break
-            struck += rod.mass
-        return np.array([self.scene.impactor.mass, math.inf if held else struck]) / unit
+        masses = np.full(len(self.laws) + 1, math.inf)
+        target, part = self.scene.target, self.contact
+        masses[part] = 0.0
+        for number, rod in enumerate(target.rods):
+            if number and not target.joints[number - 1].bonded:
+                part = self.contact + number
+                masses[part] = 0.0
+            masses[part] += rod.mass / unit
+        if target.held:
+            masses[part] = math.inf
+        masses[-1] = self.scene.impactor.mass / unit
+        return masses
 
     def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
         """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
@@ -258,7 +266,7 @@ class ChainMotion:
 
     def _face(self, rod: int, at_left: bool, t: np.ndarray, after: bool = True) -> tuple[np.ndarray, np.ndarray]:
         """Displacement [v T] and velocity [v] of an end of a rod."""
-        chain, lag = self.history.chain, self.history.chain.transit[rod]
+        chain, lag, t = self.history.chain, self.history.chain.transit[rod], self._before_the_end(t)
         f, g = (t, t - lag) if at_left else (t - lag, t)
         z, drift = chain.impedance[rod], chain.drift[rod]
         place = drift * t + (self.sent_total(rod, True, f) - self.sent_total(rod, False, g)) / z
@@ -266,6 +274,10 @@ class ChainMotion:
 
     def _t(self, time):
         return np.minimum(np.asarray(time, float) / self.history.trip, self.history.reach)
+
+    def _before_the_end(self, t: np.ndarray) -> np.ndarray:
+        """Times at which values after a jump are known."""
+        return np.minimum(t, self.history.reach * (1.0 - 1e-13))
 
     def force(self, time, after=True):
         t = np.asarray(time, float) / self.history.trip
@@ -323,8 +335,13 @@ class ChainMotion:
         t, target = self._t(time), self.scene.target
         momentum = sum(self._momentum(rod, t) for rod in range(self.history.contact, len(self.history.rods)))
         if target.rods[-1].end_mass:
-            momentum = momentum + target.rods[-1].end_mass * self._face(len(self.history.rods) - 1, False, t)[1]
+            momentum = momentum + target.rods[-1].end_mass * self._end_mass_velocity(t)
         return self.history.speed * momentum / target.mass
+
+    def _end_mass_velocity(self, t: np.ndarray) -> np.ndarray:
+        """Of the mass on the far end [v]; unlike that of the face it is told by no jump."""
+        last = len(self.history.rods)
+        return np.where(t > 0.0, self.history.sampled(last, SPEED, t), self.history.chain.mass_drift[last])
 
     def _momentum(self, rod: int, t: np.ndarray) -> np.ndarray:
         """Of a rod [kg] times v, without what is fixed to its end."""
@@ -357,7 +374,7 @@ class ChainMotion:
         target = unit * sum(self._energy(rod, t) for rod in range(history.contact, len(history.rods)))
         last, end = len(history.rods) - 1, scene.target.rods[-1]
         if end.end_mass:
-            target = target + 0.5 * end.end_mass * (history.speed * self._face(last, False, t)[1]) ** 2
+            target = target + 0.5 * end.end_mass * (history.speed * self._end_mass_velocity(t)) ** 2
         if end.support == "anechoic":
             gone = [
                 wave_network.square_integral(
@@ -398,7 +415,7 @@ class ChainMotion:
         for rod in range(self.history.contact, len(rods)):
             momentum, mass = momentum + self._momentum(rod, t), mass + rods[rod].mass
             if rods[rod].end_mass:
-                momentum = momentum + rods[rod].end_mass * self._face(rod, False, t)[1]
+                momentum = momentum + rods[rod].end_mass * self._end_mass_velocity(t)
             joint = rod - self.history.contact
             last = rod == len(rods) - 1
             if last or not target.joints[joint].bonded:
@@ -437,7 +454,7 @@ class ChainMotion:
 
     def _field(self, time, x, of_rod):
         """`of_rod(rod, t, place)` on every rod, place [T] a wave's time from its left end; x < 0 in the impactor."""
-        t, x = self._t(time)[:, None], np.asarray(x, float)
+        t, x = self._before_the_end(self._t(time))[:, None], np.asarray(x, float)
         found = np.empty((t.size, x.size))
         rods = np.clip(np.searchsorted(self.edges, x, "right") - 1, 0, len(self.history.rods) - 1)
         rods = np.where((x == 0.0), self.history.contact, rods)

@@ -17,6 +17,7 @@ from .wave_histories import History, RigidHistory, SteppedHistory
 
 FORCE_SAMPLES = 200  # per round trip, in `force_history`
 RIGID_TOLERANCE = 1e-12  # where no law is at work: as good as exact, and cheap
+FEW_RODS = 3  # in longer chains the echoes of echoes multiply, and only the tolerance ends them
 
 
 @dataclass(frozen=True)
@@ -102,6 +103,7 @@ class Waves(Method):
         """Several rods, or a contact law, or a rod that strikes: see `numerics.wave_network`."""
         laws = (scene.contact, *scene.joint_laws)
         rigid = all(law is None or isinstance(law, Rigid) for law in laws)
+        rigid = rigid and len(scene.target.rods) <= FEW_RODS
         tolerance = min(self.tolerance, RIGID_TOLERANCE) if rigid else self.tolerance
         history = ChainHistory(scene, until, tolerance if rigid else 0.1 * tolerance)  # errors of some steps add up
         trip = history.trip

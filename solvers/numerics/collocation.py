@@ -35,6 +35,19 @@ _STAGE_WEIGHTS = _barycentric_weights(STAGE_NODES)
 BACK_TO_START = (_STAGE_WEIGHTS / -STAGE_NODES) / (_STAGE_WEIGHTS / -STAGE_NODES).sum()
 
 
+def _slope_weights(nodes: np.ndarray, weights: np.ndarray, k: int) -> np.ndarray:
+    """What multiplies the values at `nodes` in the derivative of their polynomial at the k-th of them."""
+    others = np.arange(nodes.size) != k
+    slope = np.zeros(nodes.size)
+    slope[others] = (weights[others] / weights[k]) / (nodes[k] - nodes[others])
+    slope[k] = -slope.sum()
+    return slope
+
+
+SLOPE_AT_START = _slope_weights(NODES, _WEIGHTS, 0)
+SLOPE_AT_END = _slope_weights(NODES, _WEIGHTS, STAGES)
+
+
 @kernel
 def interpolate(values, place):
     """The polynomial through `values` (at NODES) at `place`, in [0, 1]."""

@@ -22,6 +22,8 @@ from .collocation import (
     INTEGRATE,
     INTEGRATE_TWICE,
     NODES,
+    SLOPE_AT_END,
+    SLOPE_AT_START,
     STAGE_NODES,
     STAGES,
     interpolate,
@@ -38,6 +40,7 @@ QUANTITIES = 10
 POINTS = STAGES + 1
 LONG_STEP, SHORT_STEP = 1e-2, 1e-7
 LOOKS = 24  # into each stretch, for events
+LOOK_AHEAD = 5  # stretches of a neighbour that one step may cover
 NO_PULL = 1e-12  # force that rigid faces may pull with before they part; depth they may press in before they touch
 
 
@@ -406,24 +409,42 @@ def _keep(chain, state, record, node, step, work, lost_so_far, stored_change, co
 
 
 @kernel
-def _tells(record, state, node, tolerance):
-    """Whether what the node sends changes by more than rounding just before or after the start of its last stretch.
-
-    Only then need others know of that instant: a step of theirs across it could miss a short pulse altogether.
-    """
+def _jumped(record, state, node, tolerance):
+    """Whether the last stretch begins with a jump or a bend in what the node sends, as far as `tolerance` can tell."""
     n, peak = record.count[node] - 1, 0.0
     for other in range(state.largest.size):
         peak = max(peak, state.largest[other])
-    least = max(0.01 * tolerance, 1e-12) * peak
+    least = max(0.01 * tolerance, 1e-14) * peak
+    width = record.start[node, n + 1] - record.start[node, n]
+    before_width = record.start[node, n] - record.start[node, n - 1] if n > 0 else width
     for quantity in (OUT_LEFT, OUT_RIGHT):
-        now = record.values[node, n, quantity]
-        before = record.values[node, n - 1, quantity, STAGES] if n > 0 else 0.0
+        now, bend = record.values[node, n, quantity], 0.0
+        jump = now[0]
         for i in range(POINTS):
-            if abs(now[i] - before) > least:
-                return True
-            if n > 0 and abs(record.values[node, n - 1, quantity, i] - before) > least:
-                return True
+            bend += SLOPE_AT_START[i] * now[i] / width
+        if n > 0:
+            before = record.values[node, n - 1, quantity]
+            jump -= before[STAGES]
+            for i in range(POINTS):
+                bend -= SLOPE_AT_END[i] * before[i] / before_width
+        if abs(jump) > least or abs(bend) * min(width, before_width) > 10.0 * tolerance * peak:
+            return True
     return False
+
+
+@kernel
+def _seen(record, sender, delay, t, seek):
+    """How far a step from t may go so as to look at no more than LOOK_AHEAD of the sender's stretches.
+
+    Whatever the sender resolved, a short pulse say, its neighbour then cannot step across.
+    """
+    count, start, back = record.count[sender], record.start[sender], t - delay
+    if count <= LOOK_AHEAD:
+        return np.inf
+    while seek < count - 1 and start[seek + 1] <= back + _tiny(t):
+        seek += 1
+    last = seek + LOOK_AHEAD
+    return start[last] - back if last < count else np.inf
 
 
 @kernel
@@ -514,6 +535,9 @@ def _face_events(state, node, dent, pull, step, located, work):
 @kernel
 def _law_events(state, node, remembers, loses, dent, corner, span, step, located, attempt, work):
     """The same where the faces press on each other through a law; `located` is the event that is being closed in on."""
+    if remembers and state.loading[node] and work.rate[0] < 0.0:  # an arriving front has turned it already
+        state.loading[node] = False
+        return RETRIES, step, 0
     end = work.depth[STAGES]
     parts = end < dent or located == PARTS
     if parts or (remembers and (end > corner or located == BENDS)):
@@ -553,11 +577,10 @@ def _advance(chain, state, record, node, law, remembers, loses, pulse, span, tol
     rods, masses = _mobility(chain, node)
     with_law, deepest = chain.kind[node] == LAW, state.deepest[node]
     dent = law.dent(deepest) if with_law else 0.0
-    corner = np.inf
-    if with_law and remembers:
-        corner = law.corner(state.depth[node], deepest)
-        if not state.loading[node] and state.depth[node] >= deepest:  # just turned: should it come back, it loads on
-            corner = deepest * (1.0 + 1e-12)
+    if node > 0:
+        span = min(span, _seen(record, node - 1, chain.transit[node - 1], state.time[node], state.seek_left[node]))
+    if node < chain.kind.size - 1:
+        span = min(span, _seen(record, node + 1, chain.transit[node], state.time[node], state.seek_right[node]))
     n, step = record.count[node], min(state.step[node], span)
     guess = record.values[node, n - 1, FORCE, STAGES] if n > 0 else 0.0
     if step > 0.5 * span:
@@ -580,6 +603,11 @@ def _advance(chain, state, record, node, law, remembers, loses, pulse, span, tol
             step, located = step * max(0.1, 0.8 * error ** (-1.0 / STAGES)), 0
             continue
         if pressing:
+            corner = np.inf
+            if remembers:
+                corner = law.corner(state.depth[node], deepest)
+                if not state.loading[node] and state.depth[node] >= deepest:  # should it come back, it loads on
+                    corner = deepest * (1.0 + 1e-12)
             ends, step, located = _law_events(
                 state, node, remembers, loses, dent, corner, span, step, located, attempt, work
             )
@@ -658,7 +686,7 @@ def _announce(chain, state, record, node, t, limit, changed, tolerance):
         state.time[node] = limit
         record.start[node, record.count[node]] = limit
     good = True
-    if changed and _tells(record, state, node, tolerance):
+    if changed and _jumped(record, state, node, tolerance):
         if node > 0:
             good = add_break(state, node - 1, t + chain.transit[node - 1])
         if good and node < chain.kind.size - 1:
@@ -667,20 +695,35 @@ def _announce(chain, state, record, node, t, limit, changed, tolerance):
 
 
 @kernel
+def _pushed(record, node):
+    """Impulse that has gone through a node so far."""
+    count = record.count[node]
+    return record.values[node, count - 1, IMPULSE, STAGES] if count > 0 else 0.0
+
+
+@kernel
 def _parted(chain, state, record, masses, parting, wait):
-    """Whether the impactor has been apart for a while and goes away from what it struck."""
+    """Whether the impactor has been apart for a while, and no part of the chain can catch up with the one before it.
+
+    Parts lie between joints that can open; `masses` (nodes,): of the part to the right of such a joint, infinite if it
+    is held, and of the impactor at last.
+    """
     node = chain.contact
     if state.time[node] < parting + wait:
         return False
-    group_end, passed = chain.kind.size - 1, 0.0
-    for other in range(chain.kind.size - 1, node, -1):
-        if chain.kind[other] == RIGID_FACES or chain.kind[other] == LAW:
-            group_end = other
-    if record.count[group_end] > 0:
-        passed = record.values[group_end, record.count[group_end] - 1, IMPULSE, STAGES]
-    pushed = record.values[node, record.count[node] - 1, IMPULSE, STAGES]
-    drift = chain.drift[node] + (pushed - passed) / masses[1]
-    return drift > (chain.drift[node - 1] if node > 0 else chain.mass_drift[node]) - pushed / masses[0]
+    through = _pushed(record, node)
+    slower = (chain.drift[node - 1] if node > 0 else chain.mass_drift[node]) - through / masses[-1]
+    while node < chain.kind.size - 1:
+        following = node + 1
+        while following < chain.kind.size - 1 and chain.kind[following] == BONDED:
+            following += 1
+        opens = chain.kind[following] == RIGID_FACES or chain.kind[following] == LAW
+        passed = _pushed(record, following) if opens else 0.0
+        moving = chain.drift[node] + (through - passed) / masses[node]
+        if moving < slower - NO_PULL:
+            return False
+        slower, through, node = moving, passed, following
+    return True
 
 
 @kernel
@@ -699,9 +742,9 @@ def solve(chain, contact_law, joint_laws, remembers, loses, pulse, masses, wait,
     """Follow every node to `until`, or until the impactor has parted from the target for good.
 
     joint_laws: a tuple, one for each node. remembers, loses (2,): whether the contact's law and those of the joints
-    have memory, and damping. pulse (2, points): times and values of the force on a PRESSED node. masses (2,): of the
-    impactor, and of what it strikes up to the first joint that can open, infinite if that is held. wait: how long after
-    parting no touch may come. Returns status, record, state.
+    have memory, and damping. pulse (2, points): times and values of the force on a PRESSED node. masses (nodes + 1,):
+    of the parts of the chain, see `_parted`. wait: how long after parting no touch may come. Returns status, record,
+    state.
     """
     record, state, work = _begin(chain, pulse, capacity)
     changed = np.ones(chain.kind.size, np.bool_)  # whether the next stretch may begin with a jump
