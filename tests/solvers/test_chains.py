@@ -65,7 +65,8 @@ def test_a_rod_cut_in_three_and_bonded_is_the_rod(law, support):
     parts = chain(rod(0.2), rod(0.3), rod(0.5), support=support)
     cut = solvers.solve(struck({"mass": 4.0, "velocity": 1.0}, parts, contact))
     assert cut.impactor_velocity == approx(whole.impactor_velocity, abs=1e-8)
-    assert [c.end for c in cut.contacts] == approx([c.end for c in whole.contacts], rel=1e-8)
+    # where a damped force fades out its end is known less well than the velocity
+    assert [c.end for c in cut.contacts] == approx([c.end for c in whole.contacts], rel=1e-6)
 
 
 def test_a_rod_without_end_is_a_dashpot():
