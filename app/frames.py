@@ -242,6 +242,8 @@ def _cycle(exact: Solution) -> dict[str, np.ndarray]:
     if deepest is None or deepest <= 0.0:
         return {}
     time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), BLOW_POINTS)
+    if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: tell it in the middle
+        time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
     depth = exact.motion.impactor_position(time) - exact.motion.end_position(time)
     force = exact.motion.force(time)
     force[depth <= law.dent(0.0)] = 0.0

@@ -14,7 +14,7 @@ function between(time, value, t) {
   const part = time[high] > time[low] ? Math.min(Math.max((t - time[low]) / (time[high] - time[low]), 0), 1) : 1;
   return value[low] + part * (value[high] - value[low]);
 }
-const figures = (value) => (value === 0 ? '0' : Number(value.toPrecision(3)).toLocaleString('en', { maximumSignificantDigits: 3, useGrouping: false }).replace('-', '−'));
+const figures = (value) => (Math.abs(value) < 1e-9 ? '0' : Number(value.toPrecision(3)).toLocaleString('en', { maximumSignificantDigits: 3, useGrouping: false }).replace('-', '−'));
 
 function shadeContacts(c, chart, frame) {
   c.fillStyle = COLORS.contact;

@@ -101,8 +101,13 @@ export class WaveField {
       const doubled = mirror > 0 === (what === 'stress') ? 2 : 1; // at a wall the stress doubles, at a free end the velocity
       if (mirror) most = Math.max(most, doubled * f.strongest / (what === 'stress' ? area : impedance));
     }
+    const seen = [];
     for (let c = 0; c < columns && profile.length; c++) {
-      for (const v of this.profile((c + 0.5) / columns * this.frame.duration, what, profile)) most = Math.max(most, Math.abs(v));
+      for (const v of this.profile((c + 0.5) / columns * this.frame.duration, what, profile)) if (v !== 0) seen.push(Math.abs(v));
+    }
+    if (seen.length) { // a thin specimen must not take all the colour: few values are beyond the scale
+      seen.sort((a, b) => a - b);
+      return Math.max(seen[Math.floor(0.985 * (seen.length - 1))], 0.15 * seen.at(-1), 1e-12);
     }
     if (what === 'stress') for (const v of this.frame.exactForce) most = Math.max(most, v);
     return most;
