@@ -133,7 +133,11 @@ class Balance(Method):
         return notes
 
     def _estimated_error(self, scene: Scene, run: "Run") -> float | None:
-        """Of the final velocity, relative to the impact speed: against half the elements or modes."""
+        """Of the final velocity, relative to the impact speed: against half the elements or modes; None where a contact
+        law is left out.
+        """
+        if scene.contact.NAME != "rigid":
+            return None
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
         half = {name: max(1, given // 2) for name in ("elements", "modes") if (given := getattr(self, name))}

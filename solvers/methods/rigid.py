@@ -69,7 +69,7 @@ class RigidImpulse(Method):
             residual_indentation=None,
             restitution=self._restitution(before, found, normal),
             energy=energy,
-            diagnostics=_diagnostics(before, found, normal, energy) | {"wall_time": wall_time},
+            diagnostics=_diagnostics(before, found, normal, energy) | {"wall_time": wall_time} | _unknown(scene),
             notes=_notes(scene, before, approached),
             effective_mass=float(found.effective_mass),
             **_velocities(scene, found),
@@ -125,8 +125,19 @@ def _diagnostics(
     return errors | {"steps": 0, "estimated_error": max(map(abs, errors.values()))}
 
 
+def _unknown(scene: Scene) -> dict[str, None]:
+    """Where waves run, a rigid body cannot tell how wrong it is."""
+    return {"estimated_error": None} if _rings(scene) else {}
+
+
+def _rings(scene: Scene) -> bool:
+    return any(getattr(body, "round_trip_time", None) for body in (scene.impactor, scene.target))
+
+
 def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[str]:
     notes = [] if approached else ["The bodies move apart: no impact."]
+    if _rings(scene):
+        notes.append("Rigid bodies know no waves: how far the answer is off only 'waves' or 'modal' can tell.")
     for name, body in zip(("impactor", "target"), before, strict=True):
         beside = np.linalg.norm(np.cross(body.centre, scene.normal or ALONG)) > 0.0
         if beside and not np.any(body.inertia):
