@@ -10,6 +10,8 @@ from bokeh.server.connection import ServerConnection
 from bokeh.server.protocol_handler import ProtocolHandler
 from tornado.web import RequestHandler
 
+from .uploads import MeasuredRecord
+
 MAX_MESSAGE = 20_000  # bytes; the longest honest message has some hundreds
 MAX_EVENTS = 32  # in one message
 RATE, BURST = 120.0, 480.0  # messages a second in the long run, and at once
@@ -28,7 +30,7 @@ class Alive(RequestHandler):
 
 
 def patterns() -> list[tuple]:
-    return [(r"/liveness", Alive)]
+    return [(r"/liveness", Alive), (r"/record", MeasuredRecord)]
 
 
 def install() -> None:

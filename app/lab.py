@@ -1,6 +1,7 @@
 """The laboratory: the one component of the page. Python holds the choices and solves; the browser draws and plays."""
 
 import hashlib
+from collections.abc import Callable
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -11,7 +12,9 @@ import param
 
 from .analysis import energy_shares, energy_view
 from .frames import solve_frame
-from .runner import Runner
+from .mass_ratios import one_rod_support, ratios_for, ratios_view
+from .methods_table import methods_table
+from .runner import SLOW, Runner
 from .state import SCENES, Choices, accepts, from_address, in_space, refusal, scene_groups
 
 STATIC = Path(__file__).parent / "static"
@@ -28,6 +31,9 @@ class Lab(Choices, pn.custom.JSComponent):
     frame = param.Bytes(default=b"", doc="answer to the choices, see app.frames")
     refused = param.String(default="", doc="why the last change was not taken")
     energy_shown = param.Boolean(default=False, doc="whether the view of energy over time is open")
+    methods_shown = param.Boolean(default=False, doc="whether the table of all methods is open")
+    methods = param.String(default="", doc="that table, see app.methods_table")
+    ratios_shown = param.Boolean(default=False, doc="whether the view over all mass ratios is open")
     spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
 
     _esm = """
@@ -36,7 +42,8 @@ class Lab(Choices, pn.custom.JSComponent):
       return page.render(context);
     }
     """.replace("VERSION", VERSION)
-    _priority_changes = [*Choices.CHOSEN, "energy_shown"]  # no debounce: the browser itself waits for each answer
+    OPENED = ("energy_shown", "methods_shown", "ratios_shown")
+    _priority_changes = [*Choices.CHOSEN, *OPENED]  # no debounce: the browser itself waits for each answer
 
     def __init__(self, **choices):
         super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
@@ -44,10 +51,12 @@ class Lab(Choices, pn.custom.JSComponent):
         self._quiet = False
         self.frame = solve_frame(self.chosen())
         self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
-        self._energy: Any = None
-        self._energy_runner = Runner(energy_shares, self._show_energy, self._refuse)
+        self._views: dict[str, tuple[Any, Any]] = {}  # by name: the stream that feeds it, and its pane
+        self._energy_runner = Runner(energy_shares, partial(self._show_view, "energy", energy_view), self._refuse)
+        self._ratios_runner = Runner(ratios_for, partial(self._show_view, "ratios", ratios_view), self._refuse)
+        self._methods_runner = Runner(methods_table, self._show_methods, self._refuse, SLOW)
         self.param.watch(self._changed, list(self.CHOSEN))
-        self.param.watch(self._ask_energy, "energy_shown")
+        self.param.watch(self._ask_views, list(self.OPENED))
 
     def _changed(self, *events: param.parameterized.Event) -> None:
         if self._quiet:
@@ -69,22 +78,38 @@ class Lab(Choices, pn.custom.JSComponent):
 
     def _show(self, message: bytes) -> None:
         self.frame = message
-        self._ask_energy()
+        self._ask_views()
 
-    def _ask_energy(self, *events: param.parameterized.Event) -> None:
-        shown = self.energy_shown and not in_space(SCENES[self.scene])
-        self.below.visible = shown
-        if shown:
-            pn.state.execute(partial(self._energy_runner.want, self.chosen()))
+    def _ask_views(self, *events: param.parameterized.Event) -> None:
+        """Have every open view follow the choices, and hide the others; after an event, those that it opened."""
+        chosen, on_an_axis = self.chosen(), not in_space(SCENES[self.scene])
+        support = one_rod_support(chosen) if self.ratios_shown else None
+        drawn = "ratios" in self._views and self._views["ratios"][0].data["support"]
+        wanted = {
+            "energy": (self.energy_shown and on_an_axis, True, self._energy_runner),
+            "ratios": (support is not None, support != drawn, self._ratios_runner),  # one figure serves all ratios
+            "methods": (self.methods_shown and on_an_axis, True, self._methods_runner),
+        }
+        changed = {event.name.removesuffix("_shown") for event in events} or set(wanted)
+        for name, (shown, stale, runner) in wanted.items():
+            if name in self._views:
+                self._views[name][1].visible = shown
+            if shown and stale and name in changed:
+                pn.state.execute(partial(runner.want, chosen))
+        self.below.visible = wanted["energy"][0] or wanted["ratios"][0]
 
-    def _show_energy(self, shares: dict[str, Any]) -> None:
-        if self._energy is None:  # HoloViews is loaded by the first visitor who asks for it
-            from holoviews.streams import Pipe
+    def _show_view(self, name: str, view: Callable, data: dict[str, Any]) -> None:
+        if name in self._views:
+            self._views[name][0].send(data)
+            return
+        from holoviews.streams import Pipe  # loaded by the first visitor who asks for a view
 
-            self._energy = Pipe(data=shares)
-            self.below.append(energy_view(self._energy))
-        else:
-            self._energy.send(shares)
+        pipe = Pipe(data=data)
+        self._views[name] = pipe, view(pipe)
+        self.below.append(self._views[name][1])
+
+    def _show_methods(self, table: str) -> None:
+        self.methods = table
 
     def _refuse(self, sentence: str) -> None:
         self.refused = ""
@@ -93,7 +118,7 @@ class Lab(Choices, pn.custom.JSComponent):
     def _process_events(self, events: dict[str, Any]) -> None:
         """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
         for name, value in events.items():
-            if name == "energy_shown" and isinstance(value, bool):
+            if name in self.OPENED and isinstance(value, bool):
                 super()._process_events({name: value})
             if name not in self.CHOSEN:
                 continue

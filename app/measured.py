@@ -30,7 +30,9 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
     found = [align(records[0], solution, places[0], shift)]
     found += [align(record, solution, x, found[0].shift) for record, x in zip(records[1:], places[1:], strict=True)]
     waves = _recovered(solution, [r.shifted(found[0].shift) for r in records], places) if options.recover else None
-    notes = _notes(records[0], solution, places[0], found[0])
+    notes, other = list(solution.notes), other_sign(records[0], solution, places[0], found[0])
+    if other is not None:
+        notes.append(f"With the other sign the record lies better, with a residual of {other:.3g}: try --sign -1.")
     if options.series is not None:
         _write(options.series, _series(solution, records, places, found, waves))
     answer = _answer(solution, records, places, found, waves, notes)
@@ -79,15 +81,13 @@ def _recovered(solution: Solution, records: list[Record], places: list[float]) -
     return from_two_gauges(*records, target.rods[0], *places)
 
 
-def _notes(record: Record, solution: Solution, x: float, found: Alignment) -> list[str]:
-    notes = list(solution.notes)
+def other_sign(record: Record, solution: Solution, x: float | None, found: Alignment) -> float | None:
+    """The residual with the sign turned, where that lies much better; else None."""
     try:
         other = align(record.scaled(-1.0), solution, x).residual.relative
     except SceneError:  # with the other sign it lies nowhere
-        return notes
-    if other < 0.7 * found.residual.relative:
-        notes.append(f"With the other sign the record lies better, with a residual of {other:.3g}: try --sign -1.")
-    return notes
+        return None
+    return other if other < 0.7 * found.residual.relative else None
 
 
 def _answer(

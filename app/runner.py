@@ -8,14 +8,15 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 POOL = ThreadPoolExecutor(max_workers=max(1, min(4, (os.cpu_count() or 1))), thread_name_prefix="solve")
+SLOW = ThreadPoolExecutor(max_workers=1, thread_name_prefix="slow")  # for seconds, while sliders need the other one
 log = logging.getLogger("strikewave")
 
 
 class Runner:
-    """Runs `work(choices)` on the pool and hands the newest result to `publish`, or a sentence to `refuse`."""
+    """Runs `work(choices)` on a pool and hands the newest result to `publish`, or a sentence to `refuse`."""
 
-    def __init__(self, work: Callable, publish: Callable, refuse: Callable):
-        self._work, self._publish, self._refuse = work, publish, refuse
+    def __init__(self, work: Callable, publish: Callable, refuse: Callable, pool: ThreadPoolExecutor = POOL):
+        self._work, self._publish, self._refuse, self._pool = work, publish, refuse, pool
         self._wanted: Any = None
         self._busy = False
 
@@ -29,7 +30,7 @@ class Runner:
             while self._wanted is not None:
                 current, self._wanted = self._wanted, None
                 try:
-                    result = await asyncio.get_running_loop().run_in_executor(POOL, self._work, current)
+                    result = await asyncio.get_running_loop().run_in_executor(self._pool, self._work, current)
                 except ValueError as refusal:  # SceneError: the sentence is for the visitor
                     self._refuse(str(refusal))
                 except Exception:

@@ -24,7 +24,7 @@ TEMPLATE = """
 MODULES
 {% endblock %}
 """
-MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", "plot", "bodies")
+MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", "plot", "bodies", "analyses", "record")
 
 
 def serve(port: int, address: str, origins: list[str]) -> int:

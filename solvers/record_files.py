@@ -29,7 +29,7 @@ def load_record(path: str | Path, **how: Any) -> Record:
     try:
         if not Path(path).is_file():
             raise SceneError("record", str(path), "a file with a measured record")
-        _check_size(Path(path).stat().st_size)
+        check_size(Path(path).stat().st_size)
         content = Path(path).read_bytes()
     except (OSError, ValueError) as error:
         if isinstance(error, SceneError):
@@ -87,13 +87,14 @@ def _names(
     return columns or tuple(first), rows[1:] if named else rows
 
 
-def _check_size(size: int) -> None:
+def check_size(size: int) -> None:
+    """Raises SceneError for more bytes than are read."""
     if size > MAX_BYTES:
         raise SceneError("record", f"{size} bytes", f"at most {MAX_BYTES} bytes: cut out or thin what matters")
 
 
 def _text(content: bytes | str) -> str:
-    _check_size(len(content))
+    check_size(len(content))
     if isinstance(content, str):
         return content.lstrip("\ufeff")
     encodings = ("utf-16",) if content[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig", "cp1252")

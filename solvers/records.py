@@ -97,7 +97,10 @@ class Record:
         return Alignment(shift, scale, moved.residual(times, values))
 
     def _coarse_shift(self, times: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-        """Where the cross-correlation is highest, and the step of its grid [s]."""
+        """Where the solution explains most of the record by the best scale, and the step of the grid [s].
+
+        Not where their product is largest: of a ringing rod that is much the same some round trips later.
+        """
         from scipy.signal import correlate
 
         span = max(self.time[-1] - self.time[0], times[-1] - times[0])
@@ -107,7 +110,10 @@ class Record:
         if model.size < 2:
             raise SceneError("record", f"{self.step:.3g} s between samples", "steps shorter than the solution")
         products = correlate(model, own, method="fft")
-        best = int(np.argmax(products))
+        known = np.concatenate(([0.0], np.cumsum(model**2)))  # of it, the part that lies under the record
+        starts = np.arange(products.size) - (own.size - 1)
+        under = known[np.clip(starts + own.size, 0, model.size)] - known[np.clip(starts, 0, model.size)]
+        best = int(np.argmax(np.maximum(products, 0.0) ** 2 / np.maximum(under, 1e-9 * known[-1])))
         if products[best] <= 1e-9 * np.linalg.norm(model) * np.linalg.norm(own):
             raise SceneError(
                 "record", "the other sign than the solution everywhere", "its own sign: turn it by sign -1"

@@ -1,4 +1,5 @@
 // The page: wires choices, clock and views together. One message from the server per change; none while playing.
+import { Analyses } from './analyses.js';
 import { BodiesStage } from './bodies.js';
 import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
 import { Controls } from './controls.js';
@@ -32,6 +33,7 @@ class Page {
     this.charts = [this.spaceTime, this.force, this.displacements];
     this.cycle = new Cycle();
     this.story = new Story((t) => this.player.go(t + 2e-4), (start, end) => this.zoom(start, end));
+    this.analyses = new Analyses(this);
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
     el.append(make('link', { rel: 'stylesheet', href: new URL('lab.css', import.meta.url).href }), this.layout());
@@ -53,13 +55,13 @@ class Page {
     const bar = make('header', { className: 'top' },
       make('h1', {}, 'Strikewave'), make('p', { textContent: 'One body strikes another that can bend and ring. Waves decide how it leaves.' }),
       make('nav', {},
-        this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }),
+        this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }), ...this.analyses.buttons,
         make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() }),
         make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })));
     const view = make('main', { className: 'views' },
       this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
       this.stage.root, this.space.root, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root);
-    this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.story.root, this.toast);
+    this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.story.root, ...this.analyses.panels, this.toast);
     return this.root;
   }
   listen(model) {
@@ -115,6 +117,7 @@ class Page {
     const data = this.model.frame;
     if (!data || !data.byteLength) return;
     this.frame = decode(data);
+    this.analyses.take(this.frame);
     const { chosen, duration } = this.frame, inSpace = this.frame.kind === 'bodies';
     this.stage.root.hidden = this.head.hidden = this.energy.hidden = inSpace;
     this.space.root.hidden = !inSpace;
@@ -168,6 +171,7 @@ class Page {
     if (this.frame.kind === 'bodies') return;
     for (const chart of this.charts) if (!chart.chart.root.hidden) chart.draw(this.frame, this.view);
     this.cycle.draw(this.frame);
+    this.analyses.draw();
   }
   show(t) {
     if (!this.frame) return;
@@ -179,6 +183,7 @@ class Page {
     this.displacements.cursor(t);
     if (!this.telling) this.story.at(t);
     if (this.model.energy_shown) this.energyCursor(t);
+    this.analyses.show(t);
     this.painted = (this.painted ?? 0) + 1;
   }
   toggleEnergy() {

@@ -1,0 +1,149 @@
+"""A measured record sent to the page over HTTP: compared, or refused in a sentence."""
+
+import json
+import socket
+import time
+import urllib.error
+import urllib.request
+from urllib.parse import urlencode
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from app.uploads import AT_ONCE, MOST_POINTS
+from solvers.record_files import MAX_BYTES
+
+from . import example_record
+
+QUERY = {"scene": "bronze-rod-steel-ball", "kind": "strain", "at": "1.0"}
+GOOD = example_record.FILE.read_bytes()
+PEAK = 5582.0  # [N], of the scene itself, tests/app/test_frames.py
+
+
+def post(address, content, origin=None, **query):
+    """Status and answer."""
+    headers = {"Origin": f"http://{address}" if origin is None else origin}
+    url = f"http://{address}/record?{urlencode({k: v for k, v in (QUERY | query).items() if v is not None})}"
+    try:
+        with urllib.request.urlopen(urllib.request.Request(url, content, headers), timeout=30) as answer:
+            return answer.status, json.load(answer)
+    except urllib.error.HTTPError as refused:
+        return refused.code, json.load(refused)
+
+
+def test_the_example_is_what_its_header_says():
+    header = GOOD.decode().splitlines()[0]
+    assert "Synthetic" in header
+    rows = np.loadtxt(example_record.FILE, delimiter=",", skiprows=3)
+    made = example_record.example()
+    assert rows[:, 0] == approx(made[:, 0])
+    bit = np.diff(np.unique(made[:, 1])).min()
+    assert np.abs(rows[:, 1] - made[:, 1]).max() < 1.5 * bit  # a value on the edge may round either way
+
+
+def test_a_record_is_compared_and_tells_of_the_force(server):
+    status, answer = post(server, GOOD)
+    assert status == 200 and answer["kind"] == "strain" and answer["notes"] == []
+    assert answer["shift"] == approx(-example_record.LATE, abs=0.2e-6)
+    assert answer["scale"] == approx(1.0, abs=5e-3)
+    assert answer["residual"] < 0.02  # noise of 0.003 of the peak, in a record that is quiet for half of the time
+    for history in (answer["time"], answer["computed"]["time"], answer["recovered"]["time"]):
+        assert 100 < len(history) <= MOST_POINTS and np.all(np.diff(history) > 0.0)
+    assert max(answer["recovered"]["force"]) == approx(PEAK, rel=0.01)
+    measured = np.interp(answer["computed"]["time"], answer["time"], answer["values"])
+    told = np.array(answer["computed"]["model"])
+    assert np.linalg.norm(measured - told) < 0.03 * np.linalg.norm(told)
+
+
+def test_another_speed_shows_as_another_scale(server):
+    _, answer = post(server, GOOD, speed="4.06")
+    assert answer["scale"] == approx(2.15, abs=0.15)  # between impulse, as speed, and peak, as speed^(6/5)
+
+
+def test_a_record_of_force_is_its_own_force(server):
+    time = np.linspace(0.0, 1.1e-4, 300)
+    rows = "\n".join(f"{1e6 * t:.4f},{PEAK * np.sin(np.pi * t / 1.15e-4):.4f}" for t in time)
+    _, answer = post(server, f"time_us,force_N\n{rows}\n".encode(), kind="", at="")
+    assert answer["kind"] == "force" and answer["recovered"]["force"] == answer["values"]
+
+
+def rows(*pairs):
+    return ("time_us,microstrain\n" + "\n".join(f"{t},{v}" for t, v in pairs) + "\n").encode()
+
+
+BAD_FILES = {
+    "nothing": (b"", "no rows"),
+    "one line": (rows((0, 0)), "at least 8"),
+    "not a number": (rows(*((t, "nan" if t == 9 else t % 5) for t in range(20))), "finite"),
+    "a hole": (rows(*((t + (500 if t > 9 else 0), t % 5) for t in range(20))), "gap"),
+    "wrong unit": (GOOD.replace(b"time_us", b"time_s"), "unit"),
+    "binary": (bytes(range(256)) * 40, "text"),
+    "constant": (rows(*((t, 1) for t in range(200))), "values that change"),
+}
+
+
+@pytest.mark.parametrize("content, said", BAD_FILES.values(), ids=BAD_FILES)
+def test_bad_files_are_refused_in_a_sentence(server, content, said):
+    status, answer = post(server, content)
+    assert status == 400 and set(answer) == {"error"}
+    assert "record" in answer["error"] and "\n" not in answer["error"]
+    assert said in answer["error"], answer["error"]
+
+
+@pytest.mark.parametrize(
+    "query, said",
+    [
+        ({"speed": "1e9"}, "speed: got 1000000000.0; allowed: "),
+        ({"law": "<script>"}, "law: got 'text'"),
+        ({"scene": "nowhere"}, "scene: got 'nowhere'"),
+        ({"at": "9"}, "at: got 9.0; allowed: a number from 0 to 1.48"),
+        ({"at": ""}, "at: got nothing"),
+        ({"at": "nan"}, "at: got nan"),
+        ({"kind": "colour"}, "kind: got 'colour'"),
+        ({"sign": "2"}, "sign: got '2'"),
+        ({"scene": "note-rod"}, "scene: got 'note-rod'"),
+    ],
+    ids=str,
+)
+def test_wrong_queries_are_refused_in_a_sentence(server, query, said):
+    status, answer = post(server, GOOD, **query)
+    assert status == 400 and said in answer["error"], answer
+
+
+def test_what_is_too_large_is_not_kept(server):
+    status, answer = post(server, b"1,2\n" * 2_500_000)
+    assert status == 413 and "10000000 bytes" in answer["error"] and str(MAX_BYTES) in answer["error"]
+    assert post(server, GOOD)[0] == 200
+
+
+def test_a_body_that_does_not_tell_its_size_is_cut(server):
+    host, port = server.split(":")
+    with socket.create_connection((host, int(port)), timeout=20) as wire:
+        head = (
+            f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nTransfer-Encoding: chunked\r\n\r\n"
+        )
+        wire.sendall(head.encode())
+        for _ in range(25):
+            wire.sendall(b"186a0\r\n" + b"7" * 100_000 + b"\r\n")
+        wire.sendall(b"0\r\n\r\n")
+        assert wire.recv(100).startswith(b"HTTP/1.1 413")
+
+
+@pytest.mark.parametrize("origin", ["", "http://elsewhere.example", "null"])
+def test_other_pages_may_not_send_records(server, origin):
+    status, answer = post(server, GOOD, origin=origin)
+    assert status == 403 and "this page" in answer["error"]
+
+
+def test_only_so_many_at_once_and_who_leaves_makes_room(server):
+    host, port = server.split(":")
+    head = f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nContent-Length: 1000\r\n\r\n"
+    waiting = [socket.create_connection((host, int(port)), timeout=20) for _ in range(AT_ONCE)]
+    for wire in waiting:
+        wire.sendall(head.encode())
+    time.sleep(0.5)  # until all are accepted: whoever comes first is served first
+    assert post(server, GOOD)[0] == 429
+    for wire in waiting:
+        wire.close()
+    assert 200 in {post(server, GOOD)[0] for _ in range(10)}
