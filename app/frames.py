@@ -129,6 +129,7 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         "ghost": None if scene.impactor.kind == "pulse" else ghost(scene, chosen["restitution"]),
         "match": exact.restitution["newton"],
         "damps": scene.contact.LOSSY,
+        "nominal": scene.contact.nominal(scene.reduced_mass, scene.speed) if scene.contact.LOSSY else None,
         "yields": scene.contact.PLASTIC,
         "leastRestitution": LEAST_RESTITUTION,
     }

@@ -107,7 +107,7 @@ export class Controls {
     }
     if (frame.kind === 'bodies') { this.note.textContent = 'Speed of parting over speed of approach of the touching points, along the normal.'; return; }
     const match = frame.match === null ? '' : ` To match the last velocity: ${frame.match.toFixed(3)}.`, least = frame.leastRestitution;
-    const acts = frame.damps ? `Sets what this contact delivers between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''}`
+    const acts = frame.damps ? `Sets what this contact delivers between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''} The usual formula of this law would call it ${frame.nominal.toFixed(2)}.`
       : method === 'balance' ? 'Sets the restitution of every balance, and the ghost.'
       : `Sets the ghost: the answer of rigid-body theory, dashed grey. ${frame.yields ? 'This contact loses by yielding.' : 'This contact law itself loses nothing.'}`;
     const refused = frame.refusals[method];

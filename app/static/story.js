@@ -161,7 +161,11 @@ export class Story {
     const verdict = exact.contacts.length > 1
       ? ` would have matched the last velocity, but not the ${exact.contacts.length} contacts, nor when they happen.`
       : ' would have matched the last velocity, but not the force, nor the time it takes.';
-    this.match.replaceChildren(says, needed, verdict);
+    const { newton, newton_at_contact: faces } = exact.restitution;
+    const why = newton !== null && faces !== null && Math.abs(newton - faces) > 0.01
+      ? ` The touching faces part at ${signed(faces)} v, the bodies as wholes at ${signed(newton)} v: a face moves with the waves that pass it, the whole with the impulse it got. Only the second tells what energy is left in waves.`
+      : '';
+    this.match.replaceChildren(says, needed, verdict, why);
   }
   shares() {
     const { exact, other } = this.frame, { energy, diagnostics } = exact, parts = [];
