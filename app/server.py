@@ -30,7 +30,7 @@ MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", 
 def serve(port: int, address: str, origins: list[str]) -> int:
     """Serve until interrupted. Prints the address once the page answers at once."""
     if not kernels_compiled():
-        print("Compiling the kernels, once; this takes about half a minute.", flush=True)
+        print("Compiling the kernels, once; this takes a minute or two.", flush=True)
     try:
         server = build(port, address, origins)
     except OSError as error:

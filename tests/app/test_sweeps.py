@@ -112,14 +112,14 @@ def test_it_can_be_interrupted():
     words = ["sweep", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--vary", "impactor.mass=1..2:2000"]  # fmt: skip
     ready = (
-        "import sys, solvers; from app.command import main; solvers.solve(solvers.load('fixed-rod'), 'modal'); "
+        "import sys, solvers; from app.command import main; solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
         "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
     )  # kernels first: while one is compiled an interrupt may be lost
     process = subprocess.Popen(
         [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
     assert process.stdout.readline() == "ready\n"
-    time.sleep(1.5)  # minutes of work: it is under way
+    time.sleep(5.0)  # minutes of work: it is under way, and all kernels are loaded
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert (process.returncode, out, err) == (130, "", "impact: stopped\n")
