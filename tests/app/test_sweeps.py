@@ -112,7 +112,8 @@ def test_it_can_be_interrupted():
     words = ["sweep", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--vary", "impactor.mass=1..2:2000"]  # fmt: skip
     ready = (
-        "import sys, solvers; from app.command import main; solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
+        "import sys, solvers; from app.command import main; "
+        "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
         "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
     )  # kernels first: while one is compiled an interrupt may be lost
     process = subprocess.Popen(
