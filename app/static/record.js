@@ -173,7 +173,7 @@ export class Measurement {
     const c = chart.begin(chart.below);
     chart.axes(c);
     chart.clip(c);
-    chart.line(c, told.length, (k) => computed.time[k], (k) => told[k], COLORS.waves, 2);
+    chart.line(c, told.length, (k) => computed.time[k], (k) => told[k], COLORS.waves, 3.4); // wider, to be seen beneath the record
     chart.line(c, moved.length, (k) => answer.time[k] + later, (k) => moved[k], COLORS.record, 1.3);
     c.restore();
   }

@@ -155,3 +155,12 @@ def test_the_rod_of_a_chain_in_which_a_gauge_sits():
     ).target  # fmt: skip
     names = [rod_at(chain.rods, x).material for x in (0.1, 0.6, 1.5)]
     assert names == [chain.rods[0].material, chain.rods[1].material, chain.rods[1].material]
+
+
+def test_a_ringing_rod_is_not_taken_for_itself_a_period_later():
+    time = np.linspace(0.0, 10.0, 4001)
+    ringing = np.exp(-0.005 * time) * np.sin(2.0 * np.pi * time) ** 3
+    kept = time <= 4.0
+    found = Record(time[kept] + 0.3, ringing[kept], "force").aligned(time, ringing)
+    assert found.shift == pytest.approx(-0.3, abs=2.5e-5)  # a hundredth of a step
+    assert found.scale == pytest.approx(1.0, abs=1e-6)
