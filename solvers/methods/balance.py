@@ -11,8 +11,9 @@ from ..bodies import Rods
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..motion import SampledMotion, ShapeField
 from ..numerics import balances
-from ..numerics.balances import Bank, Events, Joined, exact_turn
+from ..numerics.balances import Bank, Events, Joined
 from ..numerics.elements import mesh_modes, two_sided
+from ..numerics.free_motion import Turn, exact_turn, newmark_turn
 from ..numerics.modes import Modes
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
@@ -166,13 +167,13 @@ class Balance(Method):
         elif self.variant == "step-end":
             step = period / LOOKS_PER_PERIOD if step is None else step
             flight = balances.newmark_frequencies(bank.frequencies, step)
-            turn = balances.newmark_turn(bank.frequencies, step)
+            turn = newmark_turn(bank.frequencies, step)
             count, reached = balances.at_step_ends(bank, turn, self.restitution, step, end, pair.patience, q, p, found)
         else:
             step = period / LOOKS_PER_PERIOD if step is None else step
             tolerance = 1e-4 * scene.speed * scene.time_unit if self.tolerance is None else self.tolerance
             turns = [exact_turn(bank.frequencies, step / 2.0**level) for level in range(HALVINGS)]
-            turns = balances.Turn(*(np.array(part) for part in zip(*turns, strict=True)))
+            turns = Turn(*(np.array(part) for part in zip(*turns, strict=True)))
             count, reached = balances.by_halving(
                 bank, turns, self.restitution, step, tolerance, end, pair.patience, q, p, found
             )

@@ -9,7 +9,7 @@ import numpy as np
 from .. import checks
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.mode_switch import MAX_PHASES, SwitchedModes
-from ..numerics.phases import LENGTH, SMOOTHINGS
+from ..numerics.rod_phases import LENGTH, SMOOTHINGS
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
 

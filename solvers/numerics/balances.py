@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import kernel, summing_kernel
+from ..jit import kernel
+from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 
 
 class Bank(NamedTuple):
@@ -55,38 +56,6 @@ def single_balance(mobility: np.ndarray, closing: np.ndarray, rates: np.ndarray,
     return -(1.0 + restitution) * float(closing @ rates) / float(closing @ response) * response
 
 
-class Turn(NamedTuple):
-    """One step of free motion, (modes,) each: q1 = stay q + go p, p1 = back q + stay p."""
-
-    stay: np.ndarray
-    go: np.ndarray
-    back: np.ndarray
-
-
-def exact_turn(frequencies: np.ndarray, step: float) -> Turn:
-    angle = frequencies * step
-    return Turn(np.cos(angle), step * np.sinc(angle / np.pi), -frequencies * np.sin(angle))
-
-
-def newmark_turn(frequencies: np.ndarray, step: float) -> Turn:
-    """Of Newmark's constant mean acceleration: the same in modes as in nodes."""
-    square = (0.5 * frequencies * step) ** 2
-    return Turn((1.0 - square) / (1.0 + square), step / (1.0 + square), -(frequencies**2) * step / (1.0 + square))
-
-
-@summing_kernel
-def _free(turn, closing, q, p):
-    """Advance one step in place; returns overlap and its rate."""
-    overlap, rate = 0.0, 0.0
-    for i in range(q.size):
-        moved = turn.stay[i] * q[i] + turn.go[i] * p[i]
-        p[i] = turn.stay[i] * p[i] + turn.back[i] * q[i]
-        q[i] = moved
-        overlap += closing[i] * moved
-        rate += closing[i] * p[i]
-    return overlap, rate
-
-
 @kernel
 def _apart(bank, p):
     """Whether both bodies as a whole move away from each other."""
@@ -127,7 +96,7 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
         if k * step - events.time[count - 1] > patience and _apart(bank, p):
             break
         k += 1
-        overlap, rate = _free(turn, bank.closing, q, p)
+        overlap, rate = step_on(turn, bank.closing, q, p)
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
             _write(events, count, k * step, impulse, lost, False, q, p)
@@ -152,7 +121,7 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
             break
         q1[:], p1[:] = q, p
         turn = Turn(turns.stay[level], turns.go[level], turns.back[level])
-        overlap, rate = _free(turn, bank.closing, q1, p1)
+        overlap, rate = step_on(turn, bank.closing, q1, p1)
         if overlap > tolerance >= before and level + 1 < levels:
             level += 1
             part *= 0.5
@@ -174,85 +143,22 @@ def _fly(bank, turn, step, q, p, q1, p1, longest):
 
     In every step the cubic through overlap and rate at both ends tells whether they met and parted again within it.
     """
-    modes = q.size
     q1[:], p1[:] = q, p
     overlap, rate = 0.0, (bank.closing * p).sum()
     steps, elapsed = 0, 0.0
     while elapsed < longest:
         before, rate_before = overlap, rate
-        overlap, rate = _free(turn, bank.closing, q1, p1)
-        high = _meets(before, rate_before, overlap, rate, step)
+        overlap, rate = step_on(turn, bank.closing, q1, p1)
+        high = rises(before, rate_before, overlap, rate, step)
         if high > 0.0 and (steps > 0 or rate_before < 0.0 or overlap > 0.0):
             low = 0.0 if steps > 0 else 1e-9 * step  # past the touch that the flight began with
-            for i in range(modes):  # back to the start of the step
-                was = turn.stay[i] * q1[i] - turn.go[i] * p1[i]
-                p1[i] = turn.stay[i] * p1[i] - turn.back[i] * q1[i]
-                q1[i] = was
-            into = _root(bank, q1, p1, low, high)
-            _turn_by(bank, into, q1, p1)
+            step_back(turn, q1, p1)
+            into = rise_in(bank, q1, p1, low, high)
+            turn_by(bank, into, q1, p1)
             return elapsed + into
         steps += 1
         elapsed += step
     return -1.0
-
-
-@kernel
-def _meets(a, a_rate, b, b_rate, step):
-    """A place in (0, step] with overlap, or zero: its end, or the top of the cubic in between."""
-    if b >= 0.0:
-        return step
-    if not (a_rate > 0.0 and b_rate < 0.0):
-        return 0.0
-    # top of the cubic: slope zero
-    c1, c2 = a_rate * step, 3.0 * (b - a) - step * (2.0 * a_rate + b_rate)
-    c3 = 2.0 * (a - b) + step * (a_rate + b_rate)
-    root = c2 * c2 - 3.0 * c3 * c1
-    if root < 0.0:
-        return 0.0
-    place = c1 / (-c2 + np.sqrt(root)) if -c2 + np.sqrt(root) > 0.0 else 1.0
-    top = a + place * (c1 + place * (c2 + place * c3))
-    return place * step if top > 0.0 and 0.0 < place < 1.0 else 0.0
-
-
-@summing_kernel
-def _overlap_after(bank, time, q, p):
-    """Overlap and rate after free motion for `time`."""
-    overlap, rate = 0.0, 0.0
-    for i in range(q.size):
-        omega = bank.frequencies[i]
-        cosine, sine = np.cos(omega * time), np.sin(omega * time)
-        go = sine / omega if omega > 0.0 else time
-        overlap += bank.closing[i] * (cosine * q[i] + go * p[i])
-        rate += bank.closing[i] * (cosine * p[i] - omega * sine * q[i])
-    return overlap, rate
-
-
-@kernel
-def _turn_by(bank, time, q, p):
-    for i in range(q.size):
-        omega = bank.frequencies[i]
-        cosine, sine = np.cos(omega * time), np.sin(omega * time)
-        go = sine / omega if omega > 0.0 else time
-        q[i], p[i] = cosine * q[i] + go * p[i], cosine * p[i] - omega * sine * q[i]
-
-
-@kernel
-def _root(bank, q, p, low, high):
-    """The instant in (low, high) at which the overlap of a free motion becomes positive: Newton kept in brackets."""
-    place = high
-    for _ in range(100):
-        overlap, rate = _overlap_after(bank, place, q, p)
-        if overlap > 0.0:
-            high = place
-        else:
-            low = place
-        following = place - overlap / rate if rate > 0.0 else 0.5 * (low + high)
-        if not low < following < high:
-            following = 0.5 * (low + high)
-        if abs(following - place) <= 1e-15 * high or high - low <= 1e-15 * high:
-            return following
-        place = following
-    return place
 
 
 class Joined(NamedTuple):
@@ -293,18 +199,15 @@ def _stick(joined, step, q, p, longest):
         turn_go[i] = sine / omega if omega > 0.0 else step
     turn = Turn(turn_stay, turn_go, turn_back)
     elapsed, parted = 0.0, False
-    pull, rate = _overlap_after(after, 0.0, own, own_rate)
+    pull, rate = sum_after(after, 0.0, own, own_rate)
     while elapsed < longest:
         before, rate_before = pull, rate
-        pull, rate = _free(turn, after.closing, own, own_rate)
-        high = _meets(before, rate_before, pull, rate, step)
+        pull, rate = step_on(turn, after.closing, own, own_rate)
+        high = rises(before, rate_before, pull, rate, step)
         if high > 0.0:
-            for i in range(modes):
-                was = turn.stay[i] * own[i] - turn.go[i] * own_rate[i]
-                own_rate[i] = turn.stay[i] * own_rate[i] - turn.back[i] * own[i]
-                own[i] = was
-            into = _root(after, own, own_rate, 0.0, high)
-            _turn_by(after, into, own, own_rate)
+            step_back(turn, own, own_rate)
+            into = rise_in(after, own, own_rate, 0.0, high)
+            turn_by(after, into, own, own_rate)
             elapsed += into
             parted = True
             break

@@ -2,31 +2,22 @@
 
 Between two changes of the set every mode moves by itself, so that nothing is stepped: only the instants of parting and
 of touching again are searched for. At each change displacements and velocities are projected with the mass inner
-product of the new set; its integrals have closed forms. Units, and the sources: see `phases`.
+product of the new set; its integrals have closed forms. Units, and the sources: see `rod_phases`.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 
-from .phases import Phase, Phases
+from .phases import Contact, Phase
+from .rod_phases import RodPhases
 
 SAMPLES = 16  # of each shortest period, where roots are searched for
 MAX_PHASES = 400
 RESOLVED = 0.05  # of what the modes left out move the mass: a mean pull below it is none
 
 
-class Contact(NamedTuple):
-    start: float
-    end: float
-    impulse: float
-    peak: float
-    times: np.ndarray
-    forces: np.ndarray
-
-
-class SwitchedModes(Phases):
+class SwitchedModes(RodPhases):
     """The whole blow: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good."""
 
     def __init__(self, beta: float, fixed: bool, modes: int, smoothing: str = "delay"):
@@ -42,7 +33,7 @@ class SwitchedModes(Phases):
         at = self.together.at_contact
         rigid_velocity = 0.0 if self.fixed else 1.0 / (1.0 + self.beta)
         nothing = np.zeros_like(at)
-        first = Phase(True, 0.0, nothing, at.copy(), 0.0, rigid_velocity, 0.0, 1.0, 0.0, 0.0, 0.0)
+        first = Phase(True, 0.0, nothing, at.copy(), 0.0, rigid_velocity, 0.0, 1.0, 0.0)
         self.phases.append(first._replace(lost=0.5 - float(self._energy(first, nothing, at))))
         while len(self.phases) < MAX_PHASES:
             end = self._parting(self.phases[-1], limit)
@@ -169,7 +160,7 @@ class SwitchedModes(Phases):
         sent = phase.sent + position - phase.mass_position + arrived - phase.arrived
         new = Phase(
             False, time, displacement @ self.overlap, rate @ self.overlap, rigid_position, rigid_velocity,
-            position, velocity, sent, arrived, phase.lost,
+            position, velocity, phase.lost, sent, arrived,
         )  # fmt: skip
         return self._with_loss(new, self._energy(phase, displacement, rate))
 
@@ -191,7 +182,7 @@ class SwitchedModes(Phases):
             self.overlap @ displacement + at * (position - rod_position),
             self.overlap @ rate + at * (velocity - phase.rigid_velocity),
             rigid_position, rigid_velocity, position, velocity,
-            phase.sent - (arrived - phase.arrived), arrived, phase.lost,
+            phase.lost, phase.sent - (arrived - phase.arrived), arrived,
         )  # fmt: skip
         # where the mass is by its series, so that the waves sent start without a jump
         new = new._replace(mass_position=float(self._end_in(new, np.zeros(1))[0][0]))

@@ -5,8 +5,9 @@ import pytest
 from pytest import approx
 
 from solvers.numerics import balances
-from solvers.numerics.balances import Bank, exact_turn, newmark_turn
+from solvers.numerics.balances import Bank
 from solvers.numerics.elements import mesh_modes
+from solvers.numerics.free_motion import exact_turn, newmark_turn
 from tests.catalog import ROD, STEEL_ROD_MASS, T
 
 MASS = STEEL_ROD_MASS

@@ -10,7 +10,7 @@ import solvers
 from solvers import ModeSwitch, SceneError, SceneNotSupported, Waves
 from solvers.numerics.mode_switch import SwitchedModes
 from solvers.numerics.modes import composite_rod_modes, rod_modes
-from solvers.numerics.phases import LENGTH, overlap_integrals
+from solvers.numerics.rod_phases import LENGTH, overlap_integrals
 from tests.catalog import RIGID, ROD, SIGMA0_AREA, T, contact_table, struck_rod
 
 RATIOS = (0.1, 0.25, 0.8, 1.0, 2.0, 5.0)
