@@ -66,6 +66,7 @@ def _parser() -> argparse.ArgumentParser:
     compare.set_defaults(run=_compare)
 
     _sweep_command(commands)
+    _ensemble_command(commands)
     _record_command(commands)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
@@ -98,6 +99,22 @@ def _sweep_command(commands: Any) -> None:
         from .sweeps import print_sweep
 
         return print_sweep(_scene(options), options.vary, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _ensemble_command(commands: Any) -> None:
+    parser = commands.add_parser("ensemble", help="solve a scene many times with tiny changes: how far to trust it")
+    _scene_arguments(parser)
+    parser.add_argument("--runs", default="200", metavar="N", help="default: 200")
+    parser.add_argument("--spread", default="1e-2", metavar="S", help="largest relative change; default: 0.01")
+    parser.add_argument("--key", help="what is changed; default: impactor.mass, or the length of one that can bend")
+    parser.add_argument("--seed", default="0", metavar="N", help="of the random changes; default: 0")
+
+    def run(options: argparse.Namespace) -> int:
+        from .trust import print_ensemble
+
+        return print_ensemble(_scene(options), options.runs, options.spread, options.key, options.seed, options.json)
 
     parser.set_defaults(run=run)
 

@@ -56,10 +56,10 @@ def _line(row: dict[str, object], width: int) -> str:
         (velocity, 15, "+.6f"), (row["restitution"]["newton"], 11, ".6f"), (row["energy_error"], 15, "+.1e"),
         (row["estimated_error"], 14, ".1e"),
     ]  # fmt: skip
-    return "  " + "  ".join(_shown(value, form).rjust(size) for value, size, form in cells)
+    return "  " + "  ".join(shown(value, form).rjust(size) for value, size, form in cells)
 
 
-def _shown(value: object, form: str) -> str:
+def shown(value: object, form: str) -> str:
     if value is None:
         return "-"
     return value if isinstance(value, str) else f"{value:{form}}"

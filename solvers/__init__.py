@@ -4,15 +4,24 @@ import solvers
 solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 """
 
-from collections.abc import Mapping
-
-from . import checks
 from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
 from .comparison import Row, compare
 from .contact import LAWS
+from .ensemble import Ensemble, ensemble
 from .method import Method, SceneNotSupported
-from .methods import METHODS, Balance, FeModal, FeNodal, Modal, ModeSwitch, QuasiStatic, RigidImpulse, Waves
+from .methods import (
+    METHODS,
+    Balance,
+    FeModal,
+    FeNodal,
+    Modal,
+    ModeSwitch,
+    QuasiStatic,
+    RigidImpulse,
+    Waves,
+    read_method,
+)
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 
@@ -22,6 +31,7 @@ __all__ = [
     "Balance",
     "Body",
     "ContactPeriod",
+    "Ensemble",
     "FeModal",
     "FeNodal",
     "Material",
@@ -42,22 +52,12 @@ __all__ = [
     "Wall",
     "Waves",
     "compare",
+    "ensemble",
     "load",
     "read_method",
     "scene_names",
     "solve",
 ]
-
-
-def read_method(given: Mapping[str, object], usual: str = "waves") -> tuple[Method, float | None]:
-    """Method and duration [s] from the table `[method]` of a scene file; `usual` is the method if it names none.
-
-    Raises SceneError naming the key.
-    """
-    given = dict(given)
-    duration = given.pop("duration", None)
-    name = checks.choice("method.name", given.pop("name", usual), METHODS)
-    return METHODS[name].read(given), duration
 
 
 def solve(scene: Scene, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:

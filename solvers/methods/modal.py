@@ -4,6 +4,7 @@ import math
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -22,6 +23,7 @@ EXPECTED_STEPS = 60_000  # more are not chosen unasked: energy is kept at any st
 MAX_STEPS = 4_000_000
 FRAMES = ("mean-axis", "attached", "attached-far")
 RESOLVED_BLOW = 1.5  # shortest kept periods that a rigid blow must last for its contacts to be told apart
+REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
 CHECKPOINT_NUMBERS = 1_000_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
 
@@ -210,8 +212,7 @@ def _default_step(scene: Scene, pair: Pair) -> float:
 
 def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMotion:
     """March `count` steps, or whole periods of the bodies until one has passed without a touch and none can come."""
-    law, residual = pair.law(scene)
-    settling = min(0.5, step / pair.resolved_time) if residual and (law.JUMPS or law.PLASTIC) else 0.0
+    law, spring = _contact(scene, pair, step)
     slowest = [2.0 * math.pi / modes.frequencies[0] for modes in (pair.impactor, pair.target) if modes.frequencies.size]
     period, size = max(slowest, default=scene.time_unit), pair.frequencies.size
     bank = pair.bank(step)
@@ -227,14 +228,14 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
         if until > record.contact_force.size:
             record = _grown(record, min(2 * until, most), stride)
         march(
-            law, Residual(residual, settling, law.JUMPS), pair.impactor.rigid_mass, pair.target.rigid_mass, step, bank,
+            law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, step, bank,
             displacement, velocity, stride, done, until, record,
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
         done = until
         if count is None and apart and record.rigid_velocity[done] > record.velocity[done]:
             # two bodies that ring may meet again when both bulge out at once, until they are too far apart for that
-            bulge = np.hypot(displacement, velocity).sum() + residual * abs(record.spring_force[done])
+            bulge = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
             if len(slowest) == 2 and record.rigid_position[done] - record.position[done] < bulge:
                 continue
             parted = True
@@ -242,6 +243,34 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
             done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
             break
     return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), parted)
+
+
+def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
+    law, residual = pair.law(scene)
+    settling = min(0.5, step / pair.resolved_time) if residual and (law.JUMPS or law.PLASTIC) else 0.0
+    return law, Residual(residual, settling, law.JUMPS)
+
+
+def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tuple[ModalMotion, Record]:
+    """Another blow of a rigid impactor on the same target over the same steps, and the record it was written into.
+
+    For many blows in a row that differ by the impactor or the contact law alone: nothing is worked out twice, and a
+    record that is handed back is written over, with the motion that belonged to it.
+    """
+    pair = replace(motion.pair, impactor=scene.impactor.modes(0))
+    step, stride = motion.duration / motion.steps, min(motion.steps, REPEATED_STRIDE)
+    law, spring = _contact(scene, pair, step)
+    if record is None:
+        record = _record(motion.steps, stride, pair.frequencies.size)
+    for history in record[:8]:
+        history[0] = 0.0
+    record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
+    displacement, velocity = np.zeros((2, pair.frequencies.size))
+    march(
+        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, step, pair.bank(step), displacement, velocity,
+        stride, 0, motion.steps, record,
+    )  # fmt: skip
+    return ModalMotion(scene, pair, step, stride, record, False), record
 
 
 def _record(steps: int, stride: int, modes: int) -> Record:

@@ -1,0 +1,54 @@
+"""The command `impact ensemble`: how far to trust a blow."""
+
+import json
+
+import solvers
+from solvers import SceneError
+from solvers.ensemble import Ensemble, ensemble
+
+from .sweeps import shown
+
+
+def number(option: str, text: str, kind: type = float) -> float:
+    """The number that an option was given. Raises SceneError naming it."""
+    try:
+        return kind(text)
+    except ValueError:
+        raise SceneError(option, text, "a whole number" if kind is int else "a number") from None
+
+
+def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None, seed: str, as_json: bool) -> int:
+    """Print the spread of every figure as a table, or the whole ensemble in JSON."""
+    counts = number("--runs", runs, int), number("--seed", seed, int)
+    try:
+        found = ensemble(scene, runs=counts[0], spread=number("--spread", spread), key=key, seed=counts[1])
+    except SceneError as refused:
+        if refused.key in ("runs", "spread", "key", "seed"):
+            raise SceneError(f"--{refused.key}", refused.value, refused.allowed) from None
+        raise
+    print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else ensemble_table(scene, found))
+    return 0
+
+
+def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
+    head = (
+        f"  {'':24}{'unperturbed':>14}{'lowest':>14}{'median':>14}{'highest':>14}{'half range':>12}{'sensitivity':>13}"
+        f"{'amplified':>11}  verdict"
+    )
+    lines = [
+        scene.title or "Scene",
+        f"  {found.perturbations.size} runs by {found.method['name']}, {found.key} changed by up to"
+        f" {100.0 * abs(found.perturbations).max():.3g} %, in {found.wall_time:.2f} s",
+        "",
+        head,
+    ]
+    for row in found.spread:
+        name = row.quantity.replace("_", " ") + (f" [{row.unit}]" if row.unit else "")
+        cells = [
+            (row.unperturbed, 12, ".6g"), (row.lowest, 12, ".6g"), (row.median, 12, ".6g"), (row.highest, 12, ".6g"),
+            (100.0 * row.half_range, 8, ".2g"), (row.sensitivity, 13, "+.3g"), (row.amplification, 9, ".2g"),
+        ]  # fmt: skip
+        values = "  ".join(shown(value, form).rjust(size) for value, size, form in cells[:4])
+        rest = f"{shown(*cells[4][::2]):>8} %" + shown(*cells[5][::2]).rjust(13) + shown(*cells[6][::2]).rjust(11)
+        lines.append(f"  {name:24}  {values}  {rest}  {row.verdict}")
+    return "\n".join([*lines, "", found.told, *(f"Note: {note}" for note in found.notes)])

@@ -1,0 +1,92 @@
+"""The command `impact ensemble`: promised keys, a line for every figure, and one line for everything it refuses."""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from app.command import main
+
+ROOT = Path(__file__).parents[2]
+
+
+def answer(capsys, *arguments: str) -> str:
+    code = main(list(arguments))
+    out, err = capsys.readouterr()
+    assert (code, err) == (0, "")
+    return out
+
+
+def refusal(capsys, *arguments: str) -> str:
+    code = main(list(arguments))
+    out, err = capsys.readouterr()
+    assert (code, out) == (2, "")
+    assert err.startswith("impact: ") and err.count("\n") == 1
+    return err
+
+
+def test_an_ensemble_has_the_promised_keys(capsys):
+    found = json.loads(answer(capsys, "ensemble", "fixed-rod", "--runs", "12", "--spread", "1e-3", "--json"))
+    assert {"key", "method", "perturbations", "final_velocity", "contacts", "time", "force", "spread", "told"} < set(
+        found
+    )
+    assert found["key"] == "impactor.mass" and len(found["final_velocity"]) == 12
+    assert max(map(abs, found["perturbations"])) <= 1e-3
+    assert set(found["force"]) == {"lowest", "low", "median", "high", "highest"}
+    assert {len(values) for values in found["force"].values()} == {len(found["time"])}
+    assert found["ill_conditioned"] is False
+    assert {row["verdict"] for row in found["spread"]} == {"firm"}
+
+
+def test_the_table_has_a_line_for_every_figure(capsys):
+    told = answer(
+        capsys, "ensemble", "fixed-rod", "--runs", "10", "--set", "method.name=modal", "--key", "target.length"
+    )
+    assert "10 runs by modal, target.length changed" in told
+    for name in ("first parting [s]", "final velocity [m/s]", "contacts ", "peak force [N]"):
+        (line,) = [line for line in told.splitlines() if line.startswith(f"  {name}")]
+        assert line.split()[-1] in ("firm", "loose", "trusted")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--runs", "1"], "--runs: got 1"),
+        (["--runs", "many"], "--runs: got 'many'"),
+        (["--spread", "nan"], "--spread: got nan"),
+        (["--spread", "-1e-3"], "--spread: got -0.001"),
+        (["--seed", "1.5"], "--seed: got '1.5'"),
+        (["--key", "target.support"], "--key: got 'target.support'"),
+        (["--key", "target.at.what"], "--key: got 'target.at.what'"),
+        (["--set", "method.name=guess"], "method.name: got 'guess'"),
+        (["--nothing"], "--nothing"),
+    ],
+)
+def test_bad_input_is_refused_in_one_line(capsys, arguments, said):
+    assert said in refusal(capsys, "ensemble", "fixed-rod", *arguments)
+
+
+def test_bodies_in_space_are_refused(capsys):
+    assert "two bodies that meet on an axis" in refusal(capsys, "ensemble", "brick-off-centre")
+
+
+def test_it_can_be_interrupted():
+    words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
+             "method.steps=100000", "--runs", "10000"]  # fmt: skip
+    ready = (
+        "import sys, solvers; from app.command import main; "
+        "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
+        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
+    )  # kernels first: while one is compiled an interrupt may be lost
+    process = subprocess.Popen(
+        [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout.readline() == "ready\n"
+    time.sleep(3.0)  # minutes of work: it is under way
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, out, err) == (130, "", "impact: stopped\n")
