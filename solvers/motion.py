@@ -8,7 +8,8 @@ import numpy as np
 class ShapeField:
     """Fields as sums of shapes: u(x, t) = sum_i q_i(t) shape_i(x), straight between the instants.
 
-    coordinates, rates (time, shapes); shapes(x), slopes(x) (shapes, x), x [m] from the struck face; young [Pa].
+    coordinates, rates (time, shapes); shapes(x), slopes(x) (shapes, x), x [m] from the struck face, slopes those that
+    `young` [Pa] turns into stress; moments(x), shears(x) of beams.
     """
 
     def __init__(
@@ -19,9 +20,12 @@ class ShapeField:
         shapes: Callable[[np.ndarray], np.ndarray],
         slopes: Callable[[np.ndarray], np.ndarray],
         young: float,
+        moments: Callable[[np.ndarray], np.ndarray] | None = None,
+        shears: Callable[[np.ndarray], np.ndarray] | None = None,
     ):
         self._time, self._coordinates, self._rates = time, coordinates, rates
         self._shapes, self._slopes, self._young = shapes, slopes, young
+        self._moments, self._shears = moments, shears
 
     def _at(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
         time = np.clip(np.asarray(time, float), self._time[0], self._time[-1])
@@ -39,6 +43,14 @@ class ShapeField:
     def stress(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
         """Compression positive [Pa]."""
         return -self._young * (self._at(time, self._coordinates) @ self._slopes(np.asarray(x, float)))
+
+    def moment(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """E I y'' [N m]."""
+        return self._at(time, self._coordinates) @ self._moments(np.asarray(x, float))
+
+    def shear(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """Slope of the moment [N]."""
+        return self._at(time, self._coordinates) @ self._shears(np.asarray(x, float))
 
 
 class SampledMotion:
@@ -117,6 +129,18 @@ class SampledMotion:
         if self._field is None:
             return np.zeros((np.size(time), np.size(x)))
         return self._field.stress(time, x)
+
+    def moment(self, time, x):
+        """Of beams: bending moment [N m]."""
+        if self._field is None:
+            return np.zeros((np.size(time), np.size(x)))
+        return self._field.moment(time, x)
+
+    def shear(self, time, x):
+        """Of beams: shear force [N]."""
+        if self._field is None:
+            return np.zeros((np.size(time), np.size(x)))
+        return self._field.shear(time, x)
 
     def energies(self, time):
         return {name: self._at(time, values) for name, values in self._energies.items()}

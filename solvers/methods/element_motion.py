@@ -1,10 +1,13 @@
 """What a march over a mesh gives: histories at every instant, fields at some, contacts located in between."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..motion import SampledMotion, ShapeField
+from ..numerics.elements import two_sided
 from ..scene import Scene
 from ..solution import ContactPeriod
 
@@ -108,6 +111,32 @@ class ElementMotion(SampledMotion):
             gained = float(self.course.impulse[last] - self.course.impulse[first])
             found.append(ContactPeriod(start, end, gained, peak))
         return found
+
+
+def shape_field(
+    scene: Scene, time: np.ndarray, coordinates: np.ndarray, rates: np.ndarray, sides: Sequence[Any]
+) -> ShapeField:
+    """Fields of both bodies, the impactor where x is negative.
+
+    coordinates, rates (time, unknowns of both); `sides` have shapes, slopes, moments and shears, as `Mesh` and `Modes`.
+    """
+    first, second = sides
+    stresses = [_stresses(body, side) for body, side in zip((scene.impactor, scene.target), sides, strict=True)]
+    forces = {}
+    if first.moments or second.moments:
+        for name, sign in (("moments", 1.0), ("shears", -1.0)):
+            own = [getattr(side, name) or (lambda x, side=side: 0.0 * side.shapes(x)) for side in sides]
+            forces[name] = two_sided(*own, sign)
+    shapes = two_sided(first.shapes, second.shapes, 1.0)
+    return ShapeField(time, coordinates, rates, shapes, two_sided(*stresses, -1.0), 1.0, **forces)
+
+
+def _stresses(body: Any, side: Any) -> Callable[[np.ndarray], np.ndarray]:
+    """Stress at the struck end of a rod's section or on the struck side of a beam, tension positive."""
+    if side.moments is not None:
+        return lambda x: body.half_depth / body.second_moment * side.moments(x)
+    young = body.material.young if body.length else 0.0
+    return lambda x: young * side.slopes(x)
 
 
 def _zero(before: np.ndarray, after: np.ndarray) -> np.ndarray:

@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 
 from .. import checks
-from ..motion import ShapeField
 from ..numerics import newmark
-from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line, two_sided
-from ..numerics.modes import front_time
+from ..numerics.bands import times
+from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line
 from ..scene import Scene
 from .element_march import FiniteElements, Plan, end, follow, read_common
-from .element_motion import Course
+from .element_motion import Course, shape_field
 
 STEPS_PER_ELEMENT = 4  # of Newmark's step while a wave crosses one element
 DOUBTFUL = 0.01  # of the energy, gained or lost by the scheme
@@ -70,14 +69,15 @@ class FeNodal(FiniteElements):
         if self.scheme == "central-difference":
             limit = 2.0 / highest_frequency(whole, _steepest(law, scene))
             fine = limit
-        plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.size)
-        record, steps, parted, diverged = self._march(scene, whole, law, plan)
+        plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.shape[1])
+        record, steps, parted, diverged = self._march(scene, meshes, whole, law, plan)
         return _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged)
 
-    def _march(self, scene: Scene, whole: Line, law: Any, plan: Plan) -> tuple[newmark.Record, int, bool, bool]:
-        u, v = np.zeros(whole.mass.size), np.full(whole.mass.size, scene.target.velocity)
-        v[: whole.front + 1] = scene.impactor.velocity
-        start, step, stride = v.copy(), plan.step, plan.stride
+    def _march(self, scene, meshes, whole: Line, law: Any, plan: Plan) -> tuple[newmark.Record, int, bool, bool]:
+        v = np.concatenate(
+            [mesh.moving(body.velocity) for mesh, body in zip(meshes, (scene.impactor, scene.target), strict=True)]
+        )
+        u, start, step, stride = np.zeros(v.size), v.copy(), plan.step, plan.stride
 
         def make(steps: int) -> newmark.Record:
             record = newmark.record(steps, stride, start.size)
@@ -93,12 +93,11 @@ class FeNodal(FiniteElements):
                 newmark.march_explicit(law, lossy, explicit, step, u, v, stride, begin, end, record)
                 return end
         elif self.status == "frozen":
-            apart, together = newmark.newmark(whole, step), newmark.newmark(_joined(whole, law.stiffness), step)
-            acceleration = np.zeros(u.size)
+            matrices, acceleration = newmark.newmark(whole, step), np.zeros(u.size)
 
             def advance(begin, end, record):
                 return newmark.march_frozen(
-                    law.stiffness, apart, together, step, u, v, acceleration, stride, begin, end, record
+                    law.stiffness, matrices, step, u, v, acceleration, stride, begin, end, record
                 )
         else:
             matrices = newmark.newmark(whole, step)
@@ -117,14 +116,6 @@ class FeNodal(FiniteElements):
         return record, max(done, stride), parted, diverged
 
 
-def _joined(whole: Line, stiffness: float) -> Line:
-    """The line with the contact spring [N/m] between its faces."""
-    diagonal, beside = whole.stiffness.copy(), whole.stiffness_beside.copy()
-    diagonal[whole.front : whole.front + 2] += stiffness
-    beside[whole.front : whole.front + 1] -= stiffness
-    return whole._replace(stiffness=diagonal, stiffness_beside=beside)
-
-
 def _steepest(law: Any, scene: Scene) -> float:
     """Largest stiffness of the law that this blow can reach [N/m]: where it stores all energy of the approach."""
     energy = 0.5 * scene.reduced_mass * scene.speed**2
@@ -136,39 +127,28 @@ def _steepest(law: Any, scene: Scene) -> float:
 
 def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged) -> Course:
     """Histories and fields of a march over nodes."""
-    front, rows = whole.front, steps // plan.stride + 1
+    rows = steps // plan.stride + 1
     u, v = record.displacement[:rows], record.velocity[:rows]
-    momentum = _times(whole.mass, whole.mass_beside, v)
-    kinetic, strain = v * momentum, u * _times(whole.stiffness, whole.stiffness_beside, u)
-    own, other = (0.5 * (kinetic + strain)[:, part].sum(1) for part in (slice(front + 1), slice(front + 1, None)))
-    pushed = momentum[:, front + 1 :].sum(1)
+    twice = v * times(whole.mass, v) + u * times(whole.stiffness, u)
+    parts = slice(whole.split), slice(whole.split, None)
+    own, other = (0.5 * twice[:, part].sum(1) for part in parts)
+    pushed = v[:, parts[1]] @ meshes[1].weights
     rigid = np.zeros(rows) if scene.target.held else 0.5 * pushed**2 / scene.target.mass
     instants = slice(0, steps + 1)
     depth, deepest = (values[instants][:: plan.stride].tolist() for values in (record.indentation, record.deepest))
-    first, second = meshes
-    reversed_rows = lambda field: lambda x: field(x)[::-1]  # noqa: E731  (the impactor's face is its last node)
-    target = scene.target
     travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
     free = scene.impactor.velocity * plan.step * np.arange(steps + 1)
     centre = free - 0.5 * plan.step * travelled / scene.impactor.mass
-    shortest = min(mesh.shortest_period for mesh in meshes if mesh.rings)
     return Course(
         step=plan.step,
         stride=plan.stride,
         force=record.contact_force[instants],
         impulse=record.impulse[instants],
         indentation=record.indentation[instants],
-        position=centre if first.rings else record.first[instants],
+        position=centre if meshes[0].rings else record.first[instants],
         end_position=record.second[instants],
         end_velocity=record.second_velocity[instants],
-        field=ShapeField(
-            plan.step * plan.stride * np.arange(rows),
-            u,
-            v,
-            two_sided(reversed_rows(first.shapes), second.shapes, 1.0),
-            two_sided(reversed_rows(first.slopes), second.slopes, -1.0),
-            target.material.young if target.length else 0.0,
-        ),
+        field=shape_field(scene, plan.step * plan.stride * np.arange(rows), u, v, meshes),
         energies={
             "impactor": own,
             "target_rigid": rigid,
@@ -176,17 +156,9 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
             "local": np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)]),
             "dissipated": record.lost[instants][:: plan.stride],
         },
-        momenta=(float(momentum[-1, : front + 1].sum()), float(pushed[-1])),
-        resolved_time=max(front_time(mesh.mass.size, mesh.shortest_period) for mesh in meshes),
-        shortest_period=shortest,
+        momenta=(float(v[-1, parts[0]] @ meshes[0].weights), float(pushed[-1])),
+        resolved_time=max(mesh.resolved_time for mesh in meshes),
+        shortest_period=min(mesh.shortest_period for mesh in meshes if mesh.rings),
         parted=parted,
         diverged=diverged,
     )
-
-
-def _times(diagonal: np.ndarray, beside: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Matrix of three diagonals times every row, (rows, nodes)."""
-    found = diagonal * rows
-    found[:, 1:] += beside * rows[:, :-1]
-    found[:, :-1] += beside * rows[:, 1:]
-    return found

@@ -1,27 +1,35 @@
-"""Rods as chains of two-node elements, and what follows from the chain: matrices, modes, a line of two bodies."""
+"""Bodies as chains of elements, and what follows from the chain: modes, compliance, a line of two bodies."""
 
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from .modes import Modes
+from . import bands
+from .modes import Modes, front_time
 
-CONSISTENT, AVERAGED, LUMPED = 0.0, 0.5, 1.0  # share of the mass put on the nodes: how the mesh carries its inertia
+CONSISTENT, AVERAGED, LUMPED = 0.0, 0.5, 1.0  # share of a rod's mass put on the nodes: how the mesh carries its inertia
 
 
 class Mesh(NamedTuple):
-    """A body as nodes in a row, the first of them struck; a node held by a support is left out.
+    """A body as nodes in a row; what a support holds is left out of the unknowns.
 
-    Both matrices are symmetric with three diagonals: `mass`, `stiffness` (nodes,) on the diagonal and `*_beside`
-    (nodes - 1,) next to it. An end that is held appears in `place` only.
+    Unknowns are displacements, for beams also rotations. `mass` and `stiffness` are `bands` (1 + half, unknowns);
+    shapes(x), slopes(x) (unknowns, x) are displacement and its slope at x [m] for 1 at each unknown alone, moments(x)
+    and shears(x) those of a beam.
     """
 
-    place: np.ndarray  # of every node at rest, that held too, from the struck face into the body [m]
-    mass: np.ndarray  # [kg]
-    mass_beside: np.ndarray
-    stiffness: np.ndarray  # [N/m]
-    stiffness_beside: np.ndarray
+    place: np.ndarray  # of every node at rest, that held too [m]
+    mass: np.ndarray  # [kg, kg m, kg m2]
+    stiffness: np.ndarray  # [N/m, N, N m]
+    struck: int  # the unknown that the contact force acts on
+    free: np.ndarray  # (motions, unknowns): as a whole, without strain; none if held, a translation first if not
+    weights: np.ndarray  # (unknowns,): momentum per velocity [kg]
+    total_mass: float  # [kg], with what the support carries
+    shapes: Callable[[np.ndarray], np.ndarray]
+    slopes: Callable[[np.ndarray], np.ndarray]
+    moments: Callable[[np.ndarray], np.ndarray] | None = None
+    shears: Callable[[np.ndarray], np.ndarray] | None = None
     neighbour: float = 0.0  # stiffness of the element at the struck node [N/m]; 0 where there is none
     transit: float = np.inf  # shortest that a wave takes through an element [s]
     shortest_period: float = 0.0  # of an element on its own [s], just below that of the whole mesh
@@ -32,34 +40,57 @@ class Mesh(NamedTuple):
         return self.place.size > 1
 
     @property
-    def total_mass(self) -> float:
-        return float(self.mass.sum() + 2.0 * self.mass_beside.sum())
+    def bends(self) -> bool:
+        """Whether it is a beam."""
+        return self.moments is not None
 
-    def shapes(self, x: np.ndarray) -> np.ndarray:
-        """Displacement at x [m] for 1 m at each node alone, (nodes, x)."""
-        if not self.rings:
-            return np.ones((self.mass.size, np.size(x)))
-        cell, part = self._cell(x)
-        return self._spread(cell, 1.0 - part, part)
+    @property
+    def size(self) -> int:
+        """Number of unknowns."""
+        return self.mass.shape[1]
 
-    def slopes(self, x: np.ndarray) -> np.ndarray:
-        """Strain at x [m] for 1 m at each node alone, (nodes, x) [1/m]."""
-        if not self.rings:
-            return np.zeros((self.mass.size, np.size(x)))
-        cell, _ = self._cell(x)
-        length = np.diff(self.place)[cell]
-        return self._spread(cell, -1.0 / length, 1.0 / length)
+    @property
+    def resolved_time(self) -> float:
+        """Who is apart for less may touch, as far as it can tell [s]. Bending waves disperse: a beam has no fronts."""
+        return self.shortest_period if self.bends else front_time(self.size, self.shortest_period)
 
-    def _cell(self, x):
+    def moving(self, velocity: float) -> np.ndarray:
+        """Rates of all unknowns [m/s, rad/s] before the blow; of what is held all are zero."""
+        return velocity * self.free[0] if velocity else np.zeros(self.size)
+
+    @property
+    def whole(self) -> np.ndarray | None:
+        """The motion as a whole that a blow starts, (unknowns,), 1 where it is struck; None if the body is held."""
+        if not self.free.size:
+            return None
+        inertia = bands.times(self.mass, self.free) @ self.free.T
+        started = np.linalg.solve(inertia, self.free[:, self.struck]) @ self.free
+        return started / started[self.struck]
+
+    @property
+    def rigid_mass(self) -> float:
+        """What a blow feels of the body's motion as a whole [kg]; infinite if it is held."""
+        whole = self.whole
+        return np.inf if whole is None else float(whole @ bands.times(self.mass, whole))
+
+
+def chain_fields(place: np.ndarray, kept: int) -> tuple[Callable, Callable]:
+    """Shapes and slopes of straight elements between the nodes, of the first `kept` nodes."""
+
+    def spread(x, first, second):
         x = np.asarray(x, float)
-        cell = np.clip(np.searchsorted(self.place, x, "right") - 1, 0, self.place.size - 2)
-        return cell, (x - self.place[cell]) / np.diff(self.place)[cell]
+        cell = np.clip(np.searchsorted(place, x, "right") - 1, 0, place.size - 2)
+        length = np.diff(place)[cell]
+        found = np.zeros((place.size, cell.size))
+        columns = np.arange(cell.size)
+        part = (x - place[cell]) / length
+        found[cell, columns], found[cell + 1, columns] = first(part, length), second(part, length)
+        return found[:kept]
 
-    def _spread(self, cell, first, second):
-        found = np.zeros((self.place.size, cell.size))
-        found[cell, np.arange(cell.size)] = first
-        found[cell + 1, np.arange(cell.size)] = second
-        return found[: self.mass.size]
+    return (
+        lambda x: spread(x, lambda part, length: 1.0 - part, lambda part, length: part),
+        lambda x: spread(x, lambda part, length: -1.0 / length, lambda part, length: 1.0 / length),
+    )
 
 
 def rod_mesh(
@@ -78,106 +109,124 @@ def rod_mesh(
         for i in range(3)
     )
     own, beside = masses * (1.0 / 3.0 + lumping / 6.0), masses * (1.0 - lumping) / 6.0
-    mass = np.append(own, 0.0) + np.append(0.0, own)
-    mass[-1] += end_mass
-    stiffness = np.append(springs, 0.0) + np.append(0.0, springs)
-    kept = mass.size - fixed
+    mass = np.vstack((np.append(own, 0.0) + np.append(0.0, own), np.append(beside, 0.0)))
+    mass[0, -1] += end_mass
+    stiffness = np.vstack((np.append(springs, 0.0) + np.append(0.0, springs), np.append(-springs, 0.0)))
+    place, count = np.append(0.0, np.cumsum(lengths)), mass.shape[1]
+    kept, weights = np.arange(count - fixed), bands.times(mass, np.ones(count))
+    shapes, slopes = chain_fields(place, kept.size)
     return Mesh(
-        np.append(0.0, np.cumsum(lengths)),
-        mass[:kept],
-        beside[: kept - 1],
-        stiffness[:kept],
-        -springs[: kept - 1],
-        float(springs[0]),
-        float(np.sqrt(masses / springs).min()),
-        float(2.0 * np.pi * np.sqrt(0.5 * (own - beside) / springs).min()),
+        place,
+        bands.without(mass, kept),
+        bands.without(stiffness, kept),
+        0,
+        np.ones((0 if fixed else 1, kept.size)),
+        weights[kept],
+        float(weights.sum()),
+        shapes,
+        slopes,
+        neighbour=float(springs[0]),
+        transit=float(np.sqrt(masses / springs).min()),
+        shortest_period=float(2.0 * np.pi * np.sqrt(0.5 * (own - beside) / springs).min()),
     )
 
 
 def point_mesh(mass: float, stiffness: float = 0.0) -> Mesh:
     """A rigid mass [kg], free or on a spring [N/m] that is held; of infinite mass: no node at all."""
-    nodes, none = int(np.isfinite(mass)), np.zeros(0)
-    return Mesh(np.zeros(nodes), np.full(nodes, mass), none, np.full(nodes, stiffness), none)
+    nodes = int(np.isfinite(mass))
+    own = np.full((1, nodes), mass)
+    return Mesh(
+        np.zeros(nodes),
+        own,
+        np.full((1, nodes), stiffness),
+        0,
+        np.ones((int(nodes > 0 and stiffness == 0.0), nodes)),
+        own[0],
+        mass,
+        lambda x: np.ones((nodes, np.size(x))),
+        lambda x: np.zeros((nodes, np.size(x))),
+    )
 
 
 def without_mass_in_front(mesh: Mesh) -> Mesh:
-    """The inertia of the struck node moved to the one behind it, so that the face follows its force without delay.
+    """The inertia of a rod's struck node moved to the one behind it, so that the face follows its force without delay.
 
     The mesh that is left begins at that node; its `neighbour` spring joins it to the massless face.
     Source: singular mass matrices for contact, Monjaraz Tec, Gross and Krack (2022).
     """
-    mass = mesh.mass[1:].copy()
-    mass[0] += mesh.mass[0] + 2.0 * mesh.mass_beside[0]
-    stiffness = mesh.stiffness[1:].copy()
-    stiffness[0] -= mesh.neighbour
-    beside = mesh.mass_beside[1:], mesh.stiffness_beside[1:]
-    return mesh._replace(
-        place=mesh.place[1:], mass=mass, mass_beside=beside[0], stiffness=stiffness, stiffness_beside=beside[1]
-    )
+    mass, stiffness = mesh.mass[:, 1:].copy(), mesh.stiffness[:, 1:].copy()
+    mass[0, 0] += mesh.mass[0, 0] + 2.0 * mesh.mass[1, 0]
+    stiffness[0, 0] -= mesh.neighbour
+    weights = mesh.weights[1:].copy()
+    weights[0] += mesh.weights[0]
+    return mesh._replace(mass=mass, stiffness=stiffness, free=mesh.free[:, 1:], weights=weights)
 
 
 def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> Modes:
-    """The lowest `count` modes of a mesh (all without it), rigid-body motion apart, mass-normalised.
+    """The lowest `count` modes of a mesh (all without it), motion as a whole apart, mass-normalised.
 
-    The residual compliance is that of the mesh less that of the modes kept. `massless`: the inertia of the struck
+    The residual compliance is that of the modes of the mesh left out. `massless`, of a rod: the inertia of the struck
     node is moved to the one behind it; then the force on the face is found without delay from its own compliance.
+    Error: the lowest are found to rounding, each as 1 / omega^2; the highest suffer from their ratio to the lowest.
     Source: thesis (6.17), (6.18).
     """
-    from scipy.linalg import eigh
-
     body = without_mass_in_front(mesh) if massless else mesh
-    held = body.stiffness.sum() + 2.0 * body.stiffness_beside.sum() > 1e-9 * body.stiffness.sum()
-    free = body.mass.size > 0 and not held
-    available = body.mass.size - free
+    available = body.size - body.free.shape[0] if body.size else 0
     kept = available if count is None else min(count, available)
-    if kept == 0:
-        none = np.zeros(0)
-        nothing = lambda x: np.zeros((0, np.size(x)))  # noqa: E731
-        return Modes(none, none, mesh.total_mass if free else np.inf, 0.0, nothing, nothing)
-    matrices = (_full(body.stiffness, body.stiffness_beside), _full(body.mass, body.mass_beside))
-    squares, vectors = eigh(*matrices, subset_by_index=(int(free), int(free) + kept - 1))
-    vectors *= np.sign(vectors[0])
-    frequencies, at_contact = np.sqrt(squares), vectors[0]
-    face = 1.0 / body.neighbour if massless else 0.0
-    residual = face + _compliance(body, free) - float(((at_contact / frequencies) ** 2).sum())
-    whole = np.vstack((vectors[:1], vectors)) if massless else vectors
+    frequencies, vectors = _eigenpairs(body, kept)
+    at_contact = vectors[:, body.struck] if kept else np.zeros(0)
+    residual = _left_out(body, vectors) if kept < available else 0.0
+    residual += 1.0 / mesh.neighbour if massless else 0.0
+    full = np.hstack((vectors[:, :1], vectors)) if massless and kept else vectors
+
+    def fields(field: Callable | None) -> Callable | None:
+        return None if field is None else lambda x: full @ field(x)
+
     return Modes(
         frequencies=frequencies,
         at_contact=at_contact,
-        rigid_mass=mesh.total_mass if free else np.inf,
-        residual_compliance=max(residual, 0.0) if kept < available or massless else 0.0,
-        shapes=lambda x: whole.T @ mesh.shapes(x),
-        slopes=lambda x: whole.T @ mesh.slopes(x),
+        rigid_mass=mesh.rigid_mass,
+        residual_compliance=residual,
+        shapes=fields(mesh.shapes),
+        slopes=fields(mesh.slopes),
     )
 
 
-def _full(diagonal: np.ndarray, beside: np.ndarray) -> np.ndarray:
-    return np.diag(diagonal) + np.diag(beside, 1) + np.diag(beside, -1)
+def _eigenpairs(mesh: Mesh, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Frequencies (count,) and mass-normalised modes (count, unknowns), motions as a whole apart."""
+    from scipy.linalg import eigh
+
+    if not count:
+        return np.zeros(0), np.zeros((0, mesh.size))
+    shift, free, size = 0.0, mesh.free.shape[0], mesh.size
+    if free:  # a square of about the lowest frequency makes the stiffness definite
+        bent = _bent(mesh, np.eye(size)[mesh.struck], mesh.free)
+        shift = float(bent @ bands.times(mesh.stiffness, bent)) / float(bent @ bands.times(mesh.mass, bent))
+    matrices = bands.full(mesh.mass), bands.full(mesh.stiffness + shift * mesh.mass)
+    inverses, vectors = eigh(*matrices, subset_by_index=(size - free - count, size - free - 1))
+    squares, modes = 1.0 / inverses[::-1] - shift, (vectors / np.sqrt(inverses)).T[::-1]
+    modes *= np.where(modes[:, mesh.struck : mesh.struck + 1] < 0.0, -1.0, 1.0)
+    return np.sqrt(squares), modes
 
 
-def _compliance(mesh: Mesh, free: bool) -> float:
-    """Displacement of the struck node under 1 N [m/N]; of a free mesh relative to its rigid-body motion."""
-    from scipy.linalg import solve_banded
+def _bent(mesh: Mesh, load: np.ndarray, kept: np.ndarray) -> np.ndarray:
+    """Static displacement under a load, without what motions or modes `kept` (motions, unknowns) take up of both."""
+    from scipy.linalg import solveh_banded
 
-    def times(diagonal, beside, vector):
-        found = diagonal * vector
-        found[1:] += beside * vector[:-1]
-        found[:-1] += beside * vector[1:]
-        return found
-
-    whole, load = np.ones(mesh.mass.size), np.zeros(mesh.mass.size)
-    load[0] = 1.0
+    inertia = bands.times(mesh.mass, kept)
+    gram = inertia @ kept.T
     stiffness = mesh.stiffness.copy()
-    inertia = times(mesh.mass, mesh.mass_beside, whole)
-    if free:  # accelerated as a whole by the load, and held anywhere
-        load -= inertia / inertia.sum()
-        stiffness[0] += mesh.stiffness[0]
-    bands = np.zeros((3, mesh.mass.size))
-    bands[0, 1:], bands[1], bands[2, :-1] = mesh.stiffness_beside, stiffness, mesh.stiffness_beside
-    bent = solve_banded((1, 1), bands, load)
-    if free:
-        bent -= (inertia @ bent) / inertia.sum()
-    return float(bent[0])
+    free = mesh.free.shape[0]  # a free body is held anywhere: the load is in balance with its inertia
+    stiffness[0, :free] += stiffness[0, :free]
+    found = solveh_banded(stiffness, load - np.linalg.solve(gram, kept @ load) @ inertia, lower=True)
+    return found - np.linalg.solve(gram, inertia @ found) @ kept
+
+
+def _left_out(mesh: Mesh, modes: np.ndarray) -> float:
+    """Compliance at the struck unknown of all modes but these [m/N]; O(unknowns), exact to its own rounding."""
+    load = np.zeros(mesh.size)
+    load[mesh.struck] = 1.0
+    return max(float(_bent(mesh, load, np.vstack((mesh.free, modes)))[mesh.struck]), 0.0)
 
 
 def two_sided(first: Callable, second: Callable, sign: float) -> Callable:
@@ -192,38 +241,39 @@ def two_sided(first: Callable, second: Callable, sign: float) -> Callable:
 
 
 class Line(NamedTuple):
-    """Two bodies on one axis as one row of nodes: the impactor's, its struck face last, then the target's.
+    """Two bodies, not joined: the unknowns of the impactor, then those of the target.
 
-    Arrays as in `Mesh`; `front` is the node of the impactor's face, that of the target's is the next one, if any.
+    Arrays as in `Mesh`; `front` is the unknown of the impactor's face, `other` that of the target's, -1 if it has none.
     """
 
     mass: np.ndarray
-    mass_beside: np.ndarray
     stiffness: np.ndarray
-    stiffness_beside: np.ndarray
+    split: int  # unknowns of the impactor
     front: int
+    other: int
 
 
 def line(impactor: Mesh, target: Mesh) -> Line:
-    """Both bodies in a row, not joined."""
-    joint = np.zeros(1 if target.mass.size else 0)
-    pairs = ((impactor.mass, target.mass), (impactor.stiffness, target.stiffness))
-    beside = ((impactor.mass_beside, target.mass_beside), (impactor.stiffness_beside, target.stiffness_beside))
-    mass, stiffness = (np.concatenate((first[::-1], second)) for first, second in pairs)
-    mass_beside, stiffness_beside = (np.concatenate((first[::-1], joint, second)) for first, second in beside)
-    return Line(mass, mass_beside, stiffness, stiffness_beside, impactor.mass.size - 1)
+    mass, stiffness = (
+        bands.side_by_side(*pair) for pair in ((impactor.mass, target.mass), (impactor.stiffness, target.stiffness))
+    )
+    split = impactor.size
+    return Line(mass, stiffness, split, impactor.struck, split + target.struck if target.size else -1)
 
 
 def highest_frequency(line: Line, contact_stiffness: float) -> float:
-    """Of a line with lumped masses and the contact spring [N/m] between its faces [rad/s]."""
+    """Of rods and points with lumped masses and the contact spring [N/m] between their faces [rad/s]."""
     from scipy.linalg import eigvalsh_tridiagonal
 
-    stiffness, beside = line.stiffness.copy(), line.stiffness_beside.copy()
-    stiffness[line.front] += contact_stiffness
-    if line.front + 1 < stiffness.size:
-        stiffness[line.front + 1] += contact_stiffness
-        beside[line.front] -= contact_stiffness
-    last = stiffness.size - 1
-    root = np.sqrt(line.mass)
-    diagonal, beside = stiffness / line.mass, beside / (root[1:] * root[:-1])
-    return float(np.sqrt(eigvalsh_tridiagonal(diagonal, beside, select="i", select_range=(last, last))[0]))
+    row = np.append(np.arange(line.split)[::-1], np.arange(line.split, line.mass.shape[1]))  # face to face
+    stiffness, mass, face = line.stiffness[0, row], line.mass[0, row], line.split - 1
+    beside = np.concatenate((line.stiffness[1, : line.split][::-1][1:], line.stiffness[1, face:-1]))
+    stiffness[face] += contact_stiffness
+    if line.other >= 0:
+        stiffness[face + 1] += contact_stiffness
+        beside[face] -= contact_stiffness
+    last, root = stiffness.size - 1, np.sqrt(mass)
+    found = eigvalsh_tridiagonal(
+        stiffness / mass, beside / (root[1:] * root[:-1]), select="i", select_range=(last, last)
+    )
+    return float(np.sqrt(found[0]))

@@ -1,7 +1,7 @@
-"""Time steps of a line of nodes: Newmark's constant mean acceleration and the explicit central difference.
+"""Time steps of two meshes: Newmark's constant mean acceleration and, for rods, the explicit central difference.
 
-Both touch every node once per step. The contact force F presses the node `front` back and the next one forward; the
-indentation is u[front] - u[front + 1]. Where the second body has no node it does not move.
+Both touch every unknown once per step. The contact force F presses the unknown `front` back and `other` forward; the
+indentation is u[front] - u[other]. Where the second body has no node it does not move, and `other` is -1.
 Source: thesis 6.4.1 and 8.2 (delta = 1/2, alpha = 1/4).
 """
 
@@ -10,11 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit import kernel
+from .bands import Factors, factorised, solve, substitute, widened
 from .elements import Line
 
 
 class Record(NamedTuple):
-    """What a march writes at every instant (steps + 1,), and of all nodes at every stride-th (rows, nodes)."""
+    """What a march writes at every instant (steps + 1,), and of all nodes at every stride-th (rows, unknowns)."""
 
     contact_force: np.ndarray  # [N]
     impulse: np.ndarray  # of the contact so far [N s]
@@ -33,119 +34,89 @@ def record(steps: int, stride: int, nodes: int) -> Record:
     return Record(*(np.zeros(steps + 1) for _ in range(9)), *(np.zeros((steps // stride + 1, nodes)) for _ in range(2)))
 
 
-class Factors(NamedTuple):
-    """Of a symmetric matrix with three diagonals, L D L^T: `below` the diagonal of L, one over D."""
-
-    below: np.ndarray
-    inverse: np.ndarray
-
-
-def factorised(diagonal: np.ndarray, beside: np.ndarray) -> Factors:
-    """Once per scene: O(nodes). Source: Thomas's elimination."""
-    below, inverse = np.zeros(diagonal.size), np.zeros(diagonal.size)
-    _factorise(diagonal, beside, below, inverse)
-    return Factors(below, inverse)
-
-
-@kernel
-def _factorise(diagonal, beside, below, inverse):
-    last = diagonal.size - 1
-    inverse[0] = 1.0 / diagonal[0]
-    for i in range(last):
-        below[i] = beside[i] * inverse[i]
-        inverse[i + 1] = 1.0 / (diagonal[i + 1] - below[i] * beside[i])
-
-
 class Newmark(NamedTuple):
-    """What a step needs of a line; `response` (nodes,) is the displacement under a unit pair of contact forces."""
+    """What a step needs of a line; `response` (unknowns,) is the displacement under a unit pair of contact forces."""
 
     factors: Factors
     response: np.ndarray  # [m/N]
     compliance: float  # closing of the faces per newton over one step [m/N]
-    inertia: np.ndarray  # 4 M / step: both diagonals, and twice the stiffness
-    inertia_beside: np.ndarray
+    inertia: np.ndarray  # 4 M / step, and twice the stiffness: bands
     stiffness: np.ndarray
-    stiffness_beside: np.ndarray
     front: int
+    other: int
 
 
 def newmark(line: Line, step: float) -> Newmark:
     """The matrices of (4 M / step^2 + K) du = 4 M v / step - 2 K u - 2 w F, factorised for a step [s]."""
-    factors = factorised(
-        4.0 / step**2 * line.mass + line.stiffness, 4.0 / step**2 * line.mass_beside + line.stiffness_beside
-    )
-    response = np.zeros(line.mass.size)
+    factors = factorised(4.0 / step**2 * line.mass + line.stiffness)
+    response = np.zeros(line.mass.shape[1])
     response[line.front] = 1.0
-    if line.front + 1 < response.size:
-        response[line.front + 1] = -1.0
+    if line.other >= 0:
+        response[line.other] = -1.0
     solve(factors, response)
-    closing = response[line.front] - (response[line.front + 1] if line.front + 1 < response.size else 0.0)
-    return Newmark(
-        factors,
-        response,
-        2.0 * float(closing),
-        4.0 / step * line.mass,
-        4.0 / step * line.mass_beside,
-        2.0 * line.stiffness,
-        2.0 * line.stiffness_beside,
-        line.front,
-    )
+    closing = response[line.front] - (response[line.other] if line.other >= 0 else 0.0)
+    count = factors.below.shape[0] + 1
+    inertia, stiffness = 4.0 / step * widened(line.mass, count), 2.0 * widened(line.stiffness, count)
+    return Newmark(factors, response, 2.0 * float(closing), inertia, stiffness, line.front, line.other)
 
 
 @kernel
-def solve(factors, vector):
-    """In place."""
-    last = vector.size - 1
-    for i in range(last):
-        vector[i + 1] -= factors.below[i] * vector[i]
-    vector[last] *= factors.inverse[last]
-    for i in range(last - 1, -1, -1):
-        vector[i] = vector[i] * factors.inverse[i] - factors.below[i] * vector[i + 1]
-
-
-@kernel
-def _write(record, k, stride, force, impulse, indentation, deepest, lost, u, v, front):
+def _write(record, k, stride, force, impulse, indentation, deepest, lost, u, v, front, other):
     record.contact_force[k], record.impulse[k], record.indentation[k] = force, impulse, indentation
     record.deepest[k], record.lost[k] = deepest, lost
     record.first[k], record.first_velocity[k] = u[front], v[front]
-    if front + 1 < u.size:
-        record.second[k], record.second_velocity[k] = u[front + 1], v[front + 1]
+    if other >= 0:
+        record.second[k], record.second_velocity[k] = u[other], v[other]
     if k % stride == 0:
         record.displacement[k // stride] = u
         record.velocity[k // stride] = v
 
 
 @kernel
+def _free_change(line, u, v, change):
+    """Displacements of one step without contact: right-hand side and forward sweep at once, then the backward one."""
+    inertia, stiffness = line.inertia, line.stiffness
+    below, inverse, broad = line.factors.below, line.factors.inverse, len(line.factors.broad) > 0
+    last = u.size - 1
+    one = two = three = 0.0  # of the sweep, one row and more above
+    left = left_two = left_three = 0.0  # what the rows above pull at the next ones
+    for i in range(last + 1):
+        u_i, v_i, j = u[i], v[i], min(i + 1, last)
+        load = inertia[0, i] * v_i - stiffness[0, i] * u_i + left
+        load += inertia[1, i] * v[j] - stiffness[1, i] * u[j]
+        left = inertia[1, i] * v_i - stiffness[1, i] * u_i
+        if broad:
+            j, k = min(i + 2, last), min(i + 3, last)
+            load += inertia[2, i] * v[j] - stiffness[2, i] * u[j]
+            load += inertia[3, i] * v[k] - stiffness[3, i] * u[k]
+            left += left_two
+            left_two = left_three + inertia[2, i] * v_i - stiffness[2, i] * u_i
+            left_three = inertia[3, i] * v_i - stiffness[3, i] * u_i
+            load -= below[1, i] * two + below[2, i] * three
+            three, two = two, one
+        one = load - below[0, i] * one
+        change[i] = one * inverse[i]
+    substitute(line.factors, change)
+
+
+@kernel
 def march_implicit(law, line, step, u, v, stride, begin, end, record):
     """Newmark's step for the bodies; the contact force, constant over it, does exactly the law's work.
 
-    u, v (nodes,) hold instant `begin` and are advanced to `end`. Error: second order; energy is kept to rounding for
-    any law, stiffness and step, as the bodies' part of the step keeps it too.
+    u, v (unknowns,) hold instant `begin` and are advanced to `end`. Error: second order; energy is kept to rounding
+    for any law, stiffness and step, as the bodies' part of the step keeps it too.
     """
-    front, nodes = line.front, u.size
-    last = nodes - 1
-    below, inverse, response = line.factors.below, line.factors.inverse, line.response
-    change = np.zeros(nodes)
+    front, other, response = line.front, line.other, line.response
+    change = np.zeros(u.size)
     turn, rate_unit = 2.0 / step, 1.0 / step
     indentation, deepest = record.indentation[begin], record.deepest[begin]
     impulse, lost = record.impulse[begin], record.lost[begin]
     force, force_before = 0.0, 0.0
     for k in range(begin, end):
-        carried, left, left_v = 0.0, 0.0, 0.0
-        for i in range(last):  # right-hand side and elimination in one sweep
-            load = line.inertia[i] * v[i] - line.stiffness[i] * u[i] + left_v - left
-            load += line.inertia_beside[i] * v[i + 1] - line.stiffness_beside[i] * u[i + 1]
-            left, left_v = line.stiffness_beside[i] * u[i], line.inertia_beside[i] * v[i]
-            carried = load - carried
-            change[i] = carried * inverse[i]
-            carried *= below[i]
-        load = line.inertia[last] * v[last] - line.stiffness[last] * u[last] + left_v - left
-        change[last] = (load - carried) * inverse[last]
-        for i in range(last - 1, -1, -1):
-            change[i] -= below[i] * change[i + 1]
+        _free_change(line, u, v, change)
         free = indentation + change[front]
-        if front < last:
-            free -= change[front + 1]
+        if other >= 0:
+            free -= change[other]
         expected = force + force - force_before
         force_before = force
         force, indentation, loss = law.mean_force(indentation, free, line.compliance, rate_unit, expected, deepest)
@@ -153,50 +124,61 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
         lost += loss
         impulse += step * force
         push = 2.0 * force
-        for i in range(nodes):
+        for i in range(u.size):
             moved = change[i] - push * response[i]
             u[i] += moved
             v[i] = turn * moved - v[i]
-        rate = v[front] - (v[front + 1] if front < last else 0.0)
+        rate = v[front] - (v[other] if other >= 0 else 0.0)
         now = law.force(indentation, rate, deepest)
-        _write(record, k + 1, stride, now, impulse, indentation, deepest, lost, u, v, front)
+        _write(record, k + 1, stride, now, impulse, indentation, deepest, lost, u, v, front, other)
 
 
 @kernel
-def march_frozen(stiffness, apart, together, step, u, v, acceleration, stride, begin, end, record):
+def _product(bands, vector, found):
+    """A symmetric matrix of bands times a vector."""
+    size = vector.size
+    for i in range(size):
+        found[i] = bands[0, i] * vector[i]
+    for j in range(1, min(bands.shape[0], size)):
+        for i in range(size - j):
+            found[i] += bands[j, i] * vector[i + j]
+            found[i + j] += bands[j, i] * vector[i]
+
+
+@kernel
+def march_frozen(stiffness, line, step, u, v, acceleration, stride, begin, end, record):
     """Newmark's step with the contact spring [N/m] in the matrix if the faces overlapped when the step began.
 
-    `apart`, `together`: the line without and with that spring. Puts energy in where the faces part within a step;
-    grows without bound where the spring is stiff. Stops and returns the instant at which the motion is past reason.
+    The spring joins two unknowns: its part of the solution follows from `response`, without a matrix of its own.
+    Puts energy in where the faces part within a step; grows without bound where the spring is stiff. Stops and returns
+    the instant at which the motion is past reason.
     Source: thesis 8.2, whose step, status and start this is: table 8.1 follows digit for digit.
     """
-    front, nodes = apart.front, u.size
-    load = np.empty(nodes)
+    front, other = line.front, line.other
+    load, rates = np.empty(u.size), np.empty(u.size)
     impulse, force, pressed = record.impulse[begin], record.contact_force[begin], 0.0
     deepest = record.deepest[begin]
-    pace = 0.25 * step  # of the matrix 4 M / step
+    held = stiffness / (1.0 + 0.5 * stiffness * line.compliance)  # newtons per metre that the faces would overlap
     for k in range(begin, end):
-        matrices = together if force > 0.0 else apart
         # 4 M / step^2 u + 4 M / step v + M a, in terms of the matrix 4 M / step
-        for i in range(nodes):
-            u_rate = u[i] / step + v[i] + pace * acceleration[i]
-            load[i] = matrices.inertia[i] * u_rate
-            if i > 0:
-                load[i] += matrices.inertia_beside[i - 1] * (u[i - 1] / step + v[i - 1] + pace * acceleration[i - 1])
-            if i + 1 < nodes:
-                load[i] += matrices.inertia_beside[i] * (u[i + 1] / step + v[i + 1] + pace * acceleration[i + 1])
-        solve(matrices.factors, load)
-        for i in range(nodes):
-            moved = 2.0 * (load[i] - u[i]) / step
+        for i in range(u.size):
+            rates[i] = u[i] / step + v[i] + 0.25 * step * acceleration[i]
+        _product(line.inertia, rates, load)
+        solve(line.factors, load)
+        before, pressed = pressed, 0.0  # what the bodies felt
+        if force > 0.0:
+            pressed = held * (load[front] - (load[other] if other >= 0 else 0.0))
+        impulse += 0.5 * step * (before + pressed)
+        for i in range(u.size):
+            u_next = load[i] - pressed * line.response[i]
+            moved = 2.0 * (u_next - u[i]) / step
             now = 2.0 * (moved - 2.0 * v[i]) / step - acceleration[i]
             v[i] = moved - v[i]
-            u[i], acceleration[i] = load[i], now
-        indentation = u[front] - (u[front + 1] if front + 1 < nodes else 0.0)
-        before, pressed = pressed, (stiffness * indentation if force > 0.0 else 0.0)  # what the bodies felt
-        impulse += 0.5 * step * (before + pressed)
+            u[i], acceleration[i] = u_next, now
+        indentation = u[front] - (u[other] if other >= 0 else 0.0)
         force = max(stiffness * indentation, 0.0)
         deepest = max(deepest, indentation)
-        _write(record, k + 1, stride, force, impulse, indentation, deepest, 0.0, u, v, front)
+        _write(record, k + 1, stride, force, impulse, indentation, deepest, 0.0, u, v, front, other)
         if not abs(v[front]) < 1e3 * abs(record.first_velocity[0]):
             return k + 1
     return end
@@ -208,15 +190,22 @@ class Explicit(NamedTuple):
     gain: np.ndarray  # step / mass of each node [s/kg]
     spring: np.ndarray  # (nodes + 1,): before the first, between each two, behind the last [N/m]
     front: int
+    other: int
 
 
 def explicit(line: Line, step: float) -> Explicit:
-    """Of a line with lumped masses."""
-    between = -line.stiffness_beside
-    spring = np.zeros(line.mass.size + 1)
-    spring[1:-1] = between
-    spring[-1] = line.stiffness[-1] - spring[-2]  # what holds the far end of the target
-    return Explicit(step / line.mass, spring, line.front)
+    """Of rods and points with lumped masses."""
+    spring = np.append(0.0, -line.stiffness[1])
+    spring[-1] = line.stiffness[0, -1] - spring[-2]  # what holds the far end of the target
+    return Explicit(step / line.mass[0], spring, line.front, line.other)
+
+
+@kernel
+def _pull(line, u, i):
+    """Change of a node's velocity over one step by its neighbours."""
+    before = u[i - 1] - u[i] if i > 0 else -u[i]
+    behind = u[i + 1] - u[i] if i + 1 < u.size else -u[i]
+    return line.gain[i] * (line.spring[i] * before + line.spring[i + 1] * behind)
 
 
 @kernel
@@ -252,10 +241,10 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
     Stable below 2 / (highest frequency of the line with the contact spring). `lossy`: what the force's work leaves
     unstored is counted as lost.
     """
-    front, nodes = line.front, u.size
-    ends = front + 1 < nodes
+    front, other = line.front, line.other
+    ends = other >= 0
     gain, spring = line.gain, line.spring
-    mobility = gain[front] + (gain[front + 1] if ends else 0.0)
+    mobility = gain[front] + (gain[other] if ends else 0.0)
     indentation, deepest = record.indentation[begin], record.deepest[begin]
     impulse, work = record.impulse[begin], record.lost[begin]
     work += law.stored(indentation, deepest)
@@ -264,19 +253,16 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
         _kick(gain, spring, u, v)
         v[front] -= gain[front] * force
         if ends:
-            v[front + 1] += gain[front + 1] * force
+            v[other] += gain[other] * force
         _drift(step, u, v)
         # the state at the next instant, with half a kick of what acts there
         before, was = force, indentation
-        indentation = u[front] - (u[front + 1] if ends else 0.0)
-        a1 = gain[front] * (spring[front] * ((u[front - 1] if front > 0 else 0.0) - u[front]))
-        a2 = 0.0
-        if ends:
-            i = front + 1
-            a2 = gain[i] * (spring[i + 1] * ((u[i + 1] if i + 1 < nodes else 0.0) - u[i]))
+        indentation = u[front] - (u[other] if ends else 0.0)
+        a1 = _pull(line, u, front)
+        a2 = _pull(line, u, other) if ends else 0.0
         deepest_before = deepest
         deepest = max(deepest, indentation)
-        rate = v[front] - (v[front + 1] if ends else 0.0) + 0.5 * (a1 - a2)
+        rate = v[front] - (v[other] if ends else 0.0) + 0.5 * (a1 - a2)
         force = _centred(law, lossy, indentation, rate, 0.5 * mobility, deepest_before)
         impulse += 0.5 * step * (before + force)
         work += 0.5 * (before + force) * (indentation - was)
@@ -286,8 +272,8 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
         record.first[k + 1] = u[front]
         record.first_velocity[k + 1] = v[front] + 0.5 * (a1 - gain[front] * force)
         if ends:
-            record.second[k + 1] = u[front + 1]
-            record.second_velocity[k + 1] = v[front + 1] + 0.5 * (a2 + gain[front + 1] * force)
+            record.second[k + 1] = u[other]
+            record.second_velocity[k + 1] = v[other] + 0.5 * (a2 + gain[other] * force)
         if (k + 1) % stride == 0:
             row = (k + 1) // stride
             record.displacement[row] = u
@@ -296,7 +282,7 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
             _kick(0.5 * gain, spring, u, halfway)
             halfway[front] = record.first_velocity[k + 1]
             if ends:
-                halfway[front + 1] = record.second_velocity[k + 1]
+                halfway[other] = record.second_velocity[k + 1]
 
 
 @kernel

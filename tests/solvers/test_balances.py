@@ -6,6 +6,7 @@ from pytest import approx
 
 from solvers.numerics import balances
 from solvers.numerics.balances import Bank
+from solvers.numerics.bands import full
 from solvers.numerics.elements import mesh_modes
 from solvers.numerics.free_motion import exact_turn, newmark_turn
 from tests.catalog import ROD, STEEL_ROD_MASS, T
@@ -94,7 +95,7 @@ def test_table_6_1_one_balance_with_three_elements():
     mesh = ROD.mesh(3)
     mass = np.zeros((4, 4))
     mass[0, 0] = MASS
-    mass[1:, 1:] = np.diag(mesh.mass) + np.diag(mesh.mass_beside, 1) + np.diag(mesh.mass_beside, -1)
+    mass[1:, 1:] = full(mesh.mass)
     closing, rates = np.array([1.0, -1.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0, 0.0])
     jumps = balances.single_balance(np.linalg.inv(mass), closing, rates, 1.0)
     assert jumps == approx(np.array([-13.0, 135.0, -36.0, 9.0]) / 74.0, rel=1e-13)

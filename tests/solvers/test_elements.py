@@ -4,32 +4,29 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from solvers.numerics.bands import full
 from solvers.numerics.elements import AVERAGED, CONSISTENT, LUMPED, highest_frequency, line, mesh_modes, point_mesh
 from tests.catalog import ROD, observed_order, struck_rod
 
 SHARES = (CONSISTENT, AVERAGED, LUMPED)
 
 
-def full(diagonal, beside):
-    return np.diag(diagonal) + np.diag(beside, 1) + np.diag(beside, -1)
-
-
 @pytest.mark.parametrize("lumping", SHARES)
 def test_mass_and_static_stiffness_are_those_of_the_rod(lumping):
     free = struck_rod(support="free").target.mesh(7, lumping)
-    assert free.total_mass == approx(ROD.mass, rel=1e-14)
+    assert free.rigid_mass == approx(ROD.mass, rel=1e-14)
     fixed = ROD.mesh(7, lumping)
-    assert np.linalg.inv(full(fixed.stiffness, fixed.stiffness_beside))[0, 0] == approx(1.0 / ROD.stiffness, rel=1e-12)
-    assert fixed.mass.size == 7 and free.mass.size == 8
+    assert np.linalg.inv(full(fixed.stiffness))[0, 0] == approx(1.0 / ROD.stiffness, rel=1e-12)
+    assert fixed.size == 7 and free.size == 8
 
 
 def test_matrices_of_6_16():
     mesh = ROD.mesh(3)
     m, k = ROD.mass / 9.0, 3.0 * ROD.stiffness
-    assert mesh.mass == approx(m * np.array([1.0, 2.0, 2.0]), rel=1e-14)
-    assert mesh.mass_beside == approx(m * np.array([0.5, 0.5]), rel=1e-14)
-    assert mesh.stiffness == approx(k * np.array([1.0, 2.0, 2.0]), rel=1e-14)
-    assert mesh.stiffness_beside == approx(-k * np.ones(2), rel=1e-14)
+    assert mesh.mass[0] == approx(m * np.array([1.0, 2.0, 2.0]), rel=1e-14)
+    assert mesh.mass[1] == approx(m * np.array([0.5, 0.5, 0.0]), rel=1e-14)
+    assert mesh.stiffness[0] == approx(k * np.array([1.0, 2.0, 2.0]), rel=1e-14)
+    assert mesh.stiffness[1] == approx(k * np.array([-1.0, -1.0, 0.0]), rel=1e-14)
     assert mesh.neighbour == approx(k, rel=1e-14)
 
 
@@ -65,7 +62,7 @@ def test_modes_are_orthonormal_and_the_face_stands_where_it_is_struck():
     mesh = ROD.mesh(12)
     modes = mesh_modes(mesh)
     shapes = modes.shapes(mesh.place[:-1])
-    assert shapes @ full(mesh.mass, mesh.mass_beside) @ shapes.T == approx(np.eye(12), abs=1e-12)
+    assert shapes @ full(mesh.mass) @ shapes.T == approx(np.eye(12), abs=1e-12)
     assert shapes[:, 0] == approx(modes.at_contact, rel=1e-12)
     assert modes.shapes(mesh.place[-1:]) == approx(np.zeros((12, 1)), abs=1e-15)
     middle = 0.5 * (mesh.place[3] + mesh.place[4])
@@ -83,9 +80,9 @@ def test_the_highest_frequency_includes_the_contact_spring():
     whole = line(impactor, rod)
     element = rod.neighbour
     for stiffness in (0.0, element, 100.0 * element):
-        matrix = full(whole.stiffness, whole.stiffness_beside)
+        matrix = full(whole.stiffness)
         matrix[:2, :2] += stiffness * np.array([[1.0, -1.0], [-1.0, 1.0]])
-        root = 1.0 / np.sqrt(whole.mass)
+        root = 1.0 / np.sqrt(whole.mass[0])
         highest = np.linalg.eigvalsh(root[:, None] * matrix * root)[-1]
         assert highest_frequency(whole, stiffness) == approx(np.sqrt(highest), rel=1e-10)
     bare = highest_frequency(whole, 0.0)
