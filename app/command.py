@@ -67,6 +67,7 @@ def _parser() -> argparse.ArgumentParser:
 
     _sweep_command(commands)
     _ensemble_command(commands)
+    _convergence_command(commands)
     _record_command(commands)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
@@ -115,6 +116,19 @@ def _ensemble_command(commands: Any) -> None:
         from .trust import print_ensemble
 
         return print_ensemble(_scene(options), options.runs, options.spread, options.key, options.seed, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _convergence_command(commands: Any) -> None:
+    parser = commands.add_parser("convergence", help="solve a scene with ever more modes, or elements")
+    _scene_arguments(parser)
+    parser.add_argument("--modes", metavar="N,N,...", help="numbers of modes, or of elements; default: 3,5,10,20,40,80")
+
+    def run(options: argparse.Namespace) -> int:
+        from .trust import print_convergence
+
+        return print_convergence(_scene(options), options.modes, options.json)
 
     parser.set_defaults(run=run)
 

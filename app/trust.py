@@ -1,9 +1,10 @@
-"""The command `impact ensemble`: how far to trust a blow."""
+"""The commands `impact ensemble` and `impact convergence`: how far to trust a blow."""
 
 import json
 
 import solvers
 from solvers import SceneError
+from solvers.convergence import Convergence, convergence
 from solvers.ensemble import Ensemble, ensemble
 
 from .sweeps import shown
@@ -52,3 +53,28 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
         rest = f"{shown(*cells[4][::2]):>8} %" + shown(*cells[5][::2]).rjust(13) + shown(*cells[6][::2]).rjust(11)
         lines.append(f"  {name:24}  {values}  {rest}  {row.verdict}")
     return "\n".join([*lines, "", found.told, *(f"Note: {note}" for note in found.notes)])
+
+
+def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) -> int:
+    """Print a line for each number of modes or elements, and what they tell, or all of it in JSON."""
+    named, _ = solvers.read_method(scene.method)
+    method = named.NAME if {"modes", "elements"} & set(named.table()) else "modal"
+    counts = () if modes is None else ([number("--modes", part, int) for part in modes.split(",")],)
+    try:
+        found = convergence(scene, *counts, method=method)
+    except SceneError as refused:
+        if refused.key == "modes":
+            raise SceneError("--modes", refused.value, refused.allowed) from None
+        raise
+    print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else convergence_table(scene, found))
+    return 0
+
+
+def convergence_table(scene: solvers.Scene, found: Convergence) -> str:
+    names = [name.replace("_", " ") + (f" [{unit}]" if unit else "") for name, unit in found.units.items()]
+    width = max(map(len, names))
+    lines = [scene.title or "Scene", f"  by {found.method}, in {found.wall_time:.2f} s", ""]
+    lines.append(f"  {found.kind:{width}}" + "".join(f"{count:>14d}" for count in found.counts))
+    for name, values in zip(names, found.values.values(), strict=True):
+        lines.append(f"  {name:{width}}" + "".join(f"{value:>14.7g}" for value in values))
+    return "\n".join([*lines, "", *(f"  {told}" for told in found.told.values())])

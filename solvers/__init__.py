@@ -8,6 +8,8 @@ from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
 from .comparison import Row, compare
 from .contact import LAWS
+from .contact_times import ContactTimes, compare_with_half_space, contact_times
+from .convergence import Convergence, convergence
 from .ensemble import Ensemble, ensemble
 from .method import Method, SceneNotSupported
 from .methods import (
@@ -31,6 +33,8 @@ __all__ = [
     "Balance",
     "Body",
     "ContactPeriod",
+    "ContactTimes",
+    "Convergence",
     "Ensemble",
     "FeModal",
     "FeNodal",
@@ -52,6 +56,9 @@ __all__ = [
     "Wall",
     "Waves",
     "compare",
+    "compare_with_half_space",
+    "contact_times",
+    "convergence",
     "ensemble",
     "load",
     "read_method",

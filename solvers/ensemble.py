@@ -19,7 +19,7 @@ from .methods import METHODS, FeModal, FeNodal, Modal, read_method
 from .methods.modal import again
 from .scene import Scene
 from .solution import ContactPeriod, Motion, Solution
-from .spread import FIGURES, Band, Spread, band_of, ill_conditioned, spread_table, told
+from .spread import FIGURES, Band, Spread, band_of, ill_conditioned, plain, spread_table, told
 
 MOST_RUNS = 10_000
 SPREAD_RANGE = (1e-9, 0.3)
@@ -60,7 +60,7 @@ class Ensemble:
 
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
-        return _plain(asdict(self))
+        return plain(asdict(self))
 
 
 def ensemble(
@@ -243,13 +243,3 @@ def _scales(scene: Scene, base: Solution) -> dict[str, float]:
         "residual_indentation": base.peak_indentation or math.nan,
         "dissipated": scene.initial_energy,
     }
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, Mapping):
-        return {name: _plain(inner) for name, inner in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(inner) for inner in value]
-    if isinstance(value, np.ndarray):
-        return [_plain(inner) for inner in value.tolist()]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -144,3 +145,14 @@ def band_of(histories: list[np.ndarray]) -> Band:
         return (1.0 - part) * ordered[:, low] + part * ordered[:, min(low + 1, last)]
 
     return Band(ordered[:, 0].copy(), quantile(0.05), quantile(0.5), quantile(0.95), ordered[:, -1].copy())
+
+
+def plain(value: Any) -> Any:
+    """Arrays as lists, and None for what is no number, all the way down."""
+    if isinstance(value, Mapping):
+        return {name: plain(inner) for name, inner in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(inner) for inner in value]
+    if isinstance(value, np.ndarray):
+        return [plain(inner) for inner in value.tolist()]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -90,3 +90,35 @@ def test_it_can_be_interrupted():
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert (process.returncode, out, err) == (130, "", "impact: stopped\n")
+
+
+def test_convergence_has_the_promised_keys(capsys):
+    found = json.loads(answer(capsys, "convergence", "bronze-rod-steel-ball", "--modes", "3,6,12", "--json"))
+    keys = {"method", "kind", "counts", "units", "values", "differences", "order", "told", "wall_time"}
+    assert set(found) == keys
+    assert found["counts"] == [3, 6, 12] and (found["method"], found["kind"]) == ("modal", "modes")
+    assert len(found["values"]["final_velocity"]) == len(found["differences"]["final_velocity"]) == 3
+
+
+def test_convergence_of_the_elements_that_the_scene_names(capsys):
+    words = ("--set", "method.name=fe-nodal", "--modes", "5,10,20")
+    told = answer(capsys, "convergence", "bronze-rod-steel-ball", *words)
+    assert "by fe-nodal" in told and "  elements" in told and "final velocity: " in told
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--modes", "3,5"], "--modes: got [3, 5]"),
+        (["--modes", "3,x,7"], "--modes: got 'x'"),
+        (["--modes", "10,5,3"], "--modes: got [10, 5, 3]"),
+        (["--modes", ""], "--modes: got ''"),
+        (["--set", "method.name=guess"], "method.name: got 'guess'"),
+    ],
+)
+def test_bad_counts_are_refused_in_one_line(capsys, arguments, said):
+    assert said in refusal(capsys, "convergence", "fixed-rod", *arguments)
+
+
+def test_convergence_of_what_modes_cannot_solve_is_refused(capsys):
+    assert "method.name" in refusal(capsys, "convergence", "split-hopkinson")

@@ -1,0 +1,100 @@
+"""How long the bodies touch: apparent and real, beside the swing of the struck body and the blow on a half-space."""
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from .contact import Rigid
+from .method import SceneNotSupported
+from .methods import Modal
+from .numerics.modes import composite_rod_modes
+from .scene import Scene
+from .solution import Solution
+
+STUCK = 0.7, 1.3  # half periods from first touch to last parting: the impactor swings with the body as if stuck to it
+
+
+@dataclass(frozen=True)
+class ContactTimes:
+    """All in seconds; `half_period` of the struck body with the impactor's mass on it, None where nothing swings."""
+
+    contacts: int
+    apparent: float  # from first touch to last parting
+    real: float  # the sum of all contacts
+    half_period: float | None
+    half_period_alone: float | None  # of the struck body without the mass
+    told: str
+
+    def table(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def contact_times(solution: Solution) -> ContactTimes:
+    """Apparent and real contact time, and the half period of the struck body with the impactor's mass attached.
+
+    Source: thesis 5.5, 8.3, 8.4.2. Differs: 8.4.2 compares with the half period of the free bar; it is that of the bar
+    with the mass attached that the apparent time comes near.
+    """
+    contacts = solution.contacts
+    apparent, real = contacts[-1].end - contacts[0].start, sum(contact.end - contact.start for contact in contacts)
+    with_mass, alone = half_periods(solution.scene)
+    return ContactTimes(
+        len(contacts), apparent, real, with_mass, alone, _told(len(contacts), apparent, real, with_mass)
+    )
+
+
+def half_periods(scene: Scene) -> tuple[float | None, float | None]:
+    """Half the longest period of the struck body [s], with the mass of a rigid impactor attached and without."""
+    target, mass = scene.target, scene.impactor.mass
+    if scene.normal is not None or scene.impactor.kind not in ("mass", "sphere"):
+        return None, None
+    if target.kind == "spring-mass":
+        with_mass = math.sqrt(target.stiffness / (target.mass + mass))
+        return math.pi / with_mass, math.pi / target.frequency
+    if target.kind == "rod" and not target.end_mass and target.support in ("fixed", "free"):
+        fixed = target.support == "fixed"
+        modes = composite_rod_modes(target.length, target.mass, target.wave_speed, fixed, 1, mass)
+        return math.pi / float(modes.frequencies[0]), math.pi / float(target.modes(1).frequencies[0])
+    return None, None
+
+
+def _told(contacts: int, apparent: float, real: float, half_period: float | None) -> str:
+    told = f"The bodies touch once, for {apparent:.4g} s."
+    if contacts > 1:
+        told = (
+            f"The bodies touch {contacts} times within {apparent:.4g} s, {100.0 * real / apparent:.3g} % of that time."
+        )
+    if half_period is None:
+        return told
+    swings = apparent / half_period
+    told += (
+        f" That is {swings:.3g} times the half period of the struck body with the impactor's mass on it,"
+        f" {half_period:.4g} s:"
+    )
+    if STUCK[0] <= swings <= STUCK[1]:
+        return told + " the two swing together as if stuck to each other, and part when the body has swung back."
+    if swings < STUCK[0]:
+        return told + " the blow is over before the body as a whole has swung."
+    return told + " the impactor stays with the body for more than one swing."
+
+
+def compare_with_half_space(scene: Scene) -> Solution:
+    """The same impactor and contact law on a half-space of the target's material: what the contact alone would do.
+
+    Beside the scene's own solution it tells how much of the blow is local. Source: thesis 8.4.4.
+    """
+    if isinstance(scene.contact, Rigid):
+        raise SceneNotSupported("contact.law", "rigid", "a law that gives way: nothing else does on a half-space")
+    if scene.impactor.kind not in ("mass", "sphere") or not hasattr(scene.target, "material"):
+        raise SceneNotSupported("impactor.kind", scene.impactor.kind, "a rigid impactor on a body of some material")
+    material, radius = scene.target.material, scene.target.radius
+    target: dict[str, object] = {"kind": "half-space", "material": material.table()}
+    beside = Scene.from_table(
+        {
+            "title": f"The same blow on a half-space: {scene.title}"[:300],
+            "impactor": scene.impactor.table() | {"velocity": scene.speed},
+            "target": target | ({} if radius is None else {"radius": radius}),
+            "contact": {"law": scene.contact.NAME} | scene.contact.table(scene.speed),
+        }
+    )
+    return Modal(estimate=False).solve(beside)

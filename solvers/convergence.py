@@ -1,0 +1,217 @@
+"""What more modes, or more elements, do to each figure of a blow: whether it converges, and how fast."""
+
+import math
+import os
+import time
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from . import checks
+from .checks import SceneError
+from .method import Method, SceneNotSupported
+from .methods import METHODS, read_method
+from .scene import Scene
+from .solution import Solution
+from .spread import plain
+
+COUNTS = (3, 5, 10, 20, 40, 80)
+FEWEST, MOST = 3, 12  # counts
+INSTANTS, PLACES = 2_000, 41  # at which largest values of fields are looked for
+CLOSE = 1e-6  # relative differences below this count as none
+REGULAR = 0.7  # of natural logarithms about a fitted power: a factor of two
+SLOWEST = 0.4  # order that still counts as one
+UNBOUNDED = 0.5  # smallest power of a figure that tends to zero, or to infinity
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """One figure per count of modes or elements, and what becomes of it; arrays (counts,), SI units.
+
+    `differences` are those to the finest count, relative to the largest value, or for the velocity to the speed of
+    approach and for the energy lost to the initial energy. `order` p: the differences fall as counts^-p; None where
+    they do not, or where there is nothing to fit.
+    """
+
+    method: str
+    kind: str  # "modes" or "elements"
+    counts: np.ndarray
+    units: dict[str, str]
+    values: dict[str, np.ndarray]
+    differences: dict[str, np.ndarray]
+    order: dict[str, float | None]
+    told: dict[str, str]
+    wall_time: float
+
+    def table(self) -> dict[str, Any]:
+        """As plain lists and numbers."""
+        return plain({option.name: getattr(self, option.name) for option in fields(self)})
+
+
+def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Method = "modal") -> Convergence:
+    """The blow solved with each of these numbers of modes; of elements by 'fe-nodal' and 'fe-modal'.
+
+    All are followed for as long as the finest one. What is compared: velocity and impulse, peak force, first parting,
+    contacts, deepest position of the struck point, energy lost, and of the fields the largest shear force of a beam, of
+    a rod the largest stress: where it is held, and anywhere.
+    Error: peaks of fields are sampled at 2 000 instants.
+    Cost: the solves, side by side on all processors.
+    """
+    begun = time.perf_counter()
+    counts = _counts(modes)
+    chosen, kind, duration = _method(scene, method)
+    methods = [replace(chosen, **{kind: checks.whole_number(kind, count, 1, 10_000)}) for count in counts]
+    refused = methods[0].refusal(scene)
+    if refused:
+        raise SceneNotSupported("method.name", chosen.NAME, refused)
+    finest = methods[-1].solve(scene, duration)
+    pool = ThreadPoolExecutor(os.cpu_count() or 1, thread_name_prefix="convergence")
+    try:
+        others = list(pool.map(lambda coarse: coarse.solve(scene, finest.duration), methods[:-1]))
+        rows = list(pool.map(_figures, [*others, finest]))
+    finally:  # also when interrupted: what has not begun never does
+        pool.shutdown(wait=True, cancel_futures=True)
+    numbers = np.array(counts, float)
+    values = {name: np.array([row[name] for row in rows]) for name in rows[-1]}
+    values = {name: column for name, column in values.items() if np.isfinite(column).all() and column.any()}
+    scales = {"final_velocity": scene.speed, "energy_lost": scene.initial_energy}
+    judged = {
+        name: _judge(name, numbers, column, scales.get(name, float(np.abs(column).max())), kind)
+        for name, column in values.items()
+    }
+    return Convergence(
+        method=chosen.NAME,
+        kind=kind,
+        counts=np.array(counts),
+        units={name: UNITS[name] for name in values},
+        values=values,
+        differences={name: found[0] for name, found in judged.items()},
+        order={name: found[1] for name, found in judged.items()},
+        told={name: found[2] for name, found in judged.items()},
+        wall_time=time.perf_counter() - begun,
+    )
+
+
+UNITS = {
+    "final_velocity": "m/s",
+    "impulse": "N s",
+    "peak_force": "N",
+    "contacts": "",
+    "first_parting": "s",
+    "last_parting": "s",
+    "peak_deflection": "m",
+    "support_shear": "N",
+    "peak_shear": "N",
+    "support_stress": "Pa",
+    "peak_stress": "Pa",
+    "energy_lost": "J",
+}
+
+
+def _counts(given: Sequence[int]) -> list[int]:
+    if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
+        raise SceneError("modes", given, f"a list of {FEWEST} to {MOST} whole numbers")
+    counts = [checks.whole_number("modes", count, 1, 10_000) for count in given]
+    if counts != sorted(set(counts)):
+        raise SceneError("modes", counts, "whole numbers that rise")
+    return counts
+
+
+def _method(scene: Scene, given: str | Method) -> tuple[Method, str, float | None]:
+    """The method without its estimate of the error, the option that is varied, and the duration."""
+    named, duration = read_method(scene.method)
+    if isinstance(given, Method):
+        chosen = given
+    elif given == named.NAME:
+        chosen = named
+    else:
+        chosen = METHODS[checks.choice("method.name", given, METHODS)].read({})
+    options = {option.name for option in fields(chosen)}
+    kind = next((name for name in ("elements", "modes") if name in options), None)
+    if kind is None:
+        known = [name for name, method in METHODS.items() if {"elements", "modes"} & {f.name for f in fields(method)}]
+        raise SceneError("method.name", chosen.NAME, "a method with modes or elements: " + ", ".join(known))
+    if getattr(chosen, kind) is None:  # some, where it is left out, do without
+        chosen = replace(chosen, **{kind: 1})
+    return (replace(chosen, estimate=False) if "estimate" in options else chosen), kind, duration
+
+
+def _figures(solution: Solution) -> dict[str, float]:
+    """What is compared, NaN where it does not exist."""
+    given: dict[str, float | None] = {
+        "final_velocity": solution.impactor_velocity,
+        "impulse": solution.impulse,
+        "peak_force": solution.peak_force,
+        "contacts": len(solution.contacts),
+        "first_parting": solution.contacts[0].end,
+        "last_parting": solution.contacts[-1].end,
+        "energy_lost": solution.energy["dissipated"],
+    }
+    target, motion = solution.scene.target, solution.motion
+    instants = np.linspace(0.0, solution.duration, INSTANTS + 1)
+    given["peak_deflection"] = float(motion.end_position(instants).max())
+    if target.length > 0.0 and target.kind in ("rod", "beam"):
+        name, held = ("shear", 0) if target.kind == "beam" else ("stress", PLACES - 1)
+        if hasattr(motion, name):
+            field = np.abs(getattr(motion, name)(instants, np.linspace(0.0, target.length, PLACES)))
+            given[f"peak_{name}"] = float(field.max())
+            given[f"support_{name}"] = float(field[:, held].max()) if target.held else None
+    return {name: math.nan if given.get(name) is None else given[name] for name in UNITS}
+
+
+def _judge(
+    name: str, counts: np.ndarray, values: np.ndarray, scale: float, kind: str
+) -> tuple[np.ndarray, float | None, str]:
+    """Relative differences to the finest, the order, and the sentence."""
+    differences = np.abs(values - values[-1]) / scale
+    called = name.replace("_", " ")
+    if name == "contacts":
+        return differences, None, _settles(counts, values, kind)
+    if differences.max() <= CLOSE:
+        return differences, None, f"{called}: the same for all numbers of {kind}, to {differences.max():.1g}"
+    power, irregular = _power(counts, np.abs(values))
+    if abs(power) >= UNBOUNDED and irregular <= 0.5 * REGULAR:
+        goes = "grows" if power > 0.0 else "falls"
+        return differences, None, f"{called}: does not converge, it {goes} as {kind}^{power:+.2g}"
+    order, irregular = _order(counts, differences)
+    if order is None or irregular > REGULAR or order < SLOWEST:
+        within = f"{100.0 * differences[-3:].max():.2g} % of the finest from {counts[-3]:.0f} {kind} on"
+        return differences, None, f"{called}: no order can be told, within {within}"
+    left = differences[-2] / ((counts[-1] / counts[-2]) ** order - 1.0)
+    told = f"{called}: converges as {kind}^-{order:.2g}, {left:.1e} from its limit at {counts[-1]:.0f}"
+    return differences, order, told
+
+
+def _settles(counts: np.ndarray, values: np.ndarray, kind: str) -> str:
+    same = values == values[-1]
+    first = int(np.flatnonzero(~same)[-1]) + 1 if not same.all() else 0
+    if first < values.size - 1:
+        return f"contacts: {values[-1]:.0f} from {counts[first]:.0f} {kind} on"
+    return f"contacts: do not settle, {values.min():.0f} to {values.max():.0f}"
+
+
+def _power(counts: np.ndarray, values: np.ndarray) -> tuple[float, float]:
+    """Exponent of the power of the counts that the values follow, and the scatter of their logarithms about it."""
+    if values.min() <= 0.0:
+        return 0.0, math.inf
+    x, y = np.log(counts), np.log(values)
+    slope, start = np.polyfit(x, y, 1)
+    return float(slope), float(np.sqrt(np.mean((y - slope * x - start) ** 2)))
+
+
+def _order(counts: np.ndarray, differences: np.ndarray) -> tuple[float | None, float]:
+    """p of differences = C (counts^-p - finest^-p), which counts that the finest is not exact, and the scatter."""
+    told = differences[:-1] > CLOSE
+    if told.sum() < 2:
+        return None, math.inf
+    x, y = counts[:-1][told] / counts[-1], np.log(differences[:-1][told])
+    orders = np.arange(0.1, 6.001, 0.02)
+    misses = y - np.log(x[None, :] ** -orders[:, None] - 1.0)
+    scatter = np.sqrt(np.mean((misses - misses.mean(axis=1, keepdims=True)) ** 2, axis=1))
+    best = int(np.argmin(scatter))
+    if best in (0, orders.size - 1):
+        return None, math.inf
+    return float(orders[best]), float(scatter[best])

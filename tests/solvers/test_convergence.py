@@ -1,0 +1,145 @@
+"""More modes: known orders are found, what does not converge is told, and the blow beside a half-space."""
+
+import math
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import solvers
+from solvers import Modal, SceneError, compare_with_half_space, contact_times, convergence
+from solvers.convergence import _judge
+from solvers.numerics.modes import composite_rod_modes
+from tests.catalog import ROD, T, bronze_rod, contact_table, struck_rod
+
+COUNTS = np.array([3.0, 5.0, 10.0, 20.0, 40.0, 80.0])
+
+
+def judged(values, scale=1.0, name="impulse"):
+    return _judge(name, COUNTS, values, scale, "modes")
+
+
+@pytest.mark.parametrize("order", [0.5, 1.0, 2.0, 3.5])
+def test_a_known_order_is_found_and_what_is_left_too(order):
+    differences, found, told = judged(2.0 + COUNTS**-order, 2.0)
+    assert found == approx(order, abs=0.02)
+    assert differences == approx((COUNTS**-order - 80.0**-order) / 2.0, rel=1e-12)
+    assert "converges as modes^-" in told
+    left = float(told.split(", ")[1].split(" ")[0])
+    assert left == approx(80.0**-order / 2.0, rel=0.1)
+
+
+def test_what_goes_to_zero_or_to_infinity_does_not_converge():
+    assert "falls as modes^-1" in judged(1e-4 / COUNTS)[2]
+    assert "grows as modes^+1.5" in judged(COUNTS**1.5)[2]
+    irregular = judged(1.0 + 0.01 * np.array([1.0, -3.0, 2.0, -1.0, 2.0, 0.0]))
+    assert irregular[1] is None and "no order can be told" in irregular[2]
+    assert "the same" in judged(np.ones(6))[2]
+    assert judged(np.array([1, 1, 2, 3, 3, 3.0]), 3.0, "contacts")[2] == "contacts: 3 from 20 modes on"
+    assert "do not settle" in judged(np.array([1, 1, 2, 3, 3, 4.0]), 3.0, "contacts")[2]
+
+
+def test_modes_of_a_rod_in_hertz_contact_converge():
+    scene = bronze_rod()
+    found = convergence(scene)
+    exact = solvers.solve(scene, "waves")
+    assert found.counts.tolist() == [3, 5, 10, 20, 40, 80] and found.kind == "modes"
+    for name, value in (("final_velocity", exact.impactor_velocity), ("peak_force", exact.peak_force)):
+        assert 2.0 < found.order[name] < 4.5
+        assert found.values[name][-1] == approx(value, rel=3e-5)
+    assert found.told["contacts"] == "contacts: 1 from 3 modes on"
+    assert "peak_shear" not in found.values and "support_stress" not in found.values  # a free rod
+    alone = Modal(modes=10, estimate=False).solve(scene, solvers.solve(scene, Modal(modes=80)).duration)
+    assert found.values["impulse"][2] == alone.impulse
+
+
+def test_elements_converge_with_their_order():
+    found = convergence(bronze_rod(), (10, 20, 40, 80), method="fe-nodal")
+    assert found.kind == "elements"
+    assert found.order["final_velocity"] == approx(2.0, abs=0.4)
+
+
+def test_in_rigid_contact_the_force_converges_slowly():
+    found = convergence(struck_rod())
+    assert found.values["support_stress"].size == 6
+    assert found.order["peak_force"] is None or found.order["peak_force"] < 1.5
+    exact = solvers.solve(struck_rod())
+    assert found.values["final_velocity"][-1] == approx(exact.impactor_velocity, abs=0.01)
+
+
+def test_the_table_is_plain():
+    table = convergence(bronze_rod(), [2, 4, 8]).table()
+    assert table["counts"] == [2, 4, 8] and set(table["values"]) == set(table["units"]) == set(table["told"])
+    assert all(isinstance(value, float) for value in table["values"]["impulse"])
+
+
+@pytest.mark.parametrize(
+    ("modes", "method", "key"),
+    [
+        ((3, 5), "modal", "modes"),
+        ((3, 5, 5), "modal", "modes"),
+        ((3, 5, 2.5), "modal", "modes"),
+        ((0, 5, 10), "modal", "modes"),
+        ("123", "modal", "modes"),
+        ((3, 5, 10), "waves", "method.name"),
+        ((3, 5, 10), "no-such-method", "method.name"),
+        ((3, 5, 10), "mode-switch", "method.name"),  # refuses Hertz contact
+    ],
+)
+def test_bad_input_is_refused(modes, method, key):
+    with pytest.raises(SceneError) as refused:
+        convergence(bronze_rod(), modes, method)
+    assert refused.value.key == key
+
+
+def test_contact_times_of_the_fixed_rod():
+    found = contact_times(solvers.solve(struck_rod()))
+    assert found.contacts == 2
+    assert found.apparent == approx(0.2516982e-3, rel=1e-6) and found.real < found.apparent
+    # z tan z = m2/m1, (5.11), with z = omega L / c
+    z = math.pi * 0.5 * T / found.half_period
+    assert z * math.tan(z) == approx(1.0, rel=1e-12)
+    assert found.half_period_alone == approx(T, rel=1e-12)  # a quarter wave: a period of 4 L / c
+    assert "as if stuck to each other" in found.told
+
+
+def test_contact_times_without_a_swing():
+    found = contact_times(solvers.solve(solvers.load("two-balls")))
+    assert found.half_period is None and found.apparent == found.real and "touch once" in found.told
+    free = contact_times(solvers.solve(bronze_rod()))
+    rod = bronze_rod().target
+    modes = composite_rod_modes(rod.length, rod.mass, rod.wave_speed, False, 1, bronze_rod().impactor.mass)
+    assert free.half_period == approx(math.pi / modes.frequencies[0])
+    assert "over before the body" in free.told
+    swinging = solvers.solve(solvers.load("spring-mass"))
+    target, mass = swinging.scene.target, swinging.scene.impactor.mass
+    assert contact_times(swinging).half_period == approx(math.pi * math.sqrt((target.mass + mass) / target.stiffness))
+
+
+def test_the_blow_on_a_half_space_is_the_closed_form_of_hertz():
+    scene = bronze_rod()
+    beside = compare_with_half_space(scene)
+    mass, speed, stiffness = scene.impactor.mass, scene.speed, scene.contact.stiffness
+    depth = (1.25 * mass * speed**2 / stiffness) ** 0.4
+    assert beside.peak_indentation == approx(depth, rel=1e-4)
+    assert beside.peak_force == approx(stiffness * depth**1.5, rel=1e-4)
+    assert beside.contacts[0].end == approx(2.9432750 * depth / speed, rel=1e-4)
+    assert beside.impactor_velocity == approx(-speed, rel=1e-12)
+
+
+def test_the_blow_on_a_half_space_keeps_the_law():
+    scene = struck_rod(contact=contact_table("plastic-power"))
+    beside = compare_with_half_space(scene)
+    assert beside.scene.contact == scene.contact and beside.scene.target.material == ROD.material
+    assert beside.energy["dissipated"] > solvers.solve(scene, Modal()).energy["dissipated"]
+    damped = struck_rod(contact=contact_table("hunt-crossley"))
+    assert compare_with_half_space(damped).scene.contact == damped.contact
+
+
+def test_no_half_space_in_rigid_contact():
+    with pytest.raises(SceneError, match="a law that gives way"):
+        compare_with_half_space(struck_rod())
+    with pytest.raises(SceneError, match="a rigid impactor"):
+        compare_with_half_space(
+            solvers.load("two-equal-rods").replace({"contact": {"law": "linear", "stiffness": 1e9}})
+        )
