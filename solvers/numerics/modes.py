@@ -6,14 +6,25 @@ from dataclasses import dataclass
 import numpy as np
 
 
+def as_a_whole(x: np.ndarray) -> np.ndarray:
+    """Motion of a body that only translates: 1 everywhere, (x,)."""
+    return np.ones(np.size(x))
+
+
 @dataclass(frozen=True)
 class Modes:
     """The lowest vibration modes of a body, mass-normalised.
 
     frequencies (modes,) [rad/s], ascending; at_contact (modes,) [kg^-1/2], the shapes where the body is struck;
-    rigid_mass [kg], the mass that moves freely as a whole, or infinity for a supported body;
+    rigid_mass [kg], the mass that moves freely as a whole, felt where the body is struck, or infinity if it is held;
     residual_compliance [m/N], static compliance of all the modes left out, at the contact;
-    shapes(x) (modes, x) [kg^-1/2] and slopes(x) (modes, x) [kg^-1/2 / m], x measured from the struck end [m].
+    shapes(x) (modes, x) [kg^-1/2] and slopes(x) (modes, x) [kg^-1/2 / m]; x [m] is measured from the struck end of a
+    rod, from the first support of a beam;
+    rigid_shape(x) (x,), motion as a whole, 1 where the body is struck; of a beam that one force sets into translation
+    and rotation, both in one;
+    means (modes,) [kg^-1/2] and rigid_mean, averages of the shapes over a beam's mass;
+    moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
+    unit of the modal coordinate [kg^1/2 m].
     """
 
     frequencies: np.ndarray
@@ -22,6 +33,11 @@ class Modes:
     residual_compliance: float
     shapes: Callable[[np.ndarray], np.ndarray]
     slopes: Callable[[np.ndarray], np.ndarray]
+    rigid_shape: Callable[[np.ndarray], np.ndarray] = as_a_whole
+    means: np.ndarray | None = None
+    rigid_mean: float = 1.0
+    moments: Callable[[np.ndarray], np.ndarray] | None = None
+    shears: Callable[[np.ndarray], np.ndarray] | None = None
 
     @property
     def shortest_period(self) -> float:
