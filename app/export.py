@@ -22,7 +22,7 @@ def report(solution: Solution) -> str:
         _title(solution),
         *_told(scene),
         f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
-        f"  round trip of a wave, T         {trip * 1e6:.6g} us",
+        f"  {_unit_name(scene):32}{trip * 1e6:.6g} us",
         f"  method                          {_method_line(solution)}",
         "",
         "  contact     start / T       end / T    impulse [N s]   peak force [kN]",
@@ -64,15 +64,23 @@ def report(solution: Solution) -> str:
     return "\n".join(lines)
 
 
+def _unit_name(scene: Scene) -> str:
+    """What the unit of time T is."""
+    rings = next((body.kind for body in (scene.target, scene.impactor) if body.time_unit is not None), None)
+    names = {None: "about a contact time, T", "beam": "slowest period of the beam, T"}
+    return names.get(rings, "round trip of a wave, T")
+
+
 def comparison(exact: Solution, rows: list[Row]) -> str:
-    """A table of plain text: every method against the exact solution."""
+    """A table of plain text: every method against the exact solution, or the one taken for it."""
     scene = exact.scene
     periods = ", ".join(f"{c.start / scene.time_unit:.4f} to {c.end / scene.time_unit:.4f}" for c in exact.contacts)
     lines = [
         _title(exact),
         f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
-        f"  contacts, exact [T]             {periods}",
-        f"  impactor leaves at, exact       {exact.impactor_velocity:+.8g} m/s",
+        f"  measured by                     {_method_line(exact)}",
+        f"  its contacts [T]                {textwrap.shorten(periods, 200, placeholder=' ...')}",
+        f"  its impactor leaves at          {exact.impactor_velocity:+.8g} m/s{_uncertainty(exact)}",
         "",
         f"  {'method':38}{'rebound':>10}{'1st contact':>13}{'true':>7}{'listed':>8}{'raw':>6}"
         f"{'force L2':>10}{'resolved':>10}{'time':>9}",
@@ -91,6 +99,11 @@ def comparison(exact: Solution, rows: list[Row]) -> str:
             f"{shares[0]:>10}{shares[1]:>10}{row.wall_time * 1e3:9.3f}"
         )
     return "\n".join(lines)
+
+
+def _uncertainty(reference: Solution) -> str:
+    error = reference.diagnostics["estimated_error"]
+    return "" if reference.method["name"] == "waves" or error is None else f"   (to {error:.1e} of the impact speed)"
 
 
 def _bodies_report(solution: Solution) -> str:
@@ -211,9 +224,15 @@ def write_series(solution: Solution, path: Path) -> None:
         "velocity": ("m/s", motion.velocity(instants, places)),
         "displacement": ("m", motion.displacement(instants, places)),
     }
+    if solution.scene.target.kind == "beam":
+        fields |= {
+            "bending_moment": ("N m", motion.moment(instants, places)),
+            "shear_force": ("N", motion.shear(instants, places)),
+        }
     with netcdf_file(path, "w") as file:
         file.title = solution.scene.title
-        file.conventions = "SI units; time zero at first touch; x from the struck end; compression positive"
+        start = "the first support" if solution.scene.target.kind == "beam" else "the struck end"
+        file.conventions = f"SI units; time zero at first touch; x from {start}; compression positive"
         for name, size in (("time", histories["time"][1].size), ("instant", FIELD_INSTANTS), ("x", FIELD_PLACES)):
             file.createDimension(name, size)
         axes = {"instant": ("s", instants), "x": ("m", places)}

@@ -69,7 +69,7 @@ class Choices(param.Parameterized):
             wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
         method = dict(scene.method)
         wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
-        wanted["method"] = method.get("name", "rigid" if in_space(scene) else "waves")
+        wanted["method"] = method.get("name", scene.usual_method)
         if not in_space(scene):
             wanted |= {"law": scene.contact.NAME} | _constants(scene)
         return {name: value for name, value in wanted.items() if accepts(name, value)}

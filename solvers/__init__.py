@@ -4,9 +4,9 @@ import solvers
 solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 """
 
-from .bodies import Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
+from .bodies import Beam, Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
-from .comparison import Row, compare
+from .comparison import Row, compare, reference
 from .contact import LAWS
 from .contact_times import ContactTimes, compare_with_half_space, contact_times
 from .convergence import Convergence, convergence
@@ -31,6 +31,7 @@ __all__ = [
     "LAWS",
     "METHODS",
     "Balance",
+    "Beam",
     "Body",
     "ContactPeriod",
     "ContactTimes",
@@ -62,6 +63,7 @@ __all__ = [
     "ensemble",
     "load",
     "read_method",
+    "reference",
     "scene_names",
     "solve",
 ]
@@ -74,7 +76,7 @@ def solve(scene: Scene, method: str | Method | None = None, duration: float | No
     bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
     method cannot solve the scene.
     """
-    table, usual = dict(scene.method), "waves" if scene.normal is None else "rigid"
+    table, usual = dict(scene.method), scene.usual_method
     if duration is None:
         duration = table.pop("duration", None)
     table.pop("duration", None)

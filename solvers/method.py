@@ -25,6 +25,7 @@ class Method(ABC):
     NAME: ClassVar[str]
     SPATIAL: ClassVar[bool] = False  # whether it knows bodies in space, beside those on an axis
     PULSES: ClassVar[bool] = False  # whether it knows a prescribed force, beside bodies that strike
+    BEAMS: ClassVar[bool] = False  # whether it knows beams struck across, beside rods
 
     @classmethod
     @abstractmethod
@@ -41,6 +42,8 @@ class Method(ABC):
             return "the bodies must meet on an axis; for bodies in space use 'rigid'"
         if scene.impactor.kind == "pulse" and not self.PULSES:
             return "the impactor must be a body; for a prescribed force use 'waves'"
+        if not self.BEAMS and "beam" in (scene.impactor.kind, scene.target.kind):
+            return "no body may be a beam; use 'modal'"
         return self.why_not(scene)
 
     @abstractmethod
@@ -58,7 +61,11 @@ class Method(ABC):
             longest = min(MAX_ROUND_TRIPS * scene.time_unit, MAX_DURATION)
             shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
-        return self._solve(scene, duration)
+        solution = self._solve(scene, duration)
+        for body in (scene.impactor, scene.target):
+            if body.kind == "beam":
+                solution.notes.extend(body.doubts())
+        return solution
 
     def table(self) -> dict[str, Any]:
         """Name and options, as in a scene file."""

@@ -24,16 +24,18 @@ def restitution(scene: Any, motion: Any, parting: float, until: float) -> dict[s
     """`newton` by centre-of-mass velocities at `until` [s], (4.40); `poisson` by impulses before and after the bodies
     have one velocity, (4.39); `newton_at_contact` by the touching surfaces just after `parting` [s], (4.45).
 
-    A held target counts as a body at rest, its mean over a period of vibration (4.43).
+    A held target counts as a body at rest, its mean over a period of vibration (4.43). Where a body turns about a pin
+    there is no restitution of centres of mass, and none by impulses where bodies turn at all: they are None.
     """
     end, parted = np.array([until]), np.array([parting])
     impactor = float(motion.impactor_velocity(end)[0])
     target = 0.0 if scene.target.held else float(motion.rigid_velocity(end)[0])
     face_velocity = getattr(motion, "face_velocity", motion.impactor_velocity)  # a rod's face moves on its own
     apart = float(motion.end_velocity(parted)[0] - face_velocity(parted)[0])
+    turns = any(getattr(body, "turns", False) for body in (scene.impactor, scene.target))
     return {
-        "newton": (target - impactor) / scene.speed,
-        "poisson": poisson(motion, common_velocity(scene), until),
+        "newton": None if scene.target.swings else (target - impactor) / scene.speed,
+        "poisson": None if turns else poisson(motion, common_velocity(scene), until),
         "newton_at_contact": apart / scene.speed,
     }
 

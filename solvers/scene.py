@@ -139,15 +139,24 @@ class Scene:
         """m / Z of a compact body on a rod [s]: in this time a wave brings it to rest; infinite for any other pair."""
         bodies = (self.impactor, self.target)
         rings = [body for body in bodies if body.round_trip_time is not None]
-        compact = [body for body in bodies if body.round_trip_time is None]
+        compact = [body for body in bodies if body.time_unit is None]
         return compact[0].mass / rings[0].impedance if rings and compact else math.inf
 
     @property
+    def usual_method(self) -> str:
+        """Name of the method that solves such scenes unless another is asked for."""
+        if self.normal is not None:
+            return "rigid"
+        return "modal" if "beam" in (self.impactor.kind, self.target.kind) else "waves"
+
+    @property
     def time_unit(self) -> float:
-        """Round trip T of a wave in the target [s], or else in the impactor; without waves, about a contact time."""
+        """Round trip T of a wave in the target [s], for a beam its slowest period, or else the same of the impactor;
+        where nothing rings, about a contact time.
+        """
         for body in (self.target, self.impactor):
-            if body.round_trip_time is not None:
-                return body.round_trip_time
+            if body.time_unit is not None:
+                return body.time_unit
         if self.target.kind == "spring-mass":
             return math.pi / self.target.frequency
         return contact_time(self.contact, self.reduced_mass, self.speed)

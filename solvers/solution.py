@@ -23,7 +23,8 @@ class Motion(Protocol):
     """The movement that a method found, at any time [s] and place [m] from the struck end.
 
     Times may be any array; at a jump the value after it is given, or before it with `after=False`. Fields have shape
-    (time, x), never (x, time); compression is positive.
+    (time, x), never (x, time); compression is positive. Where a beam is struck there are moment(time, x) [N m] and
+    shear(time, x) [N] besides, and its displacement is across its length.
     """
 
     def force(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
@@ -110,7 +111,7 @@ def summary(
     final = float(motion.impactor_velocity(end)[0])
     impulse = float(motion.impulse(end)[0])
     held = scene.target.held
-    target_final = 0.0 if held else float(motion.rigid_velocity(end)[0])
+    target_final = 0.0 if held and not scene.target.swings else float(motion.rigid_velocity(end)[0])
     energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
     initial = scene.initial_energy
     lost = m1 * (scene.impactor.velocity - final)

@@ -129,7 +129,7 @@ def sweep(scene: Scene, key: str, values: Sequence[float], workers: int | None =
 
 def _with(scene: Scene, key: str, value: float) -> Scene:
     changed = scene.replace({key: value})
-    read_method(changed.method, "waves" if changed.normal is None else "rigid")
+    read_method(changed.method, changed.usual_method)
     return changed
 
 

@@ -19,6 +19,8 @@ BRONZE_ROD = {
 STEEL_ROD_MASS = 2.133  # kg = 7900 * 0.03 * 0.03 * 0.3
 BRONZE_STIFFNESS = 6.92e9  # N/m^1.5
 
+STEEL_BEAM = {"kind": "beam", "length": 0.3, "section": {"width": 0.03, "height": 0.03}, "material": "steel"}
+
 SUPPORTS = ("fixed", "free")
 RIGID = {"law": "rigid"}
 
@@ -34,6 +36,17 @@ def struck_rod(
             "impactor": {"mass": STEEL_ROD_MASS / mass_ratio, "velocity": speed},
             "target": STEEL_ROD | {"support": support},
             "contact": RIGID if contact is None else contact,
+        }
+    )
+
+
+def struck_beam(mass_ratio: float = 1.0, contact: dict | None = None, **changes) -> Scene:
+    """The steel cantilever of thesis 5.5 struck on its tip by a mass that is its own divided by `mass_ratio`."""
+    return Scene.from_table(
+        {
+            "impactor": {"mass": STEEL_ROD_MASS / mass_ratio, "velocity": 1.0, "radius": 0.025},
+            "target": STEEL_BEAM | changes,
+            "contact": {"law": "hertz", "stiffness": 2.4e10} if contact is None else contact,
         }
     )
 

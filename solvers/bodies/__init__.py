@@ -1,22 +1,24 @@
 """What strikes and what is struck: data, and what follows from them.
 
 To add a kind of body: write its class (KEYS, read, table, and the attributes that every axial body has: mass, velocity,
-fixed, radius, material, length, round_trip_time, modes) and name it in IMPACTORS or TARGETS.
+fixed, held, radius, material, length, time_unit, modes) and name it in IMPACTORS or TARGETS.
 """
 
 from collections.abc import Mapping
 
 from .. import checks
+from .beams import Beam
 from .body import Body, check_struck, in_space, read_normal
 from .compact import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
 from .pulse import Pulse
-from .rods import Joint, Rod, Rods, read_section
+from .rods import Joint, Rod, Rods
 
-IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod, "body": Body, "pulse": Pulse}
+IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod, "beam": Beam, "body": Body, "pulse": Pulse}
 TARGETS = {
     "rod": Rod,
     "rods": Rods,
+    "beam": Beam,
     "mass": RigidMass,
     "spring-mass": SpringMass,
     "stop": Wall,
@@ -28,6 +30,7 @@ __all__ = [
     "IMPACTORS",
     "MATERIALS",
     "TARGETS",
+    "Beam",
     "Body",
     "Joint",
     "Material",
@@ -42,7 +45,6 @@ __all__ = [
     "read_body",
     "read_material",
     "read_normal",
-    "read_section",
 ]
 
 

@@ -38,8 +38,8 @@ class Body:
 
     KEYS = ("kind", "mass", "inertia", "axes", "centre", "velocity", "spin")
     kind = "body"
-    fixed = held = False
-    radius = material = round_trip_time = None
+    fixed = held = swings = False
+    radius = material = round_trip_time = time_unit = None
     length = 0.0
 
     @classmethod

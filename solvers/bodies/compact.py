@@ -36,8 +36,8 @@ class RigidMass:
     material: Material = MATERIALS["steel"]
 
     KEYS = ("kind", "mass", "velocity", "radius", "material")
-    fixed = held = False
-    round_trip_time = None
+    fixed = held = swings = False
+    round_trip_time = time_unit = None
     length = 0.0
 
     @classmethod
@@ -83,7 +83,8 @@ class SpringMass:
     kind = "spring-mass"
     velocity = 0.0
     fixed = held = True
-    round_trip_time = None
+    swings = False
+    round_trip_time = time_unit = None
     length = 0.0
 
     @classmethod
@@ -126,7 +127,8 @@ class Wall:
     mass = math.inf
     velocity = 0.0
     fixed = held = True
-    round_trip_time = None
+    swings = False
+    round_trip_time = time_unit = None
     length = 0.0
 
     @classmethod

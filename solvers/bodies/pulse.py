@@ -29,9 +29,9 @@ class Pulse:
     KEYS = ("kind", "shape", "force", "duration", "rise", "points")
     kind = "pulse"
     mass = math.inf
-    fixed = held = False
+    fixed = held = swings = False
     radius = material = None
-    round_trip_time = None
+    round_trip_time = time_unit = None
     length = 0.0
 
     @classmethod

@@ -10,6 +10,7 @@ from ..numerics.elements import Mesh, rod_mesh
 from ..numerics.modes import Modes, attached_rod_modes, rod_modes
 from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
 from .material import Material, read_material, read_radius
+from .sections import section_of_bar
 
 SUPPORTS = ("fixed", "free", "anechoic")
 MAX_RODS = 12
@@ -34,6 +35,7 @@ class Rod:
 
     KEYS = ("kind", "length", "section", "material", "support", "at", "velocity", "end_mass", "radius")
     kind = "rod"
+    swings = False
 
     @classmethod
     def read(cls, key: str, given: Mapping[str, object]) -> "Rod":
@@ -86,6 +88,8 @@ class Rod:
     def round_trip_time(self) -> float:
         """T = 2 L / c [s], (4.10): the unit in which everything that waves do is measured."""
         return 2.0 * self.length / self.wave_speed
+
+    time_unit = round_trip_time
 
     @property
     def stiffness(self) -> float:
@@ -147,6 +151,7 @@ class Rods:
     KEYS = ("kind", "rods", "support", "velocity", "end_mass", "radius")
     ROD_KEYS = ("length", "section", "material", "joint", "gap", "contact")
     kind = "rods"
+    swings = False
 
     @classmethod
     def read(cls, key: str, given: Mapping[str, object]) -> "Rods":
@@ -210,6 +215,8 @@ class Rods:
         """Of the whole chain [s]."""
         return sum(rod.round_trip_time for rod in self.rods)
 
+    time_unit = round_trip_time
+
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
         """As for one rod; every joint is taken as bonded."""
         return _mesh(self.rods, elements, self.fixed, lumping)
@@ -240,11 +247,10 @@ def _mesh(rods: tuple[Rod, ...], elements: int, fixed: bool, lumping: float) -> 
 def _read_bar(key: str, given: Mapping[str, object]) -> tuple[float, float, Material]:
     """Length, area and material."""
     length = checks.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
-    section = checks.required(key, given, "section", _SECTION)
     material = checks.required(key, given, "material", "a name or a table with young and density")
     return (
         checks.number(f"{key}.length", length, 1e-6, 1e6, "m"),
-        read_section(f"{key}.section", section),
+        section_of_bar(key, given).area,
         read_material(f"{key}.material", material),
     )
 
@@ -278,26 +284,3 @@ def _still(key: str, velocity: float) -> float:
     if velocity != 0.0:
         raise SceneError(f"{key}.velocity", velocity, '0, or support = "free": what is held does not move')
     return velocity
-
-
-_SECTION = "{ width, height }, { radius } or { area }"
-
-
-def read_section(key: str, given: object) -> float:
-    """Area [m2] of a section given by width and height, by radius, or outright.
-
-    Raises SceneError naming the key.
-    """
-    bending = ("second_moment", "shear_coefficient")  # of no consequence in a rod struck on its end
-    given = checks.table(key, given, ("width", "height", "radius", "area", *bending))
-    for name in bending:
-        if name in given:
-            checks.number(f"{key}.{name}", given[name], 1e-30, 1e16 if name == "second_moment" else 1.0)
-    names = frozenset(given) - frozenset(bending)
-    if names not in ({"width", "height"}, {"radius"}, {"area"}):
-        got = dict(given)
-        raise SceneError(key, got, f"exactly one of {_SECTION}")
-    if "area" in given:
-        return checks.number(f"{key}.area", given["area"], 1e-14, 1e8, "m2")
-    sides = {name: checks.number(f"{key}.{name}", given[name], 1e-7, 1e4, "m") for name in names}
-    return math.pi * sides["radius"] ** 2 if "radius" in sides else sides["width"] * sides["height"]

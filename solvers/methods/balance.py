@@ -75,7 +75,7 @@ class Balance(Method):
                 return "both bodies must have natural modes, which nothing has that waves run away in; use 'waves'"
             if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
                 return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
-            rings = body.round_trip_time is not None
+            rings = body.time_unit is not None
             if rings and self._elements is None and (isinstance(body, Rods) or body.end_mass):
                 return "exact modes know uniform rods without a mass at their end only; give elements"
         return None
@@ -184,7 +184,7 @@ class Balance(Method):
         return Run(pair, joined, flight, events, duration, full, 0 if step is None else int(np.ceil(duration / step)))
 
     def _modes_of(self, body) -> Modes:
-        if body.round_trip_time is None or self._elements is None:
+        if body.time_unit is None or self._elements is None:
             return body.modes(self.modes)
         return mesh_modes(body.mesh(self._elements), self.modes)
 
@@ -219,10 +219,10 @@ class Pair:
         bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1])
         highest = float(bank.frequencies.max())
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
-        rings = [body.round_trip_time for body in bodies if body.round_trip_time is not None]
+        rings = [body.time_unit for body in bodies if body.time_unit is not None]
         split = modes[0].frequencies.size + 1
         patience = 2.0 * max(rings, default=scene.time_unit)
-        ringing = [own for own, body in zip(modes, bodies, strict=True) if body.round_trip_time is not None]
+        ringing = [own for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         resolved = max((own.front_time for own in ringing), default=0.0)
         return cls(bank, np.concatenate(start), modes, split, shortest, resolved, patience)
 

@@ -40,7 +40,7 @@ class FiniteElements(Method):
                 return "the bodies must end somewhere, got one that waves run away in; use 'waves'"
             if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
                 return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
-        if all(body.round_trip_time is None for body in bodies):
+        if all(body.time_unit is None for body in bodies):
             return "at least one body must be a rod that can be divided into elements; use 'quasi-static' or 'balance'"
         return None
 
@@ -144,8 +144,8 @@ class Plan:
     @classmethod
     def of(cls, scene: Scene, law: Any, fine: float, limit: float, given: int | None, duration: float | None, nodes):
         """`fine` [s]: the step wished for; `limit` [s]: the largest that is stable. Raises SceneError beyond it."""
-        ringing = [body for body in (scene.target, scene.impactor) if body.round_trip_time is not None]
-        trips = [body.round_trip_time for body in ringing]
+        ringing = [body for body in (scene.target, scene.impactor) if body.time_unit is not None]
+        trips = [body.time_unit for body in ringing]
         softness = sum(1.0 / rod.stiffness for rod in ringing[0].rods)
         touch = contact_time(law, scene.reduced_mass, scene.speed)
         reduced = scene.reduced_mass

@@ -66,7 +66,7 @@ class FeModal(FiniteElements):
         return replace(super()._halved(course), modes=None if self.modes is None else max(1, self.modes // 2))
 
     def _modes_of(self, body: Any, massless: bool) -> Modes:
-        if body.round_trip_time is None:
+        if body.time_unit is None:
             return body.modes(1)
         mesh = body.mesh(self.elements, AVERAGED if massless else CONSISTENT)
         return mesh_modes(mesh, self.modes or (None if massless else USUAL_MODES), massless)
@@ -129,13 +129,13 @@ class FeModal(FiniteElements):
         field = self._field(scene, modes, own, force[rows], plan.step * plan.stride)
         closing = np.minimum(depth, 0.0) if self._face_goes_along(scene) else depth
         times = plan.step * np.arange(steps + 1)
-        if scene.impactor.round_trip_time is None:
+        if scene.impactor.time_unit is None:
             face = record.position[instants] - closing
         else:
             face = np.interp(times, times[rows], field.displacement(times[rows], np.zeros(1))[:, 0])
         held, bodies = scene.target.held, (scene.impactor, scene.target)
         order = 4 if self._massless(scene) else 2  # of the dispersion of averaged and of consistent mass
-        ringing = [m for m, body in zip(modes, bodies, strict=True) if body.round_trip_time is not None]
+        ringing = [m for m, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         return Course(
             step=plan.step,
             stride=plan.stride,
@@ -169,7 +169,7 @@ class FeModal(FiniteElements):
         coordinates, rates = ([side[part] for side in own] for part in (0, 1))
         for number, (body, known, sign) in enumerate(zip(bodies, modes, (-1.0, 1.0), strict=True)):
             fields = known.with_rigid()
-            if self._massless(scene) and body.round_trip_time is not None:
+            if self._massless(scene) and body.time_unit is not None:
                 mesh = body.mesh(self.elements, AVERAGED)
                 fields = tuple(
                     _beside(field, part) for field, part in zip(fields, (mesh.shapes, mesh.slopes), strict=True)

@@ -20,16 +20,19 @@ from .modal_motion import ModalMotion, Pair
 STEPS_PER_PERIOD = 20  # of the highest kept mode
 STEPS_PER_CONTACT = 200  # of the shortest contact there can be
 EXPECTED_STEPS = 60_000  # more are not chosen unasked: energy is kept at any step
+FINER = 8  # times as many on a beam, where the contact may be over long before the beam has swung once
 MAX_STEPS = 4_000_000
 FRAMES = ("mean-axis", "attached", "attached-far")
 RESOLVED_BLOW = 1.5  # shortest kept periods that a rigid blow must last for its contacts to be told apart
 REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
+NEAR_NODE = 0.05  # of a mode's amplitude where it is largest, about 2 / sqrt(mass)
 CHECKPOINT_NUMBERS = 1_000_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
 
 @dataclass(frozen=True)
 class Modal(Method):
     """Two bodies by their lowest natural modes, rigid-body motion on top; a body without waves has none or all of them.
+    Rods struck on their end, beams struck across.
 
     The modes left out act as a spring of their static compliance in series with the contact law; for rigid contact
     that spring is the whole law, so no stiffness is ever invented. Exact oscillators, energy-exact contact force.
@@ -38,7 +41,7 @@ class Modal(Method):
     oscillators are then those of the coupled system; what the frame does is in the diagnostics.
     Error: second order in the step; in the number of modes about 1/modes, less where the contact is soft; without the
     residual compliance 1/modes for any contact, but modes^-3 in the frame on the struck end.
-    Source: thesis 5.2, 5.3, 9.2 and 9.3; kernel: see `numerics.oscillators`.
+    Source: thesis 5.2, 5.3, 8.4, 9.2 and 9.3; kernel: see `numerics.oscillators`.
     Differs: thesis 8.2 takes the stiffness of the neighbouring element and misses the second contact below 400 modes.
     """
 
@@ -49,6 +52,7 @@ class Modal(Method):
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
 
     NAME = "modal"
+    BEAMS = True
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Modal":
@@ -67,9 +71,10 @@ class Modal(Method):
         impactor, target = scene.impactor, scene.target
         if target.kind == "rods":
             return "the target must be one body, got a chain of rods; use 'waves'"
-        if any(getattr(b, "end_mass", 0.0) or getattr(b, "support", None) == "anechoic" for b in (impactor, target)):
+        rods = [body for body in (impactor, target) if body.kind == "rod"]
+        if any(rod.end_mass or rod.support == "anechoic" for rod in rods):
             return "a rod must end fixed or free, with no mass on its far end; use 'waves'"
-        if isinstance(scene.contact, Rigid) and not (impactor.round_trip_time or target.round_trip_time):
+        if isinstance(scene.contact, Rigid) and not (impactor.time_unit or target.time_unit):
             got = f"{impactor.kind} and {target.kind}"
             return f"rigid contact needs a body that waves run in, which gives way, got {got}; use 'rigid'"
         if self.frame != "mean-axis" and (target.kind != "rod" or target.support != "free"):
@@ -126,6 +131,17 @@ class Modal(Method):
                 f"The blow fades within {blow:.3g} s, which is too short for modes down to a period of {period:.3g} s:"
                 f" do not trust its contacts; {needed} modes would resolve it, or use 'waves'."
             )
+        for body, modes in zip((scene.impactor, scene.target), (motion.pair.impactor, motion.pair.target), strict=True):
+            if body.kind == "beam" and np.abs(modes.at_contact).max(initial=0.0) * math.sqrt(body.mass) < NEAR_NODE:
+                notes.append(
+                    f"The beam is struck at a node of every mode kept ({self.modes}), which leaves only the modes left out "
+                    "and its motion as a whole: keep more modes."
+                )
+            if body.kind == "beam" and (reach := body.modes_within_reach(self.modes)) < self.modes:
+                notes.append(
+                    f"Of the {self.modes} modes {self.modes - reach} have waves faster than any can be in the material,"
+                    f" sqrt(E / rho): keep at most {reach}, or use theory = 'timoshenko'."
+                )
         if raw > len(contacts):
             notes.append(
                 f"The raw force breaks off {raw - len(contacts)} times more often than the bodies part: chatter at the"
@@ -135,12 +151,13 @@ class Modal(Method):
 
     def _pair(self, scene: Scene) -> Pair:
         bodies = (scene.impactor, scene.target)
-        pair = [body.modes(self.modes) for body in bodies]
+        pair = [body.modes(self.modes).felt() for body in bodies]
         if self.frame != "mean-axis":
             pair[1] = scene.target.attached_modes(self.modes, self.frame == "attached")
         if not self.residual:
             pair = [replace(modes, residual_compliance=0.0) for modes in pair]
-        return Pair(*pair, tuple(body.round_trip_time is not None for body in bodies))
+        truncated = tuple(body.time_unit is not None for body in bodies)
+        return Pair(*pair, truncated, tuple(getattr(body, "damping", 0.0) for body in bodies))
 
     def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
@@ -173,8 +190,8 @@ class Modal(Method):
 
 def _blow(scene: Scene) -> float:
     """Time in which the force of a rigid blow between a mass and a rod fades, m / Z [s]; infinite for other blows."""
-    rods = [body for body in (scene.impactor, scene.target) if body.round_trip_time is not None]
-    if len(rods) != 1 or not isinstance(scene.contact, Rigid):
+    rods = [body for body in (scene.impactor, scene.target) if body.time_unit is not None]
+    if len(rods) != 1 or rods[0].kind != "rod" or not isinstance(scene.contact, Rigid):
         return math.inf
     mass = scene.target.mass if rods[0] is scene.impactor else scene.impactor.mass
     return mass / rods[0].impedance
@@ -202,12 +219,20 @@ def _default_step(scene: Scene, pair: Pair) -> float:
         depth = 0.5 * (depth + scene.speed * math.sqrt(reduced / stiffness))
     soft = 1.0 / stiffness
     bodies = (scene.impactor, scene.target)
-    trips = sum(body.round_trip_time for body in bodies if body.round_trip_time is not None)
+    trips = sum(body.time_unit for body in bodies if body.time_unit is not None)
     give = sum(1.0 / body.stiffness for body in bodies if hasattr(body, "stiffness"))
+    give += sum(
+        float(np.sum((modes.at_contact / modes.frequencies) ** 2))
+        for modes, body in zip((pair.impactor, pair.target), bodies, strict=True)
+        if body.kind == "beam"
+    )
     fine = math.pi * math.sqrt(reduced * (soft + residual)) / STEPS_PER_CONTACT
     if pair.frequencies.size:
         fine = min(fine, 2.0 * math.pi / float(pair.frequencies.max()) / STEPS_PER_PERIOD)
-    return max(fine, (trips + math.pi * math.sqrt(scene.reduced_mass * (soft + give))) / EXPECTED_STEPS)
+    usual = (trips + math.pi * math.sqrt(scene.reduced_mass * (soft + give))) / EXPECTED_STEPS
+    if any(body.kind == "beam" for body in bodies):  # few modes, many contacts, each of which starts and ends in a step
+        return max(min(fine, usual), usual / FINER)
+    return max(fine, usual)
 
 
 def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMotion:

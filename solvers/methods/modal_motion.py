@@ -8,7 +8,7 @@ import numpy as np
 
 from ..contact import Linear, Rigid
 from ..numerics.modes import Modes
-from ..numerics.oscillators import Bank, Record, advance, oscillator_bank
+from ..numerics.oscillators import Bank, Record, advance, oscillator_bank, turn
 from ..scene import Scene
 from ..solution import ContactPeriod
 
@@ -25,6 +25,7 @@ class Pair:
     impactor: Modes
     target: Modes
     truncated: tuple[bool, bool]  # whether modes of impactor and of target were left out
+    damping_ratios: tuple[float, float] = (0.0, 0.0)  # of the modes of either, as fractions of the critical
 
     @cached_property
     def frequencies(self) -> np.ndarray:
@@ -50,8 +51,13 @@ class Pair:
         parts = zip((self.impactor, self.target), self.truncated, strict=True)
         return max((modes.shortest_period for modes, truncated in parts if truncated), default=0.0)
 
+    @cached_property
+    def damping(self) -> np.ndarray:
+        """Of every oscillator."""
+        return np.repeat(self.damping_ratios, (self.split, self.frequencies.size - self.split))
+
     def bank(self, step: float) -> Bank:
-        return oscillator_bank(self.frequencies, self.at_contact, step)
+        return oscillator_bank(self.frequencies, self.at_contact, step, damping=self.damping)
 
     def law(self, scene: Scene) -> tuple[Any, float]:
         """The law for the kernel, and the compliance in series with it [m/N]; rigid contact is that compliance."""
@@ -64,8 +70,9 @@ class ModalMotion:
     """Fields and histories rebuilt from the force on the oscillators; between instants they move exactly too.
 
     Fields are sums of the kept modes alone. Struck faces give way by the residual compliance besides, so that
-    `end_position` is not `displacement` at x = 0: it lies deeper by compliance times force.
+    `end_position` is not `displacement` where it is struck: it lies deeper by compliance times force.
     An impactor that can bend is where x is negative; its position and velocity are those of its centre of mass.
+    A beam that turns as it moves has one coordinate for both, the place where it is struck: the record holds that.
     """
 
     def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, parted: bool):
@@ -104,7 +111,7 @@ class ModalMotion:
         return self._at(time, self._impulses)
 
     def amplitudes(self, time):
-        """at_contact * q and at_contact * q' / omega, each (time, modes)."""
+        """at_contact * q and what turns with it, see `Bank`, each (time, modes)."""
         time = np.asarray(time, float)
         cells = self._cell(time)
         found = np.empty((2, time.size, self.pair.frequencies.size))
@@ -112,37 +119,45 @@ class ModalMotion:
             saved = cell // self.stride
             displacement = self.record.checkpoint_displacement[saved].copy()
             velocity = self.record.checkpoint_velocity[saved].copy()
+            push = self.record.contact_force[cell]
             advance(self._bank, displacement, velocity, self.record.contact_force[saved * self.stride : cell])
             angle = self.pair.frequencies * (t - cell * self.step)
-            push = self._softness * self.record.contact_force[cell]
-            cosine, sine = np.cos(angle), np.sin(angle)
-            found[0, row] = cosine * displacement + sine * velocity + push * 2.0 * np.sin(0.5 * angle) ** 2
-            found[1, row] = cosine * velocity - sine * displacement + push * sine
+            cosine, sine, kick, velocity_kick = turn(angle, self._softness, self.pair.damping)
+            found[0, row] = cosine * displacement + sine * velocity + kick * push
+            found[1, row] = cosine * velocity - sine * displacement + velocity_kick * push
         return found
+
+    def _coordinates(self, time):
+        """at_contact * q and at_contact * q', each (time, modes)."""
+        displacement, velocity = self.amplitudes(time)
+        damping = self.pair.damping
+        rates = self.pair.frequencies * (np.sqrt(1.0 - damping**2) * velocity - damping * displacement)
+        return displacement, rates
 
     def _rates(self, time):
         """at_contact * q' (time, modes)."""
-        return self.amplitudes(time)[1] * self.pair.frequencies
+        return self._coordinates(time)[1]
 
     # --- the bodies as wholes, and their struck faces
 
+    def _mean(self, struck, start, modes):
+        """Of a body as a whole, from that of the place where it is struck, which starts so."""
+        return struck if modes.rigid_mean == 1.0 else start + modes.rigid_mean * (struck - start)
+
     def impactor_position(self, time):
-        return self._at(time, self.record.position)
+        time, begun = np.asarray(time, float), self.scene.impactor.velocity
+        return self._mean(self._at(time, self.record.position), begun * time, self.pair.impactor)
 
     def impactor_velocity(self, time, after=True):
-        return self._at(time, self.record.velocity)
+        return self._mean(self._at(time, self.record.velocity), self.scene.impactor.velocity, self.pair.impactor)
 
     def rigid_velocity(self, time, after=True):
         """Mean velocity of the target; what is held moves by the mean of its modes."""
-        target, modes = self.scene.target, self.pair.target
-        if np.isfinite(modes.rigid_mass) or not modes.frequencies.size:
-            return self._at(time, self.record.rigid_velocity)
-        if target.round_trip_time is None:  # all of it moves as its struck face
-            means = np.ones(modes.frequencies.size)
-        else:  # E phi'' = -rho omega^2 phi, integrated over the length
-            slopes = modes.slopes(np.array([target.length]))[:, 0] / modes.at_contact
-            means = -slopes * (target.wave_speed / modes.frequencies) ** 2 / target.length
-        return self._rates(time)[:, self.pair.split :] @ means
+        modes, whole = self.pair.target, self._at(time, self.record.rigid_velocity)
+        found = self._mean(whole, self.scene.target.velocity, modes)
+        if modes.means is not None and modes.means.any():
+            found = found + self._rates(time)[:, self.pair.split :] @ (modes.means / modes.at_contact)
+        return found
 
     def end_position(self, time):
         """Of the struck face of the target [m]."""
@@ -173,45 +188,101 @@ class ModalMotion:
             (self.pair.impactor, values[:, :split], x < 0.0, -1.0),
             (self.pair.target, values[:, split:], x >= 0.0, 1.0),
         ):
-            if modes.frequencies.size and here.any():
+            if modes.frequencies.size and here.any() and getattr(modes, name) is not None:
                 found[:, here] = part @ (getattr(modes, name)(side * x[here]) / modes.at_contact[:, None])
         return found
 
-    def _field(self, time, x, values, before, behind):
-        side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)
-        whole = np.where(side < 0.0, self._at(time, before)[:, None], self._at(time, behind)[:, None])
-        return whole + side * self._sum(values, x, "shapes")
+    def _field(self, time, x, values, wholes):
+        """Both bodies as wholes, and bent: wholes are (of the struck place, undisturbed) for either."""
+        x = np.asarray(x, float)
+        side = np.where(x < 0.0, -1.0, 1.0)
+        found = side * self._sum(values, x, "shapes")
+        for (struck, undisturbed), modes, here in zip(
+            wholes, (self.pair.impactor, self.pair.target), (x < 0.0, x >= 0.0), strict=True
+        ):
+            moved = np.multiply.outer(struck - undisturbed, modes.rigid_shape(np.abs(x[here])))
+            found[:, here] += np.asarray(undisturbed)[..., None] + moved
+        return found
 
     def displacement(self, time, x):
-        return self._field(time, x, self.amplitudes(time)[0], self.record.position, self.record.rigid_position)
+        time, record = np.asarray(time, float), self.record
+        drifts = self.scene.impactor.velocity * time, self.scene.target.velocity * time
+        struck = self._at(time, record.position), self._at(time, record.rigid_position)
+        return self._field(time, x, self.amplitudes(time)[0], tuple(zip(struck, drifts, strict=True)))
 
     def velocity(self, time, x):
-        return self._field(time, x, self._rates(time), self.record.velocity, self.record.rigid_velocity)
+        time, record = np.asarray(time, float), self.record
+        drifts = self.scene.impactor.velocity, self.scene.target.velocity
+        struck = self._at(time, record.velocity), self._at(time, record.rigid_velocity)
+        return self._field(time, x, self._rates(time), tuple(zip(struck, drifts, strict=True)))
 
     def stress(self, time, x):
-        bodies = (self.scene.impactor, self.scene.target)
-        young = [0.0 if body.round_trip_time is None else body.material.young for body in bodies]
-        modulus = np.where(np.asarray(x, float) < 0.0, *young)
-        return -modulus * self._sum(self.amplitudes(time)[0], x, "slopes")
+        """Compression positive [Pa]: along a rod, or of a beam on the side that is struck."""
+        x, amplitudes = np.asarray(x, float), self.amplitudes(time)[0]
+        found = np.zeros((amplitudes.shape[0], x.size))
+        for body, here in ((self.scene.impactor, x < 0.0), (self.scene.target, x >= 0.0)):
+            if body.kind == "beam":
+                found -= here * self._sum(amplitudes, x, "moments") * (body.half_depth / body.second_moment)
+            elif body.time_unit is not None:
+                found -= here * self._sum(amplitudes, x, "slopes") * body.material.young
+        return found
+
+    def moment(self, time, x):
+        """Bending moment E I y'' [N m] (time, x); none in a rod."""
+        return self._sum(self.amplitudes(time)[0], x, "moments")
+
+    def shear(self, time, x):
+        """Shear force dM/dx [N] (time, x), of the kept modes: the jump where it is struck is rounded off."""
+        return self._sum(self.amplitudes(time)[0], x, "shears")
+
+    def _ringing(self, time):
+        """Strain and kinetic energy of every oscillator, each (time, modes) [J]."""
+        displacement, rates = self._coordinates(time)
+        return displacement**2 * self._bank.energy, (rates / self.pair.frequencies) ** 2 * self._bank.energy
+
+    def _moving(self, body, modes, struck):
+        """Kinetic energy of a body as a whole [J], by the velocity of the place where it is struck."""
+        if not np.isfinite(modes.rigid_mass):
+            return np.zeros_like(struck)
+        gained = struck - body.velocity
+        own = 0.5 * body.mass * body.velocity**2 if body.velocity else 0.0
+        return own + modes.rigid_mass * gained * (body.velocity + 0.5 * gained)
+
+    def _nearest(self, time):
+        """Numbers of the instants nearest to `time`: energy is kept between instants, not within a step."""
+        return np.clip(np.rint(np.asarray(time, float) / self.step), 0, self.steps).astype(int)
 
     def energies(self, time):
         """Energy split [J] at the instants nearest to `time`."""
-        nearest = np.clip(np.rint(np.asarray(time, float) / self.step), 0, self.steps).astype(int)
-        displacement, velocity = self.amplitudes(nearest * self.step)
-        ringing, split = (displacement**2 + velocity**2) * self._bank.energy, self.pair.split
+        nearest, split = self._nearest(time), self.pair.split
+        ringing = sum(self._ringing(nearest * self.step))
         law, residual = self.pair.law(self.scene)
         pairs = zip(self.record.indentation[nearest].tolist(), self.deepest[nearest].tolist(), strict=True)
-        rigid_mass = self.pair.target.rigid_mass
-        moving = 0.5 * rigid_mass * self.record.rigid_velocity[nearest] ** 2 if np.isfinite(rigid_mass) else 0.0
+        impactor, target = self.scene.impactor, self.scene.target
+        damped = self._received[nearest] - ringing.sum(axis=1) if self.pair.damping.any() else 0.0
         return {
-            "impactor": 0.5 * self.scene.impactor.mass * self.record.velocity[nearest] ** 2
+            "impactor": self._moving(impactor, self.pair.impactor, self.record.velocity[nearest])
             + ringing[:, :split].sum(axis=1),
-            "target_rigid": moving + np.zeros(nearest.size),
+            "target_rigid": self._moving(target, self.pair.target, self.record.rigid_velocity[nearest]),
             "target_vibration": ringing[:, split:].sum(axis=1),
             "local": np.array([law.stored(a, most) for a, most in pairs])
             + 0.5 * residual * self.record.spring_force[nearest] ** 2,
-            "dissipated": self.record.lost[nearest],
+            "dissipated": self.record.lost[nearest] + damped,
         }
+
+    @cached_property
+    def _received(self) -> np.ndarray:
+        """Work that the contact force has done on the oscillators so far, at every instant [J]."""
+        record, (_, residual) = self.record, self.pair.law(self.scene)
+        bent = record.position - record.rigid_position - record.indentation - residual * record.spring_force
+        return np.append(0.0, np.cumsum(record.contact_force * np.diff(bent)))
+
+    def target_energies(self, time):
+        """Kinetic energy of the target, its motion as a whole with it, and strain energy [J]."""
+        nearest, split = self._nearest(time), self.pair.split
+        strain, kinetic = self._ringing(nearest * self.step)
+        whole = self._moving(self.scene.target, self.pair.target, self.record.rigid_velocity[nearest])
+        return {"kinetic": whole + kinetic[:, split:].sum(axis=1), "strain": strain[:, split:].sum(axis=1)}
 
     @cached_property
     def deepest(self) -> np.ndarray:
@@ -248,8 +319,16 @@ class ModalMotion:
         peak = float(self.resolved_force(self._instants).max())
         return LEAST_OPENING * self.pair.residual_compliance * peak
 
+    @cached_property
+    def _every_gap_counts(self) -> bool:
+        """Whether no contact can chatter: a law of its own on beams, where no front runs whose steepness modes miss."""
+        rings = [body for body in (self.scene.impactor, self.scene.target) if body.time_unit is not None]
+        return not isinstance(self.scene.contact, Rigid) and all(body.kind == "beam" for body in rings)
+
     def _apart(self, first: int, last: int) -> bool:
         """Whether the faces truly part between these instants: no resolved force, and a gap that the modes can tell."""
+        if self._every_gap_counts:
+            return True
         if (last - first) * self.step < self.pair.resolved_time:
             return False
         dent = self.pair.law(self.scene)[0].dent(float(self.deepest[first]))

@@ -131,7 +131,7 @@ def _unknown(scene: Scene) -> dict[str, None]:
 
 
 def _rings(scene: Scene) -> bool:
-    return any(getattr(body, "round_trip_time", None) for body in (scene.impactor, scene.target))
+    return any(getattr(body, "time_unit", None) for body in (scene.impactor, scene.target))
 
 
 def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[str]:

@@ -1,9 +1,11 @@
 """Natural modes of a structure, as the modal kernel and the drawings need them."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+
+STILL = 1e-9  # of the largest amplitude where a body is struck: below it a mode is at rest there
 
 
 def as_a_whole(x: np.ndarray) -> np.ndarray:
@@ -22,7 +24,7 @@ class Modes:
     rod, from the first support of a beam;
     rigid_shape(x) (x,), motion as a whole, 1 where the body is struck; of a beam that one force sets into translation
     and rotation, both in one;
-    means (modes,) [kg^-1/2] and rigid_mean, averages of the shapes over a beam's mass;
+    means (modes,) [kg^-1/2] and rigid_mean, averages of the shapes over the mass of the body; None: all zero;
     moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
     unit of the modal coordinate [kg^1/2 m].
     """
@@ -38,6 +40,24 @@ class Modes:
     rigid_mean: float = 1.0
     moments: Callable[[np.ndarray], np.ndarray] | None = None
     shears: Callable[[np.ndarray], np.ndarray] | None = None
+
+    def felt(self) -> "Modes":
+        """Without the modes that a blow cannot move, as they are at rest where it falls."""
+        moved = np.abs(self.at_contact) > STILL * np.abs(self.at_contact).max(initial=0.0)
+        if moved.all():
+            return self
+        fields = {
+            name: _rows(getattr(self, name), moved)
+            for name in ("shapes", "slopes", "moments", "shears")
+            if getattr(self, name) is not None
+        }
+        return replace(
+            self,
+            frequencies=self.frequencies[moved],
+            at_contact=self.at_contact[moved],
+            means=None if self.means is None else self.means[moved],
+            **fields,
+        )
 
     @property
     def shortest_period(self) -> float:
@@ -58,6 +78,10 @@ class Modes:
     def front_time(self) -> float:
         """See `front_time`."""
         return front_time(self.frequencies.size, self.shortest_period)
+
+
+def _rows(field: Callable[[np.ndarray], np.ndarray], kept: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
+    return lambda x: field(x)[kept]
 
 
 def front_time(count: int, shortest_period: float, order: int = 2) -> float:
@@ -86,6 +110,7 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
         at_contact=np.full(count, amplitude),
         rigid_mass=np.inf if fixed else mass,
         residual_compliance=float(left_out),
+        means=amplitude * np.sinc(halves) if fixed else None,
         shapes=lambda x: amplitude * np.cos(np.multiply.outer(wavenumbers, x)),
         slopes=lambda x: -amplitude * wavenumbers[:, None] * np.sin(np.multiply.outer(wavenumbers, x)),
     )
@@ -184,6 +209,7 @@ def one_mode(mass: float, frequency: float) -> Modes:
     return Modes(
         frequencies=np.array([frequency]),
         at_contact=np.array([amplitude]),
+        means=np.array([amplitude]),
         rigid_mass=np.inf,
         residual_compliance=0.0,
         shapes=lambda x: np.full((1, np.size(x)), amplitude),

@@ -17,6 +17,8 @@ from ..jit import kernel, summing_kernel
 class Bank(NamedTuple):
     """One step of every oscillator, for arrays (modes,) holding at_contact * q and at_contact * q' / omega.
 
+    Damped, by a fraction zeta of the critical: at_contact * (q' + zeta omega q) / omega_d instead of the latter, with
+    omega_d = sqrt(1 - zeta^2) omega; so the pair still only turns, and shrinks.
     cosine, sine turn the pair by omega * step; kick_* is what a unit force adds within the step; turned_kick_* the
     same after one more turn, so that a single pass kicks, turns and sums; energy is what 1 m of it holds [J/m2].
     """
@@ -31,15 +33,45 @@ class Bank(NamedTuple):
     excess: np.ndarray  # cosine^2 + sine^2 - 1, by rounding: undone now and then, as it would add up over 1e5 steps
 
 
+class Turn(NamedTuple):
+    """What some time does to oscillators, alone (cosine, sine) and by a constant unit force (kicks)."""
+
+    cosine: np.ndarray
+    sine: np.ndarray
+    kick_displacement: np.ndarray
+    kick_velocity: np.ndarray
+
+
+def turn(angle: np.ndarray, softness: np.ndarray, damping: np.ndarray | float = 0.0) -> Turn:
+    """For angles omega * time, softness (at_contact / omega)^2 [m/N] and damping ratios below 1, of one shape."""
+    root = np.sqrt(1.0 - np.square(damping))
+    lag, shrink = damping / root, np.exp(-damping * angle)
+    sine = np.sin(root * angle)
+    half = 2.0 * np.sin(0.5 * root * angle) ** 2  # 1 - cos, which cancels for low modes
+    fade = -np.expm1(-damping * angle)
+    return Turn(
+        shrink * np.cos(root * angle),
+        shrink * sine,
+        softness * (fade + shrink * (half - lag * sine)),
+        softness * (shrink * sine + lag * (fade + shrink * half)),
+    )
+
+
 def oscillator_bank(
-    frequencies: np.ndarray, at_contact: np.ndarray, step: float, turning: np.ndarray | None = None
+    frequencies: np.ndarray,
+    at_contact: np.ndarray,
+    step: float,
+    turning: np.ndarray | None = None,
+    damping: np.ndarray | float = 0.0,
 ) -> Bank:
-    """`turning` [rad/s]: frequencies at which the step turns the oscillators, where it is not exact."""
+    """`turning` [rad/s]: frequencies at which the step turns the oscillators, where it is not exact.
+
+    `damping` (modes,): of each oscillator, as a fraction of the critical.
+    """
     angle = (frequencies if turning is None else turning) * step
-    cosine, sine = np.cos(angle), np.sin(angle)
     softness = (at_contact / frequencies) ** 2
-    kick_displacement = softness * 2.0 * np.sin(0.5 * angle) ** 2  # not 1 - cos, which cancels for low modes
-    kick_velocity = softness * sine
+    cosine, sine, kick_displacement, kick_velocity = turn(angle, softness, damping)
+    damps = bool(np.any(damping))
     return Bank(
         cosine,
         sine,
@@ -48,7 +80,7 @@ def oscillator_bank(
         cosine * kick_displacement + sine * kick_velocity,
         cosine * kick_velocity - sine * kick_displacement,
         0.5 / softness,
-        _sum_of_squares_minus_one(cosine, sine),
+        np.zeros_like(cosine) if damps else _sum_of_squares_minus_one(cosine, sine),
     )
 
 

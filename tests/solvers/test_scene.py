@@ -281,7 +281,7 @@ def test_restitution(value):
     [
         ("impactor.kind", "anvil", "'mass', 'sphere'"),
         ("impactor.kind", 3, "'mass', 'sphere'"),
-        ("target.kind", "beam", "'rod'"),
+        ("target.kind", "plate", "'rod'"),
         ("target.support", "glued", "'fixed', 'free'"),
         ("target.support", ["fixed"], "'fixed', 'free'"),
         ("target.material", "cheese", "'steel', 'bronze', 'aluminium'"),

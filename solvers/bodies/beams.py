@@ -1,0 +1,221 @@
+"""Straight beams struck across: bending waves, which disperse."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from .. import checks
+from ..checks import SceneError
+from ..numerics.beam_modes import BeamLine, beam_modes
+from ..numerics.modes import Modes
+from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
+from .material import Material, read_material, read_radius
+from .sections import Section, section_of_bar
+
+SUPPORTS = ("cantilever", "pinned-pinned", "clamped-clamped", "free-free", "pinned-free")
+THEORIES = ("euler-bernoulli", "timoshenko")
+USUAL_PLACES = {"cantilever": 1.0, "pinned-free": 1.0}  # fraction of the length; else the middle
+CLOSEST = 1e-3  # to a place that a support holds, as a fraction of the length
+LARGEST_DAMPING = 0.2  # modal damping ratio: light, so that modes stay apart
+SLENDER = {"euler-bernoulli": 10.0, "timoshenko": 2.5}  # least length over depth at which a theory is of use
+
+
+@dataclass(frozen=True)
+class Beam:
+    """A uniform straight beam struck across its length; waves of bending run along it, the shorter the faster.
+
+    Assumes: plane sections, small deflection, and that the section keeps its shape where it is struck. Theory
+    "euler-bernoulli" leaves out shear deformation and rotary inertia; "timoshenko" has both.
+    x runs from the first-named support (the clamp, the pin; of a free beam its left end) to `length`.
+    Source: thesis 5.5, 8.4.1.
+    """
+
+    length: float  # L [m]
+    section: Section
+    material: Material
+    support: str
+    theory: str = "euler-bernoulli"
+    at: float = 1.0  # where it is struck, as a fraction of the length
+    velocity: float = 0.0  # of a free beam [m/s], positive the way the impactor goes
+    end_mass: float = 0.0  # rigid mass on the free end of a cantilever [kg]
+    damping: float = 0.0  # of every mode, as a fraction of the critical
+    radius: float | None = None  # of curvature where it is struck [m]
+
+    KEYS = (
+        "kind", "length", "section", "material", "support", "theory", "at", "velocity", "end_mass", "damping", "radius",
+    )  # fmt: skip
+    kind = "beam"
+    round_trip_time = None  # no one wave comes back as it went
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, object]) -> "Beam":
+        """From the table `[impactor]` or `[target]` of a scene file. Raises SceneError naming the key."""
+        given = checks.table(key, given, cls.KEYS)
+        length = checks.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
+        material = checks.required(key, given, "material", "a name or a table with young and density")
+        if key == "impactor":
+            support = checks.choice("impactor.support", given.get("support", "free-free"), ("free-free",))
+            velocity = read_impact_velocity(given)
+        else:
+            support = checks.choice("target.support", given.get("support", "cantilever"), SUPPORTS)
+            velocity = read_target_velocity(given)
+            if velocity != 0.0 and support != "free-free":
+                raise SceneError("target.velocity", velocity, '0, or support = "free-free": what is held does not move')
+        return cls(
+            checks.number(f"{key}.length", length, 1e-6, 1e6, "m"),
+            _read_section(key, given),
+            read_material(f"{key}.material", material),
+            support,
+            checks.choice(f"{key}.theory", given.get("theory", "euler-bernoulli"), THEORIES),
+            _read_place(key, given, support),
+            velocity,
+            _read_end_mass(key, given, support),
+            checks.number(f"{key}.damping", given.get("damping", 0.0), 0.0, LARGEST_DAMPING),
+            read_radius(f"{key}.radius", given.get("radius")),
+        )
+
+    @property
+    def area(self) -> float:
+        """A [m2]"""
+        return self.section.area
+
+    @property
+    def second_moment(self) -> float:
+        """I [m4]"""
+        return self.section.second_moment
+
+    @property
+    def half_depth(self) -> float:
+        """Of the outer fibre from the neutral line [m]."""
+        return self.section.half_depth
+
+    @property
+    def shear_coefficient(self) -> float:
+        """kappa"""
+        return self.section.shear_coefficient_for(self.material.poisson)
+
+    @property
+    def shear_modulus(self) -> float:
+        """G = E / 2 (1 + nu) [Pa]"""
+        return 0.5 * self.material.young / (1.0 + self.material.poisson)
+
+    @property
+    def place(self) -> float:
+        """Where it is struck [m]."""
+        return self.at * self.length
+
+    @property
+    def fixed(self) -> bool:
+        """Whether it cannot move as a whole."""
+        return self.support not in ("free-free", "pinned-free")
+
+    @property
+    def held(self) -> bool:
+        """Whether something outside takes up momentum."""
+        return self.support != "free-free"
+
+    @property
+    def swings(self) -> bool:
+        """Whether it moves on as a whole though it is held."""
+        return self.support == "pinned-free"
+
+    @property
+    def turns(self) -> bool:
+        """Whether a blow turns it as it moves on."""
+        return self.swings or (self.support == "free-free" and abs(self.at - 0.5) > 1e-12)
+
+    @property
+    def mass(self) -> float:
+        """m2 [kg], with what is fixed to its end"""
+        return self.material.density * self.area * self.length + self.end_mass
+
+    @cached_property
+    def line(self) -> BeamLine:
+        """What the theory in use knows of it."""
+        density, shears = self.material.density, self.theory == "timoshenko"
+        return BeamLine(
+            length=self.length,
+            bending_stiffness=self.material.young * self.second_moment,
+            mass_per_length=density * self.area,
+            rotary_inertia=density * self.second_moment if shears else 0.0,
+            shear_stiffness=self.shear_coefficient * self.shear_modulus * self.area if shears else math.inf,
+        )
+
+    @cached_property
+    def time_unit(self) -> float:
+        """Period of its slowest vibration [s]: the unit in which its blows are measured."""
+        return 2.0 * math.pi / float(self.modes(1).frequencies[0])
+
+    def modes(self, count: int) -> Modes:
+        return beam_modes(self.line, self.support, self.place, count, self.end_mass)
+
+    @property
+    def slenderness(self) -> float:
+        """Length over depth."""
+        return self.length / (2.0 * self.half_depth)
+
+    def doubts(self) -> list[str]:
+        """What its theory cannot tell of it, with the limit."""
+        least = SLENDER[self.theory]
+        if self.slenderness >= least:
+            return []
+        remedy = "use theory = 'timoshenko'" if self.theory == "euler-bernoulli" else "it needs a solid model"
+        return [
+            f"The beam is {self.slenderness:.3g} times as long as deep, and {self.theory.title()} theory is meant for "
+            f"{least:g} times and more: {remedy}."
+        ]
+
+    def modes_within_reach(self, count: int) -> int:
+        """How many of its `count` lowest modes have waves no faster than any can be in the material, sqrt(E / rho).
+
+        Euler-Bernoulli theory lets short waves run as fast as one likes. Source: thesis 8.4.1.
+        """
+        frequencies = self.modes(count).frequencies
+        line = self.line
+        wavenumbers = (line.mass_per_length / line.bending_stiffness * frequencies**2) ** 0.25
+        if self.theory == "timoshenko":
+            return count
+        return int((frequencies <= wavenumbers * math.sqrt(self.material.young / self.material.density)).sum())
+
+    def table(self) -> dict[str, object]:
+        """As in a scene file."""
+        written = {
+            "kind": "beam",
+            "length": self.length,
+            "section": self.section.table(),
+            "material": self.material.table(),
+            "support": self.support,
+            "theory": self.theory,
+            "at": self.at,
+        }
+        for name, nothing in (("velocity", 0.0), ("end_mass", 0.0), ("damping", 0.0), ("radius", None)):
+            if getattr(self, name) != nothing:
+                written[name] = getattr(self, name)
+        return written
+
+
+def _read_section(key: str, given: Mapping[str, object]) -> Section:
+    section = section_of_bar(key, given)
+    if section.second_moment is None:
+        allowed = "a number of m4 beside the area: a beam bends (or give width and height, or radius)"
+        raise SceneError(f"{key}.section.second_moment", None, allowed)
+    return section
+
+
+def _read_place(key: str, given: Mapping[str, object], support: str) -> float:
+    """`at`, a fraction of the length, not where a support holds the beam."""
+    at = checks.number(f"{key}.at", given.get("at", USUAL_PLACES.get(support, 0.5)), 0.0, 1.0)
+    first = 0.0 if support == "free-free" else CLOSEST
+    last = 1.0 - (CLOSEST if support in ("pinned-pinned", "clamped-clamped") else 0.0)
+    if not first <= at <= last:
+        raise SceneError(f"{key}.at", at, f"a fraction of the length from {first:g} to {last:g}: elsewhere it is held")
+    return at
+
+
+def _read_end_mass(key: str, given: Mapping[str, object], support: str) -> float:
+    if "end_mass" not in given:
+        return 0.0
+    if support != "cantilever":
+        raise SceneError(f"{key}.end_mass", given["end_mass"], 'nothing here, or support = "cantilever"')
+    return checks.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")
