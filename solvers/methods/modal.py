@@ -134,8 +134,8 @@ class Modal(Method):
         for body, modes in zip((scene.impactor, scene.target), (motion.pair.impactor, motion.pair.target), strict=True):
             if body.kind == "beam" and np.abs(modes.at_contact).max(initial=0.0) * math.sqrt(body.mass) < NEAR_NODE:
                 notes.append(
-                    f"The beam is struck at a node of every mode kept ({self.modes}): only those left out and its motion"
-                    " as a whole answer the blow. Keep more modes."
+                    f"The beam is struck at a node of every mode kept ({self.modes}): only those left out and its "
+                    "motion as a whole answer the blow. Keep more modes."
                 )
             if body.kind == "beam" and (reach := body.modes_within_reach(self.modes)) < self.modes:
                 notes.append(
