@@ -65,6 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     _scene_arguments(compare)
     compare.set_defaults(run=_compare)
 
+    _tradeoff_command(commands)
     _sweep_command(commands)
     _ensemble_command(commands)
     _convergence_command(commands)
@@ -86,6 +87,22 @@ def _parser() -> argparse.ArgumentParser:
     warm = commands.add_parser("warm", help="compile every kernel now, so that the first solve is as quick as the rest")
     warm.set_defaults(run=_warm)
     return parser
+
+
+def _tradeoff_command(commands: Any) -> None:
+    parser = commands.add_parser("tradeoff", help="solve a scene by every method, coarse to fine: time against error")
+    _scene_arguments(parser)
+    parser.add_argument("--quantity", default="rebound", help="whose best points are marked; default: rebound")
+    parser.add_argument(
+        "--fresh", action="store_true", help="measure again, also what this machine has measured before"
+    )
+
+    def run(options: argparse.Namespace) -> int:
+        from .tradeoffs import print_tradeoff
+
+        return print_tradeoff(_scene(options), options.quantity, options.json, options.fresh)
+
+    parser.set_defaults(run=run)
 
 
 def _sweep_command(commands: Any) -> None:

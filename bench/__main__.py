@@ -2,11 +2,12 @@
 
 import argparse
 import json
-import platform
 from datetime import date
 from pathlib import Path
 
-from . import elements, impulses, kernels, methods, page, peers, startup, sweep, waves
+from solvers.machine import machine
+
+from . import elements, impulses, kernels, methods, page, peers, startup, sweep, tradeoffs, waves
 
 PARTS = {
     "startup": startup,
@@ -15,6 +16,7 @@ PARTS = {
     "impulses": impulses,
     "methods": methods,
     "sweep": sweep,
+    "tradeoffs": tradeoffs,
     "waves": waves,
     "peers": peers,
     "page": page,
@@ -23,24 +25,13 @@ PARTS = {
 RESULTS = Path(__file__).parent / "results.json"
 
 
-def machine() -> dict[str, object]:
-    import os
-
-    model = platform.processor() or "unknown"
-    cpuinfo = Path("/proc/cpuinfo")
-    if cpuinfo.exists():
-        lines = [line for line in cpuinfo.read_text().splitlines() if line.startswith("model name")]
-        model = lines[0].partition(":")[2].strip() if lines else model
-    return {"processor": model, "cores": os.cpu_count(), "python": platform.python_version(), "date": str(date.today())}
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", choices=list(PARTS), help="one part; default: all")
     only = parser.parse_args().only
     parts = [only] if only else list(PARTS)
     stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
-    stored["machine"] = machine()
+    stored["machine"] = machine() | {"date": str(date.today())}
     print("Machine:", ", ".join(f"{key} {value}" for key, value in stored["machine"].items()))
     for part in parts:
         print(f"\n== {part}")

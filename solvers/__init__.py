@@ -26,6 +26,9 @@ from .methods import (
 )
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
+from .tradeoff import stored_tradeoff, tradeoff
+from .tradeoff_table import Point as TradeOffPoint
+from .tradeoff_table import TradeOff
 
 __all__ = [
     "LAWS",
@@ -54,6 +57,8 @@ __all__ = [
     "SceneNotSupported",
     "Solution",
     "SpringMass",
+    "TradeOff",
+    "TradeOffPoint",
     "Wall",
     "Waves",
     "compare",
@@ -66,6 +71,8 @@ __all__ = [
     "reference",
     "scene_names",
     "solve",
+    "stored_tradeoff",
+    "tradeoff",
 ]
 
 

@@ -14,12 +14,20 @@ import scipy.linalg  # noqa: F401  (Numba wants it for its first kernel: better 
 from numba.extending import overload_method
 
 
+def sources_key() -> str:
+    """Twelve letters that change with any source of the library."""
+    sources = sorted(Path(__file__).parent.rglob("*.py"))
+    return sha256(b"".join(source.read_bytes() for source in sources)).hexdigest()[:12]
+
+
+def cache_home() -> Path:
+    """Where this user's programs keep what they can make again."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "strikewave"
+
+
 def _cache_folder() -> str:
     """One folder per state of the sources: Numba alone misses a change in a function called from another file."""
-    sources = sorted(Path(__file__).parent.rglob("*.py"))
-    key = sha256(b"".join(source.read_bytes() for source in sources) + repr(numba.config.BOUNDSCHECK).encode())
-    home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    folder = Path(home) / "strikewave" / key.hexdigest()[:12]
+    folder = cache_home() / (sources_key() + ("-checked" if numba.config.BOUNDSCHECK else ""))
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError:

@@ -26,6 +26,7 @@ class Method(ABC):
     SPATIAL: ClassVar[bool] = False  # whether it knows bodies in space, beside those on an axis
     PULSES: ClassVar[bool] = False  # whether it knows a prescribed force, beside bodies that strike
     BEAMS: ClassVar[bool] = False  # whether it knows beams struck across, beside rods
+    KNOBS: ClassVar[tuple[str, ...]] = ()  # options that make it finer, the first that a scene allows; none: one answer
 
     @classmethod
     @abstractmethod

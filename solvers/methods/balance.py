@@ -49,6 +49,7 @@ class Balance(Method):
     estimate: bool = field(default=True, repr=False)
 
     NAME = "balance"
+    KNOBS = ("elements",)
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Balance":

@@ -43,6 +43,7 @@ class FeModal(FiniteElements):
     boundary: str | None = None  # "massless" if the contact is rigid, else "consistent"
 
     NAME = "fe-modal"
+    KNOBS = ("elements",)
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "FeModal":

@@ -37,6 +37,7 @@ class FeNodal(FiniteElements):
     status: str = "implicit"
 
     NAME = "fe-nodal"
+    KNOBS = ("elements",)
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "FeNodal":

@@ -53,6 +53,7 @@ class Modal(Method):
 
     NAME = "modal"
     BEAMS = True
+    KNOBS = ("modes", "steps")
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Modal":

@@ -33,6 +33,7 @@ class ModeSwitch(Method):
     estimate: bool = field(default=True, repr=False)
 
     NAME = "mode-switch"
+    KNOBS = ("modes",)
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "ModeSwitch":

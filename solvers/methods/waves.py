@@ -34,6 +34,7 @@ class Waves(Method):
     tolerance: float = 1e-9
 
     NAME = "waves"
+    KNOBS = ("steps", "tolerance")
     PULSES = True
 
     @classmethod
