@@ -60,7 +60,7 @@ def refusals(scene: Scene) -> dict[str, str]:
 
 def _of(method: Method, scene: Scene) -> list[Ladder]:
     """The method as it is, if none of its knobs matters or a knob makes it coarser than it is, and with its knob."""
-    rings = any(body.round_trip_time is not None for body in (scene.impactor, scene.target))
+    rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
     for knob in method.KNOBS:
         if knob in SPATIAL and not rings:
             continue
