@@ -7,7 +7,9 @@ from functools import cached_property
 
 from .. import checks
 from ..checks import SceneError
+from ..numerics.beam_elements import beam_mesh
 from ..numerics.beam_modes import BeamLine, beam_modes
+from ..numerics.elements import Mesh
 from ..numerics.modes import Modes
 from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
 from .material import Material, read_material, read_radius
@@ -149,6 +151,10 @@ class Beam:
 
     def modes(self, count: int) -> Modes:
         return beam_modes(self.line, self.support, self.place, count, self.end_mass)
+
+    def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
+        """Two-node elements with a node where it is struck; consistent mass, whatever `lumping` asks of rods."""
+        return beam_mesh(self.line, self.support, self.place, elements, self.end_mass)
 
     @property
     def slenderness(self) -> float:

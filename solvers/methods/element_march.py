@@ -10,6 +10,7 @@ from typing import Any
 from .. import checks
 from ..bodies import Rods
 from ..contact import Linear
+from ..numerics.beam_statics import static_compliance
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..scene import Scene, contact_time
 from ..solution import Solution, summary
@@ -33,6 +34,8 @@ class FiniteElements(Method):
     contact_stiffness: float = 1.0  # of a rigid contact, in stiffnesses of the neighbouring element
     estimate: bool = field(default=True, repr=False)
 
+    BEAMS = True
+
     def why_not(self, scene: Scene) -> str | None:
         bodies = (scene.impactor, scene.target)
         for body in bodies:
@@ -40,8 +43,10 @@ class FiniteElements(Method):
                 return "the bodies must end somewhere, got one that waves run away in; use 'waves'"
             if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
                 return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
+            if getattr(body, "damping", 0.0):
+                return "a beam must have no damping of its own; use 'modal', or damping = 0"
         if all(body.time_unit is None for body in bodies):
-            return "at least one body must be a rod that can be divided into elements; use 'quasi-static' or 'balance'"
+            return "at least one body must be a rod or a beam, divided into elements; use 'quasi-static' or 'balance'"
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
@@ -146,10 +151,9 @@ class Plan:
         """`fine` [s]: the step wished for; `limit` [s]: the largest that is stable. Raises SceneError beyond it."""
         ringing = [body for body in (scene.target, scene.impactor) if body.time_unit is not None]
         trips = [body.time_unit for body in ringing]
-        softness = sum(1.0 / rod.stiffness for rod in ringing[0].rods)
         touch = contact_time(law, scene.reduced_mass, scene.speed)
         reduced = scene.reduced_mass
-        expected = 3.0 * (sum(trips) + touch + math.pi * math.sqrt(reduced * softness))
+        expected = 3.0 * (sum(trips) + touch + math.pi * math.sqrt(reduced * _softness(ringing[0])))
         fine = min(max(min(fine, touch / STEPS_PER_CONTACT), expected / EXPECTED_STEPS), LIMIT_SHARE * limit)
         count = given
         if duration is not None:
@@ -170,12 +174,22 @@ class Plan:
         return cls(fine, count, most, chunk, stride)
 
 
-def follow(scene: Scene, plan: Plan, make: Callable, advance: Callable, impulse: Callable) -> tuple[Any, int, bool]:
+def _softness(body: Any) -> float:
+    """Static compliance [m/N] of a rod or a beam; free, against its own inertia or about so."""
+    if body.kind != "beam":
+        return sum(1.0 / rod.stiffness for rod in body.rods)
+    return static_compliance(body.line, body.support, body.place, body.end_mass)
+
+
+def follow(
+    scene: Scene, plan: Plan, masses: tuple[float, float], make: Callable, advance: Callable, impulse: Callable
+) -> tuple[Any, int, bool]:
     """March by chunks until the bodies have not touched for one and move apart. Returns record, steps, parted.
 
-    make(steps): an empty record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s].
+    masses [kg]: what a blow feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
+    record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s].
     """
-    record, done, target = make(plan.chunk), 0, scene.target
+    record, done = make(plan.chunk), 0
     while done < plan.most:
         until = min(done + plan.chunk, plan.most)
         if until > record.contact_force.size - 1:
@@ -185,8 +199,8 @@ def follow(scene: Scene, plan: Plan, make: Callable, advance: Callable, impulse:
             return record, reached, False
         done, gained = until, impulse(record, until)
         if plan.count is None and gained == before:
-            rigid = 0.0 if target.held else target.velocity + gained / target.mass
-            if scene.impactor.velocity - gained / scene.impactor.mass < rigid:
+            parting = scene.target.velocity + gained / masses[1] - (scene.impactor.velocity - gained / masses[0])
+            if parting > 0.0:
                 return record, done, True
     return record, done, False
 

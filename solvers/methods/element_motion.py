@@ -24,6 +24,7 @@ class Course:
     position: np.ndarray  # of the impactor as a whole
     end_position: np.ndarray  # of the target's face
     end_velocity: np.ndarray
+    target_velocity: np.ndarray  # (rows,), mean over its mass
     field: ShapeField
     energies: dict[str, np.ndarray]  # (rows,)
     momenta: tuple[float, float]  # of impactor and target at the end, summed over the mesh [kg m/s]
@@ -49,7 +50,9 @@ class ElementMotion(SampledMotion):
         time = np.arange(course.steps + 1) * course.step
         rows = time[:: course.stride][: next(iter(course.energies.values())).size]
         impactor, target = scene.impactor, scene.target
-        rigid = np.zeros(time.size) if target.held else target.velocity + course.impulse / target.mass
+        rigid = target.velocity + course.impulse / target.mass
+        if target.held:
+            rigid = np.interp(time, rows, course.target_velocity)
         super().__init__(
             time=time,
             force=course.force,

@@ -1,21 +1,21 @@
 """Finite elements in the modes of the mesh."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from .. import checks
 from ..contact import Linear
 from ..motion import ShapeField
-from ..numerics.elements import AVERAGED, CONSISTENT, mesh_modes, two_sided
+from ..numerics.elements import AVERAGED, CONSISTENT, mesh_modes
 from ..numerics.modes import Modes, front_time
 from ..numerics.oscillators import Record, Residual, march, oscillator_bank
 from ..scene import Scene
 from .element_march import ELEMENTS_RANGE, FiniteElements, Plan, end, follow, read_common
-from .element_motion import Course
+from .element_motion import Course, shape_field
 
 STEPS_PER_PERIOD = 20  # of the highest mode kept
 USUAL_MODES = 20  # with a consistent boundary
@@ -70,7 +70,12 @@ class FeModal(FiniteElements):
         if body.time_unit is None:
             return body.modes(1)
         mesh = body.mesh(self.elements, AVERAGED if massless else CONSISTENT)
-        return mesh_modes(mesh, self.modes or (None if massless else USUAL_MODES), massless)
+        if not mesh.bends:
+            return mesh_modes(mesh, self.modes or (None if massless else USUAL_MODES), massless)
+        count = self.modes or USUAL_MODES
+        if massless:  # the upper half is the mesh's own, and something must be left out to give way
+            count = min(count, mesh.size // 2)
+        return mesh_modes(mesh, count).felt()
 
     def _course(self, scene: Scene, duration: float | None) -> Course:
         if duration is None and self.steps is not None:
@@ -106,8 +111,9 @@ class FeModal(FiniteElements):
             )  # fmt: skip
             return end
 
+        masses = first.rigid_mass, second.rigid_mass
         record, done, parted = follow(
-            scene, plan, make, advance, lambda record, k: plan.step * float(record.contact_force[:k].sum())
+            scene, plan, masses, make, advance, lambda record, k: plan.step * float(record.contact_force[:k].sum())
         )
         if parted:
             last = int(np.flatnonzero(record.contact_force[:done])[-1]) + 1
@@ -121,97 +127,134 @@ class FeModal(FiniteElements):
     def _histories(self, scene, modes, law, residual, plan, record, steps, parted) -> Course:
         """Histories at all instants, fields and energies at the snapshots."""
         instants, rows = slice(0, steps + 1), slice(0, steps + 1, plan.stride)
-        own = _coordinates(modes, record, rows)
+        bodies, times = (scene.impactor, scene.target), plan.step * np.arange(steps + 1)
+        split = modes[1].frequencies.size  # the record holds the target's modes first, the impactor's with their sign
+        snapshots = [
+            values[: times[rows].size] for values in (record.checkpoint_displacement, record.checkpoint_velocity)
+        ]
+        impactor, target = ((record.position, record.velocity), (record.rigid_position, record.rigid_velocity))
+        sides = (
+            _side(bodies[0], modes[0], [-v[:, split:] for v in snapshots], [v[rows] for v in impactor], times[rows]),
+            _side(bodies[1], modes[1], [v[:, :split] for v in snapshots], [v[rows] for v in target], times[rows]),
+        )
         push, depth = record.contact_force[:steps], record.indentation[instants]
         force = 0.5 * (np.append(push[:1], push) + np.append(push, push[-1:]))
         deepest = np.maximum(np.maximum.accumulate(depth), 0.0)
         stored = [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
-        energies = [0.5 * (rates**2 + (frequencies * q) ** 2) for q, rates, frequencies in own]
-        field = self._field(scene, modes, own, force[rows], plan.step * plan.stride)
+        energies = [side.energies() for side in sides]
+        field = self._field(scene, sides, force[rows], times[rows])
         closing = np.minimum(depth, 0.0) if self._face_goes_along(scene) else depth
-        times = plan.step * np.arange(steps + 1)
         if scene.impactor.time_unit is None:
             face = record.position[instants] - closing
         else:
-            face = np.interp(times, times[rows], field.displacement(times[rows], np.zeros(1))[:, 0])
-        held, bodies = scene.target.held, (scene.impactor, scene.target)
-        order = 4 if self._massless(scene) else 2  # of the dispersion of averaged and of consistent mass
-        ringing = [m for m, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
+            struck = np.array([getattr(scene.target, "place", 0.0)])
+            face = np.interp(times, times[rows], field.displacement(times[rows], struck)[:, 0])
+        ringing = [(m, body) for m, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
+        velocities = record.velocity[instants], record.rigid_velocity[instants]
+        momenta = [_mean(own, body.velocity, m) for own, body, m in zip(velocities, bodies, modes, strict=True)]
         return Course(
             step=plan.step,
             stride=plan.stride,
             force=force,
             impulse=np.append(0.0, np.cumsum(push)) * plan.step,
             indentation=depth,
-            position=record.position[instants],
+            position=_mean(record.position[instants], scene.impactor.velocity * times, modes[0]),
             end_position=face,
             end_velocity=np.gradient(face, plan.step),
+            target_velocity=momenta[1][rows] + sides[1].mean_rate(modes[1]),
             field=field,
             energies={
                 "impactor": energies[0].sum(1),
-                "target_rigid": np.zeros(energies[1].shape[0]) if held else energies[1][:, 0],
-                "target_vibration": energies[1][:, 0 if held else 1 :].sum(1),
+                "target_rigid": energies[1][:, : sides[1].wholes].sum(1),
+                "target_vibration": energies[1][:, sides[1].wholes :].sum(1),
                 "local": np.array(stored) + 0.5 * residual * record.spring_force[rows] ** 2,
                 "dissipated": record.lost[rows],
             },
-            momenta=(
-                modes[0].rigid_mass * float(record.velocity[steps]),
-                0.0 if held else modes[1].rigid_mass * float(record.rigid_velocity[steps]),
-            ),
-            resolved_time=max(front_time(m.frequencies.size, m.shortest_period, order) for m in ringing),
-            shortest_period=min(m.shortest_period for m in ringing),
+            momenta=tuple(body.mass * float(v[-1]) if v[-1] else 0.0 for body, v in zip(bodies, momenta, strict=True)),
+            resolved_time=max(self._resolved_time(scene, m, body) for m, body in ringing),
+            shortest_period=min(m.shortest_period for m, _ in ringing),
             parted=parted,
             diverged=False,
         )
 
-    def _field(self, scene: Scene, modes: tuple[Modes, Modes], own, force: np.ndarray, interval: float) -> ShapeField:
-        """Sums of the modes, and of the strain that the force leaves in a massless first element."""
-        bodies, sides = (scene.impactor, scene.target), []
-        coordinates, rates = ([side[part] for side in own] for part in (0, 1))
-        for number, (body, known, sign) in enumerate(zip(bodies, modes, (-1.0, 1.0), strict=True)):
-            fields = known.with_rigid()
-            if self._massless(scene) and body.time_unit is not None:
+    def _resolved_time(self, scene: Scene, modes: Modes, body: Any) -> float:
+        if body.kind == "beam":  # bending waves disperse: no front runs through it
+            return modes.shortest_period
+        order = 4 if self._massless(scene) else 2  # of the dispersion of averaged and of consistent mass
+        return front_time(modes.frequencies.size, modes.shortest_period, order)
+
+    def _field(self, scene: Scene, sides: tuple["_Side", "_Side"], force: np.ndarray, times: np.ndarray) -> ShapeField:
+        """Sums of the modes, and of the strain that the force leaves in a massless first element of a rod."""
+        parts = []
+        for body, side, sign in zip((scene.impactor, scene.target), sides, (-1.0, 1.0), strict=True):
+            if self._massless(scene) and body.time_unit is not None and body.kind != "beam":
                 mesh = body.mesh(self.elements, AVERAGED)
-                fields = tuple(
-                    _beside(field, part) for field, part in zip(fields, (mesh.shapes, mesh.slopes), strict=True)
-                )
                 press = sign * force[:, None] / mesh.neighbour
-                coordinates[number] = np.hstack((coordinates[number], press))
-                rates[number] = np.hstack((rates[number], np.gradient(press, interval, axis=0)))
-            sides.append(fields)
-        (shapes1, slopes1), (shapes2, slopes2) = sides
-        return ShapeField(
-            interval * np.arange(force.size),
-            np.hstack(coordinates),
-            np.hstack(rates),
-            two_sided(shapes1, shapes2, 1.0),
-            two_sided(slopes1, slopes2, -1.0),
-            scene.target.material.young if scene.target.length else 0.0,
-        )
+                side = side._replace(
+                    coordinates=np.hstack((side.coordinates, press)),
+                    rates=np.hstack((side.rates, np.gradient(press, times[1], axis=0))),
+                    shapes=_beside(side.shapes, mesh.shapes),
+                    slopes=_beside(side.slopes, mesh.slopes),
+                )
+            parts.append(side)
+        coordinates, rates = np.hstack([p.coordinates for p in parts]), np.hstack([p.rates for p in parts])
+        return shape_field(scene, times, coordinates, rates, parts)
+
+
+class _Side(NamedTuple):
+    """A body at the snapshots: mass-normalised coordinates and rates (rows, all), the first `wholes` those as a whole.
+
+    Fields (all, x) per 1 of each coordinate.
+    """
+
+    coordinates: np.ndarray
+    rates: np.ndarray
+    frequencies: np.ndarray
+    wholes: int
+    shapes: Callable[[np.ndarray], np.ndarray]
+    slopes: Callable[[np.ndarray], np.ndarray]
+    moments: Callable[[np.ndarray], np.ndarray] | None
+    shears: Callable[[np.ndarray], np.ndarray] | None
+
+    def energies(self) -> np.ndarray:
+        """Of each coordinate, (rows, all) [J]."""
+        return 0.5 * (self.rates**2 + (self.frequencies * self.coordinates) ** 2)
+
+    def mean_rate(self, modes: Modes) -> np.ndarray:
+        """What the vibration adds to the mean velocity (rows,) [m/s]: of what is held."""
+        return 0.0 if modes.means is None else self.rates[:, self.wholes :] @ modes.means
+
+
+def _side(body: Any, known: Modes, amplitudes: tuple, whole: tuple, times: np.ndarray) -> _Side:
+    """From at_contact * q and at_contact * q' / omega of the modes, and place and velocity where it is struck."""
+    q, rates = amplitudes[0] / known.at_contact, amplitudes[1] * known.frequencies / known.at_contact
+    fields = {name: known.with_rigid(name) for name in ("shapes", "slopes", "moments", "shears")}
+    if known.moments is None:
+        fields["moments"] = fields["shears"] = None
+    free = np.isfinite(known.rigid_mass)
+    if free:
+        root = np.sqrt(known.rigid_mass)
+        q, rates = (np.column_stack((root * moved, own)) for moved, own in zip(whole, (q, rates), strict=True))
+    turning = free and body.velocity != 0.0 and known.rigid_mean < 1.0 - 1e-12
+    if turning:  # the translation that it comes with is more than the motion that a blow gives it
+        root = np.sqrt(body.mass - known.rigid_mass)
+        q = np.column_stack((root * body.velocity * times, q))
+        rates = np.column_stack((np.full(times.size, root * body.velocity), rates))
+        fields = {name: field and _in_front(field, name == "shapes", known, root) for name, field in fields.items()}
+    wholes = int(free) + int(turning)
+    return _Side(q, rates, np.append(np.zeros(wholes), known.frequencies), wholes, **fields)
+
+
+def _in_front(field: Callable, moves: bool, modes: Modes, root: float) -> Callable:
+    """A field with that of the translation left over in front."""
+    return lambda x: np.vstack(((1.0 - modes.rigid_shape(x)[None, :]) / root * moves, field(x)))
+
+
+def _mean(struck: np.ndarray, untouched: np.ndarray | float, modes: Modes) -> np.ndarray:
+    """Of a body as a whole, from the place where it is struck, and from where it would be untouched."""
+    return struck if modes.rigid_mean == 1.0 else untouched + modes.rigid_mean * (struck - untouched)
 
 
 def _beside(field, nodes):
     """A field of modes with that of the struck node alone below it."""
     return lambda x: np.vstack((field(x), nodes(x)[:1]))
-
-
-def _coordinates(modes: tuple[Modes, Modes], record: Record, rows: slice):
-    """Mass-normalised coordinates, rates and frequencies of each body, its motion as a whole in front if it is free.
-
-    The record holds the target's modes first, and the impactor's as if they moved the other way.
-    """
-    count = len(range(*rows.indices(rows.stop)))
-    split, found = modes[1].frequencies.size, []
-    for known, part, sign, whole in (
-        (modes[0], slice(split, None), -1.0, (record.position, record.velocity)),
-        (modes[1], slice(0, split), 1.0, (record.rigid_position, record.rigid_velocity)),
-    ):
-        q = sign * record.checkpoint_displacement[:count, part] / known.at_contact
-        rates = sign * record.checkpoint_velocity[:count, part] * known.frequencies / known.at_contact
-        frequencies = known.frequencies
-        if np.isfinite(known.rigid_mass):
-            root = np.sqrt(known.rigid_mass)
-            q, rates = (np.column_stack((root * w[rows], own)) for w, own in zip(whole, (q, rates), strict=True))
-            frequencies = np.append(0.0, frequencies)
-        found.append((q, rates, frequencies))
-    return found

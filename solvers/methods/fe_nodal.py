@@ -51,6 +51,8 @@ class FeNodal(FiniteElements):
     def why_not(self, scene: Scene) -> str | None:
         if self.status == "frozen" and scene.contact.NAME not in ("rigid", "linear"):
             return f"a frozen status needs a contact with one stiffness, got {scene.contact.NAME}; use 'implicit'"
+        if self.scheme != "newmark" and "beam" in (scene.impactor.kind, scene.target.kind):
+            return "central differences need masses on nodes that only move, not turn, got a beam; use scheme 'newmark'"
         return super().why_not(scene)
 
     def _doubts(self, diagnostics: Mapping[str, Any]) -> list[str]:
@@ -107,7 +109,8 @@ class FeNodal(FiniteElements):
                 newmark.march_implicit(law, matrices, step, u, v, stride, begin, end, record)
                 return end
 
-        record, done, parted = follow(scene, plan, make, advance, lambda record, k: float(record.impulse[k]))
+        masses = meshes[0].rigid_mass, meshes[1].rigid_mass
+        record, done, parted = follow(scene, plan, masses, make, advance, lambda record, k: float(record.impulse[k]))
         diverged = self.status == "frozen" and done < plan.most and not parted
         if diverged:
             done -= done % stride
@@ -134,7 +137,7 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
     parts = slice(whole.split), slice(whole.split, None)
     own, other = (0.5 * twice[:, part].sum(1) for part in parts)
     pushed = v[:, parts[1]] @ meshes[1].weights
-    rigid = np.zeros(rows) if scene.target.held else 0.5 * pushed**2 / scene.target.mass
+    rigid = meshes[1].rigid_energy(v[:, parts[1]])
     instants = slice(0, steps + 1)
     depth, deepest = (values[instants][:: plan.stride].tolist() for values in (record.indentation, record.deepest))
     travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
@@ -149,6 +152,7 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
         position=centre if meshes[0].rings else record.first[instants],
         end_position=record.second[instants],
         end_velocity=record.second_velocity[instants],
+        target_velocity=pushed / scene.target.mass,
         field=shape_field(scene, plan.step * plan.stride * np.arange(rows), u, v, meshes),
         energies={
             "impactor": own,

@@ -1,11 +1,12 @@
 """Beams as chains of two-node elements whose nodes move and turn; Euler-Bernoulli and Timoshenko are one element."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from . import bands
+from .beam_modes import BeamLine
 from .elements import Mesh
 
 HELD = {  # what a support takes from the first and the last node: 0 its deflection, 1 its rotation
@@ -81,12 +82,11 @@ class Element(NamedTuple):
         return found
 
 
-def beam_mesh(line: Any, support: str, place: float, elements: int, end_mass: float = 0.0) -> Mesh:
+def beam_mesh(line: BeamLine, support: str, place: float, elements: int, end_mass: float = 0.0) -> Mesh:
     """A uniform beam with a node where it is struck, `place` [m] from its first support.
 
     About `elements` elements, shared out on both sides of that node; `end_mass` [kg] rides on the far end. `neighbour`
     is EI / l^3 of the shorter element at that node, less by what its shear gives way.
-    line: a `BeamLine`.
     Error: static deflections are exact at the nodes; frequencies are of fourth order in 1 / elements, of second order
     where shear counts.
     Source: thesis 8.3, k_e = EI / l^3.
@@ -130,7 +130,7 @@ def _nodes(length: float, place: float, elements: int) -> tuple[np.ndarray, int]
     return np.append(0.0, np.cumsum(lengths)), counts[0] if place > 1e-9 * length else 0
 
 
-def _scales(line: Any, chain: Element, near: slice) -> tuple[float, float, float]:
+def _scales(line: BeamLine, chain: Element, near: slice) -> tuple[float, float, float]:
     """Stiffness next to the struck node, shortest transit and shortest period of an element."""
     from scipy.linalg import eigh
 

@@ -67,6 +67,14 @@ class Mesh(NamedTuple):
         started = np.linalg.solve(inertia, self.free[:, self.struck]) @ self.free
         return started / started[self.struck]
 
+    def rigid_energy(self, rates: np.ndarray) -> np.ndarray:
+        """Kinetic energy of the motion as a whole (rows,) [J] from rates (rows, unknowns); none of what is held."""
+        if not self.free.size:
+            return np.zeros(rates.shape[0])
+        inertia = bands.times(self.mass, self.free)
+        momenta = rates @ inertia.T
+        return 0.5 * (momenta * np.linalg.solve(inertia @ self.free.T, momenta.T).T).sum(1)
+
     @property
     def rigid_mass(self) -> float:
         """What a blow feels of the body's motion as a whole [kg]; infinite if it is held."""
@@ -173,7 +181,7 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
     body = without_mass_in_front(mesh) if massless else mesh
     available = body.size - body.free.shape[0] if body.size else 0
     kept = available if count is None else min(count, available)
-    frequencies, vectors = _eigenpairs(body, kept)
+    whole, (frequencies, vectors) = mesh.whole, _eigenpairs(body, kept)
     at_contact = vectors[:, body.struck] if kept else np.zeros(0)
     residual = _left_out(body, vectors) if kept < available else 0.0
     residual += 1.0 / mesh.neighbour if massless else 0.0
@@ -189,6 +197,11 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
         residual_compliance=residual,
         shapes=fields(mesh.shapes),
         slopes=fields(mesh.slopes),
+        means=full @ mesh.weights / mesh.total_mass,
+        moments=fields(mesh.moments),
+        shears=fields(mesh.shears),
+        **({} if whole is None else {"rigid_shape": lambda x: whole @ mesh.shapes(x)}),
+        rigid_mean=1.0 if whole is None else float(whole @ mesh.weights / mesh.total_mass),
     )
 
 

@@ -64,15 +64,16 @@ class Modes:
         """Period of the highest kept mode [s]: no finer detail in time is resolved; 0 without modes."""
         return 2.0 * np.pi / float(self.frequencies[-1]) if self.frequencies.size else 0.0
 
-    def with_rigid(self) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
-        """Shapes and slopes with the motion as a whole in front, of the same norm, if it is free."""
+    def with_rigid(self, field: str = "shapes") -> Callable[[np.ndarray], np.ndarray]:
+        """That field of the modes (modes, x), with the motion as a whole in front, of the same norm, if it is free.
+
+        All zero where the body has no such field.
+        """
+        own = getattr(self, field) or (lambda x: np.zeros((self.frequencies.size, np.size(x))))
         if not np.isfinite(self.rigid_mass):
-            return self.shapes, self.slopes
-        one = 1.0 / np.sqrt(self.rigid_mass)
-        return (
-            lambda x: np.vstack((np.full((1, np.size(x)), one), self.shapes(x))),
-            lambda x: np.vstack((np.zeros((1, np.size(x))), self.slopes(x))),
-        )
+            return own
+        shape = self.rigid_shape if field == "shapes" else (lambda x: np.zeros(np.size(x)))
+        return lambda x: np.vstack((shape(x) / np.sqrt(self.rigid_mass), own(x)))
 
     @property
     def front_time(self) -> float:
