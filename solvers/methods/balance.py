@@ -229,8 +229,8 @@ class Pair:
 
     def fields(self) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
         """Shapes and slopes per unit of each coordinate, (modes, x); the impactor is where x is negative."""
-        (shapes1, slopes1), (shapes2, slopes2) = (modes.with_rigid() for modes in self.modes)
-        return two_sided(shapes1, shapes2, 1.0), two_sided(slopes1, slopes2, -1.0)
+        shapes, slopes = ([modes.with_rigid(name) for modes in self.modes] for name in ("shapes", "slopes"))
+        return two_sided(*shapes, 1.0), two_sided(*slopes, -1.0)
 
 
 @dataclass(frozen=True)

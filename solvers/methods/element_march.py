@@ -10,8 +10,8 @@ from typing import Any
 from .. import checks
 from ..bodies import Rods
 from ..contact import Linear
-from ..numerics.beam_statics import static_compliance
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..numerics.beam_statics import static_compliance
 from ..scene import Scene, contact_time
 from ..solution import Solution, summary
 from .element_motion import Course, ElementMotion
