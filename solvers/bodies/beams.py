@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from .. import checks
 from ..checks import SceneError
@@ -150,7 +150,7 @@ class Beam:
         return 2.0 * math.pi / float(self.modes(1).frequencies[0])
 
     def modes(self, count: int) -> Modes:
-        return beam_modes(self.line, self.support, self.place, count, self.end_mass)
+        return _modes(self.line, self.support, self.place, count, self.end_mass)
 
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
         """Two-node elements with a node where it is struck; consistent mass, whatever `lumping` asks of rods."""
@@ -199,6 +199,12 @@ class Beam:
             if getattr(self, name) != nothing:
                 written[name] = getattr(self, name)
         return written
+
+
+@lru_cache(maxsize=64)
+def _modes(line: BeamLine, support: str, place: float, count: int, end_mass: float) -> Modes:
+    """Kept, as one solve asks for them more than once, and a slider of the impactor for the same ones again."""
+    return beam_modes(line, support, place, count, end_mass)
 
 
 def _read_section(key: str, given: Mapping[str, object]) -> Section:
