@@ -70,6 +70,7 @@ def _parser() -> argparse.ArgumentParser:
     _ensemble_command(commands)
     _convergence_command(commands)
     _record_command(commands)
+    _stability_command(commands)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
     scenes.set_defaults(run=_scenes)
@@ -171,6 +172,15 @@ def _record_command(commands: Any) -> None:
         return print_record(_scene(options), options)
 
     parser.set_defaults(run=run)
+
+
+def _stability_command(commands: Any) -> None:
+    from .stability_maps import add_arguments, print_stability
+
+    parser = commands.add_parser("stability", help="where each integrator keeps the energy, chatters or fails")
+    _scene_arguments(parser)
+    add_arguments(parser)
+    parser.set_defaults(run=lambda options: print_stability(_scene(options), options))
 
 
 def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:

@@ -26,6 +26,7 @@ from .methods import (
 )
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
+from .stability import Stability, stability
 from .tradeoff import stored_tradeoff, tradeoff
 from .tradeoff_table import Point as TradeOffPoint
 from .tradeoff_table import TradeOff
@@ -57,6 +58,7 @@ __all__ = [
     "SceneNotSupported",
     "Solution",
     "SpringMass",
+    "Stability",
     "TradeOff",
     "TradeOffPoint",
     "Wall",
@@ -71,6 +73,7 @@ __all__ = [
     "reference",
     "scene_names",
     "solve",
+    "stability",
     "stored_tradeoff",
     "tradeoff",
 ]

@@ -94,3 +94,9 @@ def _loading_mean(self, start, end):
 @overload_method(numba.types.BaseNamedTuple, "unloading_mean")
 def _unloading_mean(self, start, end, deepest):
     return self.instance_class.unloading_mean
+
+
+# The same for any integrator (a NamedTuple).
+@overload_method(numba.types.BaseNamedTuple, "advance")
+def _advance(self, law, state):
+    return self.instance_class.advance

@@ -256,6 +256,17 @@ def contact_time(law: Any, mass: float, speed: float) -> float:
     return math.pi * math.sqrt(mass / stiffness)
 
 
+def steepest_stiffness(law: Any, mass: float, speed: float) -> float:
+    """Largest stiffness of the law [N/m] that a blow of this reduced mass [kg] can reach: it stores all its energy."""
+    energy = 0.5 * mass * speed**2
+    depth = 1e-3 * speed * contact_time(law, mass, speed)
+    for _ in range(300):
+        if law.stored(depth, depth) >= energy:
+            break
+        depth *= 1.25
+    return max(float(law.slopes(part * depth, 0.0, 0.0)[0]) for part in np.linspace(1e-3, 1.0, 200).tolist())
+
+
 def _copied(tables: Mapping[str, object]) -> dict[str, Any]:
     return {key: _copied(value) if isinstance(value, Mapping) else value for key, value in tables.items()}
 

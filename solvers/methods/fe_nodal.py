@@ -11,7 +11,7 @@ from .. import checks
 from ..numerics import newmark
 from ..numerics.bands import times
 from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line
-from ..scene import Scene
+from ..scene import Scene, steepest_stiffness
 from .element_march import FiniteElements, Plan, end, follow, read_common
 from .element_motion import Course, shape_field
 
@@ -70,7 +70,7 @@ class FeNodal(FiniteElements):
         whole, law = line(*meshes), self._law(scene)
         fine, limit = min(mesh.transit for mesh in meshes) / STEPS_PER_ELEMENT, math.inf
         if self.scheme == "central-difference":
-            limit = 2.0 / highest_frequency(whole, _steepest(law, scene))
+            limit = 2.0 / highest_frequency(whole, steepest_stiffness(law, scene.reduced_mass, scene.speed))
             fine = limit
         plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.shape[1])
         record, steps, parted, diverged = self._march(scene, meshes, whole, law, plan)
@@ -118,15 +118,6 @@ class FeNodal(FiniteElements):
             last = int(np.flatnonzero(record.contact_force[: done + 1] > 0.0)[-1]) + 1
             done = end(plan, scene, last, done)
         return record, max(done, stride), parted, diverged
-
-
-def _steepest(law: Any, scene: Scene) -> float:
-    """Largest stiffness of the law that this blow can reach [N/m]: where it stores all energy of the approach."""
-    energy = 0.5 * scene.reduced_mass * scene.speed**2
-    depth = scene.speed * scene.time_unit * 1e-9
-    while law.stored(depth, depth) < energy and depth < 1e9 * scene.speed * scene.time_unit:
-        depth *= 1.25
-    return max(float(law.slopes(part * depth, 0.0, 0.0)[0]) for part in np.linspace(1e-3, 1.0, 200).tolist())
 
 
 def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged) -> Course:

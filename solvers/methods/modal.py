@@ -150,7 +150,8 @@ class Modal(Method):
             )
         return notes + scene.contact.limits(float(motion.deepest[-1]), scene.impactor, scene.target)
 
-    def _pair(self, scene: Scene) -> Pair:
+    def pair(self, scene: Scene) -> Pair:
+        """The modes that take part in this blow."""
         bodies = (scene.impactor, scene.target)
         pair = [body.modes(self.modes).felt() for body in bodies]
         if self.frame != "mean-axis":
@@ -178,10 +179,10 @@ class Modal(Method):
         return max(estimated, 1.0) if _blow(scene) < motion.pair.resolved_time else estimated
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
-        pair = self._pair(scene)
+        pair = self.pair(scene)
         if duration is None and self.steps is not None:
             duration = replace(self, steps=None)._march(scene, None).duration
-        step = duration / self.steps if self.steps is not None else _default_step(scene, pair)
+        step = duration / self.steps if self.steps is not None else default_step(scene, pair)
         count = self.steps
         if duration is not None and count is None:
             count = min(max(10, math.ceil(duration / step)), MAX_STEPS)
@@ -209,7 +210,7 @@ def _mobility(modes: Modes, truncated: bool) -> float:
     return 1.0 / modes.rigid_mass + (0.0 if truncated else float(np.sum(modes.at_contact**2)))
 
 
-def _default_step(scene: Scene, pair: Pair) -> float:
+def default_step(scene: Scene, pair: Pair) -> float:
     """Fine enough for the highest mode and for the shortest contact; never a longer run than is worth it."""
     law, residual = pair.law(scene)
     parts = list(zip((pair.impactor, pair.target), pair.truncated, strict=True))

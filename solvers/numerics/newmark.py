@@ -209,7 +209,7 @@ def _pull(line, u, i):
 
 
 @kernel
-def _centred(law, lossy, indentation, rate, slowing, deepest):
+def centred(law, lossy, indentation, rate, slowing, deepest):
     """The force F at a rate that F itself slows by slowing * F: one increasing equation, Newton kept in brackets."""
     high = law.force(indentation, rate, deepest)
     if not lossy or high <= 0.0:
@@ -263,7 +263,7 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
         deepest_before = deepest
         deepest = max(deepest, indentation)
         rate = v[front] - (v[other] if ends else 0.0) + 0.5 * (a1 - a2)
-        force = _centred(law, lossy, indentation, rate, 0.5 * mobility, deepest_before)
+        force = centred(law, lossy, indentation, rate, 0.5 * mobility, deepest_before)
         impulse += 0.5 * step * (before + force)
         work += 0.5 * (before + force) * (indentation - was)
         lost = work - law.stored(indentation, deepest) if lossy else 0.0
