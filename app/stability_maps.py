@@ -54,9 +54,9 @@ def report(found: Stability) -> str:
     first, second = found.axes
     lines = [
         title,
-        f"  down: {first.name} [{first.unit}]   across: {second.name} [{second.unit}]"
-        f"   the scene itself: {found.here[0]:.3g}, {found.here[1]:.3g}",
-        f"  {LEGEND}",
+        f"  down    {first.name} [{first.unit}]; the scene itself: {found.here[0]:.3g}",
+        f"  across  {second.name} [{second.unit}]; the scene itself: {found.here[1]:.3g}",
+        *(f"  {line}" for line in textwrap.wrap(LEGEND, 116)),
     ]
     for each in found.maps.values():
         lines += ["", *_drawn(found, each)]

@@ -357,7 +357,7 @@ def _lesson(found: Stability, own: Problem) -> list[str]:
     share = 3.0 * frozen.limit_share  # omega_c * step
     column = int(np.argmin(np.abs(np.log(found.axes[1].values / THESIS_STIFFNESS))))
     factor, note = found.axes[1].values[column], []
-    if grown[:, column].any():
+    if found.scene.contact.NAME == "rigid" and grown[:, column].any():
         first = steps[grown[:, column]].min() * own.step_unit
         note = [
             f"With a contact {factor:.3g} times as stiff as an element a status frozen over each step makes the motion "

@@ -211,7 +211,7 @@ def _endless(problem: Problem) -> float:
 
 
 INTEGRATORS = {
-    "modal": Integrator("modal, energy-exact", "stable at every step", _endless, _exact),
+    "modal": Integrator("exact oscillators, energy-exact contact", "stable at every step", _endless, _exact),
     "newmark": Integrator("Newmark, contact status implicit", "stable at every step", _endless, _implicit),
     "newmark-frozen": Integrator(
         "Newmark, contact status frozen over a step",
