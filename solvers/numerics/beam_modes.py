@@ -8,13 +8,14 @@ equation with cosh only loses every Timoshenko mode above the cut-off; the count
 
 import numpy as np
 
-from .beam_roots import CANTILEVER, EVEN_CLAMPED, EVEN_FREE, ODD_CLAMPED, ODD_FREE, roots
-from .beam_statics import DISPLACEMENT, ENDS, MOMENT, SHEAR, TURN, rigid_motion, static_shape
+from .beam_riders import riding_field
+from .beam_shapes import natural_field
+from .beam_statics import rigid_motion, static_compliance, static_shape
 from .bending_fields import BendingField
-from .bending_waves import BeamLine
+from .bending_waves import BeamLine, dispersion
 from .modes import Modes
 
-__all__ = ["BeamLine", "beam_modes"]
+__all__ = ["BeamLine", "attached_beam_modes", "beam_modes", "dispersion", "static_compliance", "static_shape"]
 
 
 def beam_modes(line: BeamLine, support: str, place: float, count: int, end_mass: float = 0.0) -> Modes:
@@ -22,102 +23,42 @@ def beam_modes(line: BeamLine, support: str, place: float, count: int, end_mass:
 
     `end_mass` [kg] is a point mass on the free end of a cantilever; shapes are normalised, and averaged, with it.
     Free motions come on top, as one: a force at one place sets a free beam into translation and rotation together.
-    Error: frequencies to 1e-12 and shapes to 1e-11 at any number of modes.
+    Error: frequencies to 1e-12 at any number of modes; shapes to 1e-12, and above the cut-off, where frequencies come
+    in near pairs, to 1e-9 at 500 modes.
     """
-    rider = end_mass / line.mass
-    field = _cantilever(line, count, rider) if support == "cantilever" else _symmetric(line, support, count)
+    at_end = end_mass / line.mass
+    field, means = _normalised(natural_field(line, support, count, at_end), at_end)
+    return _in_si_units(line, support, place, field, means)
+
+
+def attached_beam_modes(
+    line: BeamLine, support: str, place: float, count: int, attached_mass: float, end_mass: float = 0.0
+) -> Modes:
+    """Modes of the beam and a point mass [kg] that rides on it at `place` [m], where both are struck.
+
+    Shapes are normalised with both masses, but averaged (`means`, `rigid_mean`) over the beam's own and `end_mass`.
+    Moments and shear forces are the beam's; the shear force jumps at the rider, where the inner side's is given.
+    A free or pinned-free beam moves as a whole with the same `rigid_shape` as without the rider, and with a mass
+    larger by the rider's. A free one can also turn about the rider; no force at `place` sets it into that motion, with
+    the rider or without, so a projection from the one set of modes on the other needs the one rigid motion only.
+    At the tip of a cantilever the modes are those of `beam_modes` with an end mass.
+    """
+    at_end, rider, at = end_mass / line.mass, attached_mass / line.mass, place / line.length
+    bare, _ = _normalised(natural_field(line, support, count + 8, at_end), at_end)  # 8: no node is shared by so many
+    field = riding_field(line, support, at, count, rider, bare, at_end)
+    field, means = _normalised(field, at_end, rider)
+    return _in_si_units(line, support, place, field, means, attached_mass)
+
+
+def _normalised(field: BendingField, at_end: float, rider: float = 0.0) -> tuple[BendingField, np.ndarray]:
+    """Motions of unit modal mass and their means over beam and end mass."""
     mean, square = field.integrals()
-    at_end = field.displacement(field.potentials(np.ones(1)))[:, 0]
-    factors = 1.0 / np.sqrt(square + rider * at_end**2)
-    field, means = field.scaled(factors), factors * (mean + rider * at_end) / (1.0 + rider)
-    return _in_si_units(line, support, place, field, means, 0.0)
+    end, place = field.displacement(field.potentials(np.array([1.0, field.place]))).T
+    factors = 1.0 / np.sqrt(square + at_end * end**2 + rider * place**2)
+    return field.scaled(factors), factors * (mean + at_end * end) / (1.0 + at_end)
 
 
-# -- the unit beam ----------------------------------------------------------------------------------------------------
-
-
-def _cantilever(line, count, rider) -> BendingField:
-    found = roots(CANTILEVER, count, 0, 0.5, line.shear_number, line.rotary_number, rider)
-    field = BendingField(found**4, line.shear_number, line.rotary_number, np.zeros((count, 4)))
-    rows = _end_rows(field, "cantilever")
-    rows[:, 3] += rider * _rows(field, np.ones(1), (DISPLACEMENT,))[:, 0]
-    return BendingField(field.square, field.shear, field.rotary, _null_vectors(rows))
-
-
-def _rows(field, x, quantities, side=None) -> np.ndarray:
-    """What each amplitude alone gives of these quantities at x: (modes, quantities, amplitudes); shear / square."""
-    parts = field.basis(x, side)
-    seen = {
-        DISPLACEMENT: field.displacement,
-        TURN: field.turn,
-        MOMENT: field.moment,
-        SHEAR: lambda at: at.u + at.w,
-    }
-    return np.stack([np.stack([seen[q](part)[:, 0] for part in parts], axis=-1) for q in quantities], axis=1)
-
-
-def _end_rows(field, support) -> np.ndarray:
-    near, far = ENDS[support]
-    return np.concatenate([_rows(field, np.zeros(1), near, -1.0), _rows(field, np.ones(1), far, 1.0)], axis=1)
-
-
-def _null_vectors(matrices: np.ndarray) -> np.ndarray:
-    """The vector that each of these matrices makes vanish, rows and columns brought to the same size first."""
-    matrices = matrices / np.abs(matrices).max(axis=2, keepdims=True)
-    sizes = np.abs(matrices).max(axis=1)
-    return np.linalg.svd(matrices / sizes[:, None, :])[2][:, -1, :] / sizes
-
-
-def _symmetric(line, support, count) -> BendingField:
-    """Even and odd motions about the middle apart, so that two near frequencies do not mix; or about the pin."""
-    shear, rotary = line.shear_number, line.rotary_number
-    if support == "pinned-pinned":
-        return _pinned(shear, rotary, count)
-    if support == "pinned-free":
-        square = roots(ODD_FREE, count, 1, 1.0, shear, rotary, 0.0) ** 4
-        return _about_centre(square, shear, rotary, np.ones(count, bool), ENDS[support][1], 0.0, 1.0)
-    held = support == "clamped-clamped"
-    problems = (EVEN_CLAMPED, ODD_CLAMPED) if held else (EVEN_FREE, ODD_FREE)
-    both = [roots(problem, count, 0 if held else 1, 0.5, shear, rotary, 0.0) for problem in problems]
-    order = np.argsort(np.concatenate(both), kind="stable")[:count]
-    square = np.concatenate(both)[order] ** 4
-    return _about_centre(square, shear, rotary, order >= count, ENDS[support][1], 0.5, 0.5)
-
-
-def _about_centre(square, shear, rotary, odd, far, centre, reach) -> BendingField:
-    """Motions about the centre of which the two quantities `far` vanish at x = 1."""
-    field = BendingField(square, shear, rotary, np.zeros((square.size, 4)), centre, reach)
-    rows = _rows(field, np.ones(1), far)
-    number = np.arange(square.size)
-    columns = np.stack([odd.astype(int), odd.astype(int) + 2], axis=1)  # of u and w
-    amplitudes = np.zeros((square.size, 4))
-    amplitudes[number[:, None], columns] = _null_vectors(
-        rows[number[:, None, None], np.arange(2)[None, :, None], columns[:, None, :]]
-    )
-    return BendingField(square, shear, rotary, amplitudes, centre, reach)
-
-
-def _pinned(shear, rotary, count) -> BendingField:
-    """Sines of n half waves, one or two for each n; with rotary inertia also pure shear, y = 0, at the cut-off."""
-    waves = np.arange(1, count + 1)
-    k2 = (np.pi * waves) ** 2
-    middle = 1.0 + k2 * (shear + rotary)
-    root = np.sqrt(1.0 + 2.0 * k2 * (shear + rotary) + (k2 * (shear - rotary)) ** 2)
-    squares, numbers, upper = 2.0 * k2**2 / (middle + root), waves, np.zeros(count, bool)
-    if shear * rotary > 0.0:
-        squares = np.concatenate([squares, [1.0 / (shear * rotary)], (middle + root) / (2.0 * shear * rotary)])
-        numbers = np.concatenate([waves, [0], waves])
-        upper = np.concatenate([upper, np.ones(count + 1, bool)])
-    order = np.argsort(squares, kind="stable")[:count]
-    amplitudes = np.zeros((count, 4))
-    amplitudes[np.arange(count), 2 * upper[order] + (numbers[order] % 2 == 0)] = 1.0
-    return BendingField(squares[order], shear, rotary, amplitudes)
-
-
-# -- and the real one -------------------------------------------------------------------------------------------------
-
-
-def _in_si_units(line, support, place, field, means, attached_mass) -> Modes:
+def _in_si_units(line, support, place, field, means, attached_mass=0.0) -> Modes:
     """Modes of the beam from the mass-normalised `field` of the unit beam."""
     per_mass = 1.0 / np.sqrt(line.mass)
     stiffness = line.bending_stiffness / line.length**2 * per_mass

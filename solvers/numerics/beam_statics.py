@@ -5,18 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .bending_ends import DISPLACEMENT, ENDS, MOMENT, SHEAR, TURN
 from .bending_waves import BeamLine
 
-# What vanishes at either end of a beam, of displacement, turn, moment and shear force, by the name of its support
-DISPLACEMENT, TURN, MOMENT, SHEAR = range(4)
-CLAMPED, PINNED, FREE = (DISPLACEMENT, TURN), (DISPLACEMENT, MOMENT), (MOMENT, SHEAR)
-ENDS = {
-    "cantilever": (CLAMPED, FREE),
-    "pinned-pinned": (PINNED, PINNED),
-    "clamped-clamped": (CLAMPED, CLAMPED),
-    "free-free": (FREE, FREE),
-    "pinned-free": (PINNED, FREE),
-}
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(6)  # exact up to the eleventh power
 
 
@@ -52,7 +43,7 @@ def rigid_motion(line: BeamLine, support: str, place: float) -> RigidMotion:
         mass = 1.0 / (1.0 / line.mass + lever**2 / turning)
         slope = mass * lever / turning
         return RigidMotion(mass, mass / line.mass - slope * middle, slope)
-    if support == "pinned-free" and place > 0.0:
+    if support == "pinned-free" and place > 1e-9 * line.length:  # else struck on the pin, as good as held
         return RigidMotion((turning + line.mass * middle**2) / place**2, 0.0, 1.0 / place)
     return RigidMotion(np.inf, 1.0, 0.0)
 
