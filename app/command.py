@@ -82,7 +82,7 @@ def _parser() -> argparse.ArgumentParser:
         "--allow-origin", action="append", metavar="HOST[:PORT]",
         help="a name under which browsers reach the page; repeatable; default: $IMPACT_ORIGINS, separated by commas",
     )  # fmt: skip
-    serve.add_argument("--warm", action="store_true", help="accepted for clarity: the server always warms up first")
+    serve.add_argument("--warm", action="store_true", help="accepted for clarity: the first page is always ready first")
     serve.set_defaults(run=_serve)
 
     warm = commands.add_parser("warm", help="compile every kernel now, so that the first solve is as quick as the rest")
@@ -198,20 +198,10 @@ def _scene(options: argparse.Namespace) -> solvers.Scene:
     return scene.replace(parse_changes(options.changes)) if options.changes else scene
 
 
-WARMED = ("fixed-rod", "bronze-rod-steel-ball")  # between them they meet every kernel
-
-
 def _warm(options: argparse.Namespace) -> int:
-    from solvers.studies import mass_ratio_sweep
+    from .compiling import compile_usual
 
-    for scene in map(solvers.load, WARMED):
-        for name, law in solvers.LAWS.items():
-            changed = scene.replace({"contact": {"law": name} | law.EXAMPLE})
-            for method, chosen in solvers.METHODS.items():
-                if chosen().refusal(changed) is None:
-                    solvers.solve(changed, method)
-    solvers.solve(solvers.load("fixed-rod"), "waves", steps=100)
-    mass_ratio_sweep("fixed", [1.0])
+    compile_usual()
     print("All kernels are compiled.")
     return 0
 

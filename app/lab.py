@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
@@ -10,11 +11,13 @@ from typing import Any
 import panel as pn
 import param
 
+from solvers.jit import NotCompiled
+
 from .analysis import energy_shares, energy_view
 from .frames import solve_frame
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
-from .runner import SLOW, Runner
+from .runner import COMPILING, POOL, SLOW, Runner, at_once
 from .state import SCENES, Choices, accepts, from_address, in_space, refusal, scene_groups
 
 STATIC = Path(__file__).parent / "static"
@@ -30,6 +33,7 @@ class Lab(Choices, pn.custom.JSComponent):
 
     frame = param.Bytes(default=b"", doc="answer to the choices, see app.frames")
     refused = param.String(default="", doc="why the last change was not taken")
+    waiting = param.String(default="", doc="what is being compiled before the answer can come, or nothing")
     energy_shown = param.Boolean(default=False, doc="whether the view of energy over time is open")
     methods_shown = param.Boolean(default=False, doc="whether the table of all methods is open")
     methods = param.String(default="", doc="that table, see app.methods_table")
@@ -47,16 +51,33 @@ class Lab(Choices, pn.custom.JSComponent):
 
     def __init__(self, **choices):
         super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
-        self._runner = Runner(solve_frame, self._show, self._refuse)
+        self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
+        self._runner = self._runner_of(solve_frame, self._show)
         self._quiet = False
-        self.frame = solve_frame(self.chosen())
         self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
         self._views: dict[str, tuple[Any, Any]] = {}  # by name: the stream that feeds it, and its pane
-        self._energy_runner = Runner(energy_shares, partial(self._show_view, "energy", energy_view), self._refuse)
-        self._ratios_runner = Runner(ratios_for, partial(self._show_view, "ratios", ratios_view), self._refuse)
-        self._methods_runner = Runner(methods_table, self._show_methods, self._refuse, SLOW)
+        self._energy_runner = self._runner_of(energy_shares, partial(self._show_view, "energy", energy_view))
+        self._ratios_runner = self._runner_of(ratios_for, partial(self._show_view, "ratios", ratios_view))
+        self._methods_runner = self._runner_of(methods_table, self._show_methods, SLOW)
         self.param.watch(self._changed, list(self.CHOSEN))
         self.param.watch(self._ask_views, list(self.OPENED))
+        self._begin()
+
+    def _runner_of(self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL) -> Runner:
+        return Runner(work, publish, self._refuse, pool, partial(self._wait, work.__name__))
+
+    def _begin(self) -> None:
+        """The first answer goes out with the page, unless it must be compiled first."""
+        try:
+            self.frame = at_once(solve_frame, self.chosen())
+        except NotCompiled:
+            self.waiting = COMPILING
+            pn.state.execute(partial(self._runner.want, self.chosen()), schedule=True)
+
+    def _wait(self, name: str, sentence: str) -> None:
+        """Tell the visitor why an answer takes longer; an empty sentence when it has come."""
+        self._waits[name] = sentence
+        self.waiting = next(filter(None, self._waits.values()), "")
 
     def _changed(self, *events: param.parameterized.Event) -> None:
         if self._quiet:

@@ -7,36 +7,81 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
+from solvers.jit import NotCompiled, compiled_only
+
+from .compiling import COMPILER
+
 POOL = ThreadPoolExecutor(max_workers=max(1, min(4, (os.cpu_count() or 1))), thread_name_prefix="solve")
 SLOW = ThreadPoolExecutor(max_workers=1, thread_name_prefix="slow")  # for seconds, while sliders need the other one
+COMPILING = "Compiling what this needs, once on this machine: some seconds, up to half a minute …"
 log = logging.getLogger("strikewave")
 
 
-class Runner:
-    """Runs `work(choices)` on a pool and hands the newest result to `publish`, or a sentence to `refuse`."""
+def at_once(work: Callable, *arguments: Any) -> Any:
+    """`work(*arguments)` from kernels that are compiled; NotCompiled is raised if one is not."""
+    with compiled_only():
+        return work(*arguments)
 
-    def __init__(self, work: Callable, publish: Callable, refuse: Callable, pool: ThreadPoolExecutor = POOL):
-        self._work, self._publish, self._refuse, self._pool = work, publish, refuse, pool
+
+class Runner:
+    """Runs `work(choices)` on a pool and hands the newest result to `publish`, or a sentence to `refuse`.
+
+    What is not compiled yet is compiled in another process first; `wait` is told so in a sentence, and when it is over
+    by an empty one.
+    """
+
+    def __init__(
+        self,
+        work: Callable,
+        publish: Callable,
+        refuse: Callable,
+        pool: ThreadPoolExecutor = POOL,
+        wait: Callable = lambda sentence: None,
+    ):
+        self._work, self._publish, self._refuse, self._pool, self._wait = work, publish, refuse, pool, wait
         self._wanted: Any = None
         self._busy = False
+        self._newer = asyncio.Event()
 
     async def want(self, choices: Any) -> None:
         """Ask for a result; while one is being made, only the newest wish is remembered."""
         self._wanted = choices
+        self._newer.set()
         if self._busy:
             return
         self._busy = True
         try:
             while self._wanted is not None:
                 current, self._wanted = self._wanted, None
+                self._newer.clear()
                 try:
-                    result = await asyncio.get_running_loop().run_in_executor(self._pool, self._work, current)
+                    result = await self._solved(current)
                 except ValueError as refusal:  # SceneError: the sentence is for the visitor
                     self._refuse(str(refusal))
                 except Exception:
                     log.exception("a solve failed: %r", current)
                     self._refuse("This could not be solved. The choices before it are still shown.")
                 else:
-                    self._publish(result)
+                    if result is not None:
+                        self._publish(result)
         finally:
             self._busy = False
+
+    async def _solved(self, choices: Any) -> Any:
+        """The result, or None if it had to be compiled first and something newer was wanted meanwhile."""
+        loop = asyncio.get_running_loop()
+        try:
+            return await loop.run_in_executor(self._pool, at_once, self._work, choices)
+        except NotCompiled:
+            self._wait(COMPILING)
+        try:
+            compiled = asyncio.ensure_future(COMPILER.ready(self._work.__name__, choices))
+            newer = asyncio.ensure_future(self._newer.wait())
+            await asyncio.wait((compiled, newer), return_when=asyncio.FIRST_COMPLETED)
+            compiled.cancel()
+            newer.cancel()
+            if self._wanted is not None:
+                return None
+            return await loop.run_in_executor(self._pool, self._work, choices)
+        finally:
+            self._wait("")

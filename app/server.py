@@ -5,11 +5,11 @@ import errno
 import logging
 import signal
 import sys
-import threading
-from collections.abc import Iterable
 from typing import Any
 
-from solvers.jit import kernels_compiled
+from solvers.jit import NotCompiled, all_compiled
+
+from .compiling import COMPILER
 
 log = logging.getLogger("strikewave")
 
@@ -24,16 +24,30 @@ TEMPLATE = """
 MODULES
 {% endblock %}
 """
-MODULES = ("page", "controls", "player", "stage", "charts", "physics", "story", "plot", "bodies", "analyses", "record")
+MODULES = (
+    "page",
+    "controls",
+    "player",
+    "stage",
+    "charts",
+    "physics",
+    "story",
+    "plot",
+    "bodies",
+    "analyses",
+    "record",
+    "waiting",
+)
 
 
 def serve(port: int, address: str, origins: list[str]) -> int:
     """Serve until interrupted. Prints the address once the page answers at once."""
-    if not kernels_compiled():
-        print("Compiling the kernels, once; this takes a minute or two.", flush=True)
+    if not all_compiled().exists():
+        COMPILER.start()  # while this process loads Panel
     try:
         server = build(port, address, origins)
     except OSError as error:
+        COMPILER.stop()
         key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
         allowed = "an address of this machine" if key == "--address" else f"a free port at {address}"
         print(f"impact: {key}: got {value}; allowed: {allowed} ({error.strerror})", file=sys.stderr)
@@ -44,6 +58,7 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()
+    COMPILER.stop()
     print("Stopped.", flush=True)
     return 0
 
@@ -88,24 +103,19 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     )
 
 
-USUAL_LAWS = ("rigid", "linear", "hertz", "hunt-crossley")  # ready before the page opens; the others soon after
-
-
 def _warm() -> None:
-    """Compile or load every kernel that a slider can ask for: the usual ones now, the others while the page serves."""
-    from .state import Choices
-
-    _warm_laws(USUAL_LAWS)
-    others = [law for law in Choices.param.law.objects if law not in USUAL_LAWS]
-    threading.Thread(target=_warm_laws, args=(others,), name="warm", daemon=True).start()
-
-
-def _warm_laws(laws: Iterable[str]) -> None:
+    """Have all that the first page needs compiled and loaded."""
     from .frames import solve_frame
+    from .runner import at_once
     from .state import Choices
 
-    for law in laws:
-        solve_frame(Choices(law=law, modes=5).chosen())
+    first = Choices().chosen()
+    try:
+        at_once(solve_frame, first)
+    except NotCompiled:
+        print("Compiling for the first page, once, some ten seconds; the rest follows while it serves.", flush=True)
+        COMPILER.ask("solve_frame", first).result()
+        solve_frame(first)
 
 
 def _template(version: str):

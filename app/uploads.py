@@ -15,12 +15,14 @@ from tornado.web import RequestHandler, stream_request_body
 
 from solvers import SceneError, Solution, checks, read_method
 from solvers.inverse import from_one_gauge
+from solvers.jit import NotCompiled
 from solvers.record_files import check_size, read_record
 from solvers.records import Alignment, Record, align, expected
 
+from .compiling import COMPILER
 from .frames import exact_solution
 from .measured import LONGEST, other_sign
-from .runner import POOL
+from .runner import POOL, at_once
 from .state import Choices, chosen_scene, from_address, in_space
 
 MOST_POINTS = 2_000  # of each history in an answer
@@ -69,7 +71,7 @@ class MeasuredRecord(RequestHandler):
         self._comparing = True
         try:
             work = (bytes(self._body), self.request.query_arguments)
-            answer = await asyncio.get_running_loop().run_in_executor(POOL, record_answer, *work)
+            answer = await _answered(*work)
             self.set_header("Content-Type", "application/json; charset=UTF-8")
             self.write(answer)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
@@ -100,6 +102,23 @@ class MeasuredRecord(RequestHandler):
         self.finish({"error": sentence})
 
 
+async def _answered(content: bytes, arguments: dict[str, list[bytes]]) -> str:
+    """`record_answer` off the event loop; what it needs that is not compiled yet is compiled in another process."""
+    loop = asyncio.get_running_loop()
+    try:
+        return await loop.run_in_executor(POOL, at_once, record_answer, content, arguments)
+    except NotCompiled:
+        await COMPILER.ready("solve_frame", _chosen(arguments))
+    return await loop.run_in_executor(POOL, record_answer, content, arguments)
+
+
+def _chosen(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
+    choices, refused = from_address(arguments)
+    if refused:
+        raise ValueError(" ".join(refused))
+    return Choices(**choices).chosen()
+
+
 def record_answer(content: bytes, arguments: dict[str, list[bytes]]) -> str:
     """What the page draws of a record, as JSON. Raises SceneError naming what is wrong with file or query.
 
@@ -107,10 +126,7 @@ def record_answer(content: bytes, arguments: dict[str, list[bytes]]) -> str:
     exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
     scaled like it, or None; `kind`, `shift` [s], `scale`, `residual`, `notes`. Values in SI units.
     """
-    choices, refused = from_address(arguments)
-    if refused:
-        raise ValueError(" ".join(refused))
-    chosen = Choices(**choices).chosen()
+    chosen = _chosen(arguments)
     scene = chosen_scene(chosen)
     if in_space(scene):
         raise SceneError("scene", chosen["scene"], "one on an axis: a blow in space has no history")

@@ -6,11 +6,15 @@ several threads. `parallel=True` is never used: concurrent parallel regions abor
 
 import os
 import tempfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
 
 import numba
 import scipy.linalg  # noqa: F401  (Numba wants it for its first kernel: better here than inside the first solve)
+from numba.core import event
 from numba.extending import overload_method
 
 
@@ -39,9 +43,43 @@ if "NUMBA_CACHE_DIR" not in os.environ:
     numba.config.CACHE_DIR = _cache_folder()
 
 
-def kernels_compiled() -> bool:
-    """Whether this machine has compiled kernels of these sources before."""
-    return any(Path(numba.config.CACHE_DIR).rglob("*.nbi"))
+def all_compiled() -> Path:
+    """The file that stands in the cache once every usual kernel of these sources is compiled."""
+    return Path(numba.config.CACHE_DIR) / f"compiled-{sources_key()}"
+
+
+class NotCompiled(Exception):
+    """A kernel is wanted that is not in the cache yet, by who would rather have it compiled elsewhere."""
+
+
+_thread = threading.local()
+
+
+@contextmanager
+def compiled_only() -> Iterator[None]:
+    """Within this context, and this thread, kernels are loaded from the cache; one that is not there: NotCompiled.
+
+    Numba compiles under one lock for all threads, for seconds: a server must not.
+    """
+    _thread.only_compiled = True
+    try:
+        yield
+    finally:
+        _thread.only_compiled = False
+
+
+class _Refusal(event.Listener):
+    """Told by Numba of every kernel that it is about to compile."""
+
+    def on_start(self, compilation):
+        if getattr(_thread, "only_compiled", False):
+            raise NotCompiled(compilation.data["dispatcher"].py_func.__qualname__)
+
+    def on_end(self, compilation):
+        pass
+
+
+event.register("numba:compile", _Refusal())
 
 
 kernel = numba.njit(cache=True, nogil=True, error_model="numpy")

@@ -15,11 +15,7 @@ const COLUMNS = [
 ];
 const RATIO_CURSORS = ['rebound', 'periods', 'contacts'].map((name) => `ratio-cursor-${name}`);
 
-// Scroll to something once it is there.
-function reveal(there, element, tries = 40) {
-  if (there()) element().scrollIntoView({ behavior: 'smooth', block: 'nearest' });
-  else if (tries) setTimeout(() => reveal(there, element, tries - 1), 150);
-}
+const reveal = (element) => element.scrollIntoView({ behavior: 'smooth', block: 'nearest' });
 
 class Methods {
   constructor(page) {
@@ -35,7 +31,7 @@ class Methods {
   toggle() {
     this.page.model.methods_shown = !this.open;
     this.take(this.page.frame);
-    if (this.open) reveal(() => true, () => this.root);
+    if (this.open) reveal(this.root);
   }
   take(frame) {
     const inSpace = frame.kind === 'bodies';
@@ -84,7 +80,9 @@ class MassRatios {
   toggle() {
     this.page.model.ratios_shown = !this.open;
     this.take(this.page.frame);
-    if (this.open) reveal(() => this.mark(this.page.frame), () => document.scrollingElement.lastElementChild ?? document.body);
+    const { page } = this, there = () => this.mark(page.frame), wanted = () => this.open && !this.button.disabled;
+    const scroll = () => reveal(document.scrollingElement.lastElementChild ?? document.body);
+    if (this.open) page.waiter.expect('ratios', 'Working out the blow for all mass ratios …', there, wanted, scroll);
   }
   take(frame) {
     const one = frame.kind !== 'bodies' && ['mass', 'sphere'].includes(frame.impactor.kind) && frame.target.kind === 'rod' && !frame.target.endMass;

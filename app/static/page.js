@@ -7,6 +7,7 @@ import { at, CompactField, decode, ModalField, SampledField, WaveField } from '.
 import { Player } from './player.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
+import { Waiting } from './waiting.js';
 
 const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same
 
@@ -19,6 +20,7 @@ const make = (tag, properties = {}, ...children) => {
 class Page {
   constructor(model, el) {
     this.model = model;
+    this.waiter = new Waiting(model);
     this.names = Object.keys(model.spec);
     this.waiting = {};
     this.what = 'stress';
@@ -36,9 +38,10 @@ class Page {
     this.analyses = new Analyses(this);
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
-    el.append(make('link', { rel: 'stylesheet', href: new URL('lab.css', import.meta.url).href }), this.layout());
+    el.append(make('link', { rel: 'stylesheet', href: new URL('lab.css', import.meta.url).href }), this.layout(), this.waiter.root);
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
+    this.root.inert = true; // until there is a scene
     this.take();
     if (model.refused) this.complain(model.refused);
     this.ready = true;
@@ -66,7 +69,7 @@ class Page {
   }
   listen(model) {
     model.on('frame', () => this.take());
-    model.on('refused', () => { if (model.refused) { this.settle(); this.complain(model.refused); } });
+    model.on('refused', () => { if (model.refused) { this.settle(); this.waiter.clear(); this.complain(model.refused); } });
     for (const name of this.names) model.on(name, () => { if (!(name in this.waiting)) this.controls.show(name, model[name]); });
     for (const { chart } of this.charts) {
       const drag = (event) => { if (event.buttons & 1) this.player.go(chart.time(event.clientX)); };
@@ -107,16 +110,20 @@ class Page {
       this.asked = performance.now();
       this.model[name] = changes[name];
     }
-    if (changed) this.toast.hidden = true;
+    if (!changed) return;
+    this.toast.hidden = true;
+    this.waiter.soon('frame', 'Solving …');
   }
   settle() {
     this.asked = 0;
+    this.waiter.over('frame');
     this.flush();
   }
   take() {
     const data = this.model.frame;
     if (!data || !data.byteLength) return;
     this.frame = decode(data);
+    this.root.inert = false;
     this.analyses.take(this.frame);
     const { chosen, duration } = this.frame, inSpace = this.frame.kind === 'bodies';
     this.stage.root.hidden = this.head.hidden = this.energy.hidden = inSpace;
@@ -190,12 +197,9 @@ class Page {
     this.model.energy_shown = !this.model.energy_shown;
     this.energy.setAttribute('aria-pressed', String(this.model.energy_shown));
     this.span = undefined;
-    const arrive = (tries) => {
-      this.energyCursor(this.player.t);
-      if (this.span) window.scrollTo({ top: document.documentElement.scrollHeight, behavior: 'smooth' });
-      else if (tries && this.model.energy_shown) setTimeout(() => arrive(tries - 1), 150);
-    };
-    arrive(40);
+    const there = () => { this.energyCursor(this.player.t); return this.span; };
+    const scroll = () => window.scrollTo({ top: document.documentElement.scrollHeight, behavior: 'smooth' });
+    if (this.model.energy_shown) this.waiter.expect('energy', 'Adding up the energy of every part …', there, () => this.model.energy_shown, scroll);
   }
   // The cursor of the figure below the page, moved without telling the server.
   energyCursor(t) {

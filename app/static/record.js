@@ -91,11 +91,13 @@ export class Measurement {
     const { frame } = this.page, query = new URLSearchParams({ at: this.at.value.trim(), kind: this.kind.value, sign: this.sign.checked ? -1 : 1 });
     for (const name of this.page.names) query.set(name, frame.chosen[name]);
     this.root.setAttribute('aria-busy', 'true');
+    this.page.waiter.soon('record', 'Comparing the record with the scene …');
     let answer;
     try { answer = await (await fetch(new URL(`record?${query}`, document.baseURI), { method: 'POST', body: this.file, headers: { 'Content-Type': 'application/octet-stream' } })).json(); }
     catch { answer = { error: `The file could not be sent. Files may have up to ${LIMIT / 1e6} MB.` }; }
     this.asking = false;
     this.root.setAttribute('aria-busy', 'false');
+    this.page.waiter.over('record');
     if (this.again) { this.again = false; this.ask(); return; }
     this.answered(answer, frame);
   }

@@ -43,7 +43,7 @@ def server(tmp_path_factory):
             cwd=Path(__file__).parents[2],
         )
     address = f"127.0.0.1:{port}"
-    deadline = time.monotonic() + 180  # a first compilation of all kernels
+    deadline = time.monotonic() + 180  # a first compilation
     while True:
         if process.poll() is not None or time.monotonic() > deadline:
             process.kill()
@@ -71,7 +71,7 @@ def browser():
 class Page:
     """The page in the browser, with what it said and sent."""
 
-    def __init__(self, browser, address: str, query: str = "", size=(1440, 900), **context):
+    def __init__(self, browser, address: str, query: str = "", size=(1440, 900), drawn: bool = True, **context):
         self.context = browser.new_context(viewport={"width": size[0], "height": size[1]}, **context)
         self.tab = self.context.new_page()
         self.errors: list[str] = []
@@ -82,7 +82,8 @@ class Page:
         self.tab.on("request", lambda request: self._request(request.url, address))
         self.tab.on("websocket", self._socket)
         self.tab.goto(f"http://{address}/{query}")
-        self.wait("() => window.strikewave?.frames > 0")
+        if drawn:
+            self.wait("() => window.strikewave?.frames > 0")
 
     def _request(self, url: str, address: str) -> None:
         if address not in url and not url.startswith(("data:", "blob:")):

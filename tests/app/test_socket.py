@@ -65,7 +65,7 @@ def test_a_wrong_type_is_refused_without_a_stack_trace(server, value):
     run(attack())
 
 
-@pytest.mark.parametrize("name", ["frame", "refused", "spec", "visible", "esm"])
+@pytest.mark.parametrize("name", ["frame", "refused", "waiting", "spec", "visible", "esm"])
 def test_what_is_no_choice_cannot_be_changed_for_others(server, name):
     async def attack():
         client = await opened(server)

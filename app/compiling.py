@@ -1,0 +1,157 @@
+"""Compile kernels in a process of their own, so that the page answers meanwhile.
+
+Numba compiles under one lock for all threads, for seconds at a time. The server therefore only loads kernels from the
+cache; what is not there yet this process compiles, by doing the same work once: first what visitors wait for, then,
+while nobody does, all that they usually ask for.
+"""
+
+import asyncio
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numba
+
+from solvers.jit import all_compiled
+
+
+class Compiler:
+    """The process, started when it is first needed, and who waits for it."""
+
+    def __init__(self):
+        self._process: subprocess.Popen | None = None
+        self._waiting: dict[str, Future] = {}
+        self._lock = threading.Lock()
+
+    def start(self) -> None:
+        """Begin with what visitors usually ask for."""
+        with self._lock:
+            self._running()
+
+    def stop(self) -> None:
+        """End the process, if there is one."""
+        with self._lock:
+            if self._process is not None:
+                self._process.kill()
+                self._process.wait()
+
+    def ask(self, work: str, choices: dict[str, Any]) -> Future:
+        """Have the kernels of this work compiled; the answer comes when they are, or when the process has died."""
+        line = json.dumps([work, choices])
+        with self._lock:
+            if line in self._waiting:
+                return self._waiting[line]
+            process, future = self._running(), Future()
+            try:
+                process.stdin.write(line + "\n")
+                process.stdin.flush()
+                self._waiting[line] = future
+            except OSError:  # it has just died
+                future.set_result(None)
+            return future
+
+    async def ready(self, work: str, choices: dict[str, Any]) -> None:
+        """Wait for the answer; who no longer wants it may leave."""
+        await asyncio.shield(asyncio.wrap_future(self.ask(work, choices)))
+
+    def _running(self) -> subprocess.Popen:
+        if self._process is None or self._process.poll() is not None:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", __name__],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                cwd=Path(__file__).parents[1],
+                env=os.environ | {"NUMBA_CACHE_DIR": str(numba.config.CACHE_DIR)},
+            )
+            threading.Thread(target=self._listen, args=(self._process,), name="compiler", daemon=True).start()
+        return self._process
+
+    def _listen(self, process: subprocess.Popen) -> None:
+        for line in process.stdout:
+            self._answer([line.strip()])
+        with self._lock:
+            lost = list(self._waiting) if self._process is process else []
+        self._answer(lost)
+
+    def _answer(self, lines: list[str]) -> None:
+        with self._lock:
+            answered = [self._waiting.pop(line) for line in lines if line in self._waiting]
+        for future in answered:
+            future.set_result(None)
+
+
+COMPILER = Compiler()
+
+
+def works() -> dict[str, Callable]:
+    """What the page asks for, by name."""
+    from .analysis import energy_shares
+    from .frames import solve_frame
+    from .mass_ratios import ratios_for
+    from .methods_table import methods_table
+
+    return {work.__name__: work for work in (solve_frame, ratios_for, energy_shares, methods_table)}
+
+
+def usual() -> Iterator[tuple[str, dict[str, Any]]]:
+    """What visitors usually ask for, what most of them ask for first."""
+    from .state import Choices
+
+    for name in works():
+        yield name, Choices().chosen()
+    laws = [law for law in Choices.param.law.objects if law != Choices().law]
+    for name in ("solve_frame", "methods_table"):
+        for law in laws:
+            yield name, Choices(law=law, modes=5).chosen()
+
+
+def compile_usual(between: Callable[[], None] = lambda: None) -> None:
+    """Have every usual kernel in the cache; `between` is called before each piece of work."""
+    do = works()
+    for name, choices in usual():
+        between()
+        do[name](choices)
+    all_compiled().touch()
+
+
+def main() -> None:
+    """Answer each line of standard input, a piece of work, by the same line when it is done; end with the input."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends this process
+    wishes: queue.SimpleQueue[str] = queue.SimpleQueue()
+    threading.Thread(target=_receive, args=(wishes,), daemon=True).start()
+    do = works()
+
+    def serve(line: str) -> None:
+        name, choices = json.loads(line)
+        with suppress(ValueError):  # SceneError: who asked for it is told where it is solved
+            do[name](choices)
+        print(line, flush=True)
+
+    def serve_all() -> None:
+        while not wishes.empty():
+            serve(wishes.get())
+
+    if not all_compiled().exists():
+        compile_usual(serve_all)
+    while True:
+        serve(wishes.get())
+
+
+def _receive(wishes: queue.SimpleQueue) -> None:
+    for line in sys.stdin:
+        wishes.put(line.strip())
+    os._exit(0)  # at once, even while it compiles
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,184 @@
+"""Kernels are compiled in another process; the page waits for them with a word, and for nothing else."""
+
+import asyncio
+import threading
+import time
+from functools import wraps
+
+import numba
+import pytest
+from playwright.sync_api import expect
+
+from app import lab, mass_ratios, runner
+from app import server as page_server
+from app.compiling import Compiler, usual, works
+from app.runner import COMPILING, Runner
+from app.state import Choices
+from solvers.jit import NotCompiled, all_compiled
+
+from .conftest import Page, free_port
+from .socket_client import run
+
+IN_SPACE = Choices(scene="brick-off-centre").chosen()  # which needs no kernel
+
+
+@pytest.fixture
+def compiler(tmp_path, monkeypatch):
+    """One with a cache of its own, where nothing usual is left to do."""
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    all_compiled().touch()
+    compiler = Compiler()
+    yield compiler
+    compiler.stop()
+
+
+def test_who_asks_twice_is_answered_once_and_a_refusal_is_an_answer(compiler):
+    first, second = (compiler.ask("solve_frame", IN_SPACE) for _ in range(2))
+    assert first is second
+    first.result(60)
+    compiler.ask("solve_frame", {**IN_SPACE, "speed": -1.0}).result(60)
+
+
+def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
+    compiler.ask("solve_frame", IN_SPACE).result(60)
+    compiler._process.kill()
+    compiler.ask("solve_frame", Choices().chosen()).result(5)
+    compiler._process.wait(5)
+    compiler.ask("solve_frame", IN_SPACE).result(60)
+    assert compiler._process.poll() is None
+
+
+def test_everything_that_can_be_opened_is_compiled_ahead():
+    asked = list(usual())
+    assert asked[0] == ("solve_frame", Choices().chosen())
+    assert {name for name, _ in asked} == set(works())
+    for name in ("solve_frame", "methods_table"):
+        assert {choices["law"] for work, choices in asked if work == name} == set(Choices.param.law.objects)
+
+
+class Gate:
+    """In place of the compiler: what is not compiled is, once the gate is open."""
+
+    def __init__(self, *names: str):
+        self.missing, self.opened, self.asked = set(names), threading.Event(), []
+
+    async def ready(self, work, choices):
+        self.asked.append(work)
+        while not self.opened.is_set():
+            await asyncio.sleep(0.01)
+        self.missing.discard(work)
+
+    def guard(self, work):
+        @wraps(work)
+        def guarded(choices):
+            if work.__name__ in self.missing:
+                raise NotCompiled(work.__name__)
+            return work(choices)
+
+        return guarded
+
+
+def test_newer_choices_do_not_wait_for_what_older_ones_need(monkeypatch):
+    gate, shown, told = Gate(), [], []
+    monkeypatch.setattr(runner, "COMPILER", gate)
+
+    def work(choice):
+        if choice == "slow law" and not gate.opened.is_set():
+            raise NotCompiled(choice)
+        return choice
+
+    async def visit():
+        visitor = Runner(work, shown.append, shown.append, wait=told.append)
+        first = asyncio.create_task(visitor.want("slow law"))
+        await asyncio.sleep(0.1)
+        assert told == [COMPILING]
+        await visitor.want("quick law")
+        await first
+        assert shown == ["quick law"] and told == [COMPILING, ""]
+        gate.opened.set()
+        await visitor.want("slow law")
+
+    run(visit())
+    assert shown == ["quick law", "slow law"]
+
+
+@pytest.fixture
+def gated_page(browser, monkeypatch):
+    """Open the page of a server that has not compiled the works of these names."""
+    stop = []
+
+    def open_one(query: str, *names: str) -> tuple[Page, Gate]:
+        gate, port, ready = Gate(*names), free_port(), threading.Event()
+        monkeypatch.setattr(runner, "COMPILER", gate)
+
+        def serve():
+            asyncio.set_event_loop(asyncio.new_event_loop())
+            server = page_server.build(port, "127.0.0.1", [])
+            for name, work in works().items():  # after the server has made its own first page
+                monkeypatch.setattr(lab, name, gate.guard(work))
+            server.start()
+            stop.append(lambda: server.io_loop.add_callback(server.io_loop.stop))
+            ready.set()
+            server.io_loop.start()
+
+        threading.Thread(target=serve, daemon=True).start()
+        assert ready.wait(120)
+        page = Page(browser, f"127.0.0.1:{port}", query, drawn="solve_frame" not in names)
+        stop.append(page.context.close)
+        return page, gate
+
+    yield open_one
+    for end in reversed(stop):
+        end()
+
+
+@pytest.mark.parametrize(
+    "button, work, there",
+    [
+        ("All mass ratios", "ratios_for", "() => strikewave.page.analyses.ratios.mark(strikewave.page.frame)"),
+        ("Energy over time", "energy_shares", "() => strikewave.page.span"),
+        ("Compare methods", "methods_table", "() => strikewave.page.model.methods"),
+    ],
+)
+def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_page, button, work, there):
+    mass_ratios.mass_ratio_data.cache_clear()
+    page, gate = gated_page("", work)
+    sign = page.tab.locator(".waiting")
+    expect(sign).to_be_hidden()
+    page.tab.get_by_role("button", name=button).click()
+    expect(sign).to_be_visible(timeout=1000)
+    expect(sign).to_contain_text(COMPILING)
+    expect(sign).to_be_in_viewport()
+    before = page.evaluate("() => strikewave.frames")
+    page.evaluate("() => strikewave.page.send('speed', 2.5)")  # the sliders go on meanwhile
+    page.wait("before => strikewave.frames > before", before, timeout=5000)
+    expect(sign).to_be_visible()
+    gate.opened.set()
+    page.wait(there, timeout=60_000)
+    expect(sign).to_be_hidden()
+    assert set(gate.asked) == {work}
+
+
+def test_a_page_whose_first_scene_must_be_compiled_opens_with_a_word(gated_page):
+    begun = time.monotonic()
+    page, gate = gated_page("?law=linear", "solve_frame")
+    sign = page.tab.locator(".waiting")
+    expect(sign).to_contain_text(COMPILING)
+    assert time.monotonic() - begun < 60
+    gate.opened.set()
+    page.wait("() => window.strikewave?.frames > 0", timeout=60_000)
+    assert page.header("chosen")["law"] == "linear"
+    expect(sign).to_be_hidden()
+    assert page.errors == []
+
+
+def test_an_answer_that_takes_long_is_announced(gated_page):
+    page, gate = gated_page("")
+    gate.missing.add("solve_frame")
+    page.evaluate("() => strikewave.page.send('law', 'linear')")
+    sign = page.tab.locator(".waiting")
+    expect(sign).to_contain_text("Solving", timeout=2000)
+    expect(sign).to_contain_text(COMPILING)
+    gate.opened.set()
+    page.wait("() => strikewave.page.frame.chosen.law === 'linear'", timeout=60_000)
+    expect(sign).to_be_hidden()
