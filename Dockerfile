@@ -22,7 +22,7 @@ USER impact
 RUN impact warm
 
 EXPOSE 5006
-# The server warms up before it opens its port, so that answering means ready.
+# The server has its first page ready before it opens its port, so that answering means ready.
 HEALTHCHECK --interval=30s --timeout=5s --start-period=30s \
     CMD ["python", "-c", "import os, urllib.request as u; u.urlopen('http://127.0.0.1:' + os.environ['IMPACT_PORT'] + '/liveness', timeout=4)"]
 CMD ["impact", "serve", "--warm"]
