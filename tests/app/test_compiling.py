@@ -122,7 +122,7 @@ def gated_page(browser, monkeypatch):
             server.io_loop.start()
 
         threading.Thread(target=serve, daemon=True).start()
-        assert ready.wait(120)
+        assert ready.wait(180)  # a first compilation
         page = Page(browser, f"127.0.0.1:{port}", query, drawn="solve_frame" not in names)
         stop.append(page.context.close)
         return page, gate
@@ -154,7 +154,7 @@ def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_pag
     page.wait("before => strikewave.frames > before", before, timeout=5000)
     expect(sign).to_be_visible()
     gate.opened.set()
-    page.wait(there, timeout=60_000)
+    page.wait(there, timeout=120_000)
     expect(sign).to_be_hidden()
     assert set(gate.asked) == {work}
 
