@@ -1,6 +1,7 @@
 """A motion known on a grid of times: what finite elements, balances and closed forms give."""
 
 from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -53,12 +54,28 @@ class ShapeField:
         return self._at(time, self._coordinates) @ self._shears(np.asarray(x, float))
 
 
+def field_as_a_whole(beam: Any, time: np.ndarray, struck: np.ndarray, rate: np.ndarray) -> ShapeField:
+    """Of a beam that does not bend, by the displacement and velocity of the place where it is struck (time,)."""
+    shape, drift = beam.modes(1).rigid_shape, np.full(time.size, beam.velocity)
+
+    def shapes(x):
+        return np.stack((shape(x), np.ones_like(x)))
+
+    def nothing(x):
+        return np.zeros((2, x.size))
+
+    coordinates = np.stack((struck - drift * time, drift * time), axis=1)
+    rates = np.stack((rate - drift, drift), axis=1)
+    return ShapeField(time, coordinates, rates, shapes, nothing, 0.0, nothing, nothing)
+
+
 class SampledMotion:
     """Histories on a grid of times [s], straight in between; at a jump the time stands twice.
 
     Arrays (time,), SI units: contact force, its impulse so far, position and velocity of the impactor, of the struck
     face of the target, mean velocity of the target; energies: every part of the split, (time,) each [J]. `field` gives
     displacement, velocity and stress in the target; without one the target moves as a whole and carries no stress.
+    face_velocity: of the impactor where it strikes, if that is not its own.
     """
 
     def __init__(
@@ -74,12 +91,14 @@ class SampledMotion:
         rigid_velocity: np.ndarray,
         energies: Mapping[str, np.ndarray],
         field: ShapeField | None = None,
+        face_velocity: np.ndarray | None = None,
     ):
         self.time = np.asarray(time, float)
         self._force, self._impulse = force, impulse
         self._impactor_position, self._impactor_velocity = impactor_position, impactor_velocity
         self._end_position, self._end_velocity = end_position, end_velocity
         self._rigid_velocity, self._energies, self._field = rigid_velocity, energies, field
+        self._face_velocity = impactor_velocity if face_velocity is None else face_velocity
 
     def _at(self, time, values, after=True):
         """Straight between the instants; at a jump the value after it, or before it."""
@@ -105,6 +124,10 @@ class SampledMotion:
 
     def impactor_velocity(self, time, after=True):
         return self._at(time, self._impactor_velocity, after)
+
+    def face_velocity(self, time, after=True):
+        """Of the impactor where it strikes."""
+        return self._at(time, self._face_velocity, after)
 
     def end_position(self, time):
         return self._at(time, self._end_position)

@@ -77,10 +77,14 @@ class Body:
 
 
 def in_space(body: object) -> impulses.Bodies:
-    """Any body as the impulse kernels take it: one on an axis as a point mass on x, one that is held as immovable."""
+    """Any body as the impulse kernels take it: one on an axis as a point mass on x, one that is held as immovable.
+
+    Of a beam, which may turn as it goes off, as the mass that is felt where it is struck.
+    """
     if isinstance(body, Body):
         return impulses.Bodies(*(np.asarray(getattr(body, name)) for name in impulses.Bodies._fields))
-    mass = np.array(math.inf if body.held else body.mass)
+    held = math.inf if body.held else body.mass
+    mass = np.array(body.modes(1).rigid_mass if body.kind == "beam" else held)
     return impulses.Bodies(mass, np.zeros((3, 3)), np.zeros(3), np.array([body.velocity, 0.0, 0.0]), np.zeros(3))
 
 

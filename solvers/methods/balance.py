@@ -25,16 +25,18 @@ MOST_BALANCES = 20_000
 MOST_NUMBERS = 4_000_000  # doubles kept: coordinates after every balance
 DRAWN = 1500  # instants at which fields are known
 HALVINGS = 40
+MODES_OF_BEAMS = 20  # of a mesh, where none are asked for: the highest swing ten thousand times as fast as the lowest
 
 
 @dataclass(frozen=True)
 class Balance(Method):
     """Impulsive balances with a restitution each, as many as it takes, and free motion in between.
 
-    The bodies are meshes of `elements` (with all their modes or the lowest `modes`), or their exact modes where only
-    `modes` is given. `variant`: "event-located" balances at the very instants at which the faces meet, and lets them
-    stay together where restitution leaves endless ever smaller balances; "step-end", Newmark's fixed `step` with
-    balances at step ends only; "step-halving", steps halved until the faces overlap by less than `tolerance`.
+    Rods struck on their end, beams struck across: meshes of `elements` (with all their modes or the lowest `modes`, 20
+    of a beam unless told), or their exact modes where only `modes` is given. `variant`: "event-located" balances at the
+    very instants at which the faces meet, and lets them stay together where restitution leaves endless ever smaller
+    balances; "step-end", Newmark's fixed `step` with balances at step ends only; "step-halving", steps halved until the
+    faces overlap by less than `tolerance`.
     Error: with restitution 1 a sequence of balances is chaotic, the rebound scatters by some 0.03 of the impact speed;
     below 1 the loss falls as 1 / elements and does not depend on it. Of "step-end" the loss is an artefact of the step.
     Source: thesis 6.3, 6.4.1 and 4.6. Differs: (6.22) speaks of halving, tables 6.2 to 6.5 follow from "step-end".
@@ -50,6 +52,7 @@ class Balance(Method):
 
     NAME = "balance"
     KNOBS = ("elements",)
+    BEAMS = True
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Balance":
@@ -77,7 +80,7 @@ class Balance(Method):
             if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
                 return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
             rings = body.time_unit is not None
-            if rings and self._elements is None and (isinstance(body, Rods) or body.end_mass):
+            if rings and self._elements is None and (isinstance(body, Rods) or (body.kind == "rod" and body.end_mass)):
                 return "exact modes know uniform rods without a mass at their end only; give elements"
         return None
 
@@ -143,6 +146,8 @@ class Balance(Method):
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
         half = {name: max(1, given // 2) for name in ("elements", "modes") if (given := getattr(self, name))}
+        if self.modes is None and "beam" in (scene.impactor.kind, scene.target.kind):
+            half["modes"] = MODES_OF_BEAMS // 2
         other = replace(self, **(half or {"elements": 50}))._run(scene, run.duration)
         if run.full or other.full:
             return None
@@ -187,7 +192,8 @@ class Balance(Method):
     def _modes_of(self, body) -> Modes:
         if body.time_unit is None or self._elements is None:
             return body.modes(self.modes)
-        return mesh_modes(body.mesh(self._elements), self.modes)
+        kept = MODES_OF_BEAMS if body.kind == "beam" and self.modes is None else self.modes
+        return mesh_modes(body.mesh(self._elements), kept)
 
 
 @dataclass(frozen=True)
@@ -196,6 +202,7 @@ class Pair:
 
     bank: Bank
     start: np.ndarray  # rates at the first touch
+    bodies: tuple[object, object]
     modes: tuple[Modes, Modes]
     split: int
     shortest_period: float
@@ -220,17 +227,39 @@ class Pair:
         bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1])
         highest = float(bank.frequencies.max())
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
-        rings = [body.time_unit for body in bodies if body.time_unit is not None]
+        rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
         split = modes[0].frequencies.size + 1
-        patience = 2.0 * max(rings, default=scene.time_unit)
-        ringing = [own for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
-        resolved = max((own.front_time for own in ringing), default=0.0)
-        return cls(bank, np.concatenate(start), modes, split, shortest, resolved, patience)
+        patience = 2.0 * max((body.time_unit for _, body in rings), default=scene.time_unit)
+        # bending waves disperse: no front runs through a beam
+        resolved = (own.shortest_period if body.kind == "beam" else own.front_time for own, body in rings)
+        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, max(resolved, default=0.0), patience)
 
-    def fields(self) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
-        """Shapes and slopes per unit of each coordinate, (modes, x); the impactor is where x is negative."""
-        shapes, slopes = ([modes.with_rigid(name) for modes in self.modes] for name in ("shapes", "slopes"))
-        return two_sided(*shapes, 1.0), two_sided(*slopes, -1.0)
+    def fields(self) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
+        """Shapes, slopes (stress in tension), moments and shears, (modes + 2, x); the impactor is where x is negative.
+
+        The last two rows are how far each body has come untouched, of which a motion as a whole that turns is told.
+        """
+        drifts = two_sided(*((lambda x, own=own: 1.0 - own.rigid_shape(x)[None, :]) for own in self.modes), 1.0)
+
+        def with_drift(own, moved):
+            return lambda x: np.vstack((own(x), drifts(x) if moved else np.zeros((2, np.size(x)))))
+
+        stresses = (_stresses(body, own) for body, own in zip(self.bodies, self.modes, strict=True))
+        found = {"shapes": with_drift(two_sided(*(own.with_rigid() for own in self.modes), 1.0), True)}
+        found["slopes"] = with_drift(two_sided(*stresses, -1.0), False)
+        for name in ("moments", "shears"):
+            found[name] = with_drift(two_sided(*(own.with_rigid(name) for own in self.modes), 1.0), False)
+        return found
+
+
+def _stresses(body: object, modes: Modes) -> Callable[[np.ndarray], np.ndarray]:
+    """Per 1 of each coordinate [Pa], tension along a rod or on the struck side of a beam; with that as a whole."""
+    if body.time_unit is None:
+        return modes.with_rigid("slopes")
+    name, factor = "slopes", body.material.young
+    if body.kind == "beam":
+        name, factor = "moments", body.half_depth / body.second_moment
+    return lambda x: factor * modes.with_rigid(name)(x)
 
 
 @dataclass(frozen=True)
@@ -252,7 +281,8 @@ class Run:
 
     @property
     def final_velocity(self) -> float:
-        return float(self.pair.bank.closing[0] * self.events.rates[-1, 0])
+        struck = float(self.pair.bank.closing[0] * self.events.rates[-1, 0])
+        return float(self.pair.modes[0].mean_velocity(self.pair.bodies[0].velocity, struck))
 
     def states(self, after: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Coordinates and rates at `times`, each later than the event named by `after`; -1: before the first."""
@@ -282,7 +312,9 @@ class BalanceMotion(SampledMotion):
         found = np.concatenate(
             [self._histories(after[i : i + 2000], times[i : i + 2000]) for i in range(0, times.size, 2000)]
         ).T
-        impactor_position, impactor_velocity, end_position, end_velocity, rigid_velocity, *energies, impulse = found
+        (
+            impactor_position, impactor_velocity, end_position, end_velocity, rigid_velocity, *energies, face, impulse
+        ) = found  # fmt: skip
         lost = np.append(0.0, np.cumsum(events.lost))[after + 1]
         super().__init__(
             time=times,
@@ -296,27 +328,35 @@ class BalanceMotion(SampledMotion):
             energies=dict(zip(("impactor", "target_rigid", "target_vibration"), energies, strict=True))
             | {"local": np.zeros(times.size), "dissipated": lost},
             field=self._shape_field(times, after, drawn) if scene.target.length else None,
+            face_velocity=face,
         )
         if pair.resolved_time:
             self._force = self._averaged(times, pair.shortest_period)
 
     def _histories(self, after: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Positions, velocities, energies and impulse, (times, 9)."""
+        """Positions, velocities, energies and impulse, (times, 10)."""
         pair, bank, q, p = self.run.pair, self.run.pair.bank, *self.run.states(after, times)
         energy = 0.5 * (p * p + (bank.frequencies * q) ** 2)
-        split, target = pair.split, bank.target
-        rigid = energy[:, target] if target >= 0 else np.zeros(times.size)
-        rigid_velocity = -bank.closing[target] * p[:, target] if target >= 0 else np.zeros(times.size)
+        split, target, (first, second), (impactor, other) = pair.split, bank.target, pair.modes, pair.bodies
+        face, face_rate = bank.closing[0] * q[:, 0], bank.closing[0] * p[:, 0]
+        ringing, rate, rigid = energy[:, split:].sum(1), np.full(times.size, other.velocity), np.zeros(times.size)
+        if target >= 0:
+            rate = -bank.closing[target] * p[:, target]
+            ringing, rigid = ringing - energy[:, target], second.moving_energy(other.mass, other.velocity, rate)
+        mean = second.mean_velocity(other.velocity, rate)
+        if second.means is not None:
+            mean = mean + p[:, p.shape[1] - second.means.size :] @ second.means
         return np.column_stack(
             (
-                bank.closing[0] * q[:, 0],
-                bank.closing[0] * p[:, 0],
+                first.mean_velocity(impactor.velocity * times, face),
+                first.mean_velocity(impactor.velocity, face_rate),
                 -q[:, split:] @ bank.closing[split:],
                 -p[:, split:] @ bank.closing[split:],
-                rigid_velocity,
-                energy[:, :split].sum(1),
+                mean,
+                first.moving_energy(impactor.mass, impactor.velocity, face_rate) + energy[:, 1:split].sum(1),
                 rigid,
-                energy[:, split:].sum(1) - rigid,
+                ringing,
+                face_rate,
                 (pair.start[0] - p[:, 0]) / bank.closing[0],
             )
         )
@@ -327,7 +367,9 @@ class BalanceMotion(SampledMotion):
         if times.size * pair.bank.closing.size > MOST_NUMBERS:
             times, after = drawn, np.searchsorted(events.time, drawn, "right") - 1
         q, p = self.run.states(after, times)
-        return ShapeField(times, q, p, *pair.fields(), self.scene.target.material.young)
+        drift = np.array([body.velocity for body in pair.bodies])
+        q, p = np.hstack((q, np.multiply.outer(times, drift))), np.hstack((p, np.tile(drift, (times.size, 1))))
+        return ShapeField(times, q, p, young=1.0, **pair.fields())
 
     def _averaged(self, times: np.ndarray, period: float) -> np.ndarray:
         """Impulse of the period about each instant over the part of it that is after the first touch."""

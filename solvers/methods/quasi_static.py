@@ -10,11 +10,12 @@ import numpy as np
 
 from .. import checks
 from ..method import AFTERGLOW, Method
-from ..motion import SampledMotion, ShapeField
+from ..motion import SampledMotion, ShapeField, field_as_a_whole
 from ..numerics.quasi_static import Collision, damped_collision, path_collision, power_collision, sine_collision
 from ..numerics.structural import SQUARE, Blow, against_equal, on_spring
 from ..scene import Scene, contact_time
 from ..solution import ContactPeriod, Solution, summary
+from .springs import spring_of
 
 MODELS = ("auto", "structural", "structural-massless", "structural-printed", "local", "hertz-sine")
 EXPONENTS = {"linear": 1.0, "hertz": 1.5}
@@ -23,6 +24,8 @@ COMPACT = ("mass", "sphere", "rod")  # what moves as a whole
 UNSURE = 0.1, 10.0  # mass ratios in between: the structural estimate does not hold, thesis 3.5
 SLOW = 5.0  # round trips of a wave that a slow contact outlasts
 NEGLIGIBLE = 0.01  # share of the energy
+SHORT = 0.5  # of half a fundamental period: a shorter contact does not follow the swing of a beam
+RINGING = 60  # modes of a beam that a contact is asked to leave ringing
 
 
 @dataclass(frozen=True)
@@ -30,23 +33,26 @@ class QuasiStatic(Method):
     """One degree of freedom: either the structure bends as under a static force, or only the contact gives way.
 
     "structural": a mass on the end of a fixed rod, which bends as a spring EA/L with a third of its mass on it, or on a
-    mass with a spring; both go on as one from the first instant, and part when the force on the impactor is zero.
+    mass with a spring, or on a beam, which bends in its static shape with the equivalent mass of that; both go on as
+    one from the first instant, and part when the force on the impactor is zero.
     "structural-massless": without that mass. Two equal rods, or a rod on a rigid stop: each bends as a hanging rod does
     under its own weight; "structural-printed" starts them as the thesis prints it.
     "local": both bodies move as a whole, rods too, and the contact law is all that gives way; any law, closed form for
     powers of the indentation, work integrals for laws with memory, a differential equation for laws with damping.
     "hertz-sine": the half sine that approximates it.
-    "auto": structural if the contact is rigid; with a law, structural for a fixed rod lighter than the impactor, and
-    local for anything else (thesis 3.5). The two are never put in series, as the thesis has no such model.
-    Source: thesis 3.3, 3.4. Differs: (3.20) lets the contact force drop by kappa = 1 / sqrt(1 + beta / 3); kappa is the
-    drop of the force at the root, that on the impactor drops by kappa^3, after an impulse m1 v (beta/3) / (1 + beta/3)
-    at the first instant. (3.21) starts with v; the projection that (3.19) uses gives 15 v / 16, and only that the
-    impulse 2 m v.
+    "auto": structural if the contact is rigid; with a law, structural for a fixed rod lighter than the impactor or a
+    beam whose equivalent mass is, and local for anything else (thesis 3.5). The two are never put in series, as the
+    thesis has no such model.
+    Source: thesis 3.3, 3.4, (8.13)-(8.15). Differs: (3.20) lets the contact force drop by kappa = 1 / sqrt(1 + beta /
+    3); kappa is the drop of the force at the root, that on the impactor drops by kappa^3, after an impulse
+    m1 v (beta / 3) / (1 + beta / 3) at the first instant. (3.21) starts with v; the projection that (3.19) uses gives
+    15 v / 16, and only that the impulse 2 m v.
     """
 
     model: str = "auto"
 
     NAME = "quasi-static"
+    BEAMS = True
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "QuasiStatic":
@@ -64,10 +70,10 @@ class QuasiStatic(Method):
             return None if model != "structural-massless" else "two rods without mass have nothing to strike with"
         if model == "structural-printed":
             return f"'structural-printed' is for two equal rods, or a rod on a stop, {kinds}; use 'structural'"
-        fixed_rod = target.kind == "rod" and target.fixed
-        if scene.impactor.kind not in ("mass", "sphere") or not (fixed_rod or target.kind == "spring-mass"):
+        bends = target.kind in ("beam", "spring-mass") or (target.kind == "rod" and target.fixed)
+        if scene.impactor.kind not in ("mass", "sphere") or not bends:
             return (
-                "a mass must strike a fixed rod or a mass on a spring, or a rod its equal or a stop, "
+                "a mass must strike a fixed rod, a beam or a mass on a spring, or a rod its equal or a stop, "
                 f"{kinds}; use 'waves', or a contact law and the model 'local'"
             )
         return None
@@ -86,8 +92,12 @@ class QuasiStatic(Method):
             return self.model
         if scene.contact.NAME == "rigid":
             return "structural"
+        if scene.impactor.kind not in ("mass", "sphere"):
+            return "local"
+        if scene.target.kind == "beam":
+            return "structural" if spring_of(scene.target).carried < scene.impactor.mass else "local"
         light = scene.target.kind == "rod" and scene.target.fixed and scene.mass_ratio < 1.0
-        return "structural" if light and scene.impactor.kind != "rod" else "local"
+        return "structural" if light else "local"
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         begun = time.perf_counter()
@@ -121,10 +131,10 @@ def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeri
     if contact.end >= duration * (1.0 - 1e-12):
         notes.append("The bodies are still in contact at the end of the time solved.")
     structural = model.startswith("structural")
-    if structural and scene.target.kind == "rod" and UNSURE[0] < scene.mass_ratio < UNSURE[1]:
-        notes.append(
-            "Masses alike: no quasi-static estimate holds, as waves matter (thesis 3.5); compare with 'waves'."
-        )
+    if structural and scene.target.kind == "rod":
+        notes += _rod_doubts(scene)
+    if structural and scene.target.kind == "beam":
+        notes += _beam_doubts(scene)
     if not structural:
         notes += _waves_left_out(scene, motion, contact)
     if structural and scene.contact.NAME != "rigid":
@@ -136,10 +146,54 @@ def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeri
     return notes
 
 
+def _rod_doubts(scene: Scene) -> list[str]:
+    """Of the structural estimate."""
+    if UNSURE[0] < scene.mass_ratio < UNSURE[1]:
+        return ["Masses alike: no quasi-static estimate holds, as waves matter (thesis 3.5); compare with 'waves'."]
+    if scene.mass_ratio >= UNSURE[1] and not _equal_rods(scene):
+        blow = scene.blow / scene.target.round_trip_time
+        return [
+            f"The rod is {scene.mass_ratio:.3g} times as heavy as the impactor: waves stop that within {blow:.2g} "
+            "round trips, long before the rod has bent as a whole. Not structural (thesis 3.5): give the contact "
+            "a law and use 'local', or use 'waves'."
+        ]
+    return []
+
+
+def _beam_doubts(scene: Scene) -> list[str]:
+    """Of the structural estimate: a contact far shorter than the swing of the beam with the mass breaks and resumes."""
+    spring, mass = spring_of(scene.target), scene.impactor.mass
+    half, share = spring.half_swing(mass), spring.carried / mass
+    notes = []
+    if scene.contact.NAME != "rigid":
+        alone = contact_time(scene.contact, 1.0 / (1.0 / mass + 1.0 / spring.felt), scene.speed)
+        if alone < SHORT * half:
+            notes.append(
+                f"By itself the contact would last {alone:.2g} s, {alone / half:.2g} of half the fundamental period of "
+                f"the beam with the mass on it, {half:.3g} s: too short to be structural. It breaks and resumes; trust "
+                "the deflection, not the force (thesis 8.4.3); compare with 'modal'."
+            )
+    if share >= 1.0:
+        notes.append(
+            f"The beam bends with {share:.2g} times the mass of the impactor: the blow is over before the beam has "
+            "swung. Not structural (thesis 8.4.4): give the contact a law and use 'local', or use 'modal'."
+        )
+    elif share > UNSURE[0]:
+        notes.append(
+            f"The beam bends with {share:.2g} of the mass of the impactor: contact breaks and resumes, so that forces "
+            "are several times higher; only the deflection is near, within some 10 % (thesis 8.4.3)."
+        )
+    return notes
+
+
 def _waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[str]:
-    """A doubt for each rod that the contact does not outlast: what the force would send into it and not get back."""
+    """A doubt for each rod that the contact does not outlast: what the force would send into it and not get back; and
+    for each beam that the force would leave ringing.
+    """
     notes = []
     for name, body in (("impactor", scene.impactor), ("target", scene.target)):
+        if body.kind == "beam":
+            notes += _ringing_left_out(scene, name, motion, contact)
         if body.kind != "rod" or contact.end > SLOW * body.round_trip_time:
             continue
         times, forces = motion.force_history()
@@ -150,6 +204,25 @@ def _waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod)
                 f"slow: its waves take up to {min(share, 1.0):.0%} of the energy (thesis 3.5); compare with 'waves'."
             )
     return notes
+
+
+def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: ContactPeriod) -> list[str]:
+    """As if the force were that on a half-space, q_i = phi_i F(omega_i) / omega_i, thesis 8.4.4."""
+    beam, other = (scene.target, scene.impactor) if name == "target" else (scene.impactor, scene.target)
+    modes, (times, forces) = beam.modes(RINGING), motion.force_history()
+    angle = np.multiply.outer(modes.frequencies, times)
+    sent = [np.trapezoid(forces * wave(angle), times, axis=1) for wave in (np.cos, np.sin)]
+    shares = 0.5 * modes.at_contact**2 * (sent[0] ** 2 + sent[1] ** 2) / scene.initial_energy
+    share = float(shares[modes.frequencies * contact.end < 0.1 * SAMPLES].sum())
+    if share <= NEGLIGIBLE:
+        return []
+    mass = other.modes(1).rigid_mass
+    half = spring_of(beam).half_swing(mass) if math.isfinite(mass) else 0.5 * beam.time_unit
+    return [
+        f"The contact lasts {contact.end / half:.2g} of half the fundamental period of the {name} with the mass on it, "
+        f"too long for a half-space that does not move: its vibration takes up to {min(share, 1.0):.0%} of the energy "
+        "(thesis 8.4.4); compare with 'modal'."
+    ]
 
 
 def _equal_rods(scene: Scene) -> bool:
@@ -184,48 +257,46 @@ class _Instants:
 
 
 def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> tuple:
-    """A mass on a spring of the structure's stiffness, with some of the structure's mass or none. (3.13)-(3.20)"""
+    """A mass on a spring of the structure's stiffness, with some of the structure's mass or none. (3.13)-(3.20)
+
+    A structure that is free to move goes off as a whole besides: then the reduced mass swings on the spring.
+    """
     mass, target, speed = scene.impactor.mass, scene.target, scene.speed
-    rod = target.kind == "rod"
-    carried = (target.mass / 3.0 if rod else target.mass) if with_mass else 0.0  # (3.18)
-    half_swing = math.pi * math.sqrt((mass + carried) / target.stiffness)
+    spring = spring_of(target)
+    reduced, carried = 1.0 / (1.0 / mass + 1.0 / spring.felt), spring.carried if with_mass else 0.0
+    half_swing = math.pi * math.sqrt((reduced + carried) / spring.stiffness)
     instants = _Instants(half_swing, scene.time_unit, duration)
-    blow = on_spring(mass, carried, target.stiffness, speed, instants.contact, instants.flight)
-    nothing, field = np.zeros_like(blow.time), None
-    if rod:
-
-        def shapes(x):
-            return (1.0 - x / target.length)[None, :]
-
-        def slopes(x):
-            return np.full((1, x.size), -1.0 / target.length)
-
-        field = ShapeField(
-            blow.time, blow.bent[:, None], blow.bent_rate[:, None], shapes, slopes, target.material.young
-        )
+    blow = on_spring(reduced, carried, spring.stiffness, speed, instants.contact, instants.flight)
+    moving = blow.impulse / spring.felt
+    moved = (speed * blow.time - blow.position) * reduced / spring.felt
+    drift, gained = target.velocity * blow.time, speed - blow.impulse / mass
+    start = 0.5 * target.mass * target.velocity**2 if target.velocity else 0.0
+    felt = 0.0 if math.isinf(spring.felt) else spring.felt
     energies = {
-        "impactor": 0.5 * mass * blow.velocity**2,
-        "target_rigid": nothing,
-        "target_vibration": 0.5 * target.stiffness * blow.bent**2 + 0.5 * carried * blow.bent_rate**2,
-        "local": nothing,
-        "dissipated": nothing + 0.5 * speed * blow.impulse[0],  # as two bodies become one
+        "impactor": 0.5 * mass * (target.velocity + gained) ** 2,
+        "target_rigid": start + felt * moving * (target.velocity + 0.5 * moving),
+        "target_vibration": 0.5 * spring.stiffness * blow.bent**2 + 0.5 * carried * blow.bent_rate**2,
+        "local": np.zeros_like(moving),
+        "dissipated": np.full_like(moving, 0.5 * speed * blow.impulse[0]),  # as two bodies become one
     }
     motion = SampledMotion(
         time=blow.time,
         force=blow.force,
         impulse=blow.impulse,
-        impactor_position=blow.position,
-        impactor_velocity=blow.velocity,
-        end_position=blow.bent,
-        end_velocity=blow.bent_rate,
-        rigid_velocity=0.5 * blow.bent_rate if rod else blow.bent_rate,
+        impactor_position=drift + moved + blow.position,
+        impactor_velocity=target.velocity + gained,
+        end_position=drift + moved + blow.bent,
+        end_velocity=target.velocity + moving + blow.bent_rate,
+        rigid_velocity=target.velocity + spring.rigid_mean * moving + spring.mean * blow.bent_rate,
         energies=energies,
-        field=field,
+        field=None if spring.field is None else spring.field(blow, moved, moving),
     )
     extra = {
         "initial_impulse": float(blow.impulse[0]),
-        "peak_root_force": float(target.stiffness * blow.bent[: SAMPLES + 1].max()),
+        "peak_root_force": float(spring.stiffness * blow.bent[: SAMPLES + 1].max()),
     }
+    if target.kind == "beam":
+        extra |= {"equivalent_mass": spring.carried, "peak_deflection": float(blow.bent[: SAMPLES + 1].max())}
     return motion, instants.duration, instants.period(blow), None, None, extra
 
 
@@ -289,50 +360,51 @@ def _bent_rod(rod: Any, blow: Blow, face: np.ndarray, face_rate: np.ndarray) -> 
 def _local(scene: Scene, model: str, duration: float | None) -> tuple:
     """Two bodies that move as a whole, with the contact law between them. (3.28)-(3.34)"""
     law = scene.contact
-    found = _collision(law, model, scene.reduced_mass, scene.speed)
+    masses = [body.modes(1).rigid_mass for body in (scene.impactor, scene.target)]
+    found = _collision(law, model, 1.0 / sum(1.0 / mass for mass in masses), scene.speed)
     parting = float(found.time[-1])
     duration = parting + AFTERGLOW * scene.time_unit if duration is None else duration
     end = min(parting, duration)
     within = found.time <= end
     peak, depth = float(found.force[within].max()), float(found.indentation[within].max())
     contact = ContactPeriod(0.0, end, float(np.interp(end, found.time, found.impulse)), peak)
-    dent = float(found.indentation[-1]) if law.LOSSY else 0.0
-    if law.PLASTIC:
-        dent = float(law.dent(depth))
     motion = _as_a_whole(scene, found, max(duration, parting * (1.0 + 1e-9)))
     extra = {"delivered_restitution": float(-found.rate[-1] / scene.speed)}
-    return motion, duration, contact, depth, max(dent, 0.0), extra
+    return motion, duration, contact, depth, float(law.dent(depth)), extra
 
 
 def _as_a_whole(scene: Scene, found: Collision, last: float) -> SampledMotion:
     """Both bodies about their common centre of mass, and free flight to the `last` instant."""
     target, impactor = scene.target, scene.impactor
+    first, second = impactor.modes(1), target.modes(1)
     time, indentation, impulse, stored, lost = (
         np.append(values, values[-1])
         for values in (found.time, found.indentation, found.impulse, found.stored, found.lost)
     )
     time[-1] = last
     indentation[-1] += found.rate[-1] * (last - found.time[-1])
-    share = 0.0 if target.held else impactor.mass / (impactor.mass + target.mass)  # of the target in the approach
-    drift = 0.0 if target.held else share * impactor.velocity + (1.0 - share) * target.velocity
-    velocity = impactor.velocity - impulse / impactor.mass
-    mean = np.zeros_like(impulse) if target.held else target.velocity + impulse / target.mass
+    share = 1.0 / (1.0 + second.rigid_mass / first.rigid_mass)  # of the target in the approach
+    drift = share * impactor.velocity + (1.0 - share) * target.velocity
+    face, end = impactor.velocity - impulse / first.rigid_mass, target.velocity + impulse / second.rigid_mass
+    struck = drift * time - share * indentation
     return SampledMotion(
         time=time,
         force=np.concatenate((found.force[:-1], [0.0, 0.0])),
         impulse=impulse,
-        impactor_position=drift * time + (1.0 - share) * indentation,
-        impactor_velocity=velocity,
-        end_position=drift * time - share * indentation,
-        end_velocity=mean,
-        rigid_velocity=mean,
+        impactor_position=first.mean_velocity(impactor.velocity * time, drift * time + (1.0 - share) * indentation),
+        impactor_velocity=first.mean_velocity(impactor.velocity, face),
+        end_position=struck,
+        end_velocity=end,
+        rigid_velocity=second.mean_velocity(target.velocity, end),
         energies={
-            "impactor": 0.5 * impactor.mass * velocity**2,
-            "target_rigid": np.zeros_like(mean) if target.held else 0.5 * target.mass * mean**2,
-            "target_vibration": np.zeros_like(mean),
+            "impactor": first.moving_energy(impactor.mass, impactor.velocity, face),
+            "target_rigid": second.moving_energy(target.mass, target.velocity, end),
+            "target_vibration": np.zeros_like(end),
             "local": stored,
             "dissipated": lost,
         },
+        field=field_as_a_whole(target, time, struck, end) if target.kind == "beam" else None,
+        face_velocity=face,
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from .. import checks
 from ..bodies import Rods, in_space
 from ..method import AFTERGLOW, Method
-from ..motion import SampledMotion
+from ..motion import SampledMotion, field_as_a_whole
 from ..numerics.impulses import Bodies, Strike, kinetic_energy, residuals, strike
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution
@@ -23,7 +23,9 @@ class RigidImpulse(Method):
     """Both bodies move as a whole before and after one frictionless impulse J = (1 + e) mu v_imp.
 
     Bodies in space with their tensors of inertia, or any bodies on an axis, where rods and chains of bonded rods count
-    by their mass and what is held by a support counts as immovable. The contact law has no say, but `restitution`.
+    by their mass and what is held by a support counts as immovable; a beam counts by the mass felt where it is struck,
+    1 / (1 / m + d^2 / J) at d from its centre, J / x^2 at x from its pin.
+    The contact law has no say, but `restitution`.
     Source: note on rigid-body impulses; thesis 3.2 and (9.1) on an axis.
     Differs: the note has no guard against bodies that part already, J = 0, and leaves out the loss of energy,
     mu (1 - e^2) v_imp^2 / 2.
@@ -32,7 +34,7 @@ class RigidImpulse(Method):
     restitution: float = 1.0
 
     NAME = "rigid"
-    SPATIAL = True
+    SPATIAL = BEAMS = True
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "RigidImpulse":
@@ -55,19 +57,19 @@ class RigidImpulse(Method):
         wall_time = time.perf_counter() - begun
         duration = AFTERGLOW * scene.time_unit if duration is None else duration
         impulse, approached = float(found.impulse), bool(found.approach > 0.0)
-        energy = _energy(before, found)
+        energy = _energy(scene, before, found)
         force = None if approached else 0.0
         return Solution(
             scene=scene,
             method=self.table(),
             contacts=[ContactPeriod(0.0, 0.0, impulse, force)] if approached else [],
             duration=duration,
-            motion=_motion(before, found, duration) if scene.normal is None else None,
+            motion=_motion(scene, before, found, duration) if scene.normal is None else None,
             impulse=impulse,
             peak_force=force,
             peak_indentation=None,
             residual_indentation=None,
-            restitution=self._restitution(before, found, normal),
+            restitution=self._restitution(scene, before, found, normal),
             energy=energy,
             diagnostics=_diagnostics(before, found, normal, energy) | {"wall_time": wall_time} | _unknown(scene),
             notes=_notes(scene, before, approached),
@@ -75,10 +77,16 @@ class RigidImpulse(Method):
             **_velocities(scene, found),
         )
 
-    def _restitution(self, before: tuple[Bodies, Bodies], found: Strike, normal: np.ndarray) -> dict[str, float | None]:
+    def _restitution(
+        self, scene: Scene, before: tuple[Bodies, Bodies], found: Strike, normal: np.ndarray
+    ) -> dict[str, float | None]:
         """By impulses and by the touching points what was asked for; by the centres of mass what follows from it."""
         if not found.approach > 0.0:
             return {"newton": None, "poisson": None, "newton_at_contact": None}
+        if scene.normal is None:
+            first, second = (_wholes(scene, found)[name][-1] for name in ("impactor", "target"))
+            newton = None if scene.target.swings else (second - first) / scene.speed
+            return {"newton": newton, "poisson": self.restitution, "newton_at_contact": self.restitution}
         closing = float(normal @ (before[0].velocity - before[1].velocity))
         parting = float(normal @ (found.second.velocity - found.first.velocity))
         newton = parting / closing if closing > 0.0 else None
@@ -87,18 +95,37 @@ class RigidImpulse(Method):
 
 def _velocities(scene: Scene, found: Strike) -> dict[str, Any]:
     """Scalars on an axis, vectors and spins in space."""
-    parts = {"impactor": found.first, "target": found.second}
     if scene.normal is None:
-        return {f"{name}_velocity": float(body.velocity[0]) for name, body in parts.items()}
+        return {f"{name}_velocity": mean for name, (_, mean) in _wholes(scene, found).items()}
+    parts = {"impactor": found.first, "target": found.second}
     velocities = {f"{name}_velocity": tuple(body.velocity.tolist()) for name, body in parts.items()}
     return velocities | {f"{name}_spin": tuple(body.spin.tolist()) for name, body in parts.items()}
 
 
-def _energy(before: tuple[Bodies, Bodies], found: Strike) -> dict[str, float]:
+def _wholes(scene: Scene, found: Strike) -> dict[str, tuple[float, float]]:
+    """On an axis: velocity of the struck place and of the centre of mass, which differ where a beam turns."""
+    wholes = {}
+    for name, after in (("impactor", found.first), ("target", found.second)):
+        body, struck = getattr(scene, name), after.velocity[0]
+        turns = body.kind == "beam" and not body.fixed
+        mean = body.modes(1).mean_velocity(body.velocity, struck) if turns else struck
+        wholes[name] = float(struck), float(mean)
+    return wholes
+
+
+def _kinetic(body: Any, state: Bodies) -> float:
+    """Energy of a body as a whole [J]; of a beam more than that of the mass that is felt where it is struck."""
+    if getattr(body, "kind", None) != "beam":
+        return float(kinetic_energy(state))
+    return float(body.modes(1).moving_energy(body.mass, body.velocity, state.velocity[0]))
+
+
+def _energy(scene: Scene, before: tuple[Bodies, Bodies], found: Strike) -> dict[str, float]:
+    bodies = scene.impactor, scene.target
     return {
-        "initial": float(sum(kinetic_energy(body) for body in before)),
-        "impactor": float(kinetic_energy(found.first)),
-        "target_rigid": float(kinetic_energy(found.second)),
+        "initial": float(sum(_kinetic(body, state) for body, state in zip(bodies, before, strict=True))),
+        "impactor": _kinetic(scene.impactor, found.first),
+        "target_rigid": _kinetic(scene.target, found.second),
         "target_vibration": 0.0,
         "local": 0.0,
         "dissipated": float(found.lost),
@@ -137,7 +164,8 @@ def _rings(scene: Scene) -> bool:
 def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[str]:
     notes = [] if approached else ["The bodies move apart: no impact."]
     if _rings(scene):
-        notes.append("Rigid bodies know no waves: how far the answer is off only 'waves' or 'modal' can tell.")
+        remedy = "'modal'" if "beam" in (scene.impactor.kind, scene.target.kind) else "'waves' or 'modal'"
+        notes.append(f"Rigid bodies know no waves: how far the answer is off only {remedy} can tell.")
     for name, body in zip(("impactor", "target"), before, strict=True):
         beside = np.linalg.norm(np.cross(body.centre, scene.normal or ALONG)) > 0.0
         if beside and not np.any(body.inertia):
@@ -153,27 +181,31 @@ def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> lis
     return notes
 
 
-def _motion(before: tuple[Bodies, Bodies], found: Strike, duration: float) -> SampledMotion:
+def _motion(scene: Scene, before: tuple[Bodies, Bodies], found: Strike, duration: float) -> SampledMotion:
     """On an axis: straight on before and after, with the jump at time zero."""
-    first, second = (
-        np.array([old.velocity[0], new.velocity[0], new.velocity[0]])
-        for old, new in zip(before, (found.first, found.second), strict=True)
-    )
+    wholes = _wholes(scene, found)
+    face, first = (np.array([scene.impactor.velocity, new, new]) for new in wholes["impactor"])
+    end, second = (np.array([scene.target.velocity, new, new]) for new in wholes["target"])
     instants = np.array([0.0, 0.0, duration])
-    energy, still = _energy(before, found), {"dissipated": 0.0}
-    started = {"impactor": float(kinetic_energy(before[0])), "target_rigid": float(kinetic_energy(before[1]))} | still
+    energy = _energy(scene, before, found)
+    started = {
+        "impactor": _kinetic(scene.impactor, before[0]), "target_rigid": _kinetic(scene.target, before[1]),
+        "dissipated": 0.0,
+    }  # fmt: skip
     return SampledMotion(
         time=instants,
         force=np.zeros(3),  # the blow has no duration: all of it is in the impulse
         impulse=float(found.impulse) * np.array([0.0, 1.0, 1.0]),
         impactor_position=instants * first,
         impactor_velocity=first,
-        end_position=instants * second,
-        end_velocity=second,
+        end_position=instants * end,
+        end_velocity=end,
         rigid_velocity=second,
         energies={
             name: np.array([started.get(name, 0.0), value, value])
             for name, value in energy.items()
             if name != "initial"
         },
+        field=field_as_a_whole(scene.target, instants, instants * end, end) if scene.target.kind == "beam" else None,
+        face_velocity=face,
     )

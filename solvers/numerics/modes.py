@@ -59,6 +59,17 @@ class Modes:
             **fields,
         )
 
+    def mean_velocity(self, before: float, struck: np.ndarray) -> np.ndarray:
+        """Of a body as a whole that moved at `before`, by that of the place where it is struck [m/s]; or positions."""
+        return before + self.rigid_mean * (struck - before)
+
+    def moving_energy(self, mass: float, before: float, struck: np.ndarray) -> np.ndarray:
+        """Kinetic energy of a body as a whole [J], whose mass is `mass` and which moved at `before`."""
+        if not np.isfinite(self.rigid_mass):
+            return np.zeros_like(struck)
+        gained = struck - before
+        return (0.5 * mass * before**2 if before else 0.0) + self.rigid_mass * gained * (before + 0.5 * gained)
+
     @property
     def shortest_period(self) -> float:
         """Period of the highest kept mode [s]: no finer detail in time is resolved; 0 without modes."""

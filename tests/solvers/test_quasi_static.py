@@ -13,6 +13,7 @@ from pytest import approx
 import solvers
 from solvers import QuasiStatic, Scene, SceneError, SceneNotSupported, Waves
 from solvers.contact.viscous import damping_for
+from solvers.methods.springs import spring_of
 from solvers.numerics.quasi_static import (
     damped_collision,
     duration_of_power,
@@ -20,7 +21,7 @@ from solvers.numerics.quasi_static import (
     power_collision,
     sine_collision,
 )
-from tests.catalog import ROD, SIGMA0_AREA, STEEL_ROD, T, bronze_rod, struck_rod
+from tests.catalog import RIGID, ROD, SIGMA0_AREA, STEEL_ROD, STEEL_ROD_MASS, T, bronze_rod, struck_beam, struck_rod
 
 MASS, SPEED, STIFFNESS = 0.2, 2.03, 6.92e9
 
@@ -184,6 +185,121 @@ def test_spring_mass():
     assert found.impactor_velocity == approx(-1.5, rel=1e-12)
     assert found.energy["target_vibration"] == approx(0.5 * 1.5**2, rel=1e-5)
     assert found.energy["dissipated"] == approx(6.0 - 0.5 * 4.0 * 1.5**2, rel=1e-12)
+
+
+# -- a mass on a beam, (8.13)-(8.15) ----------------------------------------------------------------------------------
+
+FREE = [{"support": "free-free"}, {"support": "free-free", "at": 0.9, "velocity": -0.3}, {"support": "pinned-free"}]
+HELD = [{}, {"at": 0.6, "end_mass": 1.0}, {"support": "pinned-pinned"}, {"support": "clamped-clamped", "at": 0.3}]
+
+
+def test_beam_of_thesis_8_4_3():
+    """Printed 1.164 mm and 1833 N."""
+    found = QuasiStatic(model="structural-massless").solve(struck_beam(1.0, RIGID))
+    assert found.diagnostics["peak_deflection"] == approx(0.00116373782025236, rel=1e-12)
+    assert found.peak_force == approx(1832.8870668974666, rel=1e-12)
+    assert found.impactor_velocity == approx(-1.0, rel=1e-12)
+    time, x = np.array([0.5 * found.contacts[0].end]), np.array([0.1, 0.2, 0.3])
+    part = x / 0.3
+    assert found.motion.displacement(time, x)[0] == approx(
+        3.0 * (part**2 / 2.0 - part**3 / 6.0) * 0.00116373782025236, rel=1e-9
+    )
+    assert found.motion.moment(time, x)[0] == approx(1832.8870668974666 * (0.3 - x), rel=1e-6, abs=1e-6)
+    assert np.abs(found.motion.shear(time, x)[0]) == approx(1832.8870668974666, rel=1e-6)
+    fibre = 0.5 * 0.03 / (0.03**4 / 12.0)
+    assert found.motion.stress(time, x) == approx(-found.motion.moment(time, x) * fibre, abs=1.0)
+
+
+@pytest.mark.parametrize(
+    "support, share, stiffness", [("cantilever", 33.0 / 140.0, 3.0), ("pinned-pinned", 17.0 / 35.0, 48.0)]
+)
+def test_equivalent_mass_of_the_static_shape(support, share, stiffness):
+    found = QuasiStatic().solve(struck_beam(1.0, RIGID, support=support))
+    line = found.scene.target.line
+    assert found.diagnostics["equivalent_mass"] == approx(share * STEEL_ROD_MASS, rel=1e-12)
+    stiffness *= line.bending_stiffness / line.length**3
+    assert found.contacts[0].end == approx(math.pi * math.sqrt(STEEL_ROD_MASS * (1.0 + share) / stiffness), rel=1e-12)
+    assert found.impactor_velocity == approx(-1.0 / (1.0 + share), rel=1e-12)
+
+
+@pytest.mark.parametrize("theory", ["euler-bernoulli", "timoshenko"])
+@pytest.mark.parametrize("beam", HELD + FREE, ids=str)
+def test_equivalent_mass_by_the_modes(beam, theory):
+    """Rayleigh: the static shape is the sum of the modes by their compliance, its mass that of the fourth powers."""
+    target = struck_beam(1.0, RIGID, **beam, theory=theory).target
+    modes = target.modes(60)
+    compliance = float(np.sum((modes.at_contact / modes.frequencies) ** 2)) + modes.residual_compliance
+    spring = spring_of(target)
+    assert spring.stiffness == approx(1.0 / compliance, rel=1e-12)
+    assert spring.carried == approx(np.sum(modes.at_contact**2 / modes.frequencies**4) / compliance**2, rel=1e-6)
+    assert (spring.felt, spring.rigid_mean) == approx((modes.rigid_mass, modes.rigid_mean), rel=1e-12)
+    mean = np.sum(modes.means * modes.at_contact / modes.frequencies**2) / compliance
+    assert spring.mean == approx(mean, abs=1e-4)
+
+
+@pytest.mark.parametrize("model", ["structural", "structural-massless"])
+@pytest.mark.parametrize("beam", HELD + FREE, ids=str)
+def test_accounts_of_a_bent_beam(beam, model):
+    found = QuasiStatic(model=model).solve(struck_beam(0.5, RIGID, **beam))
+    assert abs(found.diagnostics["energy_error"]) < 1e-5  # straight lines between the instants of the free swing
+    assert abs(found.diagnostics["momentum_error"]) < 1e-12
+    target, time = found.scene.target, np.linspace(0.0, found.duration, 7)
+    struck = np.array([target.place])
+    assert found.motion.displacement(time, struck)[:, 0] == approx(found.motion.end_position(time), abs=1e-9)
+    assert found.motion.velocity(time, struck)[:, 0] == approx(found.motion.end_velocity(time), abs=1e-6)
+    touching = time[time < found.contacts[0].end]
+    assert found.motion.impactor_position(touching) == approx(found.motion.end_position(touching), abs=1e-9)
+    assert found.restitution["newton_at_contact"] == approx(
+        1.0 if model.endswith("massless") else found.restitution["newton_at_contact"], rel=1e-9
+    )
+
+
+def test_bent_beams_are_doubted_with_numbers():
+    heavy = QuasiStatic().solve(struck_beam(0.1, RIGID))
+    assert heavy.notes == []
+    alike = QuasiStatic().solve(struck_beam(1.0, RIGID))
+    assert "0.24 of the mass" in alike.notes[0] and "within some 10 %" in alike.notes[0]
+    light = QuasiStatic().solve(struck_beam(20.0, RIGID))
+    assert "4.7 times the mass" in light.notes[0] and "Not structural" in light.notes[0]
+    law = QuasiStatic(model="structural").solve(struck_beam(1.0))
+    assert "0.074 of half the fundamental period" in law.notes[0]
+    half = spring_of(law.scene.target).half_swing(STEEL_ROD_MASS)
+    assert half == approx(0.0040662489, rel=1e-3)  # thesis 5.5: 4.0662 ms, by Rayleigh's quotient
+    local = QuasiStatic(model="local").solve(struck_beam(1.0))
+    assert "of half the fundamental period of the target" in local.notes[0]
+    speck = QuasiStatic(model="local").solve(struck_beam(2e5))
+    assert speck.notes == []
+
+
+def test_the_vibration_that_a_local_blow_leaves_is_what_a_modal_one_loses():
+    """Of the 50 g of thesis 8.4.4 on a Hertzian contact: the estimate by the force on a half-space is near."""
+    scene = struck_beam(STEEL_ROD_MASS / 0.02)
+    note = QuasiStatic(model="local").solve(scene).notes[0]
+    share = float(note.split("up to ")[1].split("%")[0]) / 100.0
+    lost = 1.0 - solvers.solve(scene, "modal", modes=60).impactor_velocity ** 2
+    assert share == approx(lost, rel=0.5)
+
+
+def test_local_blows_on_beams_feel_the_mass_where_they_strike():
+    """Free and struck beside its centre: 1 / (1 / m + d^2 / J); on a pin J / x^2."""
+    for beam, felt in (
+        ({"support": "free-free", "at": 0.9}, 1.0 / 2.92),
+        ({"support": "pinned-free", "at": 0.5}, 4.0 / 3.0),
+    ):
+        found = QuasiStatic(model="local").solve(struck_beam(1.0, **beam))
+        assert found.impactor_velocity == approx((1.0 - felt) / (1.0 + felt), rel=1e-9)
+        assert abs(found.diagnostics["energy_error"]) < 1e-9
+        assert abs(found.diagnostics["momentum_error"]) < 1e-9
+        x = np.array([0.0, 0.15, 0.3])
+        field = found.motion.velocity(np.array([found.duration]), x)[0]
+        assert field[1] == approx(found.target_velocity, rel=1e-9) and field[2] > field[0] - 1e-12
+    held = QuasiStatic(model="local").solve(struck_beam(50.0))
+    assert (held.impactor_velocity, held.target_velocity) == approx((-1.0, 0.0), rel=1e-9)
+
+
+def test_auto_on_beams_goes_by_the_equivalent_mass():
+    for ratio, model in ((1.0, "structural"), (4.0, "structural"), (4.5, "local")):  # 140 / 33 = 4.24
+        assert QuasiStatic().solve(struck_beam(ratio)).diagnostics["model"] == model
 
 
 # -- two equal rods, (3.21)-(3.23) ------------------------------------------------------------------------------------
@@ -360,6 +476,21 @@ def test_a_contact_that_waves_outrun_is_doubted():
     assert QuasiStatic().solve(bronze_rod().replace({"impactor.mass": 1e-7})).notes == []
     assert "Masses alike" in QuasiStatic().solve(struck_rod(1.0)).notes[0]
     assert QuasiStatic().solve(struck_rod(0.05)).notes == []
+
+
+def test_a_heavy_rod_is_not_structural_and_said_so():
+    """A hundred times the mass: waves stop it in m / Z = T / 200, and next to nothing comes back."""
+    found, truth = QuasiStatic().solve(struck_rod(100.0)), Waves().solve(struck_rod(100.0))
+    assert "100 times as heavy" in found.notes[0] and "0.005 round trips" in found.notes[0]
+    assert abs(found.impactor_velocity - truth.impactor_velocity) > 0.02
+
+
+def test_a_damped_contact_leaves_no_dent():
+    """The force ends before the faces are back where they met; the rest creeps back, as it does by 'modal'."""
+    law = {"law": "kelvin-voigt", "stiffness": 1e8, "restitution": 0.4}
+    found = solvers.solve(bronze_rod().replace({"contact": law}), "quasi-static", model="local")
+    assert found.residual_indentation == 0.0
+    assert found.peak_indentation > 0.0
 
 
 def test_auto_chooses_by_contact_and_mass_ratio():

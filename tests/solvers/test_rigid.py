@@ -12,7 +12,7 @@ from pytest import approx
 
 import solvers
 from solvers import Body, RigidImpulse, Scene, SceneError, SceneNotSupported
-from tests.catalog import SCENES, T, struck_rod
+from tests.catalog import RIGID, SCENES, STEEL_BEAM, STEEL_ROD_MASS, T, struck_beam, struck_rod
 from tests.solvers.test_impulses import in_world, random_bodies, rotations
 
 IN_SPACE = [name for name, scene in SCENES.items() if scene.normal is not None]
@@ -253,6 +253,54 @@ def test_the_motion_on_an_axis_is_straight_with_a_jump():
     assert motion.end_position(times) == approx([0.0, 0.75 * T], rel=1e-14)
     energies = motion.energies(np.array([T]))
     assert sum(value[0] for value in energies.values()) == approx(scene.initial_energy, rel=1e-14)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.4, 1.0])
+@pytest.mark.parametrize(
+    "beam, share",
+    [
+        ({"support": "free-free"}, 1.0),
+        ({"support": "free-free", "at": 0.9}, 1.0 / 2.92),  # 1 / (1 / m + d^2 / J), J = m L^2 / 12
+        ({"support": "free-free", "at": 0.0, "velocity": -2.0}, 0.25),
+        ({"support": "pinned-free", "at": 0.5}, 4.0 / 3.0),  # J / x^2, J = m L^2 / 3
+    ],
+)
+def test_a_beam_is_felt_where_it_is_struck(beam, share, restitution):
+    scene = struck_beam(1.0, RIGID, **beam)
+    found, mass, before = RigidImpulse(restitution).solve(scene), STEEL_ROD_MASS, scene.target.velocity
+    reduced = mass * share / (1.0 + share)
+    assert found.effective_mass == approx(reduced, rel=1e-12)
+    assert found.impulse == approx((1.0 + restitution) * reduced * scene.speed, rel=1e-12)
+    assert found.impactor_velocity == approx(1.0 - found.impulse / mass, rel=1e-12)
+    struck = before + found.impulse / (mass * share)
+    if scene.target.held:  # half as fast in its middle as at its end, whatever the pin takes of the momentum
+        assert found.target_velocity == approx(0.5 / beam["at"] * struck, rel=1e-12)
+        assert found.restitution["newton"] is None
+    else:
+        assert found.target_velocity == approx(before + found.impulse / mass, rel=1e-12)
+    field = found.motion.velocity(np.array([0.1]), np.array([0.15, scene.target.place]))[0]
+    assert field == approx([found.target_velocity, struck], rel=1e-12)
+    assert found.restitution["newton_at_contact"] == restitution
+    assert found.energy["dissipated"] == approx(0.5 * reduced * (1.0 - restitution**2) * scene.speed**2, rel=1e-12)
+    assert abs(found.diagnostics["energy_error"]) < 1e-14
+    assert abs(found.diagnostics["momentum_error"]) < 1e-14
+    assert "'modal' can tell" in found.notes[0]
+
+
+@pytest.mark.parametrize("support", ["cantilever", "pinned-pinned", "clamped-clamped"])
+def test_a_beam_that_is_held_counts_as_immovable(support):
+    found = RigidImpulse(0.5).solve(struck_beam(1.0, RIGID, support=support))
+    assert (found.impactor_velocity, found.target_velocity) == approx((-0.5, 0.0), rel=1e-14)
+
+
+def test_a_beam_may_strike_another():
+    table = {"impactor": STEEL_BEAM | {"velocity": 1.0, "at": 0.9}, "target": STEEL_BEAM | {"support": "free-free"}}
+    found = RigidImpulse().solve(Scene.from_table(table))
+    reduced = STEEL_ROD_MASS / (1.0 + 2.92)
+    assert found.effective_mass == approx(reduced, rel=1e-12)
+    assert found.impactor_velocity == approx(1.0 - 2.0 * reduced / STEEL_ROD_MASS, rel=1e-12)
+    assert found.motion.face_velocity(np.array([0.1]))[0] == approx(1.0 - 2.0 * 2.92 * reduced / STEEL_ROD_MASS)
+    assert abs(found.diagnostics["energy_error"]) < 1e-14
 
 
 def test_what_does_not_move_as_a_whole_is_refused():
