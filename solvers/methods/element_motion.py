@@ -78,6 +78,8 @@ class ElementMotion(SampledMotion):
     def resolved_force(self, time: np.ndarray) -> np.ndarray:
         """The force averaged over the shortest period of the mesh: the finest that it can tell."""
         time, half = np.asarray(time, float), 0.5 * self.course.shortest_period
+        if half == 0.0:
+            return self.force(time)
         first, last = np.maximum(time - half, 0.0), time + half
         return (self.impulse(last) - self.impulse(first)) / (last - first)
 

@@ -163,10 +163,10 @@ def without_mass_in_front(mesh: Mesh) -> Mesh:
     Source: singular mass matrices for contact, Monjaraz Tec, Gross and Krack (2022).
     """
     mass, stiffness = mesh.mass[:, 1:].copy(), mesh.stiffness[:, 1:].copy()
-    mass[0, 0] += mesh.mass[0, 0] + 2.0 * mesh.mass[1, 0]
-    stiffness[0, 0] -= mesh.neighbour
+    mass[0, :1] += mesh.mass[0, 0] + 2.0 * mesh.mass[1, 0]  # a single element of a fixed rod leaves no node
+    stiffness[0, :1] -= mesh.neighbour
     weights = mesh.weights[1:].copy()
-    weights[0] += mesh.weights[0]
+    weights[:1] += mesh.weights[0]
     return mesh._replace(mass=mass, stiffness=stiffness, free=mesh.free[:, 1:], weights=weights)
 
 
@@ -185,7 +185,9 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
     at_contact = vectors[:, body.struck] if kept else np.zeros(0)
     residual = _left_out(body, vectors) if kept < available else 0.0
     residual += 1.0 / mesh.neighbour if massless else 0.0
-    full = np.hstack((vectors[:, :1], vectors)) if massless and kept else vectors
+    full = vectors
+    if massless:  # without its own inertia the face goes along with the node behind it
+        full = np.hstack((vectors[:, :1], vectors)) if kept else np.zeros((0, mesh.size))
 
     def fields(field: Callable | None) -> Callable | None:
         return None if field is None else lambda x: full @ field(x)
