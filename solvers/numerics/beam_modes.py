@@ -6,16 +6,33 @@ denominators; the shapes here are derived anew, in a form that overflows at no n
 equation with cosh only loses every Timoshenko mode above the cut-off; the count of `beam_roots` has both branches.
 """
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
 from .beam_riders import riding_field
-from .beam_shapes import natural_field
+from .beam_shapes import modes_below, natural_field
 from .beam_statics import rigid_motion, static_compliance, static_shape
+from .beam_tails import FEWEST, slender_tail
 from .bending_fields import BendingField
-from .bending_waves import BeamLine, dispersion
+from .bending_waves import BeamLine, dispersion, group_speeds, phase_speeds, speed_limit
 from .modes import Modes
 
-__all__ = ["BeamLine", "attached_beam_modes", "beam_modes", "dispersion", "static_compliance", "static_shape"]
+__all__ = [
+    "BeamLine",
+    "attached_beam_modes",
+    "beam_modes",
+    "dispersion",
+    "group_speeds",
+    "modes_below",
+    "phase_speeds",
+    "speed_limit",
+    "static_compliance",
+    "static_shape",
+]
+
+TINY = 1e-8  # of a compliance: a part of it that a difference no longer gives to seven digits
 
 
 def beam_modes(line: BeamLine, support: str, place: float, count: int, end_mass: float = 0.0) -> Modes:
@@ -23,12 +40,14 @@ def beam_modes(line: BeamLine, support: str, place: float, count: int, end_mass:
 
     `end_mass` [kg] is a point mass on the free end of a cantilever; shapes are normalised, and averaged, with it.
     Free motions come on top, as one: a force at one place sets a free beam into translation and rotation together.
-    Error: frequencies to 1e-12 at any number of modes; shapes to 1e-12, and above the cut-off, where frequencies come
-    in near pairs, to 1e-9 at 500 modes.
+    Error: frequencies to 1e-12 at any number of modes; shapes meet their ends, and one another, to 1e-11 at 500.
     """
     at_end = end_mass / line.mass
     field, means = _normalised(natural_field(line, support, count, at_end), at_end)
-    return _in_si_units(line, support, place, field, means)
+    tail = None
+    if line.shear_number == line.rotary_number == 0.0 and count >= FEWEST:
+        tail = partial(slender_tail, support, place / line.length, count, at_end)
+    return _in_si_units(line, support, place, field, means, 0.0, tail)
 
 
 def attached_beam_modes(
@@ -58,8 +77,10 @@ def _normalised(field: BendingField, at_end: float, rider: float = 0.0) -> tuple
     return field.scaled(factors), factors * (mean + at_end * end) / (1.0 + at_end)
 
 
-def _in_si_units(line, support, place, field, means, attached_mass=0.0) -> Modes:
-    """Modes of the beam from the mass-normalised `field` of the unit beam."""
+def _in_si_units(
+    line, support, place, field, means, attached_mass: float, tail: Callable[[], float] | None = None
+) -> Modes:
+    """Modes of the beam from the mass-normalised `field` of the unit beam; `tail` sums the compliance left out."""
     per_mass = 1.0 / np.sqrt(line.mass)
     stiffness = line.bending_stiffness / line.length**2 * per_mass
     frequencies = line.frequency_unit * np.sqrt(field.square)
@@ -71,11 +92,14 @@ def _in_si_units(line, support, place, field, means, attached_mass=0.0) -> Modes
     at_contact = shapes(np.array([place]))[:, 0]
     rigid = rigid_motion(line, support, place)
     whole = static_shape(line, support, place, attached_mass).compliance
+    left_out = max(whole - float(np.sum((at_contact / frequencies) ** 2)), 0.0)
+    if tail and left_out < TINY * whole:
+        left_out = tail() * line.length**3 / line.bending_stiffness
     return Modes(
         frequencies=frequencies,
         at_contact=at_contact,
         rigid_mass=rigid.mass + attached_mass,
-        residual_compliance=max(whole - float(np.sum((at_contact / frequencies) ** 2)), 0.0),
+        residual_compliance=left_out,
         shapes=shapes,
         slopes=seen(field.slope, per_mass / line.length),
         rigid_shape=rigid.shape,

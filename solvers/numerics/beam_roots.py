@@ -11,9 +11,9 @@ import numpy as np
 from ..jit import kernel
 from .bending_waves import wave_numbers_kernel
 
-# Half of a symmetric beam, about its middle: displacement even or odd, ends clamped or free. The odd free half is also
-# a beam pinned at the middle. And the whole cantilever.
-EVEN_CLAMPED, ODD_CLAMPED, EVEN_FREE, ODD_FREE, CANTILEVER = range(5)
+# Half of a symmetric beam, about its middle: displacement even or odd, ends pinned, clamped or free. The odd free half
+# is also a beam pinned at the middle. And the whole cantilever.
+EVEN_PINNED, ODD_PINNED, EVEN_CLAMPED, ODD_CLAMPED, EVEN_FREE, ODD_FREE, CANTILEVER = range(7)
 
 
 @kernel
@@ -51,8 +51,8 @@ def _at_end(alpha, beta, half):
 
 
 @kernel
-def _count(problem, z, half, shear, rotary, end_mass):
-    """Natural frequencies below z^2, motions as a whole included."""
+def count_below(problem, z, half, shear, rotary, end_mass):
+    """How many natural frequencies lie below z^2, motions as a whole included."""
     square = z**4
     alpha, beta, gamma_a, gamma_b = wave_numbers_kernel(square, shear, rotary)
     cos, sin, cosh, sinh, difference = _at_end(alpha, beta, half)
@@ -63,6 +63,10 @@ def _count(problem, z, half, shear, rotary, end_mass):
     if beta < 0.0:
         turns = np.sqrt(-beta) * half / np.pi
         even, odd = even + np.floor(turns + 0.5), odd + np.floor(turns) + 1.0
+    if problem == EVEN_PINNED:
+        return even
+    if problem == ODD_PINNED:
+        return odd
     # Determinants of the end's displacements, and stiffness of an end against turning alone.
     even_end = gamma_b * cos * sinh + gamma_a * sin * cosh
     odd_end = bent * total * sin * cosh + beta * gamma_a * difference
@@ -107,7 +111,7 @@ def roots(problem, count, rigid, half, shear, rotary, end_mass):
     for i in range(count):
         wanted = rigid + i + 1
         high = low + step
-        while _count(problem, high, half, shear, rotary, end_mass) < wanted:
+        while count_below(problem, high, half, shear, rotary, end_mass) < wanted:
             step *= 2.0
             low, high = high, high + step
         start = low
@@ -115,7 +119,7 @@ def roots(problem, count, rigid, half, shear, rotary, end_mass):
             middle = 0.5 * (low + high)
             if middle <= low or middle >= high:
                 break
-            if _count(problem, middle, half, shear, rotary, end_mass) < wanted:
+            if count_below(problem, middle, half, shear, rotary, end_mass) < wanted:
                 low = middle
             else:
                 high = middle

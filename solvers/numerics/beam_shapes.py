@@ -4,38 +4,63 @@ from dataclasses import replace
 
 import numpy as np
 
-from .beam_roots import CANTILEVER, EVEN_CLAMPED, EVEN_FREE, ODD_CLAMPED, ODD_FREE, roots
+from .beam_roots import (
+    CANTILEVER,
+    EVEN_CLAMPED,
+    EVEN_FREE,
+    EVEN_PINNED,
+    ODD_CLAMPED,
+    ODD_FREE,
+    ODD_PINNED,
+    count_below,
+    roots,
+)
 from .bending_ends import column_sizes, end_rows, null_vectors
 from .bending_fields import BendingField
-from .bending_waves import BeamLine
+from .bending_waves import BeamLine, dispersion
+
+# By support: the problems it falls into, how many motions as a whole each has, and its length
+PROBLEMS = {
+    "cantilever": ((CANTILEVER, 0, 0.5),),
+    "pinned-pinned": ((EVEN_PINNED, 0, 0.5), (ODD_PINNED, 0, 0.5)),
+    "clamped-clamped": ((EVEN_CLAMPED, 0, 0.5), (ODD_CLAMPED, 0, 0.5)),
+    "free-free": ((EVEN_FREE, 1, 0.5), (ODD_FREE, 1, 0.5)),
+    "pinned-free": ((ODD_FREE, 1, 1.0),),
+}
+
+
+def modes_below(line: BeamLine, support: str, frequency: float, end_mass: float = 0.0) -> int:
+    """How many vibration modes a beam has below this frequency [rad/s]; `end_mass` [kg] on a cantilever's free end."""
+    z, numbers = float(np.sqrt(frequency / line.frequency_unit)), (line.shear_number, line.rotary_number)
+    counts = (
+        count_below(problem, z, half, *numbers, end_mass / line.mass) - rigid
+        for problem, rigid, half in PROBLEMS[support]
+    )
+    return int(sum(counts))
 
 
 def natural_field(line: BeamLine, support: str, count: int, end_mass: float = 0.0) -> BendingField:
-    """The lowest `count` motions, of any size; `end_mass` on the free end of a cantilever, over the beam's mass."""
-    return _cantilever(line, count, end_mass) if support == "cantilever" else _symmetric(line, support, count)
+    """The lowest `count` motions, of any size; `end_mass` on the free end of a cantilever, over the beam's mass.
+
+    Even and odd motions of a symmetric beam are found apart, so that two near frequencies do not mix.
+    """
+    if support == "pinned-pinned":
+        return _pinned(line, count)
+    shear, rotary = line.shear_number, line.rotary_number
+    found = [roots(problem, count, rigid, half, shear, rotary, end_mass) for problem, rigid, half in PROBLEMS[support]]
+    if support == "pinned-free":
+        return _about_centre(found[0] ** 4, shear, rotary, np.ones(count, int), support, 0.0, 1.0)
+    if support == "cantilever":
+        return _cantilever(found[0] ** 4, shear, rotary, end_mass)
+    order = np.argsort(np.concatenate(found), kind="stable")[:count]
+    square = np.concatenate(found)[order] ** 4
+    return _about_centre(square, shear, rotary, (order >= count).astype(int), support, 0.5, 0.5)
 
 
-def _cantilever(line, count, end_mass) -> BendingField:
-    found = roots(CANTILEVER, count, 0, 0.5, line.shear_number, line.rotary_number, end_mass)
-    field = BendingField(found**4, line.shear_number, line.rotary_number, np.zeros((count, 4)))
+def _cantilever(square, shear, rotary, end_mass) -> BendingField:
+    field = BendingField(square, shear, rotary, np.zeros((square.size, 4)))
     both = [end_rows(field, near, "cantilever", end_mass) for near in (True, False)]
     return replace(field, amplitudes=column_sizes(field) * null_vectors(np.concatenate(both, axis=1)))
-
-
-def _symmetric(line, support, count) -> BendingField:
-    """Even and odd motions about the middle apart, so that two near frequencies do not mix; or about the pin."""
-    shear, rotary = line.shear_number, line.rotary_number
-    if support == "pinned-pinned":
-        return _pinned(shear, rotary, count)
-    if support == "pinned-free":
-        square = roots(ODD_FREE, count, 1, 1.0, shear, rotary, 0.0) ** 4
-        return _about_centre(square, shear, rotary, np.ones(count, int), support, 0.0, 1.0)
-    held = support == "clamped-clamped"
-    problems = (EVEN_CLAMPED, ODD_CLAMPED) if held else (EVEN_FREE, ODD_FREE)
-    both = [roots(problem, count, 0 if held else 1, 0.5, shear, rotary, 0.0) for problem in problems]
-    order = np.argsort(np.concatenate(both), kind="stable")[:count]
-    square = np.concatenate(both)[order] ** 4
-    return _about_centre(square, shear, rotary, (order >= count).astype(int), support, 0.5, 0.5)
 
 
 def _about_centre(square, shear, rotary, odd, support, centre, reach) -> BendingField:
@@ -48,18 +73,14 @@ def _about_centre(square, shear, rotary, odd, support, centre, reach) -> Bending
     return replace(field, amplitudes=amplitudes * column_sizes(field))
 
 
-def _pinned(shear, rotary, count) -> BendingField:
+def _pinned(line, count) -> BendingField:
     """Sines of n half waves, one or two for each n; with rotary inertia also pure shear, y = 0, at the cut-off."""
     waves = np.arange(1, count + 1)
-    k2 = (np.pi * waves) ** 2
-    middle = 1.0 + k2 * (shear + rotary)
-    root = np.sqrt(1.0 + 2.0 * k2 * (shear + rotary) + (k2 * (shear - rotary)) ** 2)
-    squares, numbers, upper = 2.0 * k2**2 / (middle + root), waves, np.zeros(count, bool)
-    if shear * rotary > 0.0:
-        squares = np.concatenate([squares, [1.0 / (shear * rotary)], (middle + root) / (2.0 * shear * rotary)])
-        numbers = np.concatenate([waves, [0], waves])
-        upper = np.concatenate([upper, np.ones(count + 1, bool)])
-    order = np.argsort(squares, kind="stable")[:count]
+    lower, upper = dispersion(line, np.pi * waves / line.length)
+    frequencies = np.concatenate([lower, [line.cut_off], upper])
+    order = np.argsort(frequencies, kind="stable")[:count]
+    numbers = np.concatenate([waves, [0], waves])[order]
     amplitudes = np.zeros((count, 4))
-    amplitudes[np.arange(count), 2 * upper[order] + (numbers[order] % 2 == 0)] = 1.0
-    return BendingField(squares[order], shear, rotary, amplitudes)
+    amplitudes[np.arange(count), 2 * (order >= count) + (numbers % 2 == 0)] = 1.0
+    square = (frequencies[order] / line.frequency_unit) ** 2
+    return BendingField(square, line.shear_number, line.rotary_number, amplitudes)

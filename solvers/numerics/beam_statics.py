@@ -90,29 +90,28 @@ class _Bend:
 
     def _start(self, ends, support):
         """Displacement, turn, moment and shear force at x = 0, from what vanishes at the ends."""
-        near, far = np.array([0.0]), np.array([1.0])
-        rows = [(self._free(near)[q, :, 0], self._loaded(near, -1.0)[q, 0]) for q in ends[0]]
-        rows += [(self._free(far)[q, :, 0], self._loaded(far, 1.0)[q, 0]) for q in ends[1]]
+        rows = []
+        for quantities, x, side in zip(ends, (0.0, 1.0), (-1.0, 1.0), strict=True):
+            free, loaded = self._free(np.array([x])), self._loaded(np.array([x]), side)
+            rows += [(free[q, :, 0], loaded[q, 0]) for q in quantities]
         if support == "free-free":  # the far end is in balance already
-            rows = [*rows[:2], self._along(1.0, 0.0), self._along(0.0, 1.0)]
+            rows = [*rows[:2], *self._along((1.0, 0.0), (0.0, 1.0))]
         elif support == "pinned-free":
-            rows = [*rows[:2], rows[3], self._along(0.0, 1.0)]
+            rows = [*rows[:2], rows[3], *self._along((0.0, 1.0))]
         matrix, right = zip(*rows, strict=True)
         return np.linalg.solve(np.array(matrix), -np.array(right))
 
-    def _along(self, start, slope):
-        """Mass product with the rigid motion start + slope x."""
-        row, right = np.zeros(4), 0.0
-        for low, high in ((0.0, self.place), (self.place, 1.0)):
-            x = 0.5 * (low + high) + 0.5 * (high - low) * NODES
-            weights = 0.5 * (high - low) * WEIGHTS
-            moved, turned = weights * (start + slope * x), self.rotary * slope * weights
-            free, loaded = self._free(x), self._loaded(x)
-            row += free[DISPLACEMENT] @ moved + free[TURN] @ turned
-            right += loaded[DISPLACEMENT] @ moved + loaded[TURN] @ turned
-        at, there = np.array([self.place]), self.rider * (start + slope * self.place)
-        row += there * self._free(at)[DISPLACEMENT, :, 0]
-        return row, right + there * self._loaded(at)[DISPLACEMENT, 0]
+    def _along(self, *motions):
+        """Mass products with the rigid motions start + slope x."""
+        before, behind = 0.5 * self.place, 0.5 * (1.0 - self.place)
+        x = np.concatenate([before * (1.0 + NODES), self.place + behind * (1.0 + NODES), [self.place]])
+        weights = np.concatenate([before * WEIGHTS, behind * WEIGHTS, [self.rider]])
+        turn_weights = self.rotary * weights
+        turn_weights[-1] = 0.0  # the rider is a point
+        free, loaded = self._free(x), self._loaded(x)
+        for start, slope in motions:
+            moved, turned = weights * (start + slope * x), turn_weights * slope
+            yield tuple(field[DISPLACEMENT] @ moved + field[TURN] @ turned for field in (free, loaded))
 
     def _free(self, x):
         """By unit displacement, turn, moment and shear force at x = 0: (4, 4, x)."""

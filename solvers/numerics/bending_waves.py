@@ -75,12 +75,54 @@ def dispersion(line: BeamLine, wavenumber: np.ndarray) -> tuple[np.ndarray, np.n
     Euler-Bernoulli: k^2 sqrt(E I / rho A), without bound in speed, and infinity. Timoshenko: the lower starts like
     that and its speed tends to sqrt(kappa G / rho); the upper starts at the cut-off and tends to sqrt(E / rho).
     """
-    k2 = np.square(np.asarray(wavenumber, float) * line.length)
-    shear, rotary = line.shear_number, line.rotary_number
-    middle = 1.0 + k2 * (shear + rotary)
-    # middle^2 - 4 shear rotary k^4 as a sum of what is positive
+    k = np.asarray(wavenumber, float) * line.length
+    middle, _ = _middle_and_root(line, k)
+    return line.frequency_unit * k**2 / np.sqrt(middle), line.frequency_unit * _upper(line, middle)
+
+
+def phase_speeds(line: BeamLine, wavenumber: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """omega / k [m/s] of the lower and the upper wave; the upper is infinite where k is 0."""
+    k = np.asarray(wavenumber, float) * line.length
+    middle, _ = _middle_and_root(line, k)
+    with np.errstate(divide="ignore"):
+        upper = _upper(line, middle) / k
+    return line.frequency_unit * line.length * k / np.sqrt(middle), line.frequency_unit * line.length * upper
+
+
+def group_speeds(line: BeamLine, wavenumber: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """d omega / d k [m/s], at which energy travels, of the lower and the upper wave.
+
+    Twice the phase speed in Euler-Bernoulli theory; never above sqrt(E / rho) in Timoshenko's.
+    """
+    k = np.asarray(wavenumber, float) * line.length
+    middle, root = _middle_and_root(line, k)
+    both = line.shear_number + line.rotary_number
+    lower = k * (2.0 - k**2 * both / middle) * np.sqrt(middle) / root
+    top = _upper(line, middle)
+    upper = k * (top * both - 2.0 * k**2 / top) / root if line.rotary_number > 0.0 else top
+    return line.frequency_unit * line.length * lower, line.frequency_unit * line.length * upper
+
+
+def speed_limit(line: BeamLine, bar_speed: float) -> float:
+    """Frequency [rad/s] from which bending waves outrun `bar_speed` = sqrt(E / rho) [m/s], the fastest of the material.
+
+    Of an Euler-Bernoulli beam, whose phase speed grows without bound: modes above have no meaning. Infinite in
+    Timoshenko theory, in which no energy travels faster.
+    Source: thesis 8.4.1.
+    """
+    if line.rotary_number > 0.0:
+        return np.inf
+    return bar_speed**2 / (line.frequency_unit * line.length**2)
+
+
+def _middle_and_root(line, k):
+    """Of the quadratic for the squared frequencies, shear rotary square^2 - (...) square + k^4 = 0: k^4 over the lower
+    one, and the root; a sum of what is positive."""
+    shear, rotary, k2 = line.shear_number, line.rotary_number, k**2
     root = np.sqrt(1.0 + 2.0 * k2 * (shear + rotary) + (k2 * (shear - rotary)) ** 2)
-    lower = k2 * np.sqrt(2.0 / (middle + root))
-    both = shear * rotary
-    upper = np.sqrt((middle + root) / (2.0 * both)) if both > 0.0 else np.full_like(k2, np.inf)
-    return line.frequency_unit * lower, line.frequency_unit * upper
+    return 0.5 * (1.0 + k2 * (shear + rotary) + root), root
+
+
+def _upper(line, middle):
+    both = line.shear_number * line.rotary_number
+    return np.sqrt(middle / both) if both > 0.0 else np.full_like(middle, np.inf)
