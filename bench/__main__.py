@@ -7,12 +7,13 @@ from pathlib import Path
 
 from solvers.machine import machine
 
-from . import elements, impulses, kernels, methods, page, peers, startup, sweep, tradeoffs, waves
+from . import elements, ensemble, impulses, kernels, methods, page, peers, startup, sweep, tradeoffs, waves
 
 PARTS = {
     "startup": startup,
     "kernels": kernels,
     "elements": elements,
+    "ensemble": ensemble,
     "impulses": impulses,
     "methods": methods,
     "sweep": sweep,

@@ -200,7 +200,7 @@ class _Runs:
             max(contact.peak_force for contact in contacts),
             depth,
             math.nan if math.isnan(depth) else float(scene.contact.dent(depth)),
-            float(record.lost[-1]),
+            float(motion.energies(self.instants[-1:])["dissipated"][0]),
         )
         impulse = motion.impulse(self.instants[-1:])[0]
         return (figures[0], float(record.velocity[-1]), impulse, *figures[1:]), self._histories(motion)

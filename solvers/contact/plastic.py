@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from .. import checks
 from ..jit import kernel
 from .constants import LENGTH_RANGE, hertz_stiffness, point_limits, yield_indentation
-from .steps import hertz_mean, power_mean, step_force
+from .steps import hertz_mean, hertz_step_force, power_mean, step_force
 
 FULL_OVER_FIRST_YIELD = 3200.0 / (1.6 * math.pi) ** 2  # alpha_fp / alpha_Y, (7.26)
 FULL_RANGE = (30.0, 1e5)  # of that ratio: below it no exponent up to Hertz's 3/2 meets both criteria of (7.34)
@@ -146,6 +146,13 @@ class YigitChristoforou(NamedTuple):
 
 
 @kernel
+def elastic_step_force(stiffness, dent, start, free, compliance, rate, expected):
+    """The force of a step that stays on the curve of unloading, Hertz's from the dent on: see `steps.step_force`."""
+    force, _, lost = hertz_step_force(stiffness, 0.0, start - dent, free - dent, compliance, rate, expected)
+    return force, free - compliance * force, lost
+
+
+@kernel
 def line_dent(stiffness, begins, deepest):
     """(7.15)"""
     if deepest <= begins:
@@ -172,11 +179,7 @@ class PlasticLinear(NamedTuple):
 
     limits, table = YigitChristoforou.limits, YigitChristoforou.table
     scaled, corner = YigitChristoforou.scaled, YigitChristoforou.corner
-    loading_mean, mean, mean_force = (
-        YigitChristoforou.loading_mean,
-        YigitChristoforou.mean,
-        YigitChristoforou.mean_force,
-    )
+    loading_mean, mean = YigitChristoforou.loading_mean, YigitChristoforou.mean
 
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "PlasticLinear":
@@ -206,6 +209,12 @@ class PlasticLinear(NamedTuple):
     def unloading_mean(self, start, end, deepest):
         dent = line_dent(self.stiffness, self.yield_indentation, deepest)
         return self.stiffness * hertz_mean(start - dent, end - dent)
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest):
+        if free > deepest:
+            return step_force(self, start, free, compliance, rate, expected, deepest)
+        dent = line_dent(self.stiffness, self.yield_indentation, deepest)
+        return elastic_step_force(self.stiffness, dent, start, free, compliance, rate, expected)
 
 
 @lru_cache(maxsize=1000)
@@ -264,7 +273,7 @@ class PlasticPower(NamedTuple):
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
 
-    mean, mean_force = YigitChristoforou.mean, YigitChristoforou.mean_force
+    mean = YigitChristoforou.mean
 
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "PlasticPower":
@@ -347,3 +356,11 @@ class PlasticPower(NamedTuple):
     def unloading_mean(self, start, end, deepest):
         dent, stiffness = crater(self, deepest)
         return stiffness * hertz_mean(start - dent, end - dent)
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest):
+        if start <= 0.0 and free <= 0.0:
+            return 0.0, free, 0.0
+        if free > deepest:
+            return step_force(self, start, free, compliance, rate, expected, deepest)
+        dent, stiffness = crater(self, deepest)
+        return elastic_step_force(stiffness, dent, start, free, compliance, rate, expected)

@@ -360,20 +360,21 @@ class ModalMotion:
     def _end(self, after: int) -> float:
         """When the force ran out [s], in the step before instant `after`; the end, if that comes too soon to tell."""
         dent = self.pair.law(self.scene)[0].dent(float(self.deepest[after]))
-        gap = self.record.indentation - dent
-        if after == self.steps and gap[after] > 0.0:
+        depth = self.record.indentation
+        gap = float(depth[after]) - dent
+        if after == self.steps and gap > 0.0:
             return self.duration
         if not self.parted and after < self.steps:
-            opened = -float(gap[after:].min())
+            opened = dent - float(depth[after:].min())
             soon = (self.steps - after) * self.step < self.pair.resolved_time
             if soon or 0.0 < opened <= self._opening_told:
                 return self.duration
-        if gap[after] > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
+        if gap > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
             return self.step * (
                 after - 1 + _run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist())
             )
-        later = gap[min(after + 1, self.steps)]
-        return self.step * (after - _upward_zero(float(later), float(gap[after]), float(gap[after - 1])))
+        later, before = float(depth[min(after + 1, self.steps)]) - dent, float(depth[after - 1]) - dent
+        return self.step * (after - _upward_zero(later, gap, before))
 
 
 def _run_out(*forces: float) -> float:

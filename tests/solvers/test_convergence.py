@@ -98,7 +98,7 @@ def test_contact_times_of_the_fixed_rod():
     assert found.apparent == approx(0.2516982e-3, rel=1e-6) and found.real < found.apparent
     # z tan z = m2/m1, (5.11), with z = omega L / c
     z = math.pi * 0.5 * T / found.half_period
-    assert z * math.tan(z) == approx(1.0, rel=1e-12)
+    assert z * math.tan(z) == approx(1.0, rel=1e-8)
     assert found.half_period_alone == approx(T, rel=1e-12)  # a quarter wave: a period of 4 L / c
     assert "as if stuck to each other" in found.told
 
@@ -109,7 +109,7 @@ def test_contact_times_without_a_swing():
     free = contact_times(solvers.solve(bronze_rod()))
     rod = bronze_rod().target
     modes = composite_rod_modes(rod.length, rod.mass, rod.wave_speed, False, 1, bronze_rod().impactor.mass)
-    assert free.half_period == approx(math.pi / modes.frequencies[0])
+    assert free.half_period == approx(math.pi / modes.frequencies[0], rel=1e-8)
     assert "over before the body" in free.told
     swinging = solvers.solve(solvers.load("spring-mass"))
     target, mass = swinging.scene.target, swinging.scene.impactor.mass

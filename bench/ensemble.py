@@ -1,0 +1,47 @@
+"""How far to trust a blow: an ensemble of 200 runs, and where its time goes."""
+
+from time import thread_time
+
+import numpy as np
+
+import solvers
+from solvers import Modal, ensemble
+from solvers.methods.modal import again
+
+from .kernels import bare_rotation
+from .timing import median, row
+
+MODES, STEPS, RUNS = 40, 20_000, 200
+
+
+def processor_time(work, repeats: int = 9) -> float:
+    """Least time of a processor [s]: of kernels that others disturb."""
+    work()
+    times = []
+    for _ in range(repeats):
+        begun = thread_time()
+        work()
+        times.append(thread_time() - begun)
+    return min(times)
+
+
+def measure() -> dict[str, object]:
+    scene, method = solvers.load("table-8.4"), Modal(modes=MODES, steps=STEPS, estimate=False)
+    base = method.solve(scene)
+    record = again(base.motion, scene)[1]
+    turn = np.ones(MODES), np.zeros(MODES)
+    whole = median(lambda: ensemble(scene, method, runs=RUNS), 5)
+    floor = processor_time(lambda: bare_rotation(*turn, np.ones(MODES), np.zeros(MODES), STEPS))
+    kernel = processor_time(lambda: again(base.motion, scene, record))
+    told = processor_time(lambda: again(base.motion, scene, record)[0].contacts())
+    rigid = solvers.load("fixed-rod")
+    return dict(
+        [
+            row("ensemble of 200 runs, thesis beam, plastic law, 40 modes", whole, "s", "<= 0.5"),
+            row("one of its runs: bare rotation of the oscillators", 1e3 * floor, "ms", "the floor"),
+            row("one of its runs: the kernel", 1e3 * kernel, "ms"),
+            row("one of its runs: times the floor", kernel / floor, "x", "<= 2.5"),
+            row("one of its runs: telling its contacts", 1e3 * (told - kernel), "ms"),
+            row("ensemble of 200 exact solves, fixed rod", median(lambda: ensemble(rigid, runs=RUNS), 5), "s"),
+        ]
+    )
