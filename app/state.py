@@ -90,7 +90,7 @@ def _heading(name: str, scene: Scene) -> str:
         return "Bodies in space"
     if scene.impactor.kind == "rod" or scene.target.kind == "rods":
         return "Several rods"
-    return "One rod" if scene.target.kind == "rod" else "Compact bodies"
+    return {"rod": "One rod", "beam": "Beams"}.get(scene.target.kind, "Compact bodies")
 
 
 def in_space(scene: Scene) -> bool:

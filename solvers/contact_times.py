@@ -86,13 +86,13 @@ def _told(contacts: int, apparent: float, real: float, half_period: float | None
     swings = apparent / half_period
     told += (
         f" That is {swings:.3g} times the half period of the struck body with the impactor's mass on it,"
-        f" {half_period:.4g} s:"
+        f" {half_period:.4g} s"
     )
-    if STUCK[0] <= swings <= STUCK[1]:
-        return told + " the two swing together as if stuck to each other, and part when the body has swung back."
     if swings < STUCK[0]:
-        return told + " the blow is over before the body as a whole has swung."
-    return told + " the impactor stays with the body for more than one swing."
+        return told + ": the blow is over before the body as a whole has swung back."
+    if contacts == 1 or swings > STUCK[1]:
+        return told + "."
+    return told + ": the two swing together as if stuck to each other, and part when the body has swung back."
 
 
 def compare_with_half_space(scene: Scene) -> Solution:

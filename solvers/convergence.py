@@ -23,6 +23,7 @@ FEWEST, MOST = 3, 12  # counts
 INSTANTS, PLACES = 2_000, 41  # at which largest values of fields are looked for
 CLOSE = 1e-6  # relative differences below this count as none
 REGULAR = 0.7  # of natural logarithms about a fitted power: a factor of two
+SETTLED = 1e-3  # differences among the last three that call for no order
 SLOWEST = 0.4  # order that still counts as one
 UNBOUNDED = 0.5  # smallest power of a figure that tends to zero, or to infinity
 
@@ -172,14 +173,15 @@ def _judge(
         return differences, None, _settles(counts, values, kind)
     if differences.max() <= CLOSE:
         return differences, None, f"{called}: the same for all numbers of {kind}, to {differences.max():.1g}"
-    power, irregular = _power(counts, np.abs(values))
-    if abs(power) >= UNBOUNDED and irregular <= 0.5 * REGULAR:
+    power, irregular, last = _power(counts, np.abs(values))
+    if abs(power) >= UNBOUNDED and irregular <= 0.5 * REGULAR and last >= 0.5:
         goes = "grows" if power > 0.0 else "falls"
         return differences, None, f"{called}: does not converge, it {goes} as {kind}^{power:+.2g}"
     order, irregular = _order(counts, differences)
     if order is None or irregular > REGULAR or order < SLOWEST:
-        within = f"{100.0 * differences[-3:].max():.2g} % of the finest from {counts[-3]:.0f} {kind} on"
-        return differences, None, f"{called}: no order can be told, within {within}"
+        within = f"within {100.0 * differences[-3:].max():.2g} % of the finest from {counts[-3]:.0f} {kind} on"
+        word = "converged" if differences[-3:].max() <= SETTLED else "no order can be told"
+        return differences, None, f"{called}: {word}, {within}"
     left = differences[-2] / ((counts[-1] / counts[-2]) ** order - 1.0)
     told = f"{called}: converges as {kind}^-{order:.2g}, {left:.1e} from its limit at {counts[-1]:.0f}"
     return differences, order, told
@@ -193,13 +195,16 @@ def _settles(counts: np.ndarray, values: np.ndarray, kind: str) -> str:
     return f"contacts: do not settle, {values.min():.0f} to {values.max():.0f}"
 
 
-def _power(counts: np.ndarray, values: np.ndarray) -> tuple[float, float]:
-    """Exponent of the power of the counts that the values follow, and the scatter of their logarithms about it."""
+def _power(counts: np.ndarray, values: np.ndarray) -> tuple[float, float, float]:
+    """Exponent of the power of the counts that the values follow, the scatter of their logarithms about it, and the
+    exponent of the last two alone as a part of it.
+    """
     if values.min() <= 0.0:
-        return 0.0, math.inf
+        return 0.0, math.inf, 0.0
     x, y = np.log(counts), np.log(values)
     slope, start = np.polyfit(x, y, 1)
-    return float(slope), float(np.sqrt(np.mean((y - slope * x - start) ** 2)))
+    last = (y[-1] - y[-2]) / (x[-1] - x[-2]) / slope if slope else 0.0
+    return float(slope), float(np.sqrt(np.mean((y - slope * x - start) ** 2))), float(last)
 
 
 def _order(counts: np.ndarray, differences: np.ndarray) -> tuple[float | None, float]:

@@ -8,9 +8,10 @@ from pytest import approx
 
 import solvers
 from solvers import Modal, SceneError, compare_with_half_space, contact_times, convergence
+from solvers.contact_times import half_periods
 from solvers.convergence import _judge
 from solvers.numerics.modes import composite_rod_modes
-from tests.catalog import ROD, T, bronze_rod, contact_table, struck_rod
+from tests.catalog import ROD, T, bronze_rod, contact_table, struck_beam, struck_rod
 
 COUNTS = np.array([3.0, 5.0, 10.0, 20.0, 40.0, 80.0])
 
@@ -143,3 +144,30 @@ def test_no_half_space_in_rigid_contact():
         compare_with_half_space(
             solvers.load("two-equal-rods").replace({"contact": {"law": "linear", "stiffness": 1e9}})
         )
+
+
+def test_a_rigid_blow_on_a_slender_beam_does_not_converge():
+    """The first separation is the echo of the highest mode kept: the more modes, the earlier, down to nothing."""
+    found = convergence(struck_beam(contact={"law": "rigid"}), (5, 10, 20, 40))
+    assert "first parting: does not converge, it falls as modes^-1." in found.told["first_parting"]
+    assert found.values["first_parting"][1] == approx(67.2e-6, rel=2e-3)  # of the contact modes of thesis 5.5
+    assert (np.diff(found.values["first_parting"]) < 0.0).all()
+    assert "do not settle" in found.told["contacts"]
+
+
+def test_a_hertz_blow_on_a_beam_converges_with_its_shear():
+    found = convergence(solvers.load("timoshenko-1913-long"), (4, 8, 16, 32))
+    assert {"support_shear", "peak_shear"} <= set(found.values)
+    assert found.order["impulse"] > 2.0 and found.order["support_shear"] > 2.0
+    assert found.told["contacts"] == "contacts: 3 from 8 modes on"
+
+
+def test_the_half_period_of_a_beam_with_a_mass_on_it():
+    scene = struck_beam(contact={"law": "hertz", "stiffness": 1e10})
+    with_mass, alone = half_periods(scene)
+    assert with_mass == approx(4.0662e-3, rel=1e-4)  # thesis 5.5, with m1 = m2 on the tip
+    assert alone == approx(0.5 * scene.target.time_unit, rel=1e-12)
+    pinned = struck_beam(1e-6, contact={"law": "hertz", "stiffness": 1e10}, support="pinned-pinned", at=0.5)
+    stiffness = 48.0 * pinned.target.line.bending_stiffness / pinned.target.length**3
+    heavy = pinned.impactor.mass  # a million times the beam, which is a spring
+    assert half_periods(pinned)[0] == approx(math.pi * math.sqrt(heavy / stiffness), rel=1e-5)

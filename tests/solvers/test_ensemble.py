@@ -11,7 +11,7 @@ import solvers
 from solvers import Modal, SceneError, ensemble
 from solvers.ensemble import perturbations
 from solvers.spread import FIGURES, FIRM, LOOSE, spread_table
-from tests.catalog import bronze_rod, contact_table, struck_rod
+from tests.catalog import bronze_rod, contact_table, struck_beam, struck_rod
 
 LAWS = ("rigid", "hertz", "linear", "hunt-crossley", "lankarani-nikravesh", "plastic-power")
 
@@ -193,3 +193,33 @@ def test_what_it_cannot_know_is_refused():
             ensemble(solvers.load(name))
     with pytest.raises(SceneError, match="mass"):  # of a rod there is none to change
         ensemble(solvers.load("two-unequal-rods"), key="impactor.mass")
+
+
+def test_a_stiff_blow_on_a_beam_is_ill_conditioned():
+    """Thesis 8.3 with 15 modes: the first parting is known to a hair, the sequence that follows is not."""
+    stiff = struck_beam(contact={"law": "linear", "stiffness": 1.771875e10})
+    found = ensemble(stiff, Modal(modes=15), runs=60)
+    rows = {row.quantity: row for row in found.spread}
+    assert rows["first_parting"].verdict == "firm"
+    assert rows["contacts"].verdict == rows["final_velocity"].verdict == "not to be trusted"
+    assert rows["final_velocity"].amplification > 1e3  # 1e-6 in mass tells
+    assert found.ill_conditioned and found.told.startswith("Ill-conditioned")
+    assert np.ptp(found.force.highest - found.force.lowest) > 0.5 * found.force.highest.max()
+
+
+def test_a_plastic_blow_on_a_beam_is_well_conditioned():
+    scene, method = solvers.load("table-8.4"), Modal(modes=5, steps=8000, estimate=False)
+    found = ensemble(scene, method, runs=10)
+    rows = {row.quantity: row for row in found.spread}
+    for name in ("final_velocity", "impulse", "dissipated", "residual_indentation"):
+        assert rows[name].verdict == "firm" and abs(rows[name].sensitivity) < 2.5
+    assert not found.ill_conditioned
+    assert_same_figures(found, own_solves(scene, found, method))
+
+
+def test_damping_of_the_beam_counts_as_lost():
+    scene = solvers.load("xylophone-bar")
+    found = ensemble(scene, runs=10)
+    method = Modal(modes=scene.method["modes"], estimate=False)
+    assert_same_figures(found, own_solves(scene, found, method))
+    assert found.dissipated.min() > 0.0
