@@ -7,11 +7,12 @@ from pathlib import Path
 
 from solvers.machine import machine
 
-from . import elements, ensemble, impulses, kernels, methods, page, peers, startup, sweep, tradeoffs, waves
+from . import beams, elements, ensemble, impulses, kernels, methods, page, peers, startup, sweep, tradeoffs, waves
 
 PARTS = {
     "startup": startup,
     "kernels": kernels,
+    "beams": beams,
     "elements": elements,
     "ensemble": ensemble,
     "impulses": impulses,

@@ -7,6 +7,7 @@ equation with cosh only loses every Timoshenko mode above the cut-off; the count
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -44,9 +45,7 @@ def beam_modes(line: BeamLine, support: str, place: float, count: int, end_mass:
     """
     at_end = end_mass / line.mass
     field, means = _normalised(natural_field(line, support, count, at_end), at_end)
-    tail = None
-    if line.shear_number == line.rotary_number == 0.0 and count >= FEWEST:
-        tail = partial(slender_tail, support, place / line.length, count, at_end)
+    tail = _tail_of(line, support, place / line.length, count, at_end)
     return _in_si_units(line, support, place, field, means, 0.0, tail)
 
 
@@ -63,10 +62,15 @@ def attached_beam_modes(
     At the tip of a cantilever the modes are those of `beam_modes` with an end mass.
     """
     at_end, rider, at = end_mass / line.mass, attached_mass / line.mass, place / line.length
-    bare, _ = _normalised(natural_field(line, support, count + 8, at_end), at_end)  # 8: no node is shared by so many
-    field = riding_field(line, support, at, count, rider, bare, at_end)
+    tail = None
+    if support == "cantilever" and at == 1.0:
+        field = replace(natural_field(line, support, count, at_end + rider), place=1.0)
+        tail = _tail_of(line, support, 1.0, count, at_end + rider)
+    else:
+        bare, _ = _normalised(natural_field(line, support, count + 8, at_end), at_end)  # no node is shared by 8
+        field = riding_field(line, support, at, count, rider, bare, at_end)
     field, means = _normalised(field, at_end, rider)
-    return _in_si_units(line, support, place, field, means, attached_mass)
+    return _in_si_units(line, support, place, field, means, attached_mass, tail)
 
 
 def _normalised(field: BendingField, at_end: float, rider: float = 0.0) -> tuple[BendingField, np.ndarray]:
@@ -75,6 +79,12 @@ def _normalised(field: BendingField, at_end: float, rider: float = 0.0) -> tuple
     end, place = field.displacement(field.potentials(np.array([1.0, field.place]))).T
     factors = 1.0 / np.sqrt(square + at_end * end**2 + rider * place**2)
     return field.scaled(factors), factors * (mean + at_end * end) / (1.0 + at_end)
+
+
+def _tail_of(line, support, at, count, at_end) -> Callable[[], float] | None:
+    """The sum of what the modes left out give way, where it is known."""
+    slender = line.shear_number == line.rotary_number == 0.0
+    return partial(slender_tail, support, at, count, at_end) if slender and count >= FEWEST else None
 
 
 def _in_si_units(

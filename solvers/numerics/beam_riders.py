@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from .beam_statics import rigid_motion
-from .bending_ends import DISPLACEMENT, column_sizes, end_rows, null_vectors, raw_rows
+from .bending_ends import conditions, null_vectors
 from .bending_fields import BendingField
 from .bending_waves import BeamLine
 
@@ -29,11 +29,9 @@ def riding_field(
 
     def system(square):
         """Ends and rider: the force on the beam is what the rider's inertia gives, (modes, 5, 5)."""
-        at = replace(field, square=square)
-        sizes, moved = column_sizes(at), raw_rows(at, place, (DISPLACEMENT,))
-        moved[:, 0, 4] -= sizes[:, 4] / rider
-        ends = [end_rows(at, near, support, end_mass) for near in (True, False)]
-        return np.concatenate([*ends, moved], axis=1), sizes
+        matrices, sizes = conditions(replace(field, square=square), support, end_mass)
+        matrices[:, 4, 4] -= sizes[:, 4] / rider
+        return matrices, sizes
 
     squares = np.sort(
         np.concatenate([_between(poles, strengths, system, line, support, place, rider), bare.square[node]])

@@ -15,7 +15,7 @@ from .beam_roots import (
     count_below,
     roots,
 )
-from .bending_ends import column_sizes, end_rows, null_vectors
+from .bending_ends import conditions, null_vectors
 from .bending_fields import BendingField
 from .bending_waves import BeamLine, dispersion
 
@@ -59,18 +59,19 @@ def natural_field(line: BeamLine, support: str, count: int, end_mass: float = 0.
 
 def _cantilever(square, shear, rotary, end_mass) -> BendingField:
     field = BendingField(square, shear, rotary, np.zeros((square.size, 4)))
-    both = [end_rows(field, near, "cantilever", end_mass) for near in (True, False)]
-    return replace(field, amplitudes=column_sizes(field) * null_vectors(np.concatenate(both, axis=1)))
+    rows, sizes = conditions(field, "cantilever", end_mass)
+    return replace(field, amplitudes=sizes * null_vectors(rows))
 
 
 def _about_centre(square, shear, rotary, odd, support, centre, reach) -> BendingField:
     """Motions odd or even about the centre that meet what the support demands at x = 1."""
     field = BendingField(square, shear, rotary, np.zeros((square.size, 4)), centre, reach)
     columns = np.stack([odd, odd + 2], axis=1)  # of u and w
-    pair = np.take_along_axis(end_rows(field, False, support), columns[:, None, :], axis=2)
+    rows, sizes = conditions(field, support)
+    pair = np.take_along_axis(rows[:, 2:], columns[:, None, :], axis=2)
     amplitudes = np.zeros((square.size, 4))
     np.put_along_axis(amplitudes, columns, null_vectors(pair), axis=1)
-    return replace(field, amplitudes=amplitudes * column_sizes(field))
+    return replace(field, amplitudes=amplitudes * sizes)
 
 
 def _pinned(line, count) -> BendingField:

@@ -16,60 +16,45 @@ ENDS = {
 }
 
 
-def column_sizes(field: BendingField) -> np.ndarray:
-    """Amplitudes that make motions of like size, (modes, amplitudes).
+def conditions(field: BendingField, support: str, end_mass: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    """What must vanish at x = 0 and x = 1, (modes, 4, amplitudes), and the sizes of the amplitudes it is given for.
 
-    By what each may give at the most, never by what it gives at the ends: an amplitude that meets the conditions there
-    would then count by its rounding.
+    With a force among the amplitudes the displacement at its place follows as a fifth row. A mass on a free far end
+    makes V = -omega^2 m y there. Amplitudes are given sizes that make motions of one size, and rows are taken over what
+    such motions may give at the most, never over what they give at the ends: an amplitude that meets the conditions
+    there would then count by its rounding.
     """
-    a, b = _wavenumbers(field)
-    columns = [np.ones_like(a), 1.0 / a, np.ones_like(a), 1.0 / b]
+    points = [0.0, 1.0] if field.amplitudes.shape[1] == 4 else [0.0, 1.0, field.place]
+    sizes, limits = _sizes(field)
+    parts = field.basis(np.array(points), np.array([-1.0, 1.0, 1.0])[: len(points)])
+    u, du, w, dw = (np.stack([part[i] for part in parts], axis=-1) * sizes[:, None, :] for i in range(4))
+    gamma_a, gamma_b = field.gamma_a[:, :, None], field.gamma_b[:, :, None]
+    seen = {
+        DISPLACEMENT: du + dw,
+        TURN: gamma_b * w - gamma_a * u,
+        MOMENT: gamma_b * dw - gamma_a * du,
+        SHEAR: u + w,
+    }
+    rows = [seen[q][:, end] / limits[q] for end in (0, 1) for q in ENDS[support][end]]
+    if end_mass > 0.0:
+        rows[3] = (seen[SHEAR] + end_mass * seen[DISPLACEMENT])[:, 1] / (limits[SHEAR] + end_mass)
+    return np.stack(rows + [seen[DISPLACEMENT][:, end] for end in range(2, len(points))], axis=1), sizes
+
+
+def _sizes(field):
+    """Of the amplitudes (modes, amplitudes), and of what such motions may give of each quantity, (modes, 1) each."""
+    a, b = np.sqrt(field.alpha), np.maximum(np.sqrt(np.abs(field.beta)), 1.0)
+    one = np.ones_like(a)
+    columns = [one, 1.0 / a, one, 1.0 / b]
     if field.amplitudes.shape[1] == 5:
-        columns.append(2.0 * (a**2 + field.beta[:, 0]) / (a * field.gamma_b[:, 0] + b * field.gamma_a[:, 0]))
-    return np.stack(columns, axis=1)
-
-
-def _wavenumbers(field):
-    return np.sqrt(field.alpha[:, 0]), np.maximum(np.sqrt(np.abs(field.beta[:, 0])), 1.0)
-
-
-def _row_sizes(field, quantities):
-    """What motions of that size may give of each quantity, (modes, quantities, 1)."""
-    (a, b), gamma_a, gamma_b = _wavenumbers(field), field.gamma_a[:, 0], field.gamma_b[:, 0]
-    sizes = {
-        DISPLACEMENT: np.ones_like(a),
-        TURN: gamma_a / a + gamma_b / b,
-        MOMENT: gamma_a + gamma_b,
+        columns.append(2.0 * (field.alpha + field.beta) / (a * field.gamma_b + b * field.gamma_a))
+    limits = {
+        DISPLACEMENT: one,
+        TURN: field.gamma_a / a + field.gamma_b / b,
+        MOMENT: field.gamma_a + field.gamma_b,
         SHEAR: 1.0 / a + 1.0 / b,
     }
-    return np.stack([sizes[q] for q in quantities], axis=1)[:, :, None]
-
-
-def raw_rows(field: BendingField, x: float, quantities: tuple[int, ...], side: float | None = None) -> np.ndarray:
-    """What each amplitude of `column_sizes` gives of these at x: (modes, quantities, amplitudes); shear / square."""
-    parts = field.basis(np.array([x]), side)
-    seen = {
-        DISPLACEMENT: field.displacement,
-        TURN: field.turn,
-        MOMENT: field.moment,
-        SHEAR: lambda at: at.u + at.w,
-    }
-    found = np.stack([np.stack([seen[q](part)[:, 0] for part in parts], axis=-1) for q in quantities], axis=1)
-    return found * column_sizes(field)[:, None, :]
-
-
-def end_rows(field: BendingField, near: bool, support: str, end_mass: float = 0.0) -> np.ndarray:
-    """What vanishes at x = 0 (`near`) or x = 1, over its size: (modes, 2, amplitudes).
-
-    A mass on a free far end makes V = -omega^2 m y there.
-    """
-    quantities = ENDS[support][0 if near else 1]
-    found = raw_rows(field, 0.0 if near else 1.0, quantities, -1.0 if near else 1.0)
-    sizes = _row_sizes(field, quantities)
-    if end_mass > 0.0 and not near:
-        found[:, 1:] += end_mass * raw_rows(field, 1.0, (DISPLACEMENT,))
-        sizes[:, 1] += end_mass
-    return found / sizes
+    return np.concatenate(columns, axis=1), limits
 
 
 def null_vectors(matrices: np.ndarray) -> np.ndarray:

@@ -48,12 +48,9 @@ class BendingField:
 
     # -- the functions the motions are made of ------------------------------------------------------------------------
 
-    def basis(self, x: np.ndarray, side: float | None = None) -> list[Values]:
-        """Potentials of each amplitude alone; `side` of the force (-1, 1) for x at its place, else the inner one."""
-        xi = np.asarray(x, float) - self.centre
-        a = np.sqrt(self.alpha)
-        cos, sin = np.cos(a * xi), np.sin(a * xi) / a
-        cosh, sinh = self._hyperbolic(xi)
+    def basis(self, x: np.ndarray, side: np.ndarray) -> list[Values]:
+        """Potentials of each amplitude alone; `side` of the force (-1, 1) for an x at its place."""
+        cos, sin, cosh, sinh = self._functions(x)
         nothing = np.zeros_like(cos)
         found = [
             Values(sin, cos, nothing, nothing),
@@ -61,7 +58,28 @@ class BendingField:
             Values(nothing, nothing, sinh, cosh),
             Values(nothing, nothing, cosh, self.beta * sinh),
         ]
-        return found if self.amplitudes.shape[1] == 4 else [*found, self._about_force(np.asarray(x, float), side)]
+        return found if self.amplitudes.shape[1] == 4 else [*found, self._about_force(x, side)]
+
+    def potentials(self, x: np.ndarray, side: float | None = None) -> Values:
+        """Of the motions; `side` of the force (-1, 1) for an x at its place, else the one inside the beam."""
+        cos, sin, cosh, sinh = self._functions(x)
+        a0, a1, a2, a3, *force = self.amplitudes.T[:, :, None]
+        found = Values(
+            a0 * sin + a1 * cos,
+            a0 * cos - a1 * (self.alpha * sin),
+            a2 * sinh + a3 * cosh,
+            a2 * cosh + a3 * (self.beta * sinh),
+        )
+        if not force:
+            return found
+        inner = 1.0 if self.place == 0.0 else -1.0
+        about = self._about_force(x, inner if side is None else side)
+        return Values(*(own + force[0] * more for own, more in zip(found, about, strict=True)))
+
+    def _functions(self, x):
+        """cos, sin / a and, over their end value, cosh, sinh / b."""
+        xi, a = x - self.centre, np.sqrt(self.alpha)
+        return np.cos(a * xi), np.sin(a * xi) / a, *self._hyperbolic(xi)
 
     def _hyperbolic(self, xi):
         """cosh and sinh / b over cosh(b reach), or cos and sin / b above the cut-off."""
@@ -79,31 +97,24 @@ class BendingField:
     def _about_force(self, x, side):
         """V jumps by square at the force; u' and w' are smooth there, and gamma_b w - gamma_a u continuous."""
         distance = np.abs(x - self.place)
-        sign = np.where(x > self.place, 1.0, -1.0)
-        if side is not None or self.place == 0.0:
-            sign = np.where(distance == 0.0, 1.0 if side is None else side, sign)
+        sign = np.where(distance == 0.0, side, np.sign(x - self.place))
         a, b = np.sqrt(self.alpha), np.sqrt(np.abs(self.beta))
-        share = 0.5 / (self.alpha + self.beta)
-        u, du = sign * np.cos(a * distance), -a * np.sin(a * distance)
         angle = b * distance
         # A decaying wave, or, where it hardly decays over the beam or travels, the standing one
-        decays = self.beta > 1.0
-        w = sign * np.where(
-            decays, np.exp(-angle), np.where(self.beta > 0.0, np.cosh(np.minimum(angle, 1.0)), np.cos(angle))
-        )
-        dw = b * np.where(
-            decays, -np.exp(-angle), np.where(self.beta > 0.0, np.sinh(np.minimum(angle, 1.0)), -np.sin(angle))
-        )
+        decaying, slow = np.exp(-angle), np.minimum(angle, 1.0)
+        even = np.where(self.beta > 0.0, np.cosh(slow), np.cos(angle))
+        odd = np.where(self.beta > 0.0, np.sinh(slow), -np.sin(angle))
+        even, odd = (np.where(self.beta > 1.0, *pair) for pair in ((decaying, even), (-decaying, odd)))
+        share = 0.5 / (self.alpha + self.beta)
+        of_u, of_w = share * self.gamma_b, share * self.gamma_a
         return Values(
-            *(share * self.gamma_b * part for part in (u, du)), *(share * self.gamma_a * part for part in (w, dw))
+            of_u * sign * np.cos(a * distance),
+            -of_u * a * np.sin(a * distance),
+            of_w * sign * even,
+            of_w * b * odd,
         )
 
     # -- what is seen of them -----------------------------------------------------------------------------------------
-
-    def potentials(self, x: np.ndarray, side: float | None = None) -> Values:
-        parts = self.basis(x, side)
-        columns = self.amplitudes.T[:, :, None]
-        return Values(*(sum(c * part[i] for c, part in zip(columns, parts, strict=True)) for i in range(4)))
 
     def displacement(self, at: Values) -> np.ndarray:
         return at.du + at.dw
