@@ -19,7 +19,7 @@ ROUNDING = 1e-12
 
 # Left out: what turns or hangs as a pendulum (5.21 to 5.24, 6.1, 6.2, 6.6 to 6.12, 9.2, 9.6, 9.10, 9.11, 9.14, from
 # 10.8 on).
-FIGURES = {3: range(1, 9), 4: range(1, 23), 5: range(1, 12), 6: range(3, 6), 7: range(1, 10)}
+FIGURES = {3: range(1, 9), 4: range(1, 23), 5: range(1, 21), 6: range(3, 6), 7: range(1, 10)}
 FIGURES |= {8: range(1, 26)}
 FIGURES |= {9: (1, 3, 4, 5, 7, 8, 9, 12, 13), 10: range(1, 8)}
 TABLES = {6: range(1, 6), 7: (1,), 8: range(1, 5)}
@@ -46,10 +46,29 @@ def test_every_built_in_scene_is_solved_as_it_says(name):
     scene = SCENES[name]
     solution = solvers.solve(scene)
     words = [APPROXIMATE[word] for word in solution.method.values() if word in APPROXIMATE]
-    assert abs(solution.diagnostics["energy_error"]) < max(words, default=1e-6)
-    assert abs(solution.diagnostics["momentum_error"]) < (0.03 if solution.method["name"] == "mode-switch" else 1e-6)
+    if solution.method["name"] == "mode-switch" and scene.target.kind == "beam":
+        check_projections(solution)
+    else:
+        assert abs(solution.diagnostics["energy_error"]) < max(words, default=1e-6)
+        switched = solution.method["name"] == "mode-switch"
+        assert abs(solution.diagnostics["momentum_error"]) < (0.03 if switched else 1e-6)
     assert Scene.from_table(scene.table()) == scene
     assert solution.table()["scene"].get("note", "") == scene.note
+
+
+def check_projections(solution):
+    """Energy goes only where sets of modes change, and momentum of the mass only where it is caught, by the sets'
+    truncation: both are accounted for to rounding.
+    """
+    diagnostics, mass = solution.diagnostics, solution.scene.impactor.mass
+    lost = diagnostics["projection_losses"][-1] / solution.energy["initial"]
+    assert diagnostics["energy_error"] == approx(-lost, abs=1e-9)
+    assert 0.0 < lost < 0.25
+    starts = np.array([contact.start for contact in solution.contacts])
+    coming = solution.motion.impactor_velocity(starts, after=False)
+    coming[0] = solution.scene.impactor.velocity
+    caught = mass * float((coming - solution.motion.impactor_velocity(starts)).sum())
+    assert diagnostics["momentum_error"] * mass * solution.scene.speed == approx(caught, abs=1e-9)
 
 
 def after(solution, time: float) -> float:
