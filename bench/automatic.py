@@ -35,7 +35,7 @@ def measure() -> dict[str, object]:
 
 
 def fit_costs() -> dict[str, object]:
-    """Time = a + b steps + c steps size + d size^3 of every method, relative least squares over random scenes, stored."""
+    """Time = a + b steps + c steps size + d size^3 of every method, by relative least squares, stored."""
     rows: dict[str, list[tuple[float, int, int]]] = {name: [] for name in solvers.METHODS}
     for number in range(COST_SCENES):
         scene = random_scene(np.random.default_rng(5000 + number), beams=0.3)

@@ -17,7 +17,7 @@ def expected_time(method: Mapping[str, object], steps: int) -> float:
     """Time of a warm solve [s] on the machine that costs.json names: a + b steps + c steps size + d size^3.
 
     `method` as in a scene file; size: its number of modes or elements, whatever it has.
-    Error: within a factor of two for nine solves of ten there, see bench/results.json; elsewhere only the order of
+    Error: within a factor of two for three solves of four there, see bench/results.json; elsewhere only the order of
     methods is worth something.
     """
     start, per_step, per_step_and_size, cubic = _constants()[str(method["name"])]

@@ -145,7 +145,8 @@ class Search:
             if ladder is self.proof.ladder or ladder is self.chosen.ladder:
                 continue
             for rung in range(len(ladder.rungs)):
-                if expected_time(ladder.rungs[rung].table(), 0) >= self.chosen.cost:
+                least = expected_time(ladder.rungs[rung].table(), 0)
+                if least >= self.chosen.cost or not self._time_for(least * self._slowness()):
                     break
                 other = self._try(ladder, rung)
                 other.error = self._difference(other, self.proof)
