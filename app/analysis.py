@@ -5,26 +5,40 @@ from typing import Any
 import numpy as np
 
 from .frames import exact_solution
-from .state import chosen_scene
+from .state import chosen_scene, on_beam
 
 INSTANTS = 161
 SHARES = {  # name in the solution: what the reader calls it, and its colour
     "impactor": ("impactor", "#33475b"),
     "target_rigid": ("target as a whole", "#4f9bd8"),
     "target_vibration": ("waves in it", "#e08a4d"),
+    "target_kinetic": ("beam moving", "#e08a4d"),
+    "target_strain": ("beam bent", "#d8b23c"),
     "local": ("stored in the contact", "#7c9a54"),
     "dissipated": ("lost in the contact", "#a4243b"),
 }
 
 
 def energy_shares(chosen: dict[str, Any]) -> dict[str, np.ndarray]:
-    """Energy of every part against time [T], as a share of the impactor's before the blow."""
+    """Energy of every part against time [T; ms for a beam], as a share of the first energy.
+
+    That of a beam is told apart into motion and bending, where its method knows both.
+    """
     scene = chosen_scene(chosen)
-    solution = exact_solution(scene, chosen["restitution"])
+    if on_beam(scene):
+        from .beam_frame import MS, main_solution
+
+        solution, unit = main_solution(scene, chosen)[0], 1.0 / MS
+    else:
+        solution, unit = exact_solution(scene, chosen["restitution"]), scene.time_unit
     time = np.linspace(0.0, solution.duration, INSTANTS)
     energies = solution.motion.energies(time)
+    if on_beam(scene) and hasattr(solution.motion, "target_energies"):
+        parts = solution.motion.target_energies(time)
+        energies = {key: energies[key] for key in energies if key not in ("target_rigid", "target_vibration")}
+        energies |= {f"target_{name}": values for name, values in parts.items()}
     shares = {SHARES[name][0]: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
-    return {"time": time / scene.time_unit, **shares}
+    return {"time": time / unit, "unit": "ms" if on_beam(scene) else "T", **shares}
 
 
 def energy_view(pipe: Any) -> Any:
@@ -34,22 +48,23 @@ def energy_view(pipe: Any) -> Any:
 
     hv.extension("bokeh")
     hv.renderer("bokeh").webgl = False
-    colours = [colour for _, colour in SHARES.values()]
 
     def name_cursor(plot, element):
         plot.handles["glyph"].name = "energy-cursor"
         plot.handles["glyph"].level = "overlay"
 
     def stack(data):
-        areas = [hv.Area((data["time"], data[name]), "time", "share", label=name) for name, _ in SHARES.values()]
+        shown = [(name, colour) for name, colour in SHARES.values() if name in data]
+        areas = [hv.Area((data["time"], data[name]), "time", "share", label=name) for name, _ in shown]
+        colours = hv.Cycle([colour for _, colour in shown])
         return hv.Area.stack(hv.Overlay(areas)).opts(
-            hv.opts.Area(color=hv.Cycle(colours), line_width=0, fill_alpha=0.9, framewise=True)
+            hv.opts.Area(color=colours, line_width=0, fill_alpha=0.9, framewise=True)
         )
 
     cursor = hv.VLine(0.0).opts(color="#c81e4a", line_width=1.5, hooks=[name_cursor])
     figure = (hv.DynamicMap(stack, streams=[pipe]) * cursor).opts(
         title="Where the energy is",
-        xlabel="time in T",
+        xlabel="time, as above",
         ylabel="share of the first energy, %",
         height=240,
         responsive=True,

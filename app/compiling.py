@@ -99,16 +99,25 @@ def works() -> dict[str, Callable]:
     from .frames import solve_frame
     from .mass_ratios import ratios_for
     from .methods_table import methods_table
+    from .trust_view import convergence_data, trust_data
 
-    return {work.__name__: work for work in (solve_frame, ratios_for, energy_shares, methods_table)}
+    found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data)
+    return {work.__name__: work for work in found}
+
+
+ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  # works that know a beam
 
 
 def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     """What visitors usually ask for, what most of them ask for first."""
-    from .state import Choices
+    from .state import SCENES, Choices, on_beam
 
     for name in works():
-        yield name, Choices().chosen()
+        if name not in ("trust_data", "convergence_data"):
+            yield name, Choices().chosen()
+    beam = next(name for name, scene in SCENES.items() if on_beam(scene))
+    for name in ON_BEAMS:
+        yield name, Choices(**Choices.of_scene(beam) | {"scene": beam}).chosen()
     laws = [law for law in Choices.param.law.objects if law != Choices().law]
     for name in ("solve_frame", "methods_table"):
         for law in laws:

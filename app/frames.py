@@ -2,7 +2,8 @@
 
 Units of the message: time in round trips T, velocity in the impact speed v, displacement in v T, force in Z v, stress
 in v sqrt(E rho). Layout: length of the header (4 bytes, little endian), header (JSON), zeros up to a multiple of four,
-then float32 arrays in the order and length that the header states.
+then float32 arrays in the order and length that the header states; where it states a unit besides, whole numbers of
+two bytes of that unit, filled up with zeros to a multiple of four bytes.
 """
 
 import json
@@ -16,7 +17,7 @@ from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal import STEPS_PER_PERIOD, ModalMotion
 from solvers.restitution import common_velocity
 
-from .state import acting_choices, chosen_scene, own_options, resolutions
+from .state import acting_choices, chosen_scene, on_beam, own_options, resolutions
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
 FORCE_POINTS = 1_200  # of a contact force
@@ -35,6 +36,10 @@ def solve_frame(chosen: dict[str, Any]) -> bytes:
         from .bodies_frame import bodies_frame
 
         return bodies_frame(RigidImpulse(restitution=chosen["restitution"]).solve(scene), chosen)
+    if on_beam(scene):
+        from .beam_frame import beam_frame
+
+        return beam_frame(scene, chosen)
     exact = exact_solution(scene, chosen["restitution"])
     return pack(chosen, scene, exact, beside(scene, chosen, exact))
 
@@ -42,8 +47,11 @@ def solve_frame(chosen: dict[str, Any]) -> bytes:
 def exact_solution(scene: Scene, restitution: float) -> Solution:
     """The solution that the others are measured by: waves; for bodies without waves one integrated to rounding.
 
-    Where nothing gives way at the contact of bodies without waves, the restitution stands for it.
+    Where nothing gives way at the contact of bodies without waves, the restitution stands for it. Raises SceneError for
+    beams, of which no exact solution is known.
     """
+    if "beam" in (scene.impactor.kind, scene.target.kind):
+        raise SceneError("target.kind", scene.target.kind, "a body other than a beam, whose blow has no exact solution")
     for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
             return method.solve(scene, scene.method.get("duration"))
@@ -63,7 +71,7 @@ def beside(scene: Scene, chosen: dict[str, Any], exact: Solution) -> Solution | 
     return method.solve(scene, exact.duration)
 
 
-def method_options(name: str, scene: Scene, chosen: dict[str, Any], exact: Solution) -> dict[str, Any]:
+def method_options(name: str, scene: Scene, chosen: dict[str, Any], exact: Solution | None = None) -> dict[str, Any]:
     """Those of a method's options that the page sets."""
     own = own_options(scene, name)
     if name == "modal":
@@ -97,9 +105,9 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
             f"{name}End": solution.motion.end_position(even) / length_unit,
         }
         if solution is exact or not carried:
-            time, force = _force_history(solution)
+            time, force = force_history(solution)
             arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
-    arrays |= _cycle(exact)
+    arrays |= cycle(exact)
     steps = None
     if carried:
         arrays["modalForce"] = other.motion.record.contact_force / force_unit
@@ -208,7 +216,7 @@ def _doubled(time: np.ndarray, before: np.ndarray, after: np.ndarray, least: flo
     return np.concatenate([time[jump], time])[order], np.concatenate([before[jump], after])[order]
 
 
-def _force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
+def force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
     """Times [s] and contact forces [N], thinned so that every stretch keeps its highest and lowest."""
     time, force = solution.motion.force_history()
     inside = time <= solution.duration
@@ -237,12 +245,12 @@ def _sampled_fields(solution: Solution, force_unit: float, length_unit: float) -
     }
 
 
-def _cycle(exact: Solution) -> dict[str, np.ndarray]:
+def cycle(exact: Solution, samples: int = BLOW_POINTS) -> dict[str, np.ndarray]:
     """The contact law's cycle, slowly to the depth of this blow and back, and what this blow did [m, N]."""
     law, deepest = exact.scene.contact, exact.peak_indentation
     if deepest is None or deepest <= 0.0:
         return {}
-    time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), BLOW_POINTS)
+    time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), samples)
     if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: tell it in the middle
         time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
     depth = exact.motion.impactor_position(time) - exact.motion.end_position(time)
@@ -258,12 +266,20 @@ def _cycle(exact: Solution) -> dict[str, np.ndarray]:
     }
 
 
-def packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
-    """One message from a header and its arrays."""
-    sizes = {"arrays": [[name, int(values.size)] for name, values in arrays.items()]}
-    text = json.dumps(header | sizes, allow_nan=False).encode()
+def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:
+    """One message from a header and its arrays: float32, or whole numbers of two bytes given as (numbers, unit)."""
+    sizes, parts = [], []
+    for name, values in arrays.items():
+        if isinstance(values, tuple):
+            numbers, unit = values
+            sizes.append([name, int(numbers.size), unit])
+            parts.append(numbers.astype("<i2").tobytes() + b"\0" * (2 * (numbers.size % 2)))
+        else:
+            sizes.append([name, int(values.size)])
+            parts.append(values.astype("<f4").tobytes())
+    text = json.dumps(header | {"arrays": sizes}, allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
-    return len(text).to_bytes(4, "little") + text + b"".join(a.astype("<f4").tobytes() for a in arrays.values())
+    return len(text).to_bytes(4, "little") + text + b"".join(parts)
 
 
 def _figures(solution: Solution) -> dict[str, Any]:

@@ -18,7 +18,8 @@ from .frames import solve_frame
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
 from .runner import COMPILING, POOL, SLOW, Runner, at_once
-from .state import SCENES, Choices, accepts, from_address, in_space, refusal, scene_groups
+from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, refusal, scene_groups
+from .trust_view import convergence_data, trust_data
 
 STATIC = Path(__file__).parent / "static"
 VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
@@ -37,6 +38,10 @@ class Lab(Choices, pn.custom.JSComponent):
     energy_shown = param.Boolean(default=False, doc="whether the view of energy over time is open")
     methods_shown = param.Boolean(default=False, doc="whether the table of all methods is open")
     methods = param.String(default="", doc="that table, see app.methods_table")
+    trust_shown = param.Boolean(default=False, doc="whether the spread of tiny changes is open")
+    trust = param.String(default="", doc="that spread, see app.trust_view")
+    convergence_shown = param.Boolean(default=False, doc="whether the blow with more and more modes is open")
+    convergence = param.String(default="", doc="that study, see app.trust_view")
     ratios_shown = param.Boolean(default=False, doc="whether the view over all mass ratios is open")
     spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
 
@@ -46,7 +51,7 @@ class Lab(Choices, pn.custom.JSComponent):
       return page.render(context);
     }
     """.replace("VERSION", VERSION)
-    OPENED = ("energy_shown", "methods_shown", "ratios_shown")
+    OPENED = ("energy_shown", "methods_shown", "ratios_shown", "trust_shown", "convergence_shown")
     _priority_changes = [*Choices.CHOSEN, *OPENED]  # no debounce: the browser itself waits for each answer
 
     def __init__(self, **choices):
@@ -58,7 +63,9 @@ class Lab(Choices, pn.custom.JSComponent):
         self._views: dict[str, tuple[Any, Any]] = {}  # by name: the stream that feeds it, and its pane
         self._energy_runner = self._runner_of(energy_shares, partial(self._show_view, "energy", energy_view))
         self._ratios_runner = self._runner_of(ratios_for, partial(self._show_view, "ratios", ratios_view))
-        self._methods_runner = self._runner_of(methods_table, self._show_methods, SLOW)
+        self._methods_runner = self._runner_of(methods_table, partial(self._show_text, "methods"), SLOW)
+        self._trust_runner = self._runner_of(trust_data, partial(self._show_text, "trust"), SLOW)
+        self._convergence_runner = self._runner_of(convergence_data, partial(self._show_text, "convergence"), SLOW)
         self.param.watch(self._changed, list(self.CHOSEN))
         self.param.watch(self._ask_views, list(self.OPENED))
         self._begin()
@@ -73,6 +80,8 @@ class Lab(Choices, pn.custom.JSComponent):
         except NotCompiled:
             self.waiting = COMPILING
             pn.state.execute(partial(self._runner.want, self.chosen()), schedule=True)
+        except ValueError as refused:  # SceneError: choices in the address that do not go together
+            self._refuse(str(refused))
 
     def _wait(self, name: str, sentence: str) -> None:
         """Tell the visitor why an answer takes longer; an empty sentence when it has come."""
@@ -103,13 +112,16 @@ class Lab(Choices, pn.custom.JSComponent):
 
     def _ask_views(self, *events: param.parameterized.Event) -> None:
         """Have every open view follow the choices, and hide the others; after an event, those that it opened."""
-        chosen, on_an_axis = self.chosen(), not in_space(SCENES[self.scene])
+        chosen, scene = self.chosen(), SCENES[self.scene]
+        on_an_axis, beam = not in_space(scene), on_beam(scene)
         support = one_rod_support(chosen) if self.ratios_shown else None
         drawn = "ratios" in self._views and self._views["ratios"][0].data["support"]
         wanted = {
             "energy": (self.energy_shown and on_an_axis, True, self._energy_runner),
             "ratios": (support is not None, support != drawn, self._ratios_runner),  # one figure serves all ratios
-            "methods": (self.methods_shown and on_an_axis, True, self._methods_runner),
+            "methods": (self.methods_shown and on_an_axis and not beam, True, self._methods_runner),
+            "trust": (self.trust_shown and beam, True, self._trust_runner),
+            "convergence": (self.convergence_shown and beam, True, self._convergence_runner),
         }
         changed = {event.name.removesuffix("_shown") for event in events} or set(wanted)
         for name, (shown, stale, runner) in wanted.items():
@@ -129,12 +141,18 @@ class Lab(Choices, pn.custom.JSComponent):
         self._views[name] = pipe, view(pipe)
         self.below.append(self._views[name][1])
 
-    def _show_methods(self, table: str) -> None:
-        self.methods = table
+    def _show_text(self, name: str, text: str) -> None:
+        setattr(self, name, text)
 
     def _refuse(self, sentence: str) -> None:
         self.refused = ""
         self.refused = sentence
+        before = self.chosen()
+        if self.frame or before | self.of_scene(self.scene) == before:
+            return
+        with self._silence():  # nothing is shown yet: the scene, as it says itself
+            self.param.update(**self.of_scene(self.scene))
+        self._begin()
 
     def _process_events(self, events: dict[str, Any]) -> None:
         """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
@@ -172,5 +190,5 @@ def create() -> pn.Column:
     choices, refused = from_address(pn.state.session_args)
     lab = Lab(**choices)
     if refused:
-        lab.refused = " ".join(refused)
+        lab.refused = " ".join([*refused, *filter(None, [lab.refused])])
     return pn.Column(lab, lab.below, sizing_mode="stretch_width", margin=0)

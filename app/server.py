@@ -37,6 +37,12 @@ MODULES = (
     "analyses",
     "record",
     "waiting",
+    "beams",
+    "beam_field",
+    "beam_stage",
+    "beam_charts",
+    "beam_story",
+    "trust",
 )
 
 

@@ -9,6 +9,7 @@ import param
 
 import solvers
 from solvers import LAWS, METHODS, Scene, SceneError
+from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
@@ -35,7 +36,11 @@ class Choices(param.Parameterized):
     restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
     modes = param.Integer(default=50, bounds=(1, 200))
     elements = param.Integer(default=50, bounds=(1, 200))
-    place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a rod in space the blow falls
+    place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a beam, or a rod in space, the blow falls
+    support = param.Selector(default=SUPPORTS[0], objects=list(SUPPORTS))  # of a beam
+    theory = param.Selector(default=THEORIES[0], objects=list(THEORIES))
+    slenderness = param.Number(default=10.0, bounds=(1.0, 1e3))  # length of a beam over its depth
+    damping = param.Number(default=0.0, bounds=(0.0, LARGEST_DAMPING))  # of every mode of a beam, of the critical
 
     CHOSEN = (
         "scene",
@@ -52,6 +57,10 @@ class Choices(param.Parameterized):
         "modes",
         "elements",
         "place",
+        "support",
+        "theory",
+        "slenderness",
+        "damping",
     )
 
     def chosen(self) -> dict[str, Any]:
@@ -70,6 +79,8 @@ class Choices(param.Parameterized):
         method = dict(scene.method)
         wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
         wanted["method"] = method.get("name", scene.usual_method)
+        if on_beam(scene):
+            wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
         if not in_space(scene):
             wanted |= {"law": scene.contact.NAME} | _constants(scene)
         return {name: value for name, value in wanted.items() if accepts(name, value)}
@@ -88,9 +99,25 @@ def _heading(name: str, scene: Scene) -> str:
         return f"Thesis, chapter {found[2]}"
     if in_space(scene):
         return "Bodies in space"
+    if on_beam(scene):
+        return "Beams"
     if scene.impactor.kind == "rod" or scene.target.kind == "rods":
         return "Several rods"
     return {"rod": "One rod", "beam": "Beams"}.get(scene.target.kind, "Compact bodies")
+
+
+BEAM_CHOICES = {
+    "place": lambda beam: beam.at,
+    "support": lambda beam: beam.support,
+    "theory": lambda beam: beam.theory,
+    "slenderness": lambda beam: float(f"{beam.slenderness:.12g}"),
+    "damping": lambda beam: beam.damping,
+}
+
+
+def on_beam(scene: Scene) -> bool:
+    """Whether what is struck is a beam."""
+    return scene.target.kind == "beam"
 
 
 def in_space(scene: Scene) -> bool:
@@ -135,7 +162,11 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
         return ["scene", "speed", "restitution"] + (["place"] if has_length(base) else [])
     if base.impactor.kind == "pulse":
         return ["scene"]
-    names = ["scene", "method", "speed", "law", "restitution", *law_choices(chosen["law"])]
+    names = ["scene", "method", "speed", "law", *law_choices(chosen["law"])]
+    if on_beam(base):
+        names += BEAM_CHOICES
+    if not on_beam(base) or "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid"):
+        names.append("restitution")
     if base.impactor.kind in ("mass", "sphere") and np.isfinite(base.mass_ratio):
         names.append("mass_ratio")
     shown = "modal" if chosen["method"] == "waves" else chosen["method"]
@@ -197,12 +228,31 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     if base.target.velocity:
         faster = chosen["speed"] / base.speed
         changes = {f"{name}.velocity": faster * getattr(base, name).velocity for name in ("impactor", "target")}
+    own = Choices.of_scene(chosen["scene"])
+    if on_beam(base):
+        base = _other_beam(
+            base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
+        )
     if "mass_ratio" in acting_choices(chosen):
         changes["impactor.mass"] = base.target.mass / chosen["mass_ratio"]
-    own = Choices.of_scene(chosen["scene"])
     if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
         changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)
+
+
+def _other_beam(base: Scene, chosen: dict[str, Any]) -> Scene:
+    """The scene with these choices of its beam; what another support does not allow is left out."""
+    if not chosen:
+        return base
+    target = base.target.table()
+    if "slenderness" in chosen:
+        target["length"] = 2.0 * base.target.half_depth * chosen["slenderness"]
+    target |= {"at" if name == "place" else name: chosen[name] for name in chosen if name != "slenderness"}
+    if target["support"] != "cantilever":
+        target.pop("end_mass", None)
+    if target["support"] != "free-free":
+        target.pop("velocity", None)
+    return base.replace({"target": target})
 
 
 _TRIAL = Choices()

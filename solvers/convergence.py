@@ -12,9 +12,8 @@ import numpy as np
 
 from . import checks
 from .checks import SceneError
-from .choosing import read_method
 from .method import Method, SceneNotSupported
-from .methods import METHODS
+from .methods import METHODS, read_method
 from .scene import Scene
 from .solution import Solution
 from .spread import plain

@@ -179,9 +179,6 @@ METHOD_KEYS = (
     "smoothing",
     "frame",
     "residual",
-    "quantity",
-    "budget",
-    "among",
     "duration",
 )
 

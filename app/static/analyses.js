@@ -1,6 +1,7 @@
 // What is opened on demand below the views: all methods in a table, all mass ratios, a measured record.
 import { naming } from './charts.js';
 import { Measurement } from './record.js';
+import { Convergence, Trust } from './trust.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -34,11 +35,11 @@ class Methods {
     if (this.open) reveal(this.root);
   }
   take(frame) {
-    const inSpace = frame.kind === 'bodies';
+    const away = frame.kind !== 'axial';
     this.button.setAttribute('aria-pressed', String(this.open));
-    this.button.disabled = inSpace;
-    this.button.title = inSpace ? 'Bodies in space have one method: the rigid impulse' : 'what each of them misses, and what it costs';
-    this.root.hidden = !this.open || inSpace;
+    this.button.disabled = away;
+    this.button.title = { bodies: 'Bodies in space have one method: the rigid impulse', beam: 'No exact waves to measure by; choose a method to see it beside modes' }[frame.kind] ?? 'what each of them misses, and what it costs';
+    this.root.hidden = !this.open || away;
     if (!this.root.hidden) this.fill();
   }
   fill() {
@@ -85,7 +86,7 @@ class MassRatios {
     if (this.open) page.waiter.expect('ratios', 'Working out the blow for all mass ratios …', there, wanted, scroll);
   }
   take(frame) {
-    const one = frame.kind !== 'bodies' && ['mass', 'sphere'].includes(frame.impactor.kind) && frame.target.kind === 'rod' && !frame.target.endMass;
+    const one = frame.kind === 'axial' && ['mass', 'sphere'].includes(frame.impactor.kind) && frame.target.kind === 'rod' && !frame.target.endMass;
     const plain = one && frame.chosen.law === 'rigid' && ['fixed', 'free'].includes(frame.target.support);
     this.button.disabled = !plain;
     this.button.title = plain ? 'contacts, their times and the rebound for every mass ratio from 1/1000 to 1000'
@@ -108,9 +109,11 @@ export class Analyses {
     this.methods = new Methods(page);
     this.ratios = new MassRatios(page);
     this.record = new Measurement(page);
-    this.all = [this.methods, this.ratios, this.record];
+    this.trust = new Trust(page);
+    this.convergence = new Convergence(page);
+    this.all = [this.trust, this.convergence, this.methods, this.ratios, this.record];
     this.buttons = this.all.map((view) => view.button);
-    this.panels = [this.record.root, this.methods.root];
+    this.panels = [this.trust.root, this.convergence.root, this.record.root, this.methods.root];
   }
   take(frame) { for (const view of this.all) view.take(frame); }
   show(t) { for (const view of this.all) view.show(t); }

@@ -179,13 +179,13 @@ export class Cycle {
     const slow = loading.some((f, k) => Math.abs(f - unloading[k]) > 1e-6 * strong);
     chart.key([['this blow', 'line waves'], [slow ? 'loading slowly' : 'the law, slowly', 'line ghost'], ...(slow ? [['and back', 'line dots']] : [])]);
   }
-  cursor(t, frame, force) {
+  // This blow at one instant: depth [m] and force [N].
+  mark(depth, force) {
     const { chart } = this;
-    if (!frame.cycleDepth || !chart.box) return;
-    const c = chart.begin(chart.above), depth = (at(frame.exactMass, t, frame.duration) - at(frame.exactEnd, t, frame.duration)) * frame.speed * frame.trip;
-    const [across, up] = this.unit, f = force.at(t) * frame.forceUnit;
-    if (depth > 0) chart.dot(c, depth * across[0], f * up[0], COLORS.cursor);
-    chart.value.textContent = `${figures(Math.max(depth, 0) * across[0])} ${across[1]}   ${figures(f * up[0])} ${up[1]}`;
+    if (!chart.box) return;
+    const c = chart.begin(chart.above), [across, up] = this.unit;
+    if (depth > 0) chart.dot(c, depth * across[0], force * up[0], COLORS.cursor);
+    chart.value.textContent = `${figures(Math.max(depth, 0) * across[0])} ${across[1]}   ${figures(force * up[0])} ${up[1]}`;
   }
 }
 

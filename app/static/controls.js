@@ -21,8 +21,12 @@ const LABELS = {
   modes: ['Modes', 'kept', null, 'log'],
   elements: ['Elements', '', null, 'log'],
   place: ['Struck at', 'of its length', null],
+  support: ['Support', '', { cantilever: 'Cantilever', 'pinned-pinned': 'Pinned at both ends', 'clamped-clamped': 'Clamped at both ends', 'free-free': 'Free at both ends', 'pinned-free': 'Pinned and free' }],
+  theory: ['Theory', '', { 'euler-bernoulli': 'Euler–Bernoulli', timoshenko: 'Timoshenko' }],
+  slenderness: ['Length over depth', '', null, 'log'],
+  damping: ['Damping of modes', 'of critical', null],
 };
-const ORDER = ['scene', 'mass_ratio', 'speed', 'place', 'law', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth', 'exponent', 'yield_indentation', 'restitution', 'modes', 'elements', 'method'];
+const ORDER = ['scene', 'mass_ratio', 'speed', 'place', 'support', 'theory', 'slenderness', 'damping', 'law', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth', 'exponent', 'yield_indentation', 'restitution', 'modes', 'elements', 'method'];
 const STEPS = 1000;
 
 const make = (tag, properties = {}, ...children) => {
@@ -100,12 +104,15 @@ export class Controls {
   arrange(frame) {
     const { restitution, method } = frame.chosen;
     for (const name of ORDER) this.fields[name].root.hidden = !frame.acting.includes(name);
+    const onBeam = frame.kind === 'beam';
+    this.fields.method.root.firstChild.textContent = onBeam ? 'Method' : LABELS.method[0];
     for (const option of this.fields.method.input.options) {
       const reason = frame.refusals[option.value];
-      option.disabled = Boolean(reason) && option.value !== 'waves';
+      option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
       option.title = reason ?? '';
     }
     if (frame.kind === 'bodies') { this.note.textContent = 'Speed of parting over speed of approach of the touching points, along the normal.'; return; }
+    if (onBeam) { this.note.textContent = frame.law.damps ? 'Sets what this contact delivers between two rigid bodies.' : 'Sets the restitution of every balance.'; return; }
     const match = frame.match === null ? '' : ` To match the last velocity: ${frame.match.toFixed(3)}.`, least = frame.leastRestitution;
     const acts = frame.damps ? `Sets what this contact delivers between two rigid bodies, and the ghost.${restitution < least ? ` The law delivers no less than ${least}; it uses that.` : ''} The usual formula of this law would call it ${frame.nominal.toFixed(2)}.`
       : method === 'balance' ? 'Sets the restitution of every balance, and the ghost.'

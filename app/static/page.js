@@ -1,5 +1,6 @@
 // The page: wires choices, clock and views together. One message from the server per change; none while playing.
 import { Analyses } from './analyses.js';
+import { BeamView } from './beams.js';
 import { BodiesStage } from './bodies.js';
 import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
 import { Controls } from './controls.js';
@@ -35,6 +36,7 @@ class Page {
     this.charts = [this.spaceTime, this.force, this.displacements];
     this.cycle = new Cycle();
     this.story = new Story((t) => this.player.go(t + 2e-4), (start, end) => this.zoom(start, end));
+    this.beam = new BeamView(this);
     this.analyses = new Analyses(this);
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
@@ -63,15 +65,15 @@ class Page {
         make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })));
     const view = make('main', { className: 'views' },
       this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
-      this.stage.root, this.space.root, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root);
-    this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.story.root, ...this.analyses.panels, this.toast);
+      this.stage.root, this.space.root, ...this.beam.above, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root, this.beam.below);
+    this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.aside = this.story.root, ...this.analyses.panels, this.toast);
     return this.root;
   }
   listen(model) {
     model.on('frame', () => this.take());
     model.on('refused', () => { if (model.refused) { this.settle(); this.waiter.clear(); this.complain(model.refused); } });
     for (const name of this.names) model.on(name, () => { if (!(name in this.waiting)) this.controls.show(name, model[name]); });
-    for (const { chart } of this.charts) {
+    for (const { chart } of [...this.charts, ...this.beam.charts]) {
       const drag = (event) => { if (event.buttons & 1) this.player.go(chart.time(event.clientX)); };
       chart.area.onpointerdown = (event) => { chart.area.setPointerCapture(event.pointerId); drag(event); };
       chart.area.onpointermove = drag;
@@ -86,6 +88,7 @@ class Page {
     this.observer = new ResizeObserver(() => { if (this.frame) { this.drawCharts(); this.player.go(this.player.t); } });
     this.observer.observe(this.stage.root);
     this.observer.observe(this.space.root);
+    this.observer.observe(this.beam.stage.root);
     model.on('remove', () => { this.player.playing = false; this.observer.disconnect(); document.removeEventListener('keydown', this.key); });
   }
   // Changes go out one at a time: the next when the last is answered, and then only the newest of each.
@@ -119,19 +122,23 @@ class Page {
     this.waiter.over('frame');
     this.flush();
   }
-  take() {
-    const data = this.model.frame;
+  take(data = this.model.frame) {
     if (!data || !data.byteLength) return;
     this.frame = decode(data);
     this.root.inert = false;
     this.analyses.take(this.frame);
-    const { chosen, duration } = this.frame, inSpace = this.frame.kind === 'bodies';
-    this.stage.root.hidden = this.head.hidden = this.energy.hidden = inSpace;
-    this.space.root.hidden = !inSpace;
-    for (const { chart } of this.charts) chart.root.hidden = inSpace;
-    this.cycle.chart.root.hidden = inSpace || !this.frame.cycleDepth;
-    this.spaceTime.chart.root.hidden = inSpace || !this.frame.rods.length;
-    if (inSpace) this.space.load(this.frame);
+    const { chosen, duration, kind } = this.frame, axial = kind === 'axial';
+    this.stage.root.hidden = this.head.hidden = !axial;
+    this.space.root.hidden = kind !== 'bodies';
+    this.energy.hidden = kind === 'bodies';
+    this.beam.hide(kind !== 'beam');
+    this.aside.replaceWith(this.told.root);
+    this.aside = this.told.root;
+    for (const { chart } of this.charts) chart.root.hidden = !axial;
+    this.cycle.chart.root.hidden = !axial || !this.frame.cycleDepth;
+    this.spaceTime.chart.root.hidden = !axial || !this.frame.rods.length;
+    if (kind === 'bodies') this.space.load(this.frame);
+    else if (kind === 'beam') this.beam.load(this.frame);
     else {
       this.fields = [this.frame.rods.length ? new WaveField(this.frame) : new CompactField(this.frame), null];
       this.view = [0, duration];
@@ -152,13 +159,14 @@ class Page {
       this.toldAt = performance.now();
       this.telling = 0;
       this.controls.arrange(this.frame);
-      this.story.load(this.frame);
-      this.story.at(this.player.t);
+      this.told.load(this.frame);
+      this.told.at(this.player.t);
       this.address(chosen);
     };
     if (!this.toldAt) write();
     else this.telling = setTimeout(write, Math.max(40, this.toldAt + 150 - performance.now()));
   }
+  get told() { return this.frame.kind === 'beam' ? this.beam.story : this.story; }
   get field() {
     return drawnFromOther(this.frame) ? this.otherField : this.fields[0];
   }
@@ -176,6 +184,7 @@ class Page {
   }
   drawCharts() {
     if (this.frame.kind === 'bodies') return;
+    if (this.frame.kind === 'beam') { this.beam.draw(); this.analyses.draw(); return; }
     for (const chart of this.charts) if (!chart.chart.root.hidden) chart.draw(this.frame, this.view);
     this.cycle.draw(this.frame);
     this.analyses.draw();
@@ -183,15 +192,20 @@ class Page {
   show(t) {
     if (!this.frame) return;
     if (this.frame.kind === 'bodies') { this.space.draw(t); this.painted = (this.painted ?? 0) + 1; return; }
-    this.stage.draw(t);
-    if (this.spaceTime.chart.box && !this.spaceTime.chart.root.hidden) this.spaceTime.chart.cursor(t);
-    this.cycle.cursor(t, this.frame, this.force);
-    this.force.cursor(t);
-    this.displacements.cursor(t);
-    if (!this.telling) this.story.at(t);
+    if (this.frame.kind === 'beam') this.beam.show(t);
+    else this.showAxial(t);
+    if (!this.telling) this.told.at(t);
     if (this.model.energy_shown) this.energyCursor(t);
     this.analyses.show(t);
     this.painted = (this.painted ?? 0) + 1;
+  }
+  showAxial(t) {
+    const { frame } = this;
+    this.stage.draw(t);
+    if (this.spaceTime.chart.box && !this.spaceTime.chart.root.hidden) this.spaceTime.chart.cursor(t);
+    if (frame.cycleDepth) this.cycle.mark((at(frame.exactMass, t, frame.duration) - at(frame.exactEnd, t, frame.duration)) * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit);
+    this.force.cursor(t);
+    this.displacements.cursor(t);
   }
   toggleEnergy() {
     this.model.energy_shown = !this.model.energy_shown;
@@ -208,6 +222,11 @@ class Page {
   }
   zoom(start, end) {
     const { duration } = this.frame;
+    if (this.frame.kind === 'beam') {
+      this.beam.zoom(start, end);
+      this.player.go(start ?? this.player.t);
+      return;
+    }
     if (start === undefined) this.view = [0, duration];
     else {
       const margin = Math.max(0.35 * (end - start), 1e-4 * duration);
@@ -237,6 +256,7 @@ class Page {
   }
   saveData() {
     const { frame } = this, length = frame.speed * frame.trip, points = 2000;
+    if (frame.kind === 'beam') { this.download(this.beam.rows()); return; }
     if (frame.kind === 'bodies') { this.complain('There is no history to save: this blow takes no time. impact solve SCENE --json gives its figures.'); return; }
     const names = frame.other ? ['exact', 'other'] : ['exact'], called = names.map((key) => frame[key].name.replaceAll('-', '_'));
     const rows = [['time_s', ...called.map((n) => `force_${n}_N`), ...called.flatMap((n) => [`impactor_${n}_m`, `struck_face_${n}_m`])].join(',')];
@@ -246,7 +266,10 @@ class Page {
       const places = names.flatMap((key) => ['Mass', 'End'].map((what) => at(frame[key + what], t, frame.duration) * length));
       rows.push([t * frame.trip, ...forces, ...places].map((v) => v.toPrecision(7)).join(','));
     }
-    const link = make('a', { href: URL.createObjectURL(new Blob([rows.join('\n') + '\n'], { type: 'text/csv' })), download: `strikewave-${frame.chosen.scene}.csv` });
+    this.download(rows);
+  }
+  download(rows) {
+    const link = make('a', { href: URL.createObjectURL(new Blob([rows.join('\n') + '\n'], { type: 'text/csv' })), download: `strikewave-${this.frame.chosen.scene}.csv` });
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }

@@ -7,9 +7,11 @@ export function decode(buffer) {
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
   const data = {};
   let offset = 4 + length;
-  for (const [name, size] of header.arrays) {
-    data[name] = new Float32Array(bytes.slice(offset, offset + 4 * size).buffer);
-    offset += 4 * size;
+  for (const [name, size, unit] of header.arrays) { // with a unit: whole numbers of two bytes
+    const width = unit ? 2 : 4, part = bytes.slice(offset, offset + width * size).buffer;
+    data[name] = unit ? new Float64Array(new Int16Array(part)) : new Float32Array(part);
+    if (unit) for (let k = 0; k < size; k++) data[name][k] *= unit;
+    offset += 4 * Math.ceil(width * size / 4);
   }
   return { ...header, ...data };
 }

@@ -1,6 +1,6 @@
 // The clock: play, pause, scrub, speed. It runs in the browser alone; nothing is sent while it plays.
 
-const SECONDS_PER_TRIP = 3; // at normal speed
+const SECONDS_PER_TRIP = 3, SECONDS_PER_BEAM = 24; // at normal speed
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 
 const make = (tag, properties = {}, ...children) => {
@@ -37,10 +37,14 @@ export class Player {
     this.start = frame.kind === 'bodies' ? -1 : 0;
     this.duration = frame.kind === 'bodies' ? 2 : frame.duration;
     this.trip = frame.kind === 'bodies' ? frame.duration : frame.trip;
-    // long blows play in about half a minute
-    this.perSecond = Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
+    // long blows play in about half a minute; on a beam, where no wave comes back as it went, all of them in less
+    this.inTrips = frame.kind === 'axial';
+    this.perSecond = frame.kind === 'beam' ? this.duration / SECONDS_PER_BEAM : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
+    this.usual = this.perSecond;
+    this.until = Infinity;
     if (first) this.t = Math.min(0.36, 0.4 * this.duration);
     if (frame.kind === 'bodies' && this.was !== 'bodies') this.t = 1.7; // after the blow
+    if (frame.kind === 'beam' && this.was !== 'beam') this.t = 0.12 * this.duration;
     this.was = frame.kind;
     this.t = Math.min(this.t, this.duration);
     this.label();
@@ -54,8 +58,21 @@ export class Player {
       this.slow.textContent = slower > 1 ? `slowed ${Number(slower.toPrecision(2)).toLocaleString('en')} times` : '';
     }
   }
+  // Play a stretch of time, to last so many seconds.
+  through(start, end, seconds) {
+    const idle = !this.playing;
+    this.playing = true;
+    this.perSecond = (end - start) / seconds;
+    this.until = end;
+    this.last = 0;
+    this.label();
+    this.go(start);
+    if (idle) requestAnimationFrame(this.loop);
+  }
   toggle() {
     this.playing = !this.playing;
+    this.perSecond = this.usual;
+    this.until = Infinity;
     if (this.playing && this.t >= this.duration - 1e-9) this.t = 0;
     this.last = 0;
     this.label();
@@ -66,7 +83,7 @@ export class Player {
     const elapsed = this.last ? Math.min(now - this.last, 100) / 1000 : 0;
     this.last = now;
     this.go(this.t + elapsed * this.perSecond * this.speed);
-    if (this.t >= this.duration) { this.playing = false; this.label(); return; }
+    if (this.t >= Math.min(this.duration, this.until)) { this.playing = false; this.label(); return; }
     requestAnimationFrame(this.loop);
   }
   go(t) {
@@ -74,7 +91,7 @@ export class Player {
     this.scrub.value = Math.round(this.t / this.duration * 10000);
     const now = this.t + this.start, real = now * this.trip, size = Math.abs(real);
     const [factor, unit] = size < 1e-3 ? [1e6, 'µs'] : size < 1 ? [1e3, 'ms'] : [1, 's'];
-    const trips = this.start ? '' : `${this.t.toFixed(3)} T = `;
+    const trips = !this.inTrips ? '' : `${this.t.toFixed(3)} T = `;
     this.clock.textContent = `${trips}${(real * factor).toFixed(1).replace('-', '−')} ${unit}`;
     this.scrub.setAttribute('aria-valuetext', this.clock.textContent);
     this.show(now);

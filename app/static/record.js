@@ -75,17 +75,17 @@ export class Measurement {
   }
   // A new scene: the record in hand is drawn in its units at once, and compared anew.
   take(frame) {
-    const inSpace = frame.kind === 'bodies';
-    this.button.disabled = inSpace;
-    this.button.title = inSpace ? 'A blow in space has no history to lay a record on' : 'a record of strain, stress or force beside this scene';
-    this.root.classList.toggle('away', inSpace);
-    if (inSpace) return;
+    const away = frame.kind !== 'axial';
+    this.button.disabled = away;
+    this.button.title = away ? 'A record is laid on a blow along rods' : 'a record of strain, stress or force beside this scene';
+    this.root.classList.toggle('away', away);
+    if (away) return;
     this.overlay();
     this.ask();
   }
   // One question at a time; when it is answered, the newest one is asked.
   async ask() {
-    if (!this.file || !this.open || this.page.frame.kind === 'bodies') return;
+    if (!this.file || !this.open || this.page.frame.kind !== 'axial') return;
     if (this.asking) { this.again = true; return; }
     this.asking = true;
     const { frame } = this.page, query = new URLSearchParams({ at: this.at.value.trim(), kind: this.kind.value, sign: this.sign.checked ? -1 : 1 });

@@ -1,0 +1,163 @@
+// Fields of a struck beam, from the message of app/beam_frame.py: SI units, except that time is in milliseconds.
+// Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
+
+export const QUANTITIES = ['moment', 'velocity', 'shear', 'deflection'];
+const COLUMNS = 240, SAVED_NUMBERS = 80_000, SPARSE = 7;
+
+// Value at t of a history on ascending times; where a time stands twice, the value after the jump.
+export function between(time, value, t) {
+  let low = 0, high = time.length - 1;
+  while (high - low > 1) { const m = (low + high) >> 1; if (time[m] <= t) low = m; else high = m; }
+  const part = time[high] > time[low] ? Math.min(Math.max((t - time[low]) / (time[high] - time[low]), 0), 1) : 1;
+  return value[low] + part * (value[high] - value[low]);
+}
+
+class Field {
+  // Look over the whole blow: pictures, and the largest value of everything.
+  survey() {
+    this.raster([0, this.frame.duration]);
+    this.whole = this.pictures;
+    this.largest = {};
+    this.usual = {};
+    for (const what of QUANTITIES) {
+      let most = 1e-30;
+      for (const value of this.whole[what]) most = Math.max(most, Math.abs(value));
+      this.largest[what] = most;
+      this.usual[what] = this.usualOf(this.whole[what], most);
+    }
+  }
+  // The end of the colours of a picture: few values lie beyond.
+  usualOf(values, most) {
+    const sizes = new Float32Array(Math.ceil(values.length / SPARSE));
+    for (let k = 0; k < sizes.length; k++) sizes[k] = Math.abs(values[k * SPARSE]);
+    sizes.sort();
+    return Math.max(sizes[Math.floor(0.99 * (sizes.length - 1))], 0.2 * most, 1e-30);
+  }
+  // Pictures (column of time, place) of every quantity over a stretch of time.
+  raster([start, end]) {
+    this.columns = COLUMNS;
+    this.span = [start, end];
+    this.pictures = Object.fromEntries(QUANTITIES.map((what) => [what, new Float32Array(COLUMNS * this.places)]));
+    for (let c = 0; c < COLUMNS; c++) {
+      const t = start + (c + 0.5) / COLUMNS * (end - start);
+      for (const what of QUANTITIES) this.profile(t, what, this.pictures[what].subarray(c * this.places, (c + 1) * this.places));
+    }
+  }
+}
+
+// The modal field: the browser carries the same oscillators through the same forces as the server did.
+export class BeamField extends Field {
+  constructor(frame) {
+    super();
+    this.frame = frame;
+    this.places = frame.places;
+    const { modalFrequencies: omega, modalAtContact: push, damping, step: h } = frame, n = omega.length;
+    const list = (value) => { const found = new Float64Array(n); for (let i = 0; i < n; i++) found[i] = value(i); return found; };
+    // over a step the force is constant: each oscillator turns, and fades, about push F / omega^2
+    const damped = list((i) => omega[i] * Math.sqrt(1 - damping ** 2)), fade = list((i) => Math.exp(-damping * omega[i] * h));
+    const cosine = list((i) => fade[i] * Math.cos(damped[i] * h));
+    this.fromRate = list((i) => fade[i] * Math.sin(damped[i] * h) / damped[i]);
+    this.stay = list((i) => cosine[i] + damping * omega[i] * this.fromRate[i]);
+    this.keep = list((i) => cosine[i] - damping * omega[i] * this.fromRate[i]);
+    this.pull = list((i) => omega[i] ** 2 * this.fromRate[i]);
+    this.middle = list((i) => push[i] / omega[i] ** 2);
+    this.q = new Float64Array(n);
+    this.v = new Float64Array(n);
+    this.steps = frame.modalForce.length;
+    this.stride = Math.max(1, Math.ceil(this.steps * n / SAVED_NUMBERS));
+    this.saved = 0; // rows of displacements, rates and the two of the whole, one every `stride` steps
+    this.rows = new Float64Array((Math.floor(this.steps / this.stride) + 1) * (2 * n + 2));
+    this.begin();
+    this.tables = { deflection: this.table('shape'), moment: this.table('moment'), shear: this.table('shear') };
+    this.tables.velocity = this.tables.deflection;
+    this.survey();
+  }
+  // A table (mode, place), sent as whole numbers with a scale for each mode.
+  table(name) {
+    const rows = this.frame[`${name}Rows`], scale = this.frame[`${name}Scale`];
+    const found = new Float64Array(rows.length);
+    for (let k = 0; k < rows.length; k++) found[k] = rows[k] * scale[Math.floor(k / this.places)];
+    return found;
+  }
+  begin() {
+    this.q.fill(0);
+    this.v.fill(0);
+    this.rigid = [0, this.frame.drift];
+    this.at = 0;
+  }
+  step() {
+    const { q, v, stay, keep, pull, fromRate, middle, frame } = this, force = frame.modalForce[this.at], h = frame.step, { rigidMass } = frame;
+    for (let i = 0; i < q.length; i++) {
+      const a = q[i] - middle[i] * force, b = v[i];
+      q[i] = middle[i] * force + stay[i] * a + fromRate[i] * b;
+      v[i] = keep[i] * b - pull[i] * a;
+    }
+    if (rigidMass) {
+      const gained = h * force / rigidMass;
+      this.rigid[0] += h * (this.rigid[1] + 0.5 * gained);
+      this.rigid[1] += gained;
+    }
+    this.at++;
+  }
+  // Bring the oscillators to the instant next to t.
+  seek(t) {
+    const target = Math.min(Math.max(Math.round(t / 1e3 / this.frame.step), 0), this.steps), row = Math.floor(target / this.stride);
+    if (target < this.at || row * this.stride > this.at + this.stride) {
+      const from = Math.min(row, this.saved - 1);
+      if (from < 0) this.begin();
+      else this.restore(from);
+    }
+    for (;;) {
+      if (this.at === this.saved * this.stride) this.save();
+      if (this.at >= target) break;
+      this.step();
+    }
+  }
+  save() {
+    const { q, v, rigid, rows } = this, n = q.length, start = this.saved * (2 * n + 2);
+    rows.set(q, start);
+    rows.set(v, start + n);
+    rows.set(rigid, start + 2 * n);
+    this.saved++;
+  }
+  restore(row) {
+    const { q, v, rows } = this, n = q.length, start = row * (2 * n + 2);
+    q.set(rows.subarray(start, start + n));
+    v.set(rows.subarray(start + n, start + 2 * n));
+    this.rigid = [rows[start + 2 * n], rows[start + 2 * n + 1]];
+    this.at = row * this.stride;
+  }
+  profile(t, what, out = new Float64Array(this.places)) {
+    this.seek(t);
+    const { places, frame } = this, table = this.tables[what], amounts = what === 'velocity' ? this.v : this.q;
+    const whole = what === 'velocity' ? this.rigid[1] : what === 'deflection' ? this.rigid[0] : 0;
+    for (let j = 0; j < places; j++) out[j] = whole ? whole * frame.rigidShape[j] : 0;
+    for (let i = 0; i < amounts.length; i++) {
+      const amount = amounts[i];
+      for (let j = 0, k = i * places; j < places; j++, k++) out[j] += amount * table[k];
+    }
+    return out;
+  }
+}
+
+// Fields sampled by the server, for methods whose fields cannot be rebuilt here; closer together at first.
+export class SampledBeamField extends Field {
+  constructor(frame) {
+    super();
+    this.frame = frame;
+    this.places = frame.places;
+    this.instants = frame.fieldTime.length;
+    this.tables = { deflection: frame.fieldDeflection, velocity: frame.fieldVelocity, moment: frame.fieldMoment, shear: frame.fieldShear };
+    this.survey();
+  }
+  profile(t, what, out = new Float64Array(this.places)) {
+    const { places, instants } = this, time = this.frame.fieldTime, table = this.tables[what];
+    let low = 0, high = instants - 1;
+    while (high - low > 1) { const m = (low + high) >> 1; if (time[m] <= t) low = m; else high = m; }
+    const part = Math.min(Math.max((t - time[low]) / (time[high] - time[low]), 0), 1);
+    for (let j = 0; j < places; j++) out[j] = table ? (1 - part) * table[low * places + j] + part * table[high * places + j] : 0;
+    return out;
+  }
+}
+
+export const fieldOf = (frame) => (frame.modalForce ? new BeamField(frame) : new SampledBeamField(frame));

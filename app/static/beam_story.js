@@ -1,0 +1,161 @@
+// What happens to a struck beam, in words and figures, tied to the moment shown.
+import { called } from './beam_charts.js';
+import { between } from './beam_field.js';
+import { figures, prefixed } from './beam_stage.js';
+
+const make = (tag, properties = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+};
+const TOLD = 4, LISTED = 16; // contacts told as events, and in the table
+const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
+const percent = (share) => `${(100 * share).toFixed(Math.abs(share) < 0.0995 ? 2 : 1)} %`;
+const speed = (v) => `${figures(v)} m/s`;
+export const duration = (ms) => (ms === 0 ? 'no time' : Math.abs(ms) < 0.9995 ? `${figures(ms * 1e3)} µs` : `${figures(ms)} ms`);
+const STRIKERS = { sphere: 'ball', rod: 'rod', beam: 'other beam' };
+const strikerOf = (frame) => STRIKERS[frame.impactor.kind] ?? 'mass';
+const struckOf = ({ beam }) => (beam.place > 0.999 * beam.length && beam.support !== 'free-free' ? 'tip' : 'struck place');
+
+// The events of the blow as [time in ms, sentence].
+export function beamEvents(frame) {
+  const { contacts, rates, main, law } = frame, mass = strikerOf(frame), tip = struckOf(frame), found = [], last = contacts.length - 1;
+  const at = (k, end) => [rates[4 * k + 2 * end], rates[4 * k + 2 * end + 1]]; // of impactor and of struck place
+  const told = (k) => 4 * k + 3 < rates.length;
+  found.push([contacts[0][0], `The ${mass} touches the ${tip}. ${law.name === 'rigid' ? 'The' : 'The contact gives way, the force grows, and the'} ${tip} has to go along, but of the beam behind it only the short piece that the first waves have reached: at first the ${mass} pushes on next to nothing.`]);
+  contacts.forEach(([start, end], k) => {
+    if (k > 0 && k < TOLD) found.push([start, k === 1
+      ? `The rest of the beam holds the ${tip} back. The ${mass} catches up with it: contact 2.`
+      : `Caught up again: contact ${k + 1}.`]);
+    if (k === last || k >= TOLD - 1 || !told(k)) return;
+    const [own, ahead] = at(k, 1);
+    found.push([end, k === 0
+      ? `The ${tip} has been thrown ahead: it moves at ${speed(ahead)}, the ${mass} at ${speed(own)}. After ${duration(end - start)} they part, and the ${mass} has given away ${percent(1 - own / frame.impactorRate[0])} of its speed.`
+      : `Thrown ahead again: the ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}.`]);
+  });
+  if (last > TOLD) found.push([contacts[TOLD][0], `The same again and again: contacts ${TOLD + 1} to ${main.contacts}. Each passes a little of the push on to a longer piece of the beam.`]);
+  const turn = turningPoint(frame);
+  if (turn && turn[0] < contacts[last][1]) found.push([turn[0], `The ${mass} stands still; the ${tip} is bent out by ${figures(turn[1] * (turn[1] < 1e-3 ? 1e6 : 1e3))} ${turn[1] < 1e-3 ? 'µm' : 'mm'}. From here the bent beam, now as a whole, drives it back.`]);
+  if (main.contacts <= contacts.length) {
+    const end = contacts[last][1], leaves = main.final;
+    found.push([end, main.stillTouching ? 'Here the time that was solved ends. They still touch.'
+      : `The last contact is over: the ${mass} ${Math.abs(leaves) < 5e-4 * frame.speed ? 'is left standing' : `goes ${leaves < 0 ? 'back' : 'on'} at ${speed(Math.abs(leaves))}`}. They part for good.`]);
+  }
+  return found.sort((a, b) => a[0] - b[0]);
+}
+
+// When the impactor stands still for the first time, and how far it has come [ms, m].
+function turningPoint({ time, impactorRate, impactorPath }) {
+  for (let k = 1; k < time.length; k++) if (impactorRate[k] <= 0) return [time[k], impactorPath[k]];
+  return null;
+}
+
+export class BeamStory {
+  constructor(page) {
+    this.page = page;
+    this.now = make('p', { className: 'now' });
+    this.list = make('ol', { className: 'events' });
+    this.why = make('p', { className: 'match' });
+    this.span = make('p', { className: 'match span' });
+    this.doubts = make('ul', { className: 'doubts' });
+    this.table = make('table', { className: 'contacts' });
+    this.answers = make('table', { className: 'figures' });
+    this.energy = make('div', { className: 'energy' });
+    this.source = make('p', { className: 'trust' });
+    const heading = (textContent) => make('h2', { textContent });
+    this.doubtsHeading = heading('What to doubt');
+    this.whyHeading = heading('');
+    this.root = make('aside', { className: 'story' },
+      heading('What happens'), this.list, this.whyHeading, this.why, this.span, this.doubtsHeading, this.doubts,
+      heading('Contact periods'), make('div', { className: 'scroll' }, this.table), heading('After the blow'), make('div', { className: 'scroll' }, this.answers),
+      heading('Where the energy went'), this.energy, this.source);
+  }
+  load(frame) {
+    this.frame = frame;
+    this.latest = undefined;
+    this.events = beamEvents(frame);
+    this.items = this.events.map(([t, sentence]) => make('li', {},
+      make('button', { type: 'button', className: 'when', textContent: duration(t).replace('no time', '0'), onclick: () => this.page.player.go(t + 1e-6) }), make('span', { textContent: sentence })));
+    this.list.replaceChildren(...this.items);
+    this.reasons();
+    this.contactTable();
+    this.figures();
+    this.shares();
+    const notes = [...(frame.refused ? [`${frame.chosen.method}: ${frame.refused}. Modes are shown instead.`] : []), ...frame.main.notes, ...(frame.reference ? frame.reference.notes.filter((n) => !frame.main.notes.includes(n)).map((n) => `Beside it, ${called(frame.reference)}: ${n}`) : [])];
+    this.doubts.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
+    this.doubts.hidden = this.doubtsHeading.hidden = !notes.length;
+    const { keptModes, drawnModes } = frame;
+    const drawn = keptModes > drawnModes ? ` The pictures are drawn from the lowest ${drawnModes} of ${keptModes} modes.` : '';
+    this.source.textContent = `${[`${frame.title}.${frame.source ? ` Source: ${frame.source}.` : ''}`, frame.note].filter(Boolean).join(' ')}${drawn}`;
+  }
+  // Why so many contacts, or why only one; and how long the whole takes.
+  reasons() {
+    const { main, span, beam } = this.frame, mass = strikerOf(this.frame), tip = struckOf(this.frame), many = main.contacts > 1;
+    this.whyHeading.textContent = many ? `Why one blow is ${main.contacts} contacts` : 'One contact, and why';
+    this.why.textContent = many
+      ? `Bending does not run through a beam at one speed: short waves run ahead, long ones follow (see the picture of the beam against time). So the ${mass} meets a beam that is light at first and grows heavier. It throws the light piece ahead, the rest holds that piece back, the ${mass} catches up and throws it ahead once more, until the whole beam moves with it.`
+      : `Here the ${mass} never catches up with the ${tip}: it is thrown back, or stays behind, before the waves that were sent out come back to it. A heavier ${mass}, or a harder contact, is hit more than once.`;
+    const share = span.apparent > 0 ? span.real / span.apparent : 1, said = [];
+    if (span.real > 0) said.push(many ? `From the first touch to the last parting it takes ${duration(span.apparent)}, but they press on each other during only ${duration(span.real)} of it (${percent(share)}).` : `They touch for ${duration(span.apparent)}.`);
+    if (span.half) {
+      const ratio = span.apparent / span.half, riding = `With the ${mass} riding on it this beam swings half a period in ${duration(span.half)}`;
+      said.push(ratio > 0.75 && ratio < 1.3 ? `${riding}, and the blow lasts ${figures(ratio)} of that: seen from afar it is one slow push, by the beam as a spring, handed on in ${count(main.contacts, 'piece')}.`
+        : ratio <= 0.75 ? `${riding}; the blow is over after ${figures(ratio)} of that, before the beam as a whole can answer.`
+          : `${riding}; the blow lasts ${figures(ratio)} times as long, as they meet again later.`);
+    }
+    if (beam.endMass) said.push(`A mass of ${figures(beam.endMass)} kg is fixed to the tip.`);
+    this.span.textContent = said.join(' ');
+  }
+  contactTable() {
+    const { frame } = this, rows = [], [factor, prefix] = prefixed(frame.main.peakForce ?? 0);
+    const head = make('tr', {}, ...['', 'from', 'to', 'impulse', 'peak'].map((textContent) => make('th', { textContent })));
+    const units = make('tr', { className: 'units' }, ...['', 'ms', 'ms', 'N s', `${prefix}N`].map((textContent) => make('td', { textContent })));
+    frame.contacts.slice(0, LISTED).forEach(([start, end, impulse, peak], k) => {
+      const look = make('button', { type: 'button', className: 'when', textContent: `contact ${k + 1}`, title: 'look closer', onclick: () => this.page.zoom(start, end) });
+      rows.push(make('tr', {}, make('td', {}, look), ...[start.toFixed(4), end.toFixed(4), figures(impulse), peak ? figures(peak * factor) : '–'].map((textContent) => make('td', { textContent }))));
+    });
+    if (frame.main.contacts > LISTED) rows.push(make('tr', {}, make('td', { colSpan: 5, textContent: `and ${frame.main.contacts - LISTED} more` })));
+    this.table.replaceChildren(make('thead', {}, head, units), make('tbody', {}, ...rows));
+  }
+  figures() {
+    const { frame } = this, { main, reference, span } = frame, both = reference ? [main, reference] : [main], [factor, prefix] = prefixed(main.peakForce ?? 0);
+    const value = (v, digits = 4) => (v === null || v === undefined ? '–' : figures(v, digits)), micro = (v) => (v === null ? 'none' : figures(v * 1e6));
+    const rows = [['contacts', (s) => s.contacts], ['impactor leaves, m/s', (s) => value(s.final)]];
+    if (!frame.beam.held) rows.push(['beam goes on, m/s', (s) => value(s.targetFinal)]);
+    rows.push(['restitution e', (s) => value(s.restitution.newton)], ['impulse, N s', (s) => value(s.impulse)], [`peak force, ${prefix}N`, (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))], ['indentation, µm', (s) => micro(s.peakIndentation)]);
+    if (both.some((s) => s.residualIndentation)) rows.push(['crater left, µm', (s) => micro(s.residualIndentation)]);
+    rows.push(['apparent contact, ms', (s) => (s === main ? figures(span.apparent) : '')], ['true contact, ms', (s) => (s === main ? figures(span.real) : '')], ['energy unaccounted for', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)], ['solved in, ms', (s) => figures(s.diagnostics.wall_time * 1e3)]);
+    const head = make('tr', {}, ...['', ...both.map(called)].map((textContent) => make('th', { textContent })));
+    this.answers.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map(([name, show]) => make('tr', {}, make('td', { textContent: name }), ...both.map((s) => make('td', { textContent: show(s) }))))));
+  }
+  shares() {
+    const { energy } = this.frame.main, parts = [], bar = make('div', { className: 'bar' });
+    const split = 'target_kinetic' in energy && 'target_strain' in energy;
+    const names = [['impactor', 'impactor'], ['target_rigid', 'beam as a whole'], ...(split ? [['target_kinetic', 'beam, moving'], ['target_strain', 'beam, bent']] : [['target_vibration', 'waves left in it']]), ['local', 'in the contact'], ['dissipated', this.frame.law.yields ? 'lost by yielding' : 'lost']];
+    for (const [key, name] of names) {
+      const share = (energy[key] ?? 0) / energy.initial;
+      if (Math.abs(share) < 5e-5) continue;
+      const piece = make('i', { className: key });
+      piece.style.flexGrow = Math.max(share, 0);
+      bar.append(piece);
+      parts.push(make('span', { className: 'key' }, make('i', { className: `chip ${key}` }), `${name} ${percent(share)}`));
+    }
+    this.energy.replaceChildren(bar, make('p', {}, ...parts));
+  }
+  // Mark the latest event at the instant t, and say what goes on.
+  at(t) {
+    const { frame } = this;
+    if (!this.events) return;
+    let latest = -1;
+    this.events.forEach(([when], k) => { if (when <= t + 1e-9) latest = k; });
+    if (latest !== this.latest) this.items.forEach((item, k) => item.toggleAttribute('aria-current', k === latest));
+    this.latest = latest;
+    const [own, ahead] = ['impactorRate', 'struckRate'].map((name) => between(frame.time, frame[name], t)), mass = strikerOf(frame), tip = struckOf(frame), { contacts, main } = frame;
+    const here = contacts.findIndex(([start, end]) => t >= start && t <= end), before = contacts.findLastIndex(([, end]) => end < t);
+    const gone = here < 0 && before === contacts.length - 1;
+    this.now.textContent = here >= 0 ? `Now: contact ${here + 1} of ${main.contacts}; the ${mass} at ${speed(own)}.`
+      : gone ? `Now: parted. The ${mass} at ${speed(own)}, the ${tip} at ${speed(ahead)}.`
+        : `Now: apart, after contact ${before + 1} of ${main.contacts}. The ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}: ${ahead > own ? 'it runs ahead' : `the ${mass} catches up`}.`;
+    this.now.classList.toggle('touching', here >= 0);
+  }
+}

@@ -1,0 +1,159 @@
+"""A struck beam on the page, in a real browser."""
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+from app.beam_frame import MS, chosen_method
+from app.state import chosen_scene
+
+from .test_page import drag, settled
+
+SCENE = "?scene=figure-8.15"
+STUDIED = "name => strikewave.page.analyses[name].fresh"
+LONG = 120_000  # ms: in a fresh copy the kernels of the studies are compiled first
+
+
+def test_a_beam_is_drawn_and_its_story_told(open_page):
+    page = open_page(SCENE)
+    contacts = page.header("main")["contacts"]
+    assert contacts > 5
+    expect(page.tab.get_by_role("heading", name=f"Why one blow is {contacts} contacts")).to_be_visible()
+    expect(page.tab.locator("ol.events")).to_contain_text("thrown ahead")
+    expect(page.tab.locator("p.span")).to_contain_text("riding on it this beam swings half a period")
+    for name in ("How bending runs along the beam", "Contact force", "Impactor and struck place", "Dispersion"):
+        expect(page.tab.get_by_role("heading", name=name)).to_be_visible()
+    assert page.tab.locator("section.stage:visible").count() == 1
+    colours = page.evaluate(
+        """() => [strikewave.page.beam.stage.canvas, ...strikewave.page.beam.charts.map(({ chart }) => chart.below),
+             strikewave.page.beam.cycle.chart.below, strikewave.page.beam.dispersion.chart.below].map((canvas) => {
+          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+          return new Set(new Uint32Array(data.buffer)).size;
+        })"""
+    )
+    assert min(colours) > 20, colours
+
+
+@pytest.mark.parametrize(
+    "label, name, to",
+    [
+        ("Length over depth", "slenderness", 0.5),
+        ("Mass ratio", "mass_ratio", 0.6),
+        ("Struck at", "place", 0.6),
+        ("Damping of modes", "damping", 0.4),
+    ],
+)
+def test_each_slider_of_a_beam_redraws_it(open_page, label, name, to):
+    page = open_page(SCENE)
+    before, pixels = page.header("chosen"), page.picture()
+    page.answered(lambda: drag(page, label, to))
+    settled(page)
+    after = page.header("chosen")
+    assert after[name] != before[name]
+    assert {k: v for k, v in after.items() if k != name} == {k: v for k, v in before.items() if k != name}
+    assert page.picture() != pixels
+
+
+@pytest.mark.parametrize("label, option", [("Support", "free-free"), ("Theory", "euler-bernoulli")])
+def test_each_picker_of_a_beam_redraws_it(open_page, label, option):
+    page = open_page(SCENE)
+    pixels = page.picture()
+    page.answered(lambda: page.tab.get_by_label(label, exact=True).select_option(option))
+    settled(page)
+    assert page.evaluate("name => strikewave.page.frame.beam[name]", label.lower()) == option
+    assert page.picture() != pixels
+    again = open_page("?" + page.tab.url.split("?")[1])
+    assert again.header("chosen") == page.header("chosen")
+
+
+def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
+    page = open_page(SCENE + "&damping=0.02")
+    chosen = page.header("chosen")
+    scene = chosen_scene(chosen)
+    solution = chosen_method(scene, chosen)[0].solve(scene)
+    motion, x = solution.motion, np.linspace(0.0, scene.target.length, page.header("places"))
+    fields = {
+        "deflection": motion.displacement,
+        "velocity": motion.velocity,
+        "moment": motion.moment,
+        "shear": motion.shear,
+    }
+    for what, field in fields.items():
+        largest = np.abs(field(np.linspace(0.0, solution.duration, 400), x)).max()
+        for t in (2.0, 0.3, 3.1):
+            step = page.header("step")
+            now = round(t / MS / step) * step
+            drawn = page.evaluate("([t, what]) => [...strikewave.page.beam.field.profile(t, what)]", [MS * now, what])
+            assert np.abs(np.array(drawn) - field(np.array([now]), x)[0]).max() < 2e-3 * largest, (what, t)
+
+
+def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
+    page = open_page(SCENE)
+    frames = dict(page.frames)
+    page.tab.get_by_role("button", name="Slow motion").click()
+    page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
+    low, high = page.evaluate("() => strikewave.page.beam.view")
+    assert low == 0.0 and high < page.header("duration")
+    expect(page.tab.locator(".now")).to_contain_text("contact 1 of")
+    page.tab.get_by_role("button", name="Show the whole blow").click()
+    assert page.evaluate("() => strikewave.page.beam.view[1]") == page.header("duration")
+    assert page.frames == frames
+
+
+def test_colours_and_the_half_space_can_be_changed(open_page):
+    page = open_page(SCENE)
+    for act in (
+        lambda: page.tab.get_by_role("button", name="shear", exact=True).click(),
+        lambda: page.tab.get_by_role("button", name="on a half-space").click(),
+        lambda: page.tab.get_by_role("button", name="velocity", exact=True).last.click(),
+    ):
+        pixels = page.picture()
+        act()
+        assert page.picture() != pixels
+
+
+def test_how_far_to_trust_it(open_page):
+    page = open_page("?scene=figure-8.25")
+    page.tab.get_by_role("button", name="How far to trust this").click()
+    page.wait(STUDIED, "trust", timeout=LONG)
+    table = page.tab.locator(".study-trust table")
+    expect(table).to_contain_text("final velocity")
+    expect(table.locator("tr.firm").first).to_contain_text("firm")
+    assert page.evaluate("() => strikewave.page.beam.band.force.high.length") > 100
+    page.tab.get_by_role("button", name="Convergence in modes").click()
+    page.wait(STUDIED, "convergence", timeout=LONG)
+    expect(page.tab.locator(".study-convergence table")).to_contain_text("support shear")
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("fixed-rod"))
+    expect(page.tab.locator(".study-trust")).to_be_hidden()
+
+
+def test_energy_over_time_of_a_beam(open_page):
+    page = open_page(SCENE)
+    page.tab.get_by_role("button", name="Energy over time").click()
+    cursor = "() => Bokeh.documents.map((d) => d.get_model_by_name('energy-cursor')).find(Boolean)"
+    page.wait(cursor)
+    page.evaluate("() => strikewave.page.player.go(0.7)")
+    assert page.evaluate(f"() => ({cursor})().location") == 0.7
+
+
+def test_a_phone_shows_all_of_it(open_page):
+    page = open_page(SCENE, size=(390, 844), has_touch=True)
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    box = page.tab.get_by_role("button", name="Slow motion").bounding_box()
+    assert box["x"] >= 0 and box["x"] + box["width"] <= 390
+
+
+def test_an_address_that_cannot_be_struck_shows_the_scene_and_says_why(open_page):
+    page = open_page(SCENE + "&place=0")
+    assert page.header("chosen")["place"] == 1.0
+    expect(page.tab.locator(".toast")).to_contain_text("target.at")
+
+
+def test_the_data_of_a_beam_can_be_saved(open_page, tmp_path):
+    page = open_page(SCENE)
+    with page.tab.expect_download() as download:
+        page.tab.get_by_role("button", name="Save data").click()
+    download.value.save_as(tmp_path / "data.csv")
+    rows = (tmp_path / "data.csv").read_text().splitlines()
+    assert rows[0].startswith("time_s,force_5_modes_N,impactor_m")
+    assert len(rows) == 2002
