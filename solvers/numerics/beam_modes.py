@@ -62,6 +62,8 @@ def attached_beam_modes(
     At the tip of a cantilever the modes are those of `beam_modes` with an end mass.
     """
     at_end, rider, at = end_mass / line.mass, attached_mass / line.mass, place / line.length
+    if rider == 0.0:
+        return beam_modes(line, support, place, count, end_mass)
     tail = None
     if support == "cantilever" and at == 1.0:
         field = replace(natural_field(line, support, count, at_end + rider), place=1.0)

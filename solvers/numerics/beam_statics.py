@@ -65,12 +65,12 @@ def static_shape(line: BeamLine, support: str, place: float, attached_mass: floa
     length, unit = line.length, line.length**2 / line.bending_stiffness
 
     def seen(quantity: int, factor: float) -> Callable[[np.ndarray], np.ndarray]:
-        return lambda x: factor * bend.at(np.asarray(x, float) / length)[quantity]
+        return lambda x: factor * bend.at(np.atleast_1d(np.asarray(x, float)) / length)[quantity]
 
     return StaticShape(
         unit * length * float(bend.at(np.array([place / length]))[DISPLACEMENT][0]),
         seen(DISPLACEMENT, unit * length),
-        lambda x: unit * bend.slope(np.asarray(x, float) / length),
+        lambda x: unit * bend.slope(np.atleast_1d(np.asarray(x, float)) / length),
         seen(MOMENT, length),
         seen(SHEAR, 1.0),
     )

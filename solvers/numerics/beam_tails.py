@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from .bending_ends import CLAMPED, ENDS, PINNED
+from .bending_ends import CLAMPED, ENDS, FREE, PINNED
 
 FEWEST = 12  # modes from which exp(-z) is below rounding
 TERMS = 2000
+DECAYING = {CLAMPED: -1.0, PINNED: 0.0, FREE: 1.0}  # wave at an end over the sine there, which has 1 / sqrt(2)
 
 
 def slender_tail(support: str, place: float, count: int, end_mass: float) -> float:
@@ -22,8 +23,7 @@ def slender_tail(support: str, place: float, count: int, end_mass: float) -> flo
     for _ in range(8 if end_mass > 0.0 else 0):  # contracts by 1 / (end_mass z^2) each time
         angle = turns + np.arctan(1.0 / (1.0 + 2.0 * end_mass * (angle - theta)))
     z = angle - theta
-    near = {True: -1.0, False: 1.0}[near_end is CLAMPED] * (0.0 if near_end is PINNED else np.sin(theta))
-    far = {True: -1.0, False: 1.0}[far_end is CLAMPED] * (0.0 if far_end is PINNED else np.sin(angle))
+    near, far = DECAYING[near_end] * np.sin(theta), DECAYING[far_end] * np.sin(angle)
     square = 1.0 + (near**2 + far**2) / z - (np.sin(2.0 * angle) - np.sin(2.0 * theta)) / (2.0 * z)
     square += 2.0 * far * (np.sin(angle) - np.cos(angle)) / z + 2.0 * end_mass * (np.sin(angle) + far) ** 2
     shape = np.sin(z * place + theta) + near * np.exp(-z * place) + far * np.exp(-z * (1.0 - place))

@@ -115,6 +115,16 @@ def test_all_modes_together_give_the_static_compliance(theory, support):
     assert float(np.sum((modes.at_contact / modes.frequencies) ** 2)) == approx(static, rel=1e-4)
 
 
+@pytest.mark.parametrize("theory", LINES)
+def test_without_a_rider_it_is_the_beam_alone(theory):
+    line, place = LINES[theory], 0.4 * LENGTH
+    bare = beam_modes(line, "clamped-clamped", place, COUNT)
+    for rider in (0.0, 1e-13 * line.mass):
+        modes = attached_beam_modes(line, "clamped-clamped", place, COUNT, rider)
+        assert modes.frequencies == approx(bare.frequencies, rel=1e-12)
+        assert np.abs(modes.at_contact) == approx(np.abs(bare.at_contact), abs=1e-10)
+
+
 def test_first_separation_of_the_thesis():
     """Thesis 5.5 on ten modes: 67 us, 0.87 m/s, and 0.92 m/s projected on the beam alone."""
     together = beam_modes(SLENDER, "cantilever", LENGTH, 10, RIDER)
