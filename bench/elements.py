@@ -11,6 +11,7 @@ from solvers.numerics.elements import CONSISTENT, LUMPED, highest_frequency, lin
 from .timing import paired_medians, row
 
 NODES, STEPS = 1000, 2000
+BEAM_STEP = 1e-8  # [s]
 
 
 @kernel
@@ -49,12 +50,23 @@ def measure() -> dict[str, object]:
         started()
         newmark.march_implicit(law, implicit, explicit_step, u, v, STEPS, 0, STEPS, record)
 
+    beam = line(scene.impactor.mesh(1), solvers.load("figure-8.9").target.mesh(NODES))
+    bent, turned = np.zeros(beam.mass.shape[1]), np.zeros(beam.mass.shape[1])
+    bending, of_beam = newmark.newmark(beam, BEAM_STEP), newmark.record(STEPS, STEPS, bent.size)
+
+    def beam_run():
+        bent[:], turned[:] = 0.0, 0.0
+        turned[0] = 1.0
+        newmark.march_implicit(law, bending, BEAM_STEP, bent, turned, STEPS, 0, STEPS, of_beam)
+
     unit = 1e9 / (NODES * STEPS)
     bare, full, _ = paired_medians(floor, explicit_run, 15)
     _, steady, _ = paired_medians(floor, implicit_run, 15)
+    _, beams, _ = paired_medians(floor, beam_run, 15)
     rows = [
         row("explicit step, per node", full * unit, "ns"),
         row("explicit step, per node, beyond the bare loop", (full - bare) * unit, "ns", "<= 0.6"),
         row("Newmark step, per node", steady * unit, "ns"),
+        row("Newmark step of a beam, per node", beams * unit, "ns"),
     ]
     return dict(rows)

@@ -4,8 +4,10 @@ import solvers
 solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 """
 
+from .auto import Auto
 from .bodies import Beam, Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
+from .choosing import read_method
 from .comparison import Row, compare, reference
 from .contact import LAWS
 from .contact_times import ContactTimes, compare_with_half_space, contact_times
@@ -22,7 +24,6 @@ from .methods import (
     QuasiStatic,
     RigidImpulse,
     Waves,
-    read_method,
 )
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
@@ -34,6 +35,7 @@ from .tradeoff_table import TradeOff
 __all__ = [
     "LAWS",
     "METHODS",
+    "Auto",
     "Balance",
     "Beam",
     "Body",

@@ -12,8 +12,9 @@ import numpy as np
 
 from . import checks
 from .checks import SceneError
+from .choosing import read_method
 from .method import Method, SceneNotSupported
-from .methods import METHODS, read_method
+from .methods import METHODS
 from .scene import Scene
 from .solution import Solution
 from .spread import plain

@@ -13,9 +13,10 @@ import numpy as np
 
 from . import checks
 from .checks import SceneError
+from .choosing import read_method
 from .contact import Rigid
 from .method import Method, SceneNotSupported
-from .methods import METHODS, FeModal, FeNodal, Modal, read_method
+from .methods import METHODS, FeModal, FeNodal, Modal
 from .methods.modal import again
 from .scene import Scene
 from .solution import ContactPeriod, Motion, Solution

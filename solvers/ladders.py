@@ -1,14 +1,15 @@
 """Every method that can solve a scene, from coarse to fine."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
+from .checks import SceneError
 from .method import Method
 from .methods import METHODS
 from .scene import Scene
 
 RUNGS: dict[str, tuple[float, ...]] = {  # of each knob, coarse to fine
-    "modes": (6, 12, 25, 50, 100, 200, 400, 800),
-    "elements": (6, 12, 25, 50, 100, 200, 400, 800),
+    "modes": (6, 12, 25, 50, 100, 200, 400, 800, 1600, 3200),
+    "elements": (6, 12, 25, 50, 100, 200, 400, 800, 1600),
     "steps": (25, 50, 100, 200, 400, 800, 1600, 3200, 6400),
     "tolerance": (1e-2, 1e-3, 1e-5, 1e-7, 1e-9),
 }
@@ -18,6 +19,8 @@ VARIANTS: dict[str, tuple[dict[str, object], ...]] = {  # of a method, each with
     "balance": ({"restitution": 0.0}, {}),
     "quasi-static": ({"model": "structural"}, {"model": "local"}),
 }
+
+TRUST = ("waves", "modal", "mode-switch", "fe-modal", "fe-nodal", "quasi-static", "balance", "rigid")
 
 
 @dataclass(frozen=True)
@@ -35,7 +38,17 @@ class Ladder:
     @property
     def converges(self) -> bool:
         """Whether a finer rung is a better answer to the same question."""
-        return self.knob is not None and "restitution" not in {option.name for option in fields(self.rungs[0])}
+        return self.knob is not None and not self._assumes
+
+    @property
+    def exact(self) -> bool:
+        """Whether a method that others of its kind refine needs no refining: waves with every event located."""
+        return self.knob is None and bool(self.rungs[0].KNOBS) and not self._assumes
+
+    @property
+    def _assumes(self) -> bool:
+        """Whether it is told how the bodies part, whatever their contact."""
+        return "restitution" in {option.name for option in fields(self.rungs[0])}
 
     def size(self, rung: int) -> float | None:
         """The value of the knob."""
@@ -51,6 +64,11 @@ def ladders(scene: Scene) -> list[Ladder]:
     return sorted(found, key=lambda ladder: len(ladder.rungs))
 
 
+def ranked(found: list[Ladder]) -> list[Ladder]:
+    """Those first whose finest answer is to be trusted most."""
+    return sorted(found, key=lambda ladder: TRUST.index(ladder.rungs[0].NAME))
+
+
 def refusals(scene: Scene) -> dict[str, str]:
     """Why the methods that cannot solve the scene cannot: a sentence for each."""
     given = {name: method.read({}).refusal(scene) for name, method in METHODS.items()}
@@ -64,12 +82,21 @@ def _of(method: Method, scene: Scene) -> list[Ladder]:
     for knob in method.KNOBS:
         if knob in SPATIAL and not rings:
             continue
-        rungs = [replace(method, **{knob: size}) for size in RUNGS[knob]]
-        kept = tuple(rung for rung in rungs if rung.refusal(scene) is None)
+        rungs = [_allowed(method, knob, size) for size in RUNGS[knob]]
+        kept = tuple(rung for rung in rungs if rung is not None and rung.refusal(scene) is None)
         if kept:
             exact = knob == "steps" and knob != method.KNOBS[-1]  # steps beside no steps at all
             return [*([Ladder(None, (method,))] if exact and method.refusal(scene) is None else []), Ladder(knob, kept)]
     return [Ladder(None, (method,))] if method.refusal(scene) is None else []
+
+
+def _allowed(method: Method, knob: str, size: float) -> Method | None:
+    """With another value of the knob, if the method takes it."""
+    options = {key: value for key, value in method.table().items() if key != "name" and value is not None}
+    try:
+        return method.read(options | {knob: size})
+    except SceneError:
+        return None
 
 
 def label(table: dict[str, object], without: str | None = None, always: str | None = None) -> str:

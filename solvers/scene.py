@@ -179,6 +179,9 @@ METHOD_KEYS = (
     "smoothing",
     "frame",
     "residual",
+    "quantity",
+    "budget",
+    "among",
     "duration",
 )
 

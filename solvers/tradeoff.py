@@ -10,7 +10,7 @@ from typing import Any
 from . import checks, stored_tables
 from .checks import SceneError
 from .judging import QUANTITIES, Answer, Truth
-from .ladders import Ladder, label, ladders, refusals
+from .ladders import Ladder, label, ladders, ranked, refusals
 from .machine import machine, version
 from .method import Method, SceneNotSupported
 from .methods import Waves
@@ -24,7 +24,6 @@ GROWTH = 2.5  # of the time from one rung to the next, until it is known
 FIRST = 4  # rungs of the ladder that gives the truth, before all others
 SLOWEST = 0.15  # share of all the time that one rung may take
 TIGHT = 1e-11  # tolerance of the exact solution
-REFERENCES = ("waves", "modal", "mode-switch", "fe-modal", "fe-nodal", "quasi-static", "balance", "rigid")
 
 
 def tradeoff(
@@ -114,11 +113,11 @@ class Survey:
         if exact.refusal(self.scene) is None:
             self._truth = Truth.of(exact.solve(self.scene))
             return "exact", None
-        ranked = sorted(self._ladders, key=lambda ladder: REFERENCES.index(ladder.rungs[0].NAME))
-        converging = [ladder for ladder in ranked if ladder.converges]
+        best = ranked(self._ladders)
+        converging = [ladder for ladder in best if ladder.converges]
         if converging:
             return "converged", converging[0]
-        self._truth = Truth.of(ranked[0].rungs[0].solve(self.scene))
+        self._truth = Truth.of(best[0].rungs[0].solve(self.scene))
         return "closed form", None
 
     def points(self, cancel: Callable[[], bool] | None) -> Iterator[None]:

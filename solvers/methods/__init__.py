@@ -1,9 +1,5 @@
 """One file each; a method knows no other method."""
 
-from collections.abc import Mapping
-
-from .. import checks
-from ..method import Method
 from .balance import Balance
 from .fe_modal import FeModal
 from .fe_nodal import FeNodal
@@ -27,16 +23,4 @@ __all__ = [
     "QuasiStatic",
     "RigidImpulse",
     "Waves",
-    "read_method",
 ]
-
-
-def read_method(given: Mapping[str, object], usual: str = "waves") -> tuple[Method, float | None]:
-    """Method and duration [s] from the table `[method]` of a scene file; `usual` is the method if it names none.
-
-    Raises SceneError naming the key.
-    """
-    given = dict(given)
-    duration = given.pop("duration", None)
-    name = checks.choice("method.name", given.pop("name", usual), METHODS)
-    return METHODS[name].read(given), duration

@@ -33,7 +33,8 @@ class FeModal(FiniteElements):
     the "consistent" mass. A beam keeps 20 modes; "massless", at most half of those of its mesh, and its struck section
     gives way without inertia by all that are left out, as in 'modal'.
     Error: second order in the step; first order in 1 / elements and 1 / modes for a rigid contact; on a beam with a law
-    of its own fourth order in 1 / elements, second where it shears. Cost: steps * modes and, once, elements^3.
+    of its own fourth order in 1 / elements, second where it shears. Cost: steps * modes and, once, elements * modes,
+    or elements^3 where more than a few modes are kept.
     Source: thesis 6.4.1 and 8.2; massless boundary: Monjaraz Tec, Gross and Krack (2022).
     Differs: table 8.2 leaves out the compliance of the modes not kept, and its rows of 5 to 20 modes follow from no
     stiffness and step that could be tried.

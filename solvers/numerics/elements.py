@@ -10,6 +10,8 @@ from .modes import Modes, front_time
 
 CONSISTENT, AVERAGED, LUMPED = 0.0, 0.5, 1.0  # share of a rod's mass put on the nodes: how the mesh carries its inertia
 
+MANY = 20  # times as many unknowns as modes asked for: then the modes are looked for one by one
+
 
 class Mesh(NamedTuple):
     """A body as nodes in a row; what a support holds is left out of the unknowns.
@@ -217,11 +219,36 @@ def _eigenpairs(mesh: Mesh, count: int) -> tuple[np.ndarray, np.ndarray]:
     if free:  # a square of about the lowest frequency makes the stiffness definite
         bent = _bent(mesh, np.eye(size)[mesh.struck], mesh.free)
         shift = float(bent @ bands.times(mesh.stiffness, bent)) / float(bent @ bands.times(mesh.mass, bent))
-    matrices = bands.full(mesh.mass), bands.full(mesh.stiffness + shift * mesh.mass)
-    inverses, vectors = eigh(*matrices, subset_by_index=(size - free - count, size - free - 1))
+    stiffness = mesh.stiffness + shift * mesh.mass
+    if MANY * count < size:
+        inverses, vectors = _largest(mesh.mass, stiffness, count + free)
+    else:
+        full = bands.full(mesh.mass), bands.full(stiffness)
+        inverses, vectors = eigh(*full, subset_by_index=(size - free - count, size - 1))
+    inverses, vectors = inverses[:count], vectors[:, :count]
     squares, modes = 1.0 / inverses[::-1] - shift, (vectors / np.sqrt(inverses)).T[::-1]
     modes *= np.where(modes[:, mesh.struck : mesh.struck + 1] < 0.0, -1.0, 1.0)
     return np.sqrt(squares), modes
+
+
+def _largest(mass: np.ndarray, stiffness: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """The largest 1 / omega^2, ascending, and their vectors (unknowns, count): Lanczos, O(unknowns) for each."""
+    from scipy.linalg import cho_solve_banded, cholesky_banded
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    size, factor = mass.shape[1], cholesky_banded(stiffness, lower=True)
+
+    def operator(apply: Callable) -> LinearOperator:
+        return LinearOperator((size, size), matvec=lambda vector: apply(vector.ravel()), dtype=float)
+
+    return eigsh(
+        operator(lambda vector: bands.times(mass, vector)),
+        count,
+        M=operator(lambda vector: bands.times(stiffness, vector)),
+        Minv=operator(lambda vector: cho_solve_banded((factor, True), vector)),
+        which="LA",
+        v0=np.linspace(1.0, 2.0, size),
+    )
 
 
 def _bent(mesh: Mesh, load: np.ndarray, kept: np.ndarray) -> np.ndarray:

@@ -156,6 +156,17 @@ def test_modes_kept_and_left_out_make_the_whole_compliance(line, support):
         assert rows[:, kept] @ times(mesh.mass, rows[:, kept]).T == approx(np.eye(9), abs=1e-8)
 
 
+@THEORIES
+@pytest.mark.parametrize("support", HELD)
+def test_few_modes_of_many_elements_are_those_found_all_at_once(line, support):
+    mesh = beam_mesh(line, support, 0.7 * line.length, 60)
+    few, all_of_them = mesh_modes(mesh, 5), mesh_modes(mesh, 30)
+    x = np.linspace(0.0, line.length, 50)
+    assert few.frequencies == approx(all_of_them.frequencies[:5], rel=1e-7)
+    assert few.shapes(x) == approx(all_of_them.shapes(x)[:5], abs=1e-6)
+    assert few.rigid_mass == all_of_them.rigid_mass
+
+
 def test_what_a_blow_feels_of_the_motion_as_a_whole():
     mass, length = 2.133, EULER.length
     for at, felt in ((0.5, mass), (1.0, mass / 4.0), (0.25, 1.0 / (1.0 / mass + 0.25**2 * 12.0 / mass))):

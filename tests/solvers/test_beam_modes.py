@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from solvers.numerics.beam_modes import BeamLine, beam_modes
+from solvers.numerics.beam_modes import BeamLine, beam_modes, modes_below
 from solvers.numerics.beam_statics import ENDS, static_compliance
 
 SUPPORTS = list(ENDS)
@@ -206,3 +206,25 @@ def test_motion_as_a_whole(theory, at):
     assert pinned.rigid_mass == approx(about_pin / (at * line.length) ** 2, rel=1e-14)
     assert pinned.rigid_shape(ends) == approx([0.0, 1.0 / at], rel=1e-14)
     assert beam_modes(line, "cantilever", 0.1, 3).rigid_mass == np.inf
+
+
+@pytest.mark.parametrize("support, ratio", [*CASES[:-1], *(("cantilever", ratio) for ratio in (1e-9, 1.0, 1e6))])
+@pytest.mark.parametrize(
+    "line",
+    [
+        SLENDER._replace(length=1e4),
+        THICK._replace(length=0.1 * SIDE),
+        THICK._replace(shear_stiffness=1e3),
+        SLENDER._replace(shear_stiffness=1e7),  # shear without rotary inertia, and the other way round
+        SLENDER._replace(rotary_inertia=1e-3),
+        BeamLine(1e-6, 1e-20, 1e-9, 1e-22, 1e-8),
+    ],
+)
+def test_any_beam(line, support, ratio):
+    mass = ratio * line.mass
+    assert beam_modes(line, support, 0.0, 0, mass).frequencies.size == 0
+    modes = beam_modes(line, support, 0.4 * line.length, 40, mass)
+    assert products(line, modes, mass)[0] == approx(np.eye(40), abs=1e-10)
+    counts = [modes_below(line, support, frequency * (1.0 + 1e-9), mass) for frequency in modes.frequencies]
+    assert counts == list(range(1, 41))
+    assert modes.residual_compliance >= 0.0

@@ -1,0 +1,30 @@
+"""What a solve costs before it is done: measured constants of every method, from bench/automatic.py."""
+
+import json
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+STORED = Path(__file__).parent / "costs.json"
+
+
+@cache
+def _constants() -> dict[str, list[float]]:
+    return json.loads(STORED.read_text(encoding="utf-8"))["seconds"]
+
+
+def expected_time(method: Mapping[str, object], steps: int) -> float:
+    """Time of a warm solve [s] on the machine that costs.json names: a + b steps + c steps size + d size^3.
+
+    `method` as in a scene file; size: its number of modes or elements, whatever it has.
+    Error: within a factor of two for three solves of four there, see bench/results.json; elsewhere only the order of
+    methods is worth something.
+    """
+    start, per_step, per_step_and_size, cubic = _constants()[str(method["name"])]
+    size = work_size(method)
+    return start + steps * (per_step + per_step_and_size * size) + cubic * size**3
+
+
+def work_size(method: Mapping[str, object]) -> int:
+    """How many unknowns a step, or an eigenvalue problem, deals with: elements or modes."""
+    return int(method.get("elements") or method.get("modes") or 0)

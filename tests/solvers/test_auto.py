@@ -1,0 +1,175 @@
+"""A tolerance or a budget instead of a method: what is chosen keeps to it, says why, and knows its own error."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pytest import approx
+
+import solvers
+from bench.random_scenes import random_scene
+from solvers import Auto, SceneError, SceneNotSupported
+from solvers.judging import Answer, Truth
+from tests.catalog import bronze_rod, contact_table, struck_rod
+
+MODES = ("modal", "mode-switch", "fe-modal", "fe-nodal", "quasi-static", "rigid")
+
+
+def true_error(scene, solution, quantity: str) -> float:
+    return abs(Truth.of(solvers.Waves(tolerance=1e-11).solve(scene)).errors(Answer.of(solution))[quantity])
+
+
+def test_where_waves_are_exact_nothing_else_is_needed():
+    solution = solvers.solve(struck_rod(1.0), "auto")
+    assert solution.method["name"] == "waves"
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is True and chosen["tolerance"] == 0.01 and chosen["quantity"] == "rebound"
+    assert chosen["estimated_error"] == solution.diagnostics["estimated_error"] <= 1e-14  # rounding: see waves
+    assert chosen["why"] in solution.notes
+    assert len(chosen["tried"]) == 1
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    number=st.integers(0, 10_000),
+    tolerance=st.sampled_from((0.03, 0.01, 0.003)),
+    quantity=st.sampled_from(("rebound", "impulse", "peak-force")),
+)
+def test_it_keeps_its_word_on_any_scene(number, tolerance, quantity):
+    scene = random_scene(np.random.default_rng(number))
+    solution = solvers.solve(scene, "auto", tolerance=tolerance, quantity=quantity)
+    chosen = solution.diagnostics["chosen"]
+    true = true_error(scene, solution, quantity)
+    assert chosen["met"] and true <= tolerance
+    # the proof is at least a hundred times as sharp as what it proves; below 1e-6 both may be that of the proof
+    assert max(chosen["estimated_error"], 1e-6) == approx(max(true, 1e-6), rel=2.0)
+
+
+@pytest.mark.parametrize("quantity", ["rebound", "impulse", "peak-force", "force-history", "contact-time"])
+def test_without_waves_the_estimate_is_near_the_truth(quantity):
+    scene = bronze_rod()
+    solution = solvers.solve(scene, "auto", quantity=quantity, tolerance=0.01, among=list(MODES))
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] and chosen["proof"]["name"] == "modal"
+    true = true_error(scene, solution, quantity)
+    assert true <= 0.01
+    assert chosen["estimated_error"] == approx(true, rel=0.5)  # the proof is eight times as fine
+
+
+def test_a_smaller_tolerance_takes_more_modes():
+    sizes = []
+    for tolerance in (0.03, 1e-3, 1e-5):
+        solution = solvers.solve(bronze_rod(), "auto", tolerance=tolerance, among=["modal"])
+        assert solution.diagnostics["chosen"]["met"]
+        sizes.append(solution.method["modes"])
+    assert sizes == sorted(sizes) and sizes[0] < sizes[-1]
+
+
+def test_the_cheapest_that_is_good_enough_is_chosen_the_same_each_time():
+    # a blow so soft that the rod moves as a whole: thesis 3.2, rigid bodies will do
+    scene = struck_rod(1.0, "free", contact_table("linear", softness=1e4))
+    assert solvers.solve(scene, "auto").method["name"] == "rigid"
+    solution = solvers.solve(scene, "auto", quantity="peak-force")
+    assert solution.method["name"] == "quasi-static"  # a rigid body has no force
+    tried = solution.diagnostics["chosen"]["tried"]
+    good = [row for row in tried if row["estimated_error"] is not None and row["estimated_error"] <= 0.008]
+    assert min(good, key=lambda row: row["cost"])["method"] == solution.method
+
+
+def test_the_error_of_the_rebound_is_known_whatever_is_asked():
+    scene = bronze_rod()
+    solution = solvers.solve(scene, "auto", quantity="peak-force", tolerance=0.03, among=["modal"])
+    assert solution.diagnostics["estimated_error"] == approx(true_error(scene, solution, "rebound"), rel=0.5)
+
+
+def test_a_force_that_modes_do_not_find_is_not_claimed():
+    # rigid contact: truncated modes overshoot each jump, so their peaks agree with each other and not with the truth
+    solution = solvers.solve(struck_rod(0.5, "free"), "auto", quantity="peak-force", tolerance=0.03, among=["modal"])
+    chosen = solution.diagnostics["chosen"]
+    assert not chosen["met"] or "No second method" in " ".join(solution.notes)
+    both = ["modal", "mode-switch"]
+    solution = solvers.solve(struck_rod(0.5, "free"), "auto", quantity="peak-force", tolerance=0.03, among=both)
+    assert solution.diagnostics["chosen"]["met"] is False
+
+
+def test_what_cannot_be_met_says_what_it_would_take():
+    solution = solvers.solve(struck_rod(1.0), "auto", tolerance=1e-7, among=["modal"])
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is False
+    assert "not 1e-07 as asked for: that would take about" in chosen["why"] and "modes" in chosen["why"]
+    # the best that could be done, first order in the modes: more than a thousand of them
+    assert chosen["estimated_error"] < 1e-3 and solution.method["modes"] > 1000
+
+
+def test_an_impossible_budget_is_answered_by_the_quickest():
+    solution = solvers.solve(bronze_rod(), "auto", budget=1e-6, among=["modal"])
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is None
+    assert solution.method["modes"] == 6
+    assert "1e-06 s are not enough" in chosen["why"]
+
+
+def test_a_larger_budget_goes_further():
+    few, many = (
+        solvers.solve(bronze_rod(), "auto", budget=budget, among=["modal"]).method["modes"] for budget in (1e-4, 5.0)
+    )
+    assert many > few
+
+
+def test_a_budget_and_a_tolerance_stop_at_the_first():
+    solution = solvers.solve(bronze_rod(), "auto", budget=60.0, tolerance=0.01)
+    assert solution.diagnostics["chosen"]["met"] is True
+    solution = solvers.solve(bronze_rod(), "auto", budget=1e-6, tolerance=1e-9, among=["modal"])
+    assert solution.diagnostics["chosen"]["met"] is False
+
+
+@pytest.mark.parametrize("name", ["spring-mass", "brick-off-centre", "two-balls", "rod-with-gap", "note-rod"])
+def test_every_kind_of_scene_has_an_answer(name):
+    scene = solvers.load(name)
+    solution = solvers.solve(scene, "auto")
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["why"] and chosen["estimated_error"] is not None and chosen["estimated_error"] < 1e-2
+    json.dumps(solution.table(), allow_nan=False)
+
+
+def test_the_solution_is_that_of_the_method_it_names():
+    scene = bronze_rod()
+    solution = solvers.solve(scene, "auto", duration=1e-3)
+    named, _ = solvers.read_method({key: value for key, value in solution.method.items() if value is not None})
+    assert solution.duration == 1e-3
+    assert named.solve(scene, 1e-3).impactor_velocity == solution.impactor_velocity
+
+
+@pytest.mark.parametrize(
+    "options, said",
+    [
+        ({"tolerance": 0}, "method.tolerance: got 0; allowed: a number from 1e-09 to 0.5"),
+        ({"tolerance": -0.01}, "method.tolerance: got -0.01"),
+        ({"tolerance": math.nan}, "method.tolerance"),
+        ({"budget": 0.0}, "method.budget: got 0.0; allowed: a number from 1e-06 to 3600 s"),
+        ({"quantity": "beauty"}, "method.quantity: got 'beauty'; allowed: 'rebound'"),
+        ({"among": []}, "method.among"),
+        ({"among": "modal"}, "method.among"),
+        ({"among": ["magic"]}, "method.among: got 'magic'; allowed: 'waves'"),
+        ({"modes": 5}, "method.modes"),
+    ],
+)
+def test_what_cannot_be_asked(options, said):
+    with pytest.raises(SceneError, match="^" + said.replace(".", r"\.")):
+        solvers.solve(struck_rod(1.0), "auto", **options)
+
+
+def test_a_scene_that_none_of_the_methods_can_solve_is_refused_with_reasons():
+    with pytest.raises(SceneNotSupported, match="the contact must be rigid, got hertz"):
+        solvers.solve(bronze_rod(), "auto", among=["mode-switch"])
+
+
+def test_a_scene_file_may_ask_for_it():
+    scene = struck_rod(1.0).replace({"method": {"name": "auto", "tolerance": 0.001, "quantity": "peak-force"}})
+    again = solvers.Scene.from_table(scene.table())
+    solution = solvers.solve(again)
+    assert solution.diagnostics["chosen"]["tolerance"] == 0.001
+    assert Auto.read({"budget": 0.05}).goal is None and Auto.read({}).goal == 0.01
