@@ -7,12 +7,27 @@ from pathlib import Path
 
 from solvers.machine import machine
 
-from . import beams, elements, ensemble, impulses, kernels, methods, page, peers, startup, sweep, tradeoffs, waves
+from . import (
+    beams,
+    elements,
+    ensemble,
+    impulses,
+    kernels,
+    methods,
+    page,
+    peers,
+    startup,
+    sweep,
+    tradeoffs,
+    transverse,
+    waves,
+)
 
 PARTS = {
     "startup": startup,
     "kernels": kernels,
     "beams": beams,
+    "transverse": transverse,
     "elements": elements,
     "ensemble": ensemble,
     "impulses": impulses,

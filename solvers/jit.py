@@ -109,6 +109,11 @@ def _dent(self, deepest):
     return self.instance_class.dent
 
 
+@overload_method(numba.types.BaseNamedTuple, "memory")
+def _memory(self, deepest):
+    return self.instance_class.memory
+
+
 @overload_method(numba.types.BaseNamedTuple, "corner")
 def _corner(self, indentation, deepest):
     return self.instance_class.corner
@@ -120,7 +125,7 @@ def _mean(self, start, end, rate, deepest):
 
 
 @overload_method(numba.types.BaseNamedTuple, "mean_force")
-def _mean_force(self, start, free, compliance, rate, expected, deepest):
+def _mean_force(self, start, free, compliance, rate, expected, deepest, memory):
     return self.instance_class.mean_force
 
 

@@ -5,9 +5,10 @@ Every law answers the same questions, in SI units, `deepest` being the largest i
 by the first two; `stored(indentation, deepest)` [J], the energy that the contact would give back; `dent(deepest)` [m],
 the indentation at which it opens; `corner(indentation, deepest)` [m], the next larger one where the curve changes its
 formula; `mean(start, end, rate, deepest)`, the mean force [N] along the straight path between two indentations, passed
-at (end - start) * rate, and the energy lost on it [J]; `mean_force`, the force of one step of the modal kernel, see
-`steps.step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether `deepest` matters, whether the force
-may jump at first touch. EXAMPLE: constants that suit a scene file.
+at (end - start) * rate, and the energy lost on it [J]; `memory(deepest)`, the dent and one more number of the way back,
+which change with `deepest` only; `mean_force`, given that memory, the force of one step of the modal kernel and the
+memory after it, see `steps.step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether `deepest` matters,
+whether the force may jump at first touch. EXAMPLE: constants that suit a scene file.
 """
 
 import math
@@ -16,7 +17,7 @@ from typing import Any, NamedTuple
 
 from .. import checks
 from .constants import EXPONENT_RANGE, hertz_stiffness, point_limits, read_stiffness
-from .steps import hertz_mean, hertz_step_force, linear_mean, power_mean, step_force
+from .steps import hertz_mean, hertz_spring_step, linear_mean, no_memory, power_mean, step_force
 
 
 class Rigid(NamedTuple):
@@ -81,30 +82,32 @@ class Linear(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
+    memory = no_memory
+
     def corner(self, indentation, deepest):
         return math.inf
 
     def mean(self, start, end, rate, deepest):
         return self.stiffness * linear_mean(start, end), 0.0
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
         """As `steps.step_force`; for a spring each case is a linear or quadratic equation."""
         if start <= 0.0 and free <= 0.0:
-            return 0.0, free, 0.0
+            return 0.0, free, 0.0, memory
         if start <= 0.0:  # touches within the step: (free - end)(end - start) = compliance * stiffness * end^2 / 2
             square, half = 1.0 + 0.5 * compliance * self.stiffness, 0.5 * (free + start)
             root = math.sqrt(half * half - square * free * start)
             end = (half + root) / square if half > 0.0 else -free * start / (root - half)
-            return (free - end) / compliance, end, 0.0
+            return (free - end) / compliance, end, 0.0, memory
         force = self.stiffness * (start + free) / (2.0 + self.stiffness * compliance)
         end = free - compliance * force
         if end >= 0.0:
-            return force, end, 0.0
+            return force, end, 0.0, memory
         # leaves within the step: all that is stored is given back on the way
         half, stored = 0.5 * (start - free), 0.5 * self.stiffness * start * start
         root = math.sqrt(half * half + compliance * stored)
         force = stored / (half + root) if half > 0.0 else (root - half) / compliance
-        return force, free - compliance * force, 0.0
+        return force, free - compliance * force, 0.0, memory
 
 
 class Power(NamedTuple):
@@ -148,14 +151,16 @@ class Power(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
+    memory = no_memory
+
     def corner(self, indentation, deepest):
         return math.inf
 
     def mean(self, start, end, rate, deepest):
         return self.stiffness * power_mean(start, end, self.exponent), 0.0
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        return step_force(self, start, free, compliance, rate, expected, deepest)
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        return step_force(self, start, free, compliance, rate, expected, deepest, memory)
 
 
 class Hertz(NamedTuple):
@@ -198,11 +203,14 @@ class Hertz(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
+    memory = no_memory
+
     def corner(self, indentation, deepest):
         return math.inf
 
     def mean(self, start, end, rate, deepest):
         return self.stiffness * hertz_mean(start, end), 0.0
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        return hertz_step_force(self.stiffness, 0.0, start, free, compliance, rate, expected)
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        force, end = hertz_spring_step(self.stiffness, start, free, compliance, expected)
+        return force, end, 0.0, memory

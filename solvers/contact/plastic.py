@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from .. import checks
 from ..jit import kernel
 from .constants import LENGTH_RANGE, hertz_stiffness, point_limits, yield_indentation
-from .steps import hertz_mean, hertz_step_force, power_mean, step_force
+from .steps import hertz_mean, hertz_spring_step, power_mean, step_force
 
 FULL_OVER_FIRST_YIELD = 3200.0 / (1.6 * math.pi) ** 2  # alpha_fp / alpha_Y, (7.26)
 FULL_RANGE = (30.0, 1e5)  # of that ratio: below it no exponent up to Hertz's 3/2 meets both criteria of (7.34)
@@ -141,15 +141,47 @@ class YigitChristoforou(NamedTuple):
     def mean(self, start, end, rate, deepest):
         return hysteretic_mean(self, start, end, deepest)
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        return step_force(self, start, free, compliance, rate, expected, deepest)
+    def memory(self, deepest):
+        """Where it opens, and by how much Hertz's curve is shifted."""
+        raised = raised_dent(self.yield_indentation, deepest)
+        return raised ** (2.0 / 3.0), raised
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        return step_force(self, start, free, compliance, rate, expected, deepest, memory)
 
 
 @kernel
-def elastic_step_force(stiffness, dent, start, free, compliance, rate, expected):
-    """The force of a step that stays on the curve of unloading, Hertz's from the dent on: see `steps.step_force`."""
-    force, _, lost = hertz_step_force(stiffness, 0.0, start - dent, free - dent, compliance, rate, expected)
-    return force, free - compliance * force, lost
+def force_from(indentation, memory):
+    """On the way back with this memory: dent and stiffness; 0.4 of it by the way from the dent is stored."""
+    depth = indentation - memory[0]
+    return memory[1] * depth * math.sqrt(depth)
+
+
+@kernel
+def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
+    """`step_force` of a law whose way back is Hertz's from a dent; its `memory` is that dent and the stiffness of it.
+
+    That way is steeper than the virgin curve: who ends beyond `deepest` on it flows on.
+    """
+    dent, stiffness = memory
+    if start <= dent and free <= dent:
+        return 0.0, free, 0.0, memory
+    top = max(deepest, law.yield_indentation)
+    force, end = hertz_spring_step(stiffness, start - dent, free - dent, compliance, expected)
+    if end + dent <= top:
+        return force, end + dent, 0.0, memory
+    if start < top:
+        return step_force(law, start, free, compliance, rate, expected, deepest, memory)
+    end = max(free - compliance * expected, start)
+    slope = 1.0 + 0.5 * compliance * law.slopes(end, 0.0, 0.0)[0]
+    for _ in range(100):  # the slope hardly changes within a step
+        force = law.loading_mean(start, end)
+        change = (free - compliance * force - end) / slope
+        end += change
+        if abs(change) <= 4e-16 * end:
+            break
+    stored, then = 0.4 * force_from(start, memory) * (start - dent), law.memory(end)
+    return force, end, force * (end - start) - (0.4 * force_from(end, then) * (end - then[0]) - stored), then
 
 
 @kernel
@@ -206,15 +238,15 @@ class PlasticLinear(NamedTuple):
     def dent(self, deepest):
         return line_dent(self.stiffness, self.yield_indentation, deepest)
 
+    def memory(self, deepest):
+        return line_dent(self.stiffness, self.yield_indentation, deepest), self.stiffness
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        return plastic_step(self, start, free, compliance, rate, expected, deepest, memory)
+
     def unloading_mean(self, start, end, deepest):
         dent = line_dent(self.stiffness, self.yield_indentation, deepest)
         return self.stiffness * hertz_mean(start - dent, end - dent)
-
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        if free > deepest:
-            return step_force(self, start, free, compliance, rate, expected, deepest)
-        dent = line_dent(self.stiffness, self.yield_indentation, deepest)
-        return elastic_step_force(self.stiffness, dent, start, free, compliance, rate, expected)
 
 
 @lru_cache(maxsize=1000)
@@ -226,14 +258,19 @@ def hardening_exponent(ratio: float) -> float:
 
 
 @kernel
+def flow_shift(law):
+    """What the power of plastic flow lacks to the force at first yield, where both slopes agree [N]."""
+    begins = law.yield_indentation
+    return law.stiffness * begins * math.sqrt(begins) * (1.0 - 1.5 / law.exponent)
+
+
+@kernel
 def power_force(law, indentation):
     """The virgin curve, (7.41)."""
     depth = max(indentation, 0.0)
     if depth <= law.yield_indentation:
         return law.stiffness * depth * math.sqrt(depth)
-    begins = law.yield_indentation
-    rise = law.plastic_stiffness * (depth**law.exponent - begins**law.exponent)
-    return rise + law.stiffness * begins * math.sqrt(begins)
+    return law.plastic_stiffness * depth**law.exponent + flow_shift(law)
 
 
 @kernel
@@ -335,6 +372,12 @@ class PlasticPower(NamedTuple):
     def dent(self, deepest):
         return crater(self, deepest)[0]
 
+    def memory(self, deepest):
+        return crater(self, deepest)
+
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        return plastic_step(self, start, free, compliance, rate, expected, deepest, memory)
+
     def corner(self, indentation, deepest):
         begins = max(self.yield_indentation, deepest)
         if indentation < begins:
@@ -346,8 +389,7 @@ class PlasticPower(NamedTuple):
         if end <= begins:
             return self.stiffness * hertz_mean(start, end)
         low = max(start, begins)
-        shift = self.stiffness * begins * math.sqrt(begins) - self.plastic_stiffness * begins**self.exponent
-        flow = self.plastic_stiffness * power_mean(low, end, self.exponent) + shift
+        flow = self.plastic_stiffness * power_mean(low, end, self.exponent) + flow_shift(self)
         if start >= begins:
             return flow
         elastic = self.stiffness * hertz_mean(start, begins) * (begins - start)
@@ -356,11 +398,3 @@ class PlasticPower(NamedTuple):
     def unloading_mean(self, start, end, deepest):
         dent, stiffness = crater(self, deepest)
         return stiffness * hertz_mean(start - dent, end - dent)
-
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        if start <= 0.0 and free <= 0.0:
-            return 0.0, free, 0.0
-        if free > deepest:
-            return step_force(self, start, free, compliance, rate, expected, deepest)
-        dent, stiffness = crater(self, deepest)
-        return elastic_step_force(stiffness, dent, start, free, compliance, rate, expected)

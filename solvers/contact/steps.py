@@ -41,23 +41,32 @@ def power_mean(start, end, exponent):
     whole, relative = exponent + 1.0, (end - start) / end
     if relative >= 1.0:
         return end**exponent / (whole * relative)
-    if relative == 0.0:
-        return end**exponent
+    if relative < 1e-2:  # about the middle, to the sixth power of the relative width
+        middle = 0.5 * (start + end)
+        square, bend = ((end - start) / middle) ** 2, exponent * (exponent - 1.0)
+        farther = (exponent - 2.0) * (exponent - 3.0) / 80.0 * square
+        return middle**exponent * (1.0 + bend / 24.0 * square * (1.0 + farther))
     return end**exponent * (-math.expm1(whole * math.log1p(-relative)) / (whole * relative))
 
 
+def no_memory(self, deepest):
+    """As a method: of a law whose way back is its way in, and which opens at 0."""
+    return 0.0, 0.0
+
+
 @kernel
-def step_force(law, start, free, compliance, rate, expected, deepest):
+def step_force(law, start, free, compliance, rate, expected, deepest, memory):
     """The constant force of one step whose work is exactly what the law takes up along the way.
 
     `start` is the indentation at the start (negative: the gap), `free` at the end if there were no force; a force F
-    makes it free - compliance * F. `rate` is 1 / step, `expected` a guess of the force. The law's mean force grows with
-    the indentation at the end, so there is one solution; it is found to rounding. Returns the force, the indentation at
-    the end, and the energy lost.
+    makes it free - compliance * F. `rate` is 1 / step, `expected` a guess of the force, `memory` what the law's own
+    gives for `deepest`, the indentation at which it opens first. The law's mean force grows with the indentation at the
+    end, so there is one solution; it is found to rounding. Returns the force, the indentation at the end, the energy
+    lost, and the memory then.
     """
-    opening = law.dent(deepest)
+    opening = memory[0]
     if start <= opening and free <= opening:
-        return 0.0, free, 0.0
+        return 0.0, free, 0.0, memory
     high = free
     low = opening if start <= opening else min(start, free - compliance * law.force(start, 0.0, deepest))
     end = free - compliance * expected
@@ -86,7 +95,52 @@ def step_force(law, start, free, compliance, rate, expected, deepest):
         if following == end:
             break
         end = following
-    return force, end, lost
+    return force, end, lost, law.memory(end) if end > deepest else memory
+
+
+@kernel
+def hertz_spring_step(stiffness, start, free, compliance, expected):
+    """`step_force` of F = stiffness * a^(3/2), and the indentation at the end.
+
+    While in contact the root of the end's indentation solves a quartic that is convex, so Newton needs no root, power
+    or bound; where the bodies part the equation is quadratic.
+    """
+    if start <= 0.0 and free <= 0.0:
+        return 0.0, free
+    if start <= 0.0:
+        force, end, _ = hertz_step_force(stiffness, 0.0, start, free, compliance, 0.0, expected)
+        return force, end
+    root0 = math.sqrt(start)
+    pull = 0.4 * stiffness * compliance
+    square0 = root0 * root0
+    if free * start <= pull * square0 * square0 * root0:  # leaves within the step
+        spread = pull * square0 * square0 * root0
+        half = 0.5 * (start - free)
+        root = math.sqrt(half * half + spread)
+        travel = half + root if half > 0.0 else spread / (root - half)
+        force = 0.4 * stiffness * square0 * square0 * root0 / travel
+        return force, min(free - compliance * force, 0.0)
+    guess = free - compliance * expected
+    r = math.sqrt(guess) if guess > 0.0 else root0
+    for _ in range(60):
+        # (a - free) (r0 + r) + pull (r^4 + r^3 r0 + r^2 r0^2 + r r0^3 + r0^4) with a = r^2
+        a = r * r
+        sums = (((r + root0) * r + square0) * r + square0 * root0) * r + square0 * square0
+        rise = ((4.0 * r + 3.0 * root0) * r + 2.0 * square0) * r + square0 * root0
+        value = (a - free) * (root0 + r) + pull * sums
+        slope = 2.0 * r * (root0 + r) + (a - free) + pull * rise
+        if slope <= 0.0:
+            r = math.sqrt(max(free, start))  # right of the root, from where every step comes closer
+            continue
+        change = value / slope
+        r -= change
+        if r <= 0.0:
+            r = math.sqrt(max(free, start))
+        elif abs(change) <= 1e-8 * r:  # the next would be below rounding
+            break
+    end = r * r
+    sums = (((r + root0) * r + square0) * r + square0 * root0) * r + square0 * square0
+    return 0.4 * stiffness * sums / (root0 + r), end
 
 
 @kernel

@@ -14,7 +14,7 @@ from . import damping as dashpots
 from .constants import EXPONENT_RANGE, approach_speed, hertz_stiffness, point_limits, read_stiffness, reduced_mass
 from .damping import LEAST_RESTITUTION, damping_for, delivered_restitution, read_damping
 from .elastic import Hertz, Linear
-from .steps import hertz_mean, hertz_step_force, linear_mean, power_mean, step_force
+from .steps import hertz_mean, hertz_step_force, linear_mean, no_memory, power_mean, step_force
 
 __all__ = [
     "LEAST_RESTITUTION",
@@ -46,7 +46,7 @@ class HuntCrossley(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     limits = Hertz.limits
-    stored, dent, corner = Hertz.stored, Hertz.dent, Hertz.corner
+    stored, dent, memory, corner = Hertz.stored, Hertz.dent, Hertz.memory, Hertz.corner
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
@@ -85,8 +85,9 @@ class HuntCrossley(NamedTuple):
         elastic, factor = self.stiffness * hertz_mean(start, end), max(1.0 + self.damping * (end - start) * rate, 0.0)
         return elastic * factor, elastic * (factor - 1.0) * (end - start)
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        return hertz_step_force(self.stiffness, self.damping, start, free, compliance, rate, expected)
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        force, end, lost = hertz_step_force(self.stiffness, self.damping, start, free, compliance, rate, expected)
+        return force, end, lost, memory
 
 
 class LankaraniNikravesh(NamedTuple):
@@ -106,7 +107,7 @@ class LankaraniNikravesh(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "nominal_restitution": 0.5}
 
     limits, table, scaled = Hertz.limits, HuntCrossley.table, HuntCrossley.scaled
-    stored, dent, corner = Hertz.stored, Hertz.dent, Hertz.corner
+    stored, dent, memory, corner = Hertz.stored, Hertz.dent, Hertz.memory, Hertz.corner
     force, slopes, mean, mean_force = (
         HuntCrossley.force,
         HuntCrossley.slopes,
@@ -144,7 +145,7 @@ class KelvinVoigt(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     limits, table = Linear.limits, HuntCrossley.table
-    stored, dent, corner = Linear.stored, Linear.dent, Linear.corner
+    stored, dent, memory, corner = Linear.stored, Linear.dent, Linear.memory, Linear.corner
 
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "KelvinVoigt":
@@ -182,8 +183,8 @@ class KelvinVoigt(NamedTuple):
         force = self.stiffness * linear_mean(start - silent, end - silent)
         return force, (force - elastic) * (end - start)
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        return step_force(self, start, free, compliance, rate, expected, deepest)
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        return step_force(self, start, free, compliance, rate, expected, deepest, memory)
 
 
 class LeeWang(NamedTuple):
@@ -259,6 +260,8 @@ class LeeWang(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
+    memory = no_memory
+
     def corner(self, indentation, deepest):
         return math.inf
 
@@ -280,5 +283,5 @@ class LeeWang(NamedTuple):
         force = max(force * ((start - low) / (start - end)), 0.0)
         return force, (force - elastic) * (end - start)
 
-    def mean_force(self, start, free, compliance, rate, expected, deepest):
-        return step_force(self, start, free, compliance, rate, expected, deepest)
+    def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
+        return step_force(self, start, free, compliance, rate, expected, deepest, memory)

@@ -110,6 +110,7 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
     change = np.zeros(u.size)
     turn, rate_unit = 2.0 / step, 1.0 / step
     indentation, deepest = record.indentation[begin], record.deepest[begin]
+    memory = law.memory(deepest)
     impulse, lost = record.impulse[begin], record.lost[begin]
     force, force_before = 0.0, 0.0
     for k in range(begin, end):
@@ -119,7 +120,9 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
             free -= change[other]
         expected = force + force - force_before
         force_before = force
-        force, indentation, loss = law.mean_force(indentation, free, line.compliance, rate_unit, expected, deepest)
+        force, indentation, loss, memory = law.mean_force(
+            indentation, free, line.compliance, rate_unit, expected, deepest, memory
+        )
         deepest = max(deepest, indentation)
         lost += loss
         impulse += step * force

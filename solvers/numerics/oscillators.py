@@ -142,6 +142,7 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     rigid_x, rigid_v = record.rigid_position[begin], record.rigid_velocity[begin]
     indentation, lost, spring = record.indentation[begin], record.lost[begin], record.spring_force[begin]
     deepest = max(record.indentation[: begin + 1].max(), 0.0)
+    memory, usual = law.memory(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
     bending = displacement.sum()
     modes = displacement.size
@@ -152,13 +153,14 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
         expected = force + force - force_before
         force_before = force
         apart = indentation <= 0.0
-        weight = 1.0 if residual.jumps and (apart or touched) else 0.5 + residual.settling
-        lag = 1.0 / weight - 1.0
-        free += residual.compliance * lag * spring
-        compliance = stiff + residual.compliance / weight
-        force, indentation, loss = law.mean_force(indentation, free, compliance, rate, expected, deepest)
-        change = force / weight - (lag + 1.0) * spring
-        loss += residual.compliance * (weight - 0.5) * change * change
+        inverse = 1.0 if residual.jumps and (apart or touched) else usual  # of the weight of the new force
+        free += residual.compliance * (inverse - 1.0) * spring
+        compliance = stiff + residual.compliance * inverse
+        force, indentation, loss, memory = law.mean_force(
+            indentation, free, compliance, rate, expected, deepest, memory
+        )
+        change = inverse * (force - spring)
+        loss += residual.compliance * (1.0 - 0.5 * inverse) * change * (force - spring)
         spring += change
         touched = apart
         deepest = max(deepest, indentation)
