@@ -113,7 +113,7 @@ def hertz_spring_step(stiffness, start, free, compliance, expected):
     root0 = math.sqrt(start)
     pull = 0.4 * stiffness * compliance
     square0 = root0 * root0
-    if free * start <= pull * square0 * square0 * root0:  # leaves within the step
+    if free * start < pull * square0 * square0 * root0:  # leaves within the step
         spread = pull * square0 * square0 * root0
         half = 0.5 * (start - free)
         root = math.sqrt(half * half + spread)
