@@ -6,6 +6,15 @@ from typing import Any
 import numpy as np
 
 
+def stress_source(body: Any) -> tuple[str, float]:
+    """The field of a body's shapes that its stress follows, and the factor: tension along a rod, E u', or on the struck
+    side of a beam, M / W. What only moves as a whole has none.
+    """
+    if body.kind == "beam":
+        return "moments", body.half_depth / body.second_moment
+    return "slopes", 0.0 if body.time_unit is None else body.material.young
+
+
 class ShapeField:
     """Fields as sums of shapes: u(x, t) = sum_i q_i(t) shape_i(x), straight between the instants.
 

@@ -9,7 +9,7 @@ import numpy as np
 from .. import checks
 from ..bodies import Rods
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..motion import SampledMotion, ShapeField
+from ..motion import SampledMotion, ShapeField, stress_source
 from ..numerics import balances
 from ..numerics.balances import Bank, Events, Joined
 from ..numerics.elements import mesh_modes, two_sided
@@ -253,12 +253,8 @@ class Pair:
 
 
 def _stresses(body: object, modes: Modes) -> Callable[[np.ndarray], np.ndarray]:
-    """Per 1 of each coordinate [Pa], tension along a rod or on the struck side of a beam; with that as a whole."""
-    if body.time_unit is None:
-        return modes.with_rigid("slopes")
-    name, factor = "slopes", body.material.young
-    if body.kind == "beam":
-        name, factor = "moments", body.half_depth / body.second_moment
+    """Tension per 1 of each coordinate [Pa], with that as a whole."""
+    name, factor = stress_source(body)
     return lambda x: factor * modes.with_rigid(name)(x)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..motion import SampledMotion, ShapeField
+from ..motion import SampledMotion, ShapeField, stress_source
 from ..numerics.elements import two_sided
 from ..scene import Scene
 from ..solution import ContactPeriod
@@ -137,11 +137,9 @@ def shape_field(
 
 
 def _stresses(body: Any, side: Any) -> Callable[[np.ndarray], np.ndarray]:
-    """Stress at the struck end of a rod's section or on the struck side of a beam, tension positive."""
-    if side.moments is not None:
-        return lambda x: body.half_depth / body.second_moment * side.moments(x)
-    young = body.material.young if body.length else 0.0
-    return lambda x: young * side.slopes(x)
+    """Tension per 1 of each coordinate [Pa]."""
+    name, factor = stress_source(body)
+    return lambda x: factor * getattr(side, name)(x)
 
 
 def _zero(before: np.ndarray, after: np.ndarray) -> np.ndarray:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..contact import Linear, Rigid
+from ..motion import stress_source
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Bank, Record, advance, oscillator_bank, turn
 from ..scene import Scene
@@ -221,10 +222,9 @@ class ModalMotion:
         x, amplitudes = np.asarray(x, float), self.amplitudes(time)[0]
         found = np.zeros((amplitudes.shape[0], x.size))
         for body, here in ((self.scene.impactor, x < 0.0), (self.scene.target, x >= 0.0)):
-            if body.kind == "beam":
-                found -= here * self._sum(amplitudes, x, "moments") * (body.half_depth / body.second_moment)
-            elif body.time_unit is not None:
-                found -= here * self._sum(amplitudes, x, "slopes") * body.material.young
+            name, factor = stress_source(body)
+            if factor:
+                found -= here * self._sum(amplitudes, x, name) * factor
         return found
 
     def moment(self, time, x):
