@@ -19,6 +19,11 @@ class SceneNotSupported(SceneError):
     """The method cannot solve this scene; the message says what to use instead."""
 
 
+def bodies_that_bend(scene: Scene) -> list[Any]:
+    """Which of both are beams."""
+    return [body for body in (scene.impactor, scene.target) if body.kind == "beam"]
+
+
 class Method(ABC):
     """A frozen dataclass whose fields are its options; `NAME` is its word in scene files."""
 
@@ -26,6 +31,7 @@ class Method(ABC):
     SPATIAL: ClassVar[bool] = False  # whether it knows bodies in space, beside those on an axis
     PULSES: ClassVar[bool] = False  # whether it knows a prescribed force, beside bodies that strike
     BEAMS: ClassVar[bool] = False  # whether it knows beams struck across, beside rods
+    DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
     KNOBS: ClassVar[tuple[str, ...]] = ()  # options that make it finer, the first that a scene allows; none: one answer
 
     @classmethod
@@ -45,6 +51,8 @@ class Method(ABC):
             return "the impactor must be a body; for a prescribed force use 'waves'"
         if not self.BEAMS and "beam" in (scene.impactor.kind, scene.target.kind):
             return "no body may be a beam; use 'modal'"
+        if not self.DAMPED and any(body.damping for body in bodies_that_bend(scene)):
+            return "a beam must have no damping of its own; use 'modal', or damping = 0"
         return self.why_not(scene)
 
     @abstractmethod
@@ -63,9 +71,8 @@ class Method(ABC):
             shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
         solution = self._solve(scene, duration)
-        for body in (scene.impactor, scene.target):
-            if body.kind == "beam":
-                solution.notes.extend(body.doubts())
+        for body in bodies_that_bend(scene):
+            solution.notes.extend(body.doubts())
         return solution
 
     def table(self) -> dict[str, Any]:

@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
+import numpy as np
+
 from .. import checks
 from ..checks import SceneError
 from ..numerics.beam_elements import beam_mesh
@@ -21,6 +23,7 @@ USUAL_PLACES = {"cantilever": 1.0, "pinned-free": 1.0}  # fraction of the length
 CLOSEST = 1e-3  # to a place that a support holds, as a fraction of the length
 LARGEST_DAMPING = 0.2  # modal damping ratio: light, so that modes stay apart
 SLENDER = {"euler-bernoulli": 10.0, "timoshenko": 2.5}  # least length over depth at which a theory is of use
+NEAR_NODE = 0.05  # of a mode's amplitude where it is largest, about 2 / sqrt(mass)
 
 
 @dataclass(frozen=True)
@@ -171,6 +174,21 @@ class Beam:
             f"The beam is {self.slenderness:.3g} times as long as deep, and {self.theory.title()} theory is meant for "
             f"{least:g} times and more: {remedy}."
         ]
+
+    def doubts_of_modes(self, count: int) -> list[str]:
+        """What its lowest `count` modes cannot tell of a blow, with the limit."""
+        doubts, reach = [], self.modes_within_reach(count)
+        if np.abs(self.modes(count).at_contact).max() * math.sqrt(self.mass) < NEAR_NODE:
+            doubts.append(
+                f"The beam is struck at a node of every mode kept ({count}): only those left out and its motion as a "
+                "whole answer the blow. Keep more modes."
+            )
+        if reach < count:
+            doubts.append(
+                f"Of the {count} modes {count - reach} have waves faster than any can be in the material, "
+                f"sqrt(E / rho): keep at most {reach}, or use theory = 'timoshenko'."
+            )
+        return doubts
 
     def modes_within_reach(self, count: int) -> int:
         """How many of its `count` lowest modes have waves no faster than any can be in the material, sqrt(E / rho).

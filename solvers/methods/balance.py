@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import checks
 from ..bodies import Rods
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend
 from ..motion import SampledMotion, ShapeField, stress_source
 from ..numerics import balances
 from ..numerics.balances import Bank, Events, Joined
@@ -124,11 +124,15 @@ class Balance(Method):
             )
         if scene.contact.NAME != "rigid":
             notes.append("A balance knows no contact law: of the contact only the restitution counts.")
+        if self._elements is None:
+            notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
         many = run.pair.resolved_time > 0.0 and run.balances.sum() > 2
-        if many and self.restitution == 1.0:
+        bends = bool(bodies_that_bend(scene))
+        if many and (bends or self.restitution == 1.0):
             notes.append(
-                "With restitution 1 a sequence of balances is chaotic: the rebound scatters with elements, modes and "
-                "masses by some 0.03 of the impact speed. With a restitution below 1 it does not."
+                f"With restitution {self.restitution:g} a sequence of balances is chaotic: the rebound scatters with "
+                f"elements, modes and masses by some {0.03 if self.restitution == 1.0 else 0.01:g} of the impact speed."
+                f" With a restitution below 1 it {'does so less' if bends else 'does not'}."
             )
         if many and self.restitution < 1.0 and self.variant != "event-located":
             notes.append(

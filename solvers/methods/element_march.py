@@ -44,8 +44,6 @@ class FiniteElements(Method):
                 return "the bodies must end somewhere, got one that waves run away in; use 'waves'"
             if isinstance(body, Rods) and not all(joint.bonded for joint in body.joints):
                 return "the rods of a chain must be bonded; for rods that only touch use 'waves'"
-            if getattr(body, "damping", 0.0):
-                return "a beam must have no damping of its own; use 'modal', or damping = 0"
         if all(body.time_unit is None for body in bodies):
             return "at least one body must be a rod or a beam, divided into elements; use 'quasi-static' or 'balance'"
         return None

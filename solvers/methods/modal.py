@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import checks
 from ..contact import Rigid
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Record, Residual, march
 from ..scene import Scene
@@ -25,7 +25,6 @@ MAX_STEPS = 4_000_000
 FRAMES = ("mean-axis", "attached", "attached-far")
 RESOLVED_BLOW = 1.5  # shortest kept periods that a rigid blow must last for its contacts to be told apart
 REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
-NEAR_NODE = 0.05  # of a mode's amplitude where it is largest, about 2 / sqrt(mass)
 CHECKPOINT_NUMBERS = 1_000_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
 
@@ -52,7 +51,7 @@ class Modal(Method):
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
 
     NAME = "modal"
-    BEAMS = True
+    BEAMS = DAMPED = True
     KNOBS = ("modes", "steps")
 
     @classmethod
@@ -132,17 +131,7 @@ class Modal(Method):
                 f"The blow fades within {blow:.3g} s, which is too short for modes down to a period of {period:.3g} s:"
                 f" do not trust its contacts; {needed} modes would resolve it, or use 'waves'."
             )
-        for body, modes in zip((scene.impactor, scene.target), (motion.pair.impactor, motion.pair.target), strict=True):
-            if body.kind == "beam" and np.abs(modes.at_contact).max(initial=0.0) * math.sqrt(body.mass) < NEAR_NODE:
-                notes.append(
-                    f"The beam is struck at a node of every mode kept ({self.modes}): only those left out and its "
-                    "motion as a whole answer the blow. Keep more modes."
-                )
-            if body.kind == "beam" and (reach := body.modes_within_reach(self.modes)) < self.modes:
-                notes.append(
-                    f"Of the {self.modes} modes {self.modes - reach} have waves faster than any can be in the material,"
-                    f" sqrt(E / rho): keep at most {reach}, or use theory = 'timoshenko'."
-                )
+        notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
         if raw > len(contacts):
             notes.append(
                 f"The raw force breaks off {raw - len(contacts)} times more often than the bodies part: chatter at the"

@@ -141,21 +141,18 @@ class ModalMotion:
 
     # --- the bodies as wholes, and their struck faces
 
-    def _mean(self, struck, start, modes):
-        """Of a body as a whole, from that of the place where it is struck, which starts so."""
-        return struck if modes.rigid_mean == 1.0 else start + modes.rigid_mean * (struck - start)
-
     def impactor_position(self, time):
         time, begun = np.asarray(time, float), self.scene.impactor.velocity
-        return self._mean(self._at(time, self.record.position), begun * time, self.pair.impactor)
+        return self.pair.impactor.mean_velocity(begun * time, self._at(time, self.record.position))
 
     def impactor_velocity(self, time, after=True):
-        return self._mean(self._at(time, self.record.velocity), self.scene.impactor.velocity, self.pair.impactor)
+        struck = self._at(time, self.record.velocity)
+        return self.pair.impactor.mean_velocity(self.scene.impactor.velocity, struck)
 
     def rigid_velocity(self, time, after=True):
         """Mean velocity of the target; what is held moves by the mean of its modes."""
         modes, whole = self.pair.target, self._at(time, self.record.rigid_velocity)
-        found = self._mean(whole, self.scene.target.velocity, modes)
+        found = modes.mean_velocity(self.scene.target.velocity, whole)
         if modes.means is not None and modes.means.any():
             found = found + self._rates(time)[:, self.pair.split :] @ (modes.means / modes.at_contact)
         return found
@@ -240,14 +237,6 @@ class ModalMotion:
         displacement, rates = self._coordinates(time)
         return displacement**2 * self._bank.energy, (rates / self.pair.frequencies) ** 2 * self._bank.energy
 
-    def _moving(self, body, modes, struck):
-        """Kinetic energy of a body as a whole [J], by the velocity of the place where it is struck."""
-        if not np.isfinite(modes.rigid_mass):
-            return np.zeros_like(struck)
-        gained = struck - body.velocity
-        own = 0.5 * body.mass * body.velocity**2 if body.velocity else 0.0
-        return own + modes.rigid_mass * gained * (body.velocity + 0.5 * gained)
-
     def _nearest(self, time):
         """Numbers of the instants nearest to `time`: energy is kept between instants, not within a step."""
         return np.clip(np.rint(np.asarray(time, float) / self.step), 0, self.steps).astype(int)
@@ -261,9 +250,13 @@ class ModalMotion:
         impactor, target = self.scene.impactor, self.scene.target
         damped = self._received[nearest] - ringing.sum(axis=1) if self.pair.damping.any() else 0.0
         return {
-            "impactor": self._moving(impactor, self.pair.impactor, self.record.velocity[nearest])
+            "impactor": self.pair.impactor.moving_energy(
+                impactor.mass, impactor.velocity, self.record.velocity[nearest]
+            )
             + ringing[:, :split].sum(axis=1),
-            "target_rigid": self._moving(target, self.pair.target, self.record.rigid_velocity[nearest]),
+            "target_rigid": self.pair.target.moving_energy(
+                target.mass, target.velocity, self.record.rigid_velocity[nearest]
+            ),
             "target_vibration": ringing[:, split:].sum(axis=1),
             "local": np.array([law.stored(a, most) for a, most in pairs])
             + 0.5 * residual * self.record.spring_force[nearest] ** 2,
@@ -281,7 +274,8 @@ class ModalMotion:
         """Kinetic energy of the target, its motion as a whole with it, and strain energy [J]."""
         nearest, split = self._nearest(time), self.pair.split
         strain, kinetic = self._ringing(nearest * self.step)
-        whole = self._moving(self.scene.target, self.pair.target, self.record.rigid_velocity[nearest])
+        target = self.scene.target
+        whole = self.pair.target.moving_energy(target.mass, target.velocity, self.record.rigid_velocity[nearest])
         return {"kinetic": whole + kinetic[:, split:].sum(axis=1), "strain": strain[:, split:].sum(axis=1)}
 
     @cached_property

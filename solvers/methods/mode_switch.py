@@ -78,6 +78,8 @@ class ModeSwitch(Method):
         last = float(course.contacts[-1].end * units.time)
         if duration is None:
             duration = last + AFTERGLOW * scene.time_unit if course.parted else last
+        elif course.stopped:
+            duration = min(duration, last)
         motion = (SwitchedMotion if scene.target.kind == "rod" else SwitchedBeamMotion)(scene, course, units)
         contacts = [motion.period(contact) for contact in course.contacts]
         found = summary(scene, motion, contacts, duration, wall_time)
@@ -126,7 +128,7 @@ class ModeSwitch(Method):
         if contacts[-1].end >= duration * (1.0 - 1e-12):
             notes.append("The bodies are still in contact at the end of the time solved.")
         if scene.target.kind == "beam":
-            return notes + _notes_on_a_beam(scene, course)
+            return notes + scene.target.doubts_of_modes(self.modes) + _notes_on_a_beam(scene, course)
         if len(course.phases) >= MAX_PHASES:
             notes.append(f"Stopped after {MAX_PHASES} changes of modes: the truncated force chatters; use 'delay'.")
         elif self.smoothing == "none" and len(contacts) > 1:
@@ -139,10 +141,16 @@ class ModeSwitch(Method):
 
 def _notes_on_a_beam(scene: Scene, course: SwitchedBeam) -> list[str]:
     notes, count, pull = [], len(course.contacts), min(float(contact.forces.min()) for contact in course.contacts)
-    if len(course.phases) >= beam_switch.MAX_PHASES:
+    if course.stopped:
+        many = len(course.phases) >= beam_switch.MAX_PHASES
+        reason, remedy = (
+            (f"{len(course.phases)} changes of modes: the more modes, the shorter each contact", "a law and 'modal'")
+            if many
+            else ("more than the fastest modes can be followed, as so heavy a mass swings slowly", "'quasi-static'")
+        )
         notes.append(
-            f"Stopped after {beam_switch.MAX_PHASES} changes of modes, before the bodies had parted for good: the more "
-            "modes, the shorter each contact; take fewer, or a contact law and 'modal'."
+            f"Stopped at {course.contacts[-1].end:.3g} s before the bodies had parted for good, after {reason}; take "
+            f"fewer modes, or {remedy}."
         )
     if count > 1:
         lost = course.phases[-1].lost / scene.initial_energy

@@ -20,6 +20,8 @@ from .phases import Contact, Phase, Phases
 
 LOOKS = 16  # of each shortest period, where roots are searched for
 MAX_PHASES = 4_000
+MOST_NUMBERS = 1_000_000_000  # steps times modes that are looked at: some seconds
+MOST_FORCES = 20_000  # instants kept of each contact
 PATIENCE = 20.0  # lowest periods for which a mass that moves away slowly is watched
 ALIKE = 3e-8  # relative difference of squared frequencies below which two modes are one, to rounding
 PLACES = 4  # per mode, at which two shapes are compared
@@ -58,7 +60,9 @@ class Record(NamedTuple):
 
 
 class SwitchedBeam(Phases):
-    """The whole blow: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good."""
+    """The whole blow: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good, or whether
+    it had to be `stopped` before, as there are limits to phases and steps.
+    """
 
     smoothing = "none"
 
@@ -66,7 +70,7 @@ class SwitchedBeam(Phases):
         super().__init__(together, alone, mass)
         self.speed = speed
         self.contacts: list[Contact] = []
-        self.parted = False
+        self.parted = self.stopped = False
         self.sets = _sets(together, alone, mass, length)
 
     def solve(self, limit: float) -> None:
@@ -79,7 +83,9 @@ class SwitchedBeam(Phases):
             *(np.zeros(shape) for shape in (MAX_PHASES, *2 * [(MAX_PHASES, modes)], *3 * [MAX_PHASES]))
         )  # fmt: skip
         patience = PATIENCE * 2.0 * np.pi / lowest
-        count, reached, self.parted = _switch(sets, *turns, *steps, self.speed, limit, patience, record)
+        longest = MOST_NUMBERS / modes * min(steps)
+        count, reached, self.parted = _switch(sets, *turns, *steps, self.speed, min(limit, longest), patience, record)
+        self.stopped = reached < limit and not self.parted
         free = 0 if self.fixed else 1
         for number in range(count):
             touching = number % 2 == 0
@@ -95,10 +101,13 @@ class SwitchedBeam(Phases):
     def _contact(self, phase: Phase, end: float, step: float) -> Contact:
         """Its force on instants as close as the search looked, and the highest there is between them."""
         frequencies, longest = self.together.frequencies, end - phase.start
-        forces = np.empty(2 + int(longest / step))
-        turn = exact_turn(frequencies, longest / (forces.size - 1))
+        steps = 1 + int(longest / step)
+        stride = 1 + steps // MOST_FORCES
+        forces = np.empty(2 + steps // stride)
+        step = longest / (stride * (forces.size - 1))
+        turn = exact_turn(frequencies, step)
         weights = self.mass * frequencies**2 * self.together.at_contact
-        peak = _pushes(Bank(frequencies, weights), turn, longest, phase.displacement, phase.rate, forces)
+        peak = _pushes(Bank(frequencies, weights), turn, step, stride, phase.displacement, phase.rate, forces)
         impulse = self.mass * float(phase.rate @ self.together.at_contact + phase.rigid_velocity)
         impulse -= self.mass * float(self._mass_in(phase, np.array([longest]))[1][0])
         return Contact(phase.start, end, impulse, peak, np.linspace(phase.start, end, forces.size), forces)
@@ -144,15 +153,18 @@ def overlap_integrals(together: Modes, alone: Modes, mass: float, length: float)
 
 
 @kernel
-def _pushes(bank, turn, longest, q, p, forces):
-    """Fills `forces` at equal instants from zero to `longest`; returns the peak, by Newton from the highest of them."""
+def _pushes(bank, turn, step, stride, q, p, forces):
+    """Fills `forces` at every `stride`-th step from zero on; returns the peak, by Newton from the highest step."""
     q1, p1 = q.copy(), p.copy()
-    forces[0] = (bank.closing * q).sum()
-    for i in range(1, forces.size):
-        forces[i] = step_on(turn, bank.closing, q1, p1)[0]
-    highest, step = np.argmax(forces), longest / (forces.size - 1)
-    low, high = max(highest - 1.0, 0.0) * step, min((highest + 1.0) * step, longest)
-    place, peak = highest * step, forces[highest]
+    peak = (bank.closing * q).sum()
+    forces[0], highest, steps = peak, 0, stride * (forces.size - 1)
+    for i in range(1, steps + 1):
+        force = step_on(turn, bank.closing, q1, p1)[0]
+        if i % stride == 0:
+            forces[i // stride] = force
+        if force > peak:
+            peak, highest = force, i
+    place, low, high = highest * step, max(highest - 1, 0) * step, min(highest + 1, steps) * step
     for _ in range(4):
         q1[:], p1[:] = q, p
         turn_by(bank, place, q1, p1)

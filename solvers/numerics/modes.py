@@ -61,7 +61,7 @@ class Modes:
 
     def mean_velocity(self, before: float, struck: np.ndarray) -> np.ndarray:
         """Of a body as a whole that moved at `before`, by that of the place where it is struck [m/s]; or positions."""
-        return before + self.rigid_mean * (struck - before)
+        return struck if self.rigid_mean == 1.0 else before + self.rigid_mean * (struck - before)
 
     def moving_energy(self, mass: float, before: float, struck: np.ndarray) -> np.ndarray:
         """Kinetic energy of a body as a whole [J], whose mass is `mass` and which moved at `before`."""

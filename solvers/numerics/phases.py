@@ -43,6 +43,8 @@ class Phases:
     left_out: share of the energy of the mass that `together` does not hold at the first touch.
     """
 
+    stopped = False  # before the bodies had parted for good
+
     def __init__(self, together: Modes, alone: Modes, mass: float):
         self.together, self.alone, self.mass = together, alone, mass
         self.fixed = not np.isfinite(alone.rigid_mass)

@@ -197,13 +197,15 @@ def test_accounts_of_beams_balance(beam, restitution):
 
 
 def test_what_is_sure_of_balances_on_the_beam_of_thesis_5_5():
-    """Half a period of beam and mass, 4.07 ms, as long as faces that part and meet; a rebound that scatters."""
-    for modes, restitution in ((10, 1.0), (10, 0.5), (20, 1.0), (20, 0.5)):
-        found = solvers.solve(struck_beam(1.0, RIGID), "balance", modes=modes, restitution=restitution)
-        assert 3.6e-3 < found.contacts[-1].end < 4.5e-3
-        assert -0.90 < found.impactor_velocity < -0.75
-        assert len(found.contacts) > 20
-        assert ("chaotic" in " ".join(found.notes)) == (restitution == 1.0)
+    """About half a period of beam and mass, 4.07 ms; a rebound that scatters, by 0.03 or 0.01 for masses within 1 %."""
+    ranges = {1.0: (3.0e-3, 4.8e-3, -0.95, -0.70), 0.5: (3.7e-3, 4.3e-3, -0.87, -0.75)}
+    for restitution, (soonest, latest, fastest, slowest) in ranges.items():
+        for modes in (10, 20):
+            found = solvers.solve(struck_beam(1.0, RIGID), "balance", modes=modes, restitution=restitution)
+            assert soonest < found.contacts[-1].end < latest
+            assert fastest < found.impactor_velocity < slowest
+            assert len(found.contacts) > 20
+            assert "chaotic" in " ".join(found.notes)
 
 
 def test_a_beam_strikes_a_beam():

@@ -191,9 +191,26 @@ def test_energy_is_never_created(mass_ratio, support, at, modes):
 
 def test_the_number_of_changes_is_limited_and_said(monkeypatch):
     monkeypatch.setattr(beam_switch, "MAX_PHASES", 8)
-    found = solve(10)
+    found = solve(10, duration=5e-3)
     assert len(found.contacts) == 4 and found.diagnostics["steps"] == 8
-    assert any("Stopped after 8 changes" in note for note in found.notes)
+    assert found.duration == found.contacts[-1].end
+    assert any("after 8 changes of modes" in note and "'modal'" in note for note in found.notes)
+
+
+def test_the_number_of_steps_is_limited_and_said(monkeypatch):
+    """A hundred million steps for the slow swing of a beam under a million times its mass are not looked at."""
+    monkeypatch.setattr(beam_switch, "MOST_NUMBERS", 200_000)
+    found = solve(10, mass_ratio=1e-6)
+    assert found.duration < 0.1 and found.duration == found.contacts[-1].end
+    assert any("so heavy a mass swings slowly" in note and "'quasi-static'" in note for note in found.notes)
+
+
+def test_long_contacts_keep_some_of_their_forces():
+    found = solve(10, mass_ratio=1e-4)
+    times, forces = found.motion.force_history()
+    assert times.size < 500_000 and np.all(np.diff(times) >= 0.0)
+    assert forces.max() <= found.peak_force
+    assert found.impactor_velocity == approx(-1.0, abs=1e-3)
 
 
 def test_a_duration_cuts_the_blow():
@@ -214,12 +231,18 @@ def test_a_mass_that_moves_on_with_the_beam_is_let_go():
         (struck_beam(), "rigid, got hertz"),
         (struck_beam(20.0, RIGID), "at least the mass ratio"),
         (struck_beam(1.0, RIGID, support="free-free", velocity=0.1), "at rest"),
+        (struck_beam(1.0, RIGID, damping=0.01), "no damping"),
     ],
 )
 def test_refusals_say_what_to_use(scene, words):
     with pytest.raises(SceneNotSupported, match=words) as refused:
         ModeSwitch(modes=10).solve(scene)
     assert "'modal'" in str(refused.value)
+
+
+def test_modes_faster_than_any_wave_are_doubted():
+    assert not any("faster than any" in note for note in solve(10, duration=1e-4).notes)
+    assert any("keep at most 11" in note for note in solve(20, duration=1e-4).notes)
 
 
 def test_estimated_error_owns_to_the_scatter():
