@@ -71,6 +71,7 @@ def _parser() -> argparse.ArgumentParser:
     _convergence_command(commands)
     _record_command(commands)
     _stability_command(commands)
+    _plan_command(commands)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
     scenes.set_defaults(run=_scenes)
@@ -181,6 +182,15 @@ def _stability_command(commands: Any) -> None:
     _scene_arguments(parser)
     add_arguments(parser)
     parser.set_defaults(run=lambda options: print_stability(_scene(options), options))
+
+
+def _plan_command(commands: Any) -> None:
+    from .plans import add_arguments, print_plan
+
+    parser = commands.add_parser("plan", help="the smallest model that answers a question, and what it will miss")
+    _scene_arguments(parser)
+    add_arguments(parser)
+    parser.set_defaults(run=lambda options: print_plan(_scene(options), options))
 
 
 def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:

@@ -25,6 +25,7 @@ from .methods import (
     RigidImpulse,
     Waves,
 )
+from .regimes import Plan, RegimeMap, plan, regime_map
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 from .stability import Stability, stability
@@ -49,7 +50,9 @@ __all__ = [
     "Method",
     "Modal",
     "ModeSwitch",
+    "Plan",
     "QuasiStatic",
+    "RegimeMap",
     "RigidImpulse",
     "RigidMass",
     "Rod",
@@ -71,8 +74,10 @@ __all__ = [
     "convergence",
     "ensemble",
     "load",
+    "plan",
     "read_method",
     "reference",
+    "regime_map",
     "scene_names",
     "solve",
     "stability",

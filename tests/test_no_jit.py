@@ -10,6 +10,7 @@ from pytest import approx
 
 import solvers
 from solvers import Modal, Waves
+from solvers.stability_runs import INTEGRATORS, problem_of, run
 from tests.catalog import T, contact_table, struck_rod
 
 ROOT = Path(__file__).parents[1]
@@ -30,7 +31,9 @@ def answers() -> dict[str, list[float]]:
         ),
         "waves linear": Waves(tolerance=1e-5).solve(struck_rod(1.0, "free", contact_table("linear")), 1.2 * T),
     }
-    return {
+    few = problem_of(struck_rod(1.0, "fixed"), {}, 3)
+    steps = {"integrators": [run(name, few, 0.3 * few.step_unit).velocity for name in INTEGRATORS]}
+    return steps | {
         name: [
             blow.impactor_velocity,
             blow.impulse / blow.scene.impactor.mass,

@@ -1,0 +1,156 @@
+"""Measure where cheap models hold, and store it as the library's data: python -m bench.measure_regimes
+
+Every point is one scene solved in full and by each cheap model; what is stored are the errors. A few minutes on two
+cores; solvers/regimes.npz is written anew.
+"""
+
+import argparse
+import itertools
+import json
+import multiprocessing
+import os
+import resource
+import time
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from solvers.contact import PlasticLinear, PlasticPower, YigitChristoforou
+from solvers.machine import machine
+from solvers.methods import Modal, QuasiStatic
+from solvers.regime_models import (
+    BEAMS,
+    LAWS,
+    RODS,
+    errors,
+    family_scene,
+    figures,
+    model_errors,
+    modes_errors,
+    reference,
+)  # fmt: skip
+from solvers.regime_tables import STORED, encoded
+from solvers.scene import Scene
+
+ROD_AXES = np.geomspace(1e-2, 1e3, 51), np.concatenate(([0.0], np.geomspace(1e-2, 1e2, 49)))
+BEAM_AXES = np.geomspace(0.1, 100.0, 19), np.geomspace(0.01, 10.0, 19)
+ROD_MODES_AXES = np.geomspace(0.1, 100.0, 10), np.concatenate(([0.0], np.geomspace(1e-2, 10.0, 10)))
+BEAM_MODES_AXES = np.geomspace(0.1, 100.0, 7), np.geomspace(0.01, 10.0, 7)
+ROD_COUNTS = np.array([1, 2, 3, 5, 8, 12, 20, 30, 50, 80, 120])
+BEAM_COUNTS = np.array([1, 2, 3, 5, 8, 12, 20])
+SLENDER_AXES = np.geomspace(2.0, 100.0, 11), np.geomspace(0.01, 10.0, 10)
+SLENDER_MODES = 15
+YIELD_RATIOS = np.geomspace(0.5, 500.0, 61)
+PLASTIC = (YigitChristoforou, PlasticLinear, PlasticPower)
+
+
+def models_row(task: tuple) -> np.ndarray:
+    """(times, models, 4) of one mass ratio."""
+    family, law, ratio, times = task
+    rows = []
+    for relative in times:
+        scene = family_scene(family, ratio, relative, law)
+        rows.append(model_errors(scene, figures(reference(scene))))
+    return np.array(rows)
+
+
+def modes_row(task: tuple) -> np.ndarray:
+    """(times, counts, 4) of one mass ratio."""
+    family, ratio, times, counts = task
+    rows = []
+    for relative in times:
+        scene = family_scene(family, ratio, relative)
+        rows.append(modes_errors(scene, figures(reference(scene)), counts))
+    return np.array(rows)
+
+
+def slender_row(task: tuple) -> np.ndarray:
+    """(times, 4): Euler and Bernoulli against Timoshenko, at one slenderness and mass ratio 1."""
+    family, slenderness, times = task
+    rows = []
+    for relative in times:
+        scene = family_scene(family, 1.0, relative, slenderness=slenderness)
+        pair = [
+            figures(Modal(modes=SLENDER_MODES, estimate=False).solve(scene.replace({"target.theory": theory})))
+            for theory in ("euler-bernoulli", "timoshenko")
+        ]
+        rows.append(errors(*pair))
+    return np.array(rows)
+
+
+def plastic_curve(law: type) -> np.ndarray:
+    """(ratios, 3): restitution lost, peak force and contact time missed if the law stays elastic.
+
+    `ratio` is the speed over that at which yield begins, mu v^2 / 2 = 2 K alpha_Y^(5/2) / 5.
+    """
+    begins = 1e-6
+    rows = []
+    for ratio in YIELD_RATIOS.tolist():
+        stiffness, mass = 1e10, 1.0
+        speed = ratio * (0.8 * stiffness * begins**2.5 / mass) ** 0.5
+        found = []
+        for contact in (
+            {"law": law.NAME, "stiffness": stiffness, "yield_indentation": begins},
+            {"law": "hertz", "stiffness": stiffness},
+        ):
+            given = {"impactor": {"mass": mass, "velocity": speed}, "target": {"kind": "stop"}, "contact": contact}
+            found.append(figures(QuasiStatic(model="local").solve(Scene.from_table(given)), stresses=False))
+        missed = errors(found[1], found[0])
+        rows.append(missed[:3])
+    return np.array(rows)
+
+
+def swept(pool: ProcessPoolExecutor, row: Callable, tasks: list[tuple]) -> np.ndarray:
+    return np.array(list(pool.map(row, tasks)))
+
+
+def measure() -> dict[str, np.ndarray]:
+    """Every sweep; errors as bytes, see `regime_tables.encoded`."""
+    found: dict[str, np.ndarray] = {
+        "rod_axes_ratio": ROD_AXES[0], "rod_axes_time": ROD_AXES[1],
+        "beam_axes_ratio": BEAM_AXES[0], "beam_axes_time": BEAM_AXES[1],
+        "rod_modes_axes_ratio": ROD_MODES_AXES[0], "rod_modes_axes_time": ROD_MODES_AXES[1], "rod_counts": ROD_COUNTS,
+        "beam_modes_axes_ratio": BEAM_MODES_AXES[0], "beam_modes_axes_time": BEAM_MODES_AXES[1],
+        "beam_counts": BEAM_COUNTS, "slender_axes_ratio": SLENDER_AXES[0], "slender_axes_time": SLENDER_AXES[1],
+        "yield_ratios": YIELD_RATIOS,
+    }  # fmt: skip
+    seconds, scenes = {}, {}
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
+        sweeps = [
+            (f"{family}/{law}", models_row, [(family, law, r, ROD_AXES[1]) for r in ROD_AXES[0]])
+            for family, law in itertools.product(RODS, LAWS)
+        ]
+        sweeps += [(f, models_row, [(f, "linear", r, BEAM_AXES[1]) for r in BEAM_AXES[0]]) for f in BEAMS]
+        sweeps += [
+            (f"{f}/modes", modes_row, [(f, r, ROD_MODES_AXES[1], ROD_COUNTS) for r in ROD_MODES_AXES[0]]) for f in RODS
+        ]
+        sweeps += [
+            (f"{f}/modes", modes_row, [(f, r, BEAM_MODES_AXES[1], BEAM_COUNTS) for r in BEAM_MODES_AXES[0]])
+            for f in BEAMS
+        ]
+        sweeps += [(f"{f}/theory", slender_row, [(f, s, SLENDER_AXES[1]) for s in SLENDER_AXES[0]]) for f in BEAMS]
+        for name, row, tasks in sweeps:
+            begun = time.perf_counter()
+            values = swept(pool, row, tasks)
+            found[name] = encoded(values)
+            seconds[name], scenes[name] = time.perf_counter() - begun, values.shape[0] * values.shape[1]
+            print(f"  {name:28}{scenes[name]:6d} scenes  {seconds[name]:8.1f} s", flush=True)
+    for law in PLASTIC:
+        found[f"plastic/{law.NAME}"] = plastic_curve(law).astype(np.float32)
+    children = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024.0
+    made = {"script": "bench/measure_regimes.py", "machine": machine(), "seconds": seconds, "scenes": scenes}
+    found["made"] = np.array(json.dumps(made | {"largest_process_mb": children}))
+    return found
+
+
+def main() -> None:
+    argparse.ArgumentParser(description=__doc__).parse_args()
+    np.savez_compressed(STORED, **measure())
+    print(f"Stored {Path(STORED).stat().st_size / 1e3:.0f} kB in {STORED}")
+
+
+if __name__ == "__main__":
+    main()
