@@ -299,8 +299,9 @@ def _with_reason(found: Plan, smaller: list[Candidate]) -> Plan:
 
 def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
     """Bodies in which nothing rings are known in closed form; for the rest, the first method that can solve them."""
-    compact = scene.normal is not None or (scene.impactor.time_unit is None and scene.target.time_unit is None)
-    names = FALLBACKS
+    bodies = scene.impactor, scene.target
+    whole = all(body.time_unit is None and body.kind not in ("spring-mass", "half-space") for body in bodies)
+    compact, names = scene.normal is not None or whole, FALLBACKS
     if compact:
         names = ("rigid", "quasi-static") if question == "final-velocities" else ("quasi-static", "rigid")
         if scene.contact.PLASTIC:
@@ -311,7 +312,8 @@ def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
     name, changes = usable[0], {"method": {"name": usable[0]}}
     model = {"rigid": "rigid-impulse", "quasi-static": "local-quasi-static"}.get(name, name)
     told = name != "rigid" or question == "final-velocities"
-    error = (0.0 if told else math.inf) if compact or name == "waves" else math.nan
+    exact = compact or (name == "waves" and scene.target.kind in ("rod", "rods"))
+    error = (0.0 if told else math.inf) if exact else math.nan
     if name == "rigid" and scene.contact.LOSSY:
         changes["method"]["restitution"] = scene.contact.delivered(scene.reduced_mass, scene.speed)
     pair = f"a {scene.impactor.kind} on a {scene.target.kind}"

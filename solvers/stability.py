@@ -213,7 +213,7 @@ def _read_axis(name: str, given: int | Sequence[float]) -> Axis:
 def _modes(scene: Scene) -> int:
     for key in ("modes", "elements"):
         if key in scene.method:
-            return int(scene.method[key])
+            return checks.whole_number(f"method.{key}", scene.method[key], 1, 10_000)
     return USUAL_MODES
 
 

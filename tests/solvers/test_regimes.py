@@ -23,7 +23,17 @@ from solvers.regime_models import (
     modes_errors,
     reference,
 )
-from solvers.regime_tables import STORED, Table, decoded, encoded, how_measured, models_table, modes_table, theory_table
+from solvers.regime_tables import (
+    MOST,
+    STORED,
+    Table,
+    decoded,
+    encoded,
+    how_measured,
+    models_table,
+    modes_table,
+    theory_table,
+)
 from solvers.regimes import FAMILIES, LEVELS
 
 RANDOM = np.random.default_rng(5)
@@ -66,7 +76,7 @@ def test_the_expected_error_of_every_model_on_rods_is_that_of_fresh_scenes():
         true = model_errors(scene, figures(reference(scene)))
         expected = models_table(family, law).around(ratio, time)
         assert np.array_equal(np.isinf(true), np.isinf(expected))
-        finite = np.isfinite(true)
+        finite = np.isfinite(true) & (expected < MOST)
         told += finite.sum()
         above += np.sum(true[finite] > 1.25 * expected[finite] + 2e-3)
         assert np.all(true[finite] < 4.0 * expected[finite] + 0.05)
