@@ -20,6 +20,7 @@ from .element_motion import Course, shape_field
 STEPS_PER_PERIOD = 20  # of the highest mode kept
 USUAL_MODES = 20  # with a consistent boundary
 BOUNDARIES = ("consistent", "massless")
+NOTHING = 1e-12  # of a compliance: rounding
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,7 +83,13 @@ class FeModal(FiniteElements):
             return mesh_modes(mesh, kept, massless)
         if massless:  # the upper half is the mesh's own, and something must be left out to give way
             kept = min(kept, (mesh.size - mesh.free.shape[0]) // 2)
-        return mesh_modes(mesh, kept).felt()
+        modes = mesh_modes(mesh, kept).felt()
+        while massless and modes.residual_compliance < NOTHING * float(
+            ((modes.at_contact / modes.frequencies) ** 2).sum()
+        ):
+            kept -= 1  # on the coarsest meshes those left out may all be at rest where the beam is struck
+            modes = mesh_modes(mesh, kept).felt()
+        return modes
 
     def _course(self, scene: Scene, duration: float | None) -> Course:
         if duration is None and self.steps is not None:
