@@ -15,7 +15,7 @@ from solvers.contact_times import compare_with_half_space, contact_times
 from solvers.methods.modal import ModalMotion
 from solvers.numerics.bending_waves import dispersion
 
-from .frames import LARGEST_MASS, cycle, force_history, method_options, packed
+from .frames import FORCE_POINTS, LARGEST_MASS, cycle, force_history, method_options, packed
 from .state import acting_choices
 
 MS = 1e3  # [ms / s]
@@ -165,7 +165,12 @@ def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
 
 
 def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
-    time, force = force_history(solution)
+    """Contact force [N] over time [ms]; of modes in rigid contact as far as they can tell it."""
+    if isinstance(solution.motion, ModalMotion) and solution.scene.contact.NAME == "rigid":
+        time = instants(solution.duration, FORCE_POINTS)
+        force = solution.motion.resolved_force(time)
+    else:
+        time, force = force_history(solution)
     return {f"{name}Time": MS * time, f"{name}Force": force}
 
 
@@ -263,7 +268,7 @@ def _half_space(scene: Scene) -> dict[str, np.ndarray]:
 
 def _speeds(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
     """Angular frequency over wavenumber by the theory in use, and the kept modes on that curve [rad/s, 1/m]."""
-    modes = getattr(getattr(main.motion, "pair", None), "target", None) or scene.target.modes(REFERENCE_MODES[0])
+    modes = scene.target.modes(main.method.get("modes") or REFERENCE_MODES[0])
     line, highest = scene.target.line, float(modes.frequencies[-1])
     reach = 1.0 / scene.target.length
     while float(dispersion(line, np.array([reach]))[0][0]) < 1.15 * highest:

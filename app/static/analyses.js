@@ -38,7 +38,8 @@ class Methods {
     const away = frame.kind !== 'axial';
     this.button.setAttribute('aria-pressed', String(this.open));
     this.button.disabled = away;
-    this.button.title = { bodies: 'Bodies in space have one method: the rigid impulse', beam: 'No exact waves to measure by; choose a method to see it beside modes' }[frame.kind] ?? 'what each of them misses, and what it costs';
+    this.button.hidden = frame.kind === 'beam'; // no exact waves to measure by; every method is shown beside modes
+    this.button.title = away ? 'Bodies in space have one method: the rigid impulse' : 'what each of them misses, and what it costs';
     this.root.hidden = !this.open || away;
     if (!this.root.hidden) this.fill();
   }
@@ -89,6 +90,7 @@ class MassRatios {
     const one = frame.kind === 'axial' && ['mass', 'sphere'].includes(frame.impactor.kind) && frame.target.kind === 'rod' && !frame.target.endMass;
     const plain = one && frame.chosen.law === 'rigid' && ['fixed', 'free'].includes(frame.target.support);
     this.button.disabled = !plain;
+    this.button.hidden = frame.kind === 'beam';
     this.button.title = plain ? 'contacts, their times and the rebound for every mass ratio from 1/1000 to 1000'
       : !one ? 'For a mass on one uniform rod: other scenes have more than one number to vary' : 'For rigid contact, and a rod that is fixed or free: then the mass ratio says all';
     this.button.setAttribute('aria-pressed', String(this.open && plain));

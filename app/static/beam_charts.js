@@ -5,12 +5,13 @@ import { between } from './beam_field.js';
 import { figures, prefixed } from './beam_stage.js';
 
 const ENDS = { cantilever: ['clamp', 'tip'], 'pinned-pinned': ['pin', 'roller'], 'clamped-clamped': ['clamp', 'clamp'], 'free-free': ['free', 'free'], 'pinned-free': ['pin', 'free'] };
-const HALF_SPACE = '#7a5ea8', STRUCK = '#4f9bd8', BAND = 'rgba(122,94,168,.14)', WIDE = 'rgba(122,94,168,.09)';
+const HALF_SPACE = '#7a5ea8', STRUCK = '#4f9bd8', BAND = 'rgba(122,94,168,.14)', WIDE = 'rgba(122,94,168,.09)', RAW = 'rgba(11,79,138,.28)';
 
 // A method with its resolution, as a reader calls it.
 export const called = (solution) => {
-  const count = solution.name === 'fe-nodal' ? solution.elements : solution.modes ?? solution.elements;
-  return count ? `${solution.name === 'modal' ? '' : `${naming(solution.name)}, `}${count} ${solution.name === 'fe-nodal' ? 'elements' : 'modes'}` : naming(solution.name);
+  const { name, modes, elements } = solution, what = { modal: 'modes', 'mode-switch': 'switched modes', 'fe-modal': 'modes of elements', 'fe-nodal': 'elements' }[name];
+  const count = name === 'fe-nodal' ? elements : modes;
+  return what && count ? `${count} ${what}` : naming(name);
 };
 
 function shadeContacts(c, chart, contacts) {
@@ -89,10 +90,29 @@ export class BeamForce {
       this.force = new Float64Array(2 * modalForce.length);
       for (let k = 0; k < this.time.length; k++) { this.time[k] = 1e3 * step * ((k + 1) >> 1); this.force[k] = modalForce[k >> 1]; }
     } else Object.assign(this, { time: frame.mainTime, force: frame.mainForce });
+    this.raw = null;
+    const window = frame.law.name === 'rigid' && modalForce ? frame.main.diagnostics.resolved_time : 0;
+    if (window) { // chatter at the shortest kept period says nothing
+      this.raw = [this.time, this.force];
+      this.resolve(modalForce, step, window);
+    }
     this.half.hidden = !frame.halfForce;
+  }
+  // The mean force over the shortest kept period, the finest that the modes can tell.
+  resolve(raw, h, window) {
+    const n = raw.length, impulse = new Float64Array(n + 1);
+    for (let k = 0; k < n; k++) impulse[k + 1] = impulse[k] + raw[k] * h;
+    const sum = (t) => { const place = Math.min(Math.max(t / h, 0), n), i = Math.min(Math.floor(place), n - 1); return impulse[i] + (place - i) * (impulse[i + 1] - impulse[i]); };
+    this.time = new Float64Array(n + 1);
+    this.force = new Float64Array(n + 1);
+    for (let k = 0; k <= n; k++) {
+      this.time[k] = 1e3 * h * k;
+      this.force[k] = (sum(k * h + window / 2) - sum(k * h - window / 2)) / window;
+    }
   }
   get curves() {
     const { frame } = this, found = [];
+    if (this.raw) found.push([...this.raw, RAW, 1]);
     if (this.shown && frame.halfForce) found.push([frame.halfTime, frame.halfForce, HALF_SPACE, 1.3]);
     if (frame.reference) found.push([frame.referenceTime, frame.referenceForce, COLORS.modal, 1.1]);
     return [...found, [this.time, this.force, COLORS.waves, 1.6]];
@@ -105,7 +125,7 @@ export class BeamForce {
     for (const [time, force, color] of this.curves.reverse()) {
       let most = 0;
       for (let k = 0; k < time.length; k++) if (time[k] >= view[0] && time[k] <= view[1]) most = Math.max(most, force[k]);
-      high = color === HALF_SPACE && high > 0 ? Math.max(high, Math.min(most, 2 * high)) : Math.max(high, most); // it may leave the picture
+      high = color !== COLORS.waves && high > 0 ? Math.max(high, Math.min(most, 2 * high)) : Math.max(high, most); // others may leave the picture
     }
     const [factor, prefix] = prefixed(high);
     this.unit = [factor, `${prefix}N`];
@@ -120,6 +140,7 @@ export class BeamForce {
     for (const [time, force, color, width] of this.curves) chart.line(c, time.length, (k) => time[k], (k) => force[k] * factor, color, width);
     c.restore();
     const entries = [[called(frame.main), 'line waves']];
+    if (this.raw) entries.push(['raw', 'line raw-main']);
     if (frame.reference) entries.push([called(frame.reference), 'line modal']);
     if (this.shown && frame.halfForce) entries.push([`half-space (to ${figures(Math.max(...frame.halfForce) * factor, 2)})`, 'line half-space']);
     if (band) entries.push(['spread', 'chip spread']);

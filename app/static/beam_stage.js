@@ -172,7 +172,7 @@ export class BeamStage {
     c.textBaseline = 'alphabetic';
     const factor = this.scale * frame.beam.length / this.long;
     say(`movement drawn × ${figures(factor, 2)}`, 12, 18, 'left');
-    if (frame.staticPath && !narrow) say('dashed: bent as at rest, by the quasi-static estimate', 12, top - 8, 'left');
+    if (frame.staticShape && frame.staticPath && !narrow) say('dashed: bent as at rest, by the quasi-static estimate', 12, top - 8, 'left');
     const bar = Math.min(130, width * 0.26), x = width - bar - 14, y = 22, unit = this.what === 'moment' ? this.stressUnit : this.what === 'deflection' ? 1e3 : 1;
     const largest = this.field.usual[this.what] * unit, [factorOf, prefix] = this.what === 'shear' ? prefixed(largest) : [1, ''];
     for (let k = 0; k < bar; k++) { c.fillStyle = css(k / bar * 2 - 1, 1); c.fillRect(x + k, y, 1.2, 6); }

@@ -13,6 +13,7 @@ const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 const percent = (share) => `${(100 * share).toFixed(Math.abs(share) < 0.0995 ? 2 : 1)} %`;
 const speed = (v) => `${figures(v)} m/s`;
 export const duration = (ms) => (ms === 0 ? 'no time' : Math.abs(ms) < 0.9995 ? `${figures(ms * 1e3)} µs` : `${figures(ms)} ms`);
+const length = (m) => (Math.abs(m) < 1e-3 ? `${figures(m * 1e6)} µm` : `${figures(m * 1e3)} mm`);
 const STRIKERS = { sphere: 'ball', rod: 'rod', beam: 'other beam' };
 const strikerOf = (frame) => STRIKERS[frame.impactor.kind] ?? 'mass';
 const struckOf = ({ beam }) => (beam.place > 0.999 * beam.length && beam.support !== 'free-free' ? 'tip' : 'struck place');
@@ -34,8 +35,8 @@ export function beamEvents(frame) {
       : `Thrown ahead again: the ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}.`]);
   });
   if (last > TOLD) found.push([contacts[TOLD][0], `The same again and again: contacts ${TOLD + 1} to ${main.contacts}. Each passes a little of the push on to a longer piece of the beam.`]);
-  const turn = turningPoint(frame);
-  if (turn && turn[0] < contacts[last][1]) found.push([turn[0], `The ${mass} stands still; the ${tip} is bent out by ${figures(turn[1] * (turn[1] < 1e-3 ? 1e6 : 1e3))} ${turn[1] < 1e-3 ? 'µm' : 'mm'}. From here the bent beam, now as a whole, drives it back.`]);
+  const turn = turningPoint(frame), slow = frame.span.apparent > 0.7 * (frame.span.half ?? Infinity);
+  if (turn && turn[0] < contacts[last][1]) found.push([turn[0], `The ${mass} stands still, ${length(turn[1])} from where it touched${slow ? '; the beam is bent as a whole, and' : '. What has given way'} drives it back from here.`]);
   if (main.contacts <= contacts.length) {
     const end = contacts[last][1], leaves = main.final;
     found.push([end, main.stillTouching ? 'Here the time that was solved ends. They still touch.'
@@ -81,7 +82,8 @@ export class BeamStory {
     this.contactTable();
     this.figures();
     this.shares();
-    const notes = [...(frame.refused ? [`${frame.chosen.method}: ${frame.refused}. Modes are shown instead.`] : []), ...frame.main.notes, ...(frame.reference ? frame.reference.notes.filter((n) => !frame.main.notes.includes(n)).map((n) => `Beside it, ${called(frame.reference)}: ${n}`) : [])];
+    const { main, reference } = frame, unlike = reference && reference.contacts !== main.contacts;
+    const notes = [...(unlike ? [`By ${called(reference)} instead of ${called(main)} the blow has ${count(reference.contacts, 'contact')}, not ${main.contacts}: do not trust single contacts. “How far to trust this” tells what can be trusted.`] : []), ...(frame.refused ? [`${frame.chosen.method}: ${frame.refused}. Modes are shown instead.`] : []), ...frame.main.notes, ...(frame.reference ? frame.reference.notes.filter((n) => !frame.main.notes.includes(n)).map((n) => `Beside it, ${called(frame.reference)}: ${n}`) : [])];
     this.doubts.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
     this.doubts.hidden = this.doubtsHeading.hidden = !notes.length;
     const { keptModes, drawnModes } = frame;
@@ -94,7 +96,7 @@ export class BeamStory {
     this.whyHeading.textContent = many ? `Why one blow is ${main.contacts} contacts` : 'One contact, and why';
     this.why.textContent = many
       ? `Bending does not run through a beam at one speed: short waves run ahead, long ones follow (see the picture of the beam against time). So the ${mass} meets a beam that is light at first and grows heavier. It throws the light piece ahead, the rest holds that piece back, the ${mass} catches up and throws it ahead once more, until the whole beam moves with it.`
-      : `Here the ${mass} never catches up with the ${tip}: it is thrown back, or stays behind, before the waves that were sent out come back to it. A heavier ${mass}, or a harder contact, is hit more than once.`;
+      : `Here the force ends once and for all: the ${mass} has gone before the ${tip} can come back to it. A heavier ${mass}, or a harder contact, is hit more than once.`;
     const share = span.apparent > 0 ? span.real / span.apparent : 1, said = [];
     if (span.real > 0) said.push(many ? `From the first touch to the last parting it takes ${duration(span.apparent)}, but they press on each other during only ${duration(span.real)} of it (${percent(share)}).` : `They touch for ${duration(span.apparent)}.`);
     if (span.half) {

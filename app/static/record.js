@@ -77,7 +77,8 @@ export class Measurement {
   take(frame) {
     const away = frame.kind !== 'axial';
     this.button.disabled = away;
-    this.button.title = away ? 'A record is laid on a blow along rods' : 'a record of strain, stress or force beside this scene';
+    this.button.hidden = frame.kind === 'beam';
+    this.button.title = away ? 'A blow in space has no history to lay a record on' : 'a record of strain, stress or force beside this scene';
     this.root.classList.toggle('away', away);
     if (away) return;
     this.overlay();

@@ -100,7 +100,7 @@ export class Convergence extends Study {
     this.table.replaceChildren(head, make('tbody', {}, ...names.map((name) => {
       const cells = found.values[name].map((value) => shown(value, found.units[name]));
       const line = make('tr', {}, ...[name.replaceAll('_', ' '), ...cells].map((textContent) => make('td', { textContent })), make('td', { className: 'told', textContent: found.told[name].replace(/^[^:]*: /, '') }));
-      line.className = found.order[name] !== null || /the same|from \d+/.test(found.told[name]) ? 'firm' : 'loose';
+      line.className = found.order[name] !== null || /the same for all|^contacts: \d/.test(found.told[name]) ? 'firm' : 'loose';
       return line;
     })));
   }

@@ -136,8 +136,9 @@ def test_energy_over_time_of_a_beam(open_page):
     assert page.evaluate(f"() => ({cursor})().location") == 0.7
 
 
-def test_a_phone_shows_all_of_it(open_page):
-    page = open_page(SCENE, size=(390, 844), has_touch=True)
+@pytest.mark.parametrize("query", [SCENE, "?scene=timoshenko-1913-long"])
+def test_a_phone_shows_all_of_it(open_page, query):
+    page = open_page(query, size=(390, 844), has_touch=True)
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
     box = page.tab.get_by_role("button", name="Slow motion").bounding_box()
     assert box["x"] >= 0 and box["x"] + box["width"] <= 390
