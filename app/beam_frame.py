@@ -74,12 +74,15 @@ def beam_frame(scene: Scene, chosen: dict[str, Any]) -> bytes:
     if reference is not None:
         arrays |= _paths(reference, time, "reference") | _contacts(reference, "referenceContacts")
         arrays |= _history(reference, "reference")
-    arrays |= _static(scene, main) | _half_space(scene) | _speeds(scene, main) | cycle(main, CYCLE_SAMPLES)
+    refusals = {name: method().refusal(scene) for name, method in METHODS.items()}
+    if refusals["quasi-static"] is None:
+        arrays |= _static(scene, main)
+    arrays |= _half_space(scene) | _speeds(scene, main) | cycle(main, CYCLE_SAMPLES)
     header |= {
         "kind": "beam",
         "chosen": chosen,
         "acting": acting_choices(chosen),
-        "refusals": {name: method().refusal(scene) for name, method in METHODS.items()},
+        "refusals": refusals,
         "refused": reason,
         "title": scene.title,
         "source": scene.source,
@@ -169,9 +172,19 @@ def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
     if isinstance(solution.motion, ModalMotion) and solution.scene.contact.NAME == "rigid":
         time = instants(solution.duration, FORCE_POINTS)
         force = solution.motion.resolved_force(time)
+    elif isinstance(solution.motion, ModalMotion):
+        time, force = extremes(solution.motion.step, solution.motion.record.contact_force)
     else:
         time, force = force_history(solution)
     return {f"{name}Time": MS * time, f"{name}Force": force}
+
+
+def extremes(step: float, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Times [s] and least and largest values of a force in groups of steps, so that no contact is thinned away."""
+    group = -(-2 * force.size // FORCE_POINTS)
+    groups = np.pad(force, (0, -force.size % group), mode="edge").reshape(-1, group)
+    middles = (np.arange(groups.shape[0]) + 0.5) * group * step
+    return np.repeat(middles, 2), np.stack([groups.min(axis=1), groups.max(axis=1)], axis=1).ravel()
 
 
 def _contacts(solution: Solution, name: str) -> dict[str, np.ndarray]:
@@ -241,14 +254,11 @@ def whole_numbers(values: np.ndarray) -> tuple[np.ndarray, float]:
 
 def _static(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
     """Struck place by the quasi-static estimate [m], and the shape of the beam bent at rest there."""
-    method = METHODS["quasi-static"].read({})
-    if method.refusal(scene):
-        return {}
-    estimate = method.solve(scene, main.duration)
+    estimate = METHODS["quasi-static"].read({}).solve(scene, main.duration)
     time = np.linspace(0.0, main.duration, 200)
     found = {"staticTime": MS * time, "staticPath": estimate.motion.end_position(time)}
     if scene.target.fixed:
-        modes = scene.target.modes(20)
+        modes = scene.target.modes(REFERENCE_MODES[0])
         weights = modes.at_contact / modes.frequencies**2
         places = PLACES if isinstance(main.motion, ModalMotion) else SAMPLED_PLACES
         bent = weights @ modes.shapes(np.linspace(0.0, scene.target.length, places))

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import fields
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
+from .beam_choices import BEAM_CHOICES, on_beam, other_beam
 from .space import has_length, struck_at, struck_place
 
 SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
@@ -70,20 +72,25 @@ class Choices(param.Parameterized):
     @staticmethod
     def of_scene(name: str) -> dict[str, Any]:
         """The values that a built-in scene asks for, each within its bounds."""
-        scene = SCENES[name]
-        wanted: dict[str, Any] = {"speed": scene.speed}
-        if in_space(scene):
-            wanted["place"] = struck_place(scene)
-        elif np.isfinite(scene.mass_ratio):
-            wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
-        method = dict(scene.method)
-        wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
-        wanted["method"] = method.get("name", scene.usual_method)
-        if on_beam(scene):
-            wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
-        if not in_space(scene):
-            wanted |= {"law": scene.contact.NAME} | _constants(scene)
-        return {name: value for name, value in wanted.items() if accepts(name, value)}
+        return dict(_own_values(name))
+
+
+@cache
+def _own_values(name: str) -> dict[str, Any]:
+    scene = SCENES[name]
+    wanted: dict[str, Any] = {"speed": scene.speed}
+    if in_space(scene):
+        wanted["place"] = struck_place(scene)
+    elif np.isfinite(scene.mass_ratio):
+        wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
+    method = dict(scene.method)
+    wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
+    wanted["method"] = method.get("name", scene.usual_method)
+    if on_beam(scene):
+        wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
+    if not in_space(scene):
+        wanted |= {"law": scene.contact.NAME} | _constants(scene)
+    return {name: value for name, value in wanted.items() if accepts(name, value)}
 
 
 def scene_groups() -> list[list[Any]]:
@@ -104,20 +111,6 @@ def _heading(name: str, scene: Scene) -> str:
     if scene.impactor.kind == "rod" or scene.target.kind == "rods":
         return "Several rods"
     return {"rod": "One rod", "beam": "Beams"}.get(scene.target.kind, "Compact bodies")
-
-
-BEAM_CHOICES = {
-    "place": lambda beam: beam.at,
-    "support": lambda beam: beam.support,
-    "theory": lambda beam: beam.theory,
-    "slenderness": lambda beam: float(f"{beam.slenderness:.12g}"),
-    "damping": lambda beam: beam.damping,
-}
-
-
-def on_beam(scene: Scene) -> bool:
-    """Whether what is struck is a beam."""
-    return scene.target.kind == "beam"
 
 
 def in_space(scene: Scene) -> bool:
@@ -230,7 +223,7 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         changes = {f"{name}.velocity": faster * getattr(base, name).velocity for name in ("impactor", "target")}
     own = Choices.of_scene(chosen["scene"])
     if on_beam(base):
-        base = _other_beam(
+        base = other_beam(
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         )
     if "mass_ratio" in acting_choices(chosen):
@@ -238,21 +231,6 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
         changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)
-
-
-def _other_beam(base: Scene, chosen: dict[str, Any]) -> Scene:
-    """The scene with these choices of its beam; what another support does not allow is left out."""
-    if not chosen:
-        return base
-    target = base.target.table()
-    if "slenderness" in chosen:
-        target["length"] = 2.0 * base.target.half_depth * chosen["slenderness"]
-    target |= {"at" if name == "place" else name: chosen[name] for name in chosen if name != "slenderness"}
-    if target["support"] != "cantilever":
-        target.pop("end_mass", None)
-    if target["support"] != "free-free":
-        target.pop("velocity", None)
-    return base.replace({"target": target})
 
 
 _TRIAL = Choices()

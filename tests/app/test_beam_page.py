@@ -89,6 +89,7 @@ def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
 
 def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
     page = open_page(SCENE)
+    page.tab.wait_for_timeout(1000)  # what the opening still sends
     frames = dict(page.frames)
     page.tab.get_by_role("button", name="Slow motion").click()
     page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
