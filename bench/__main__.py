@@ -8,6 +8,7 @@ from pathlib import Path
 from solvers.machine import machine
 
 from . import (
+    automatic,
     beams,
     elements,
     ensemble,
@@ -36,6 +37,7 @@ PARTS = {
     "sweep": sweep,
     "regimes": regimes,
     "tradeoffs": tradeoffs,
+    "automatic": automatic,
     "waves": waves,
     "peers": peers,
     "page": page,

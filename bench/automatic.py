@@ -1,4 +1,4 @@
-"""`method = "auto"`: constants of cost, and over 500 random scenes how often it keeps its word."""
+"""`method = "auto"` over 500 random scenes: how often it keeps its word. Run alone: the constants of cost."""
 
 import json
 from collections.abc import Iterable
@@ -18,7 +18,7 @@ from solvers.machine import machine
 from .random_scenes import random_scene
 from .timing import row
 
-SCENES, BEAM_SCENES, COST_SCENES = 500, 100, 12
+SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 200, 60, 12
 LONGEST = 0.2  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.03, 0.01, 0.003, 0.001)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history")
@@ -27,9 +27,10 @@ WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 
 
 def measure() -> dict[str, object]:
-    found = fit_costs()
-    found |= judge("all methods", (random_scene(np.random.default_rng(i)) for i in range(SCENES)), None)
-    found |= judge("without waves", (random_scene(np.random.default_rng(i)) for i in range(SCENES)), WITHOUT_WAVES)
+    """Run `python -m bench.automatic` before, if a method has become quicker or slower: it renews costs.json."""
+    found = judge("all methods", (random_scene(np.random.default_rng(i)) for i in range(SCENES)), None)
+    others = (random_scene(np.random.default_rng(i)) for i in range(OTHER_SCENES))
+    found |= judge("without waves", others, WITHOUT_WAVES)
     beams = (random_scene(np.random.default_rng(1000 + i), beams=1.0) for i in range(BEAM_SCENES))
     return found | judge("beams", beams, None)
 
@@ -132,3 +133,7 @@ def exact(scene: solvers.Scene) -> Exact:
     if waves.refusal(scene) is None:
         return Exact(waves.solve(scene), None)
     return Exact(*(bare(solvers.Modal(modes=modes)).solve(scene) for modes in (1600, 800)))
+
+
+if __name__ == "__main__":
+    fit_costs()

@@ -7,7 +7,14 @@ from solvers.stored_tables import SHIPPED, scene_key
 
 from .timing import row
 
-SCENES = ("fixed-rod", "free-rod", "bronze-rod-steel-ball", "sphere-on-half-space", "two-equal-rods")
+SCENES = (
+    "fixed-rod",
+    "free-rod",
+    "bronze-rod-steel-ball",
+    "sphere-on-half-space",
+    "two-equal-rods",
+    "hammer-on-cantilever",
+)
 
 
 def measure() -> dict[str, object]:

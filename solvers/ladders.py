@@ -66,7 +66,8 @@ def ladders(scene: Scene) -> list[Ladder]:
 
 def ranked(found: list[Ladder]) -> list[Ladder]:
     """Those first whose finest answer is to be trusted most."""
-    return sorted(found, key=lambda ladder: TRUST.index(ladder.rungs[0].NAME))
+    places = {name: place for place, name in enumerate(TRUST)}
+    return sorted(found, key=lambda ladder: places.get(ladder.rungs[0].NAME, len(TRUST)))
 
 
 def refusals(scene: Scene) -> dict[str, str]:

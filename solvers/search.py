@@ -14,7 +14,7 @@ from .solution import Solution
 
 APART = {"modes": 3, "elements": 3, "steps": 2, "tolerance": 2}  # rungs from a solution to the one that proves it
 HARSH = ("peak-force", "force-history")  # may converge to something else where nothing gives way: a second method asked
-LONGEST = 20.0  # s of all solves, where no budget says otherwise
+LONGEST = 10.0  # s of all solves, where no budget says otherwise
 GROWTH = 2.5  # of the time from one rung to the next
 MARGIN = 0.8  # of the tolerance that an estimate may use up: the proof is not exact either
 SLOW = 10.0  # times slower than foretold: then kernels were compiled
@@ -82,35 +82,48 @@ class Search:
         if not refinable:
             self._hold_together()
             return
-        main = refinable[0]
-        for rung in range(len(main.rungs)):
-            if self.tried and not self._time_for(GROWTH * self.tried[-1].cost * self._slowness()):
-                break
-            finest = self._try(main, rung)
-            for coarser in self.tried[:-1]:
-                coarser.error = self._difference(coarser, finest)
-            self.chosen = self._proved(APART[main.knob])
-            if self.chosen is not None:
-                self.proof = finest
+        mains = {ladder.rungs[0].NAME: ladder for ladder in reversed(refinable)}  # the first of each method
+        for main in sorted(mains.values(), key=refinable.index):
+            if self._climb_ladder(main):
                 self._ask_another(refinable)
                 return
-        self.chosen = self.tried[-1]
-        self.chosen.error = _remainder(self.tried, self.wish.quantity)
+            if self.wish.tolerance is None or main.knob == "tolerance":
+                break  # the time is up, or nothing is better than waves
+        finest = {id(tried.ladder): tried for tried in self.tried}
+        self.chosen = min(finest.values(), key=lambda tried: math.inf if tried.error is None else tried.error)
 
-    def _proved(self, apart: int) -> Tried | None:
+    def _climb_ladder(self, main: Ladder) -> bool:
+        """Whether a solution on it could be proved."""
+        own: list[Tried] = []
+        for rung in range(len(main.rungs)):
+            if self.tried and not self._time_for(GROWTH * (own or self.tried)[-1].cost * self._slowness()):
+                break
+            finest = self._try(main, rung)
+            for coarser in own:
+                coarser.error = self._difference(coarser, finest)
+            own.append(finest)
+            self.chosen = self._proved(own)
+            if self.chosen is not None:
+                self.proof = finest
+                return True
+        if own:
+            own[-1].error = _remainder(own, self.wish.quantity)
+        return False
+
+    def _proved(self, own: list[Tried]) -> Tried | None:
         """The coarsest solution that agrees with the finest, as do all between: two alone may agree by chance."""
         if self.wish.tolerance is None:
             return None
         found = None
-        for tried in reversed(self.tried[:-1]):
+        for tried in reversed(own[:-1]):
             if tried.error is None or tried.error > MARGIN * self.wish.tolerance:
                 break
             found = tried
-        return found if found is not None and self.tried[-1].rung - found.rung >= apart else None
+        return found if found is not None and own[-1].rung - found.rung >= APART[found.ladder.knob] else None
 
     def _ask_another(self, refinable: list[Ladder]) -> None:
         """Forces where nothing gives way: modes may converge to something else than the truth."""
-        others = [ladder for ladder in refinable if ladder.rungs[0].NAME != refinable[0].rungs[0].NAME]
+        others = [ladder for ladder in refinable if ladder.rungs[0].NAME != self.proof.ladder.rungs[0].NAME]
         if (
             self.wish.quantity not in HARSH
             or self.scene.contact.NAME != "rigid"
