@@ -60,6 +60,8 @@ def ladders(scene: Scene) -> list[Ladder]:
     found: list[Ladder] = []
     for name, method in METHODS.items():
         for options in VARIANTS.get(name, ({},)):
+            if "restitution" in options and not _rings(scene) and scene.contact.NAME != "rigid":
+                continue  # bodies that neither ring nor bounce would stay together, which no contact law has them do
             found += _of(method.read(options), scene)
     return sorted(found, key=lambda ladder: len(ladder.rungs))
 
@@ -79,9 +81,8 @@ def refusals(scene: Scene) -> dict[str, str]:
 
 def _of(method: Method, scene: Scene) -> list[Ladder]:
     """The method as it is, if none of its knobs matters or a knob makes it coarser than it is, and with its knob."""
-    rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
     for knob in method.KNOBS:
-        if knob in SPATIAL and not rings:
+        if knob in SPATIAL and not _rings(scene):
             continue
         rungs = [_allowed(method, knob, size) for size in RUNGS[knob]]
         kept = tuple(rung for rung in rungs if rung is not None and rung.refusal(scene) is None)
@@ -89,6 +90,10 @@ def _of(method: Method, scene: Scene) -> list[Ladder]:
             exact = knob == "steps" and knob != method.KNOBS[-1]  # steps beside no steps at all
             return [*([Ladder(None, (method,))] if exact and method.refusal(scene) is None else []), Ladder(knob, kept)]
     return [Ladder(None, (method,))] if method.refusal(scene) is None else []
+
+
+def _rings(scene: Scene) -> bool:
+    return any(body.time_unit is not None for body in (scene.impactor, scene.target))
 
 
 def _allowed(method: Method, knob: str, size: float) -> Method | None:

@@ -77,6 +77,7 @@ class _Solved:
 
     ladder: Ladder
     answer: Answer
+    solution: Solution | None  # of the finest of each ladder only, as motions are large
     figures: dict[str, Any]  # fields of the Point
 
 
@@ -175,7 +176,9 @@ class Survey:
         if coarser and answer.same(coarser[-1].answer):
             self._remarks.append(f"{ladder.name}: a finer {ladder.knob} changes nothing.")
             return False
-        self._solved.append(_Solved(ladder, answer, self._figures(ladder, rung, solution, first, times)))
+        if coarser:
+            coarser[-1].solution = None
+        self._solved.append(_Solved(ladder, answer, solution, self._figures(ladder, rung, solution, first, times)))
         if ladder is self._main or self._truth is None:
             self._truth = Truth(self.scene, solution, answer)
             self._judged.clear()
@@ -255,21 +258,35 @@ class Survey:
         if self._kind == "closed form":
             words = f"closed form of '{name}': nothing that can solve this scene can be refined"
             return Reference("closed form", solution.method, uncertainty, words)
-        rivals = self._rivals()
-        compared = [self._truth.errors(rival.answer) for rival in rivals]
-        for quantity in QUANTITIES:
-            known = [abs(errors[quantity]) for errors in compared if errors[quantity] is not None]
-            uncertainty[quantity] = max(known, default=None)
-        beside = " and ".join(label(rival.figures["method"]) for rival in rivals) or "nothing yet"
-        return Reference("converged", solution.method, uncertainty, f"converged: {name}, compared with {beside}")
-
-    def _rivals(self) -> list[_Solved]:
-        """The next coarser of the main ladder, and the finest of the best other method."""
-        main = self._main.rungs[0]
         own = [solved for solved in self._solved if solved.ladder is self._main]
-        finest = {solved.ladder.name: solved for solved in self._solved if solved.ladder.converges}
-        others = [solved for solved in finest.values() if solved.ladder.rungs[0].NAME != main.NAME]
-        return own[-2:-1] + sorted(others, key=lambda solved: abs(self._truth.errors(solved.answer)["rebound"]))[:1]
+        coarser, other = own[-2:-1], self._finest_of_another()
+        doubts = [self._truth.errors(solved.answer) for solved in coarser]
+        words = f"converged: {name}, compared with {label(coarser[0].figures['method']) if coarser else 'nothing yet'}"
+        if other:
+            between = self._truth.errors(other[-1].answer)
+            own_doubt = Truth(self.scene, other[-1].solution, other[-1].answer).errors(other[-2].answer)
+            doubts.append({name: _beyond(between[name], own_doubt[name]) for name in QUANTITIES})
+            words += f" and, as far as it tells, with {label(other[-1].figures['method'])}"
+        for quantity in QUANTITIES:
+            known = [abs(doubt[quantity]) for doubt in doubts if doubt[quantity] is not None]
+            uncertainty[quantity] = max(known, default=None)
+        return Reference("converged", solution.method, uncertainty, words)
+
+    def _finest_of_another(self) -> list[_Solved]:
+        """The two finest of the ladder of another method that comes nearest."""
+        found: dict[int, list[_Solved]] = {}
+        for solved in self._solved:
+            if solved.ladder.converges and solved.ladder.rungs[0].NAME != self._main.rungs[0].NAME:
+                found.setdefault(id(solved.ladder), []).append(solved)
+        pairs = [own[-2:] for own in found.values() if len(own) > 1]
+        return min(pairs, key=lambda pair: abs(self._truth.errors(pair[-1].answer)["rebound"] or 0.0), default=[])
+
+
+def _beyond(between: float | None, doubt: float | None) -> float | None:
+    """How far two methods differ by more than the coarser of them knows of itself."""
+    if between is None or doubt is None:
+        return None
+    return abs(between) if abs(between) > abs(doubt) else 0.0
 
 
 LIMITS = ("peak-force", "force-history", "resolved-force")  # quantities that need not tend to the true ones
