@@ -242,9 +242,10 @@ def _beam_candidates(scene: Scene, family: str, number: int, groups: dict, toler
 
 
 def _modes_needed(family: str, number: int, groups: dict, tolerance: float) -> tuple[int, float]:
-    """The smallest number of modes measured to be within the tolerance, and its error; else the largest."""
+    """The smallest number of modes from which on all are within the tolerance, and its error; else the largest."""
     counts, table = modes_table(family)
     errors = table.around(groups["mass_ratio"], groups["contact_time"])[:, number]
+    errors = np.maximum.accumulate(errors[::-1])[::-1]  # few modes may be right by chance
     good = np.flatnonzero(errors <= tolerance)
     if good.size:
         return int(counts[good[0]]), float(errors[good[0]])

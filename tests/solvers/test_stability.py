@@ -52,6 +52,16 @@ def test_the_default_kernel_fails_at_no_corner_of_the_box(law, support):
             nothing_fails(law, support, values | more, share, 2_000 if values["modes"] == 1000 else 10_000)
 
 
+@pytest.mark.parametrize("name", ["figure-8.14", "two-equal-rods"])
+def test_nor_with_beams_and_rods_on_rods(name):
+    box = {key: BOX[key] for key in ("contact_stiffness", "speed")} | {"modes": (1, 100)}
+    for corner in itertools.product(*box.values()):
+        problem = problem_of(solvers.load(name), dict(zip(box, corner, strict=True)), 20)
+        for share in SHARES:
+            found = run("modal", problem, share * problem.usual_step, 10_000)
+            assert abs(found.energy_error) <= KEPT and found.ending in (ENDED, BOUND)
+
+
 def logarithmic(low: float, high: float):
     return st.floats(math.log(low), math.log(high)).map(math.exp).map(lambda x: min(max(x, low), high))
 
