@@ -7,10 +7,12 @@ several threads. `parallel=True` is never used: concurrent parallel regions abor
 import os
 import tempfile
 import threading
-from collections.abc import Iterator
+import warnings
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import numba
 import scipy.linalg  # noqa: F401  (Numba wants it for its first kernel: better here than inside the first solve)
@@ -86,6 +88,18 @@ kernel = numba.njit(cache=True, nogil=True, error_model="numpy")
 
 # Sums over modes may be reordered, so that they run on vector registers; NaN and infinity keep their meaning.
 summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"})
+
+
+def address(function: Callable, signature: Any) -> Any:
+    """A kernel, compiled for one signature, as a value that other kernels take without being compiled for it."""
+    if numba.config.DISABLE_JIT:
+        return function
+    pointer = numba.types.CompileResultWAP(function.get_compile_result(signature))
+    pointer._numba_type_ = numba.typeof(pointer)  # else Numba finds it out at every call, for 15 us
+    return pointer
+
+
+warnings.filterwarnings("ignore", "First-class function", numba.NumbaExperimentalFeatureWarning)
 
 
 # Let kernels call these methods of any contact law (a NamedTuple) exactly as plain Python does.

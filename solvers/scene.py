@@ -233,7 +233,11 @@ def _read_law(key: str, given: object, impactor: Any, target: Any, spatial: bool
         raise SceneError(key, given, "a table with the key law")
     law = LAWS[checks.choice(f"{key}.law", given.get("law", "rigid"), ("rigid",) if spatial else LAWS)]
     checks.table(key, given, ("law", *law.KEYS, *(("normal",) if spatial else ())))
-    return law.read(given, impactor, target)
+    try:
+        return law.read(given, impactor, target)
+    except SceneError as refused:  # laws name their keys as those of the impactor's contact
+        name = refused.key.removeprefix("contact.")
+        raise refused if name == refused.key else SceneError(f"{key}.{name}", refused.value, refused.allowed) from None
 
 
 def _read_joint_laws(impactor: Any, target: Any) -> tuple[Any, ...]:

@@ -67,8 +67,20 @@ class FeModal(FiniteElements):
         return not self._massless(scene)
 
     def _halved(self, scene: Scene) -> "FeModal":
-        kept = self._kept(scene)
-        return replace(super()._halved(scene), modes=None if kept is None else max(1, kept // 2))
+        kept, fewer = self._kept(scene), super()._halved(scene)
+        elements = fewer.elements if fewer._gives_way(scene) else self.elements
+        return replace(fewer, elements=elements, modes=None if kept is None else max(1, kept // 2))
+
+    def why_not(self, scene: Scene) -> str | None:
+        reason = super().why_not(scene)
+        if reason is None and not self._gives_way(scene):
+            reason = "a beam clamped at both ends must have 2 elements or more, got 1; or use boundary 'consistent'"
+        return reason
+
+    def _gives_way(self, scene: Scene) -> bool:
+        """Whether something of the mesh is left for the face to move by: one element clamped at both ends is stiff."""
+        clamped = scene.target.kind == "beam" and scene.target.support == "clamped-clamped"
+        return not (clamped and self._massless(scene) and self.elements < 2)
 
     def _kept(self, scene: Scene) -> int | None:
         """How many modes; None: all of them."""

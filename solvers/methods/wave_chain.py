@@ -1,4 +1,4 @@
-"""Scenes of rods for the kernel `numerics.wave_network`, and what it found as a motion.
+"""Scenes of rods for the kernel `numerics.wave_network`, and what it found; `chain_motion` makes a motion of it.
 
 Units inside: time in the scene's T, velocity in the speed of approach v, force in Z v of the struck rod, length in v T.
 """
@@ -9,28 +9,20 @@ from typing import Any
 import numpy as np
 
 from ..bodies import Rod
-from ..bodies.rods import MAX_RODS
 from ..contact import Linear, Rigid
 from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_network
-from ..numerics.wave_network import (
-    ABSORBING,
-    BONDED,
+from ..numerics.wave_laws import constants_of, law_function, new_work
+from ..numerics.wave_nodes import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain, new_state
+from ..numerics.wave_record import (
     DEPTH,
     FORCE,
-    FREE,
     IMPULSE,
-    LAW,
-    LOST,
     OUT_LEFT,
     OUT_RIGHT,
-    PLACE,
-    PRESSED,
-    RIGID_FACES,
-    SPEED,
-    TOTAL_LEFT,
-    TOTAL_RIGHT,
-    Chain,
+    highest,
+    new_record,
+    sample,
 )
 from ..scene import Scene
 from ..solution import ContactPeriod
@@ -40,7 +32,6 @@ MAX_STRETCHES = 200_000  # of all nodes together
 ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
 UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
 NO_LAW = Linear(1.0)  # where no law is asked for
-MAX_NODES = MAX_RODS + 2
 
 
 def end_notes(parted: bool, touching: bool, asked: bool, cut: bool = False) -> list[str]:
@@ -74,8 +65,10 @@ class ChainHistory:
         wait = math.inf if asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
         capacity = min(STRETCHES, MAX_STRETCHES // len(self.laws))
         while True:
-            status, self.record, self.state = wave_network.solve(
-                self.chain, *self._kernel_laws(), self._pulse(), self._masses(), wait, limit, tolerance, capacity
+            self.record, self.state = new_record(len(self.laws), capacity), new_state(self.chain, capacity)
+            rooms = self.record, self.state, new_work()
+            status = wave_network.solve(
+                self.chain, *rooms, *self._kernel_laws(), self._pulse(), self._masses(), wait, limit, tolerance
             )
             if status != wave_network.FULL or capacity >= MAX_STRETCHES // len(self.laws):
                 break
@@ -101,15 +94,17 @@ class ChainHistory:
         units = self.speed * self.trip, self.speed, self.force_unit
         return [None if law is None or isinstance(law, Rigid) else law.scaled(*units) for law in laws]
 
-    def _kernel_laws(self) -> tuple[Any, tuple[Any, ...], np.ndarray, np.ndarray]:
-        """Law of the contact, laws of the joints (a tuple of one type), and whether each sort remembers, and loses."""
+    def _kernel_laws(self) -> tuple[Any, Any, np.ndarray, np.ndarray, np.ndarray]:
+        """Law of the contact, law of the joints; constants of each node's, and whether it remembers, and loses."""
+        laws = [law or NO_LAW for law in self.laws]
         joints = [law for node, law in enumerate(self.laws) if law is not None and node != self.contact]
-        other = joints[0] if joints else NO_LAW
-        placed = [law if law is not None and node != self.contact else other for node, law in enumerate(self.laws)]
-        each = tuple(placed + [other] * (MAX_NODES - len(placed)))  # of one length, so that kernels are compiled once
-        contact = self.laws[self.contact] or NO_LAW
-        sorts = (contact, other)
-        return contact, each, np.array([law.PLASTIC for law in sorts]), np.array([law.LOSSY for law in sorts])
+        return (
+            law_function(type(laws[self.contact])),
+            law_function(type(joints[0] if joints else NO_LAW)),
+            constants_of(laws),
+            np.array([law.PLASTIC for law in laws]),
+            np.array([law.LOSSY for law in laws]),
+        )
 
     def _chain(self) -> Chain:
         """The scene as nodes and rods."""
@@ -180,7 +175,7 @@ class ChainHistory:
         """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
         t = np.asarray(t, float)
         out = np.empty(t.size)
-        wave_network.sample(self.record, node, quantity, np.ascontiguousarray(t.ravel()), after, out)
+        sample(self.record, node, quantity, np.ascontiguousarray(t.ravel()), after, out)
         return out.reshape(t.shape)
 
     def periods(self, node: int) -> list[ContactPeriod]:
@@ -209,7 +204,7 @@ class ChainHistory:
                     start=self.trip * float(start[begins]),
                     end=self.trip * float(start[ends + 1]),
                     impulse=self.force_unit * self.trip * float(impulse),
-                    peak_force=self.force_unit * wave_network.highest(self.record, node, begins, ends),
+                    peak_force=self.force_unit * highest(self.record, node, begins, ends),
                 )
             )
         return found
@@ -240,251 +235,3 @@ class ChainHistory:
         closed = self.record.closed[self.contact, :count]
         events = self.record.start[self.contact, 1:count][closed[1:] != closed[:-1]]
         return np.unique(np.concatenate(([0.0], events, breaks[breaks <= self.reach])))
-
-
-class ChainMotion:
-    """Fields and histories of a chain of rods from the waves that its nodes have sent."""
-
-    def __init__(self, history: ChainHistory):
-        self.history = history
-        self.scene = history.scene
-        self.edges = np.concatenate(([0.0], np.cumsum([rod.length for rod in history.rods])))
-        self.edges -= self.edges[history.contact]  # x = 0 where they touch
-        self._length_unit = history.speed * history.trip
-
-    # --- waves of rod i: f sent by its left end, g by its right end, each as it leaves --------------------------------
-
-    def sent(self, rod: int, right_going: bool, t: np.ndarray, after: bool = True) -> np.ndarray:
-        """Force wave [Z v] that an end of a rod sends at times [T]."""
-        node, quantity = (rod, OUT_RIGHT) if right_going else (rod + 1, OUT_LEFT)
-        return self.history.sampled(node, quantity, t, after)
-
-    def sent_total(self, rod: int, right_going: bool, t: np.ndarray) -> np.ndarray:
-        """Its integral from the beginning."""
-        node, quantity = (rod, TOTAL_RIGHT) if right_going else (rod + 1, TOTAL_LEFT)
-        return self.history.sampled(node, quantity, t)
-
-    def _face(self, rod: int, at_left: bool, t: np.ndarray, after: bool = True) -> tuple[np.ndarray, np.ndarray]:
-        """Displacement [v T] and velocity [v] of an end of a rod."""
-        chain, lag, t = self.history.chain, self.history.chain.transit[rod], self._before_the_end(t)
-        f, g = (t, t - lag) if at_left else (t - lag, t)
-        z, drift = chain.impedance[rod], chain.drift[rod]
-        place = drift * t + (self.sent_total(rod, True, f) - self.sent_total(rod, False, g)) / z
-        return place, drift + (self.sent(rod, True, f, after) - self.sent(rod, False, g, after)) / z
-
-    def _t(self, time):
-        return np.minimum(np.asarray(time, float) / self.history.trip, self.history.reach)
-
-    def _before_the_end(self, t: np.ndarray) -> np.ndarray:
-        """Times at which values after a jump are known."""
-        return np.minimum(t, self.history.reach * (1.0 - 1e-13))
-
-    def force(self, time, after=True):
-        t = np.asarray(time, float) / self.history.trip
-        after_all = t < self.history.reach
-        force = self.history.sampled(self.history.contact, FORCE, t, after)
-        if after and not after_all.all():  # at the end of the time solved no value after a jump is known
-            force = np.where(after_all, force, self.history.sampled(self.history.contact, FORCE, t, False))
-        return self.history.force_unit * np.maximum(force, 0.0)
-
-    def force_history(self):
-        """Times and forces with every jump kept: at a jump the time stands twice, value before, value after."""
-        history = self.history
-        even = np.linspace(0.0, history.reach, max(2, int(min(200 * history.reach, 20_000.0)) + 1))
-        jumps = history.jumps()
-        t = np.unique(np.concatenate([even, jumps[jumps <= history.reach]]))
-        before, after = self.force(t * history.trip, False), self.force(t * history.trip, True)
-        jump = np.abs(after - before) > 1e-9 * history.force_unit
-        times, forces = np.concatenate([t[jump], t]), np.concatenate([before[jump], after])
-        order = np.argsort(times, kind="stable")
-        return history.trip * times[order], forces[order]
-
-    def impulse(self, time):
-        unit = self.history.force_unit * self.history.trip
-        return unit * self.history.sampled(self.history.contact, IMPULSE, self._t(time))
-
-    def impactor_position(self, time):
-        """Of its face at the contact."""
-        t = self._t(time)
-        if self.history.contact:
-            return self._length_unit * self._face(0, False, t)[0]
-        return self._length_unit * self.history.sampled(0, PLACE, t)
-
-    def face_velocity(self, time, after=True):
-        """Of the impactor's face at the contact."""
-        if self.history.contact:
-            return self.history.speed * self._face(0, False, self._t(time), after)[1]
-        return self.impactor_velocity(time, after)
-
-    def impactor_velocity(self, time, after=True):
-        """Of its centre of mass."""
-        t = self._t(time)
-        if self.history.contact:
-            return self.scene.impactor.velocity - self.impulse(time) / self.scene.impactor.mass
-        first = self.history.chain.mass_drift[0]
-        return self.history.speed * np.where(t > 0.0, self.history.sampled(0, SPEED, t), first)
-
-    def end_position(self, time):
-        return self._length_unit * self._face(self.history.contact, True, self._t(time))[0]
-
-    def end_velocity(self, time, after=True):
-        return self.history.speed * self._face(self.history.contact, True, self._t(time), after)[1]
-
-    def rigid_velocity(self, time):
-        """Mean velocity of the target [m/s], (4.29)."""
-        t, target = self._t(time), self.scene.target
-        momentum = sum(self._momentum(rod, t) for rod in range(self.history.contact, len(self.history.rods)))
-        if target.rods[-1].end_mass:
-            momentum = momentum + target.rods[-1].end_mass * self._end_mass_velocity(t)
-        return self.history.speed * momentum / target.mass
-
-    def _end_mass_velocity(self, t: np.ndarray) -> np.ndarray:
-        """Of the mass on the far end [v]; unlike that of the face it is told by no jump."""
-        last = len(self.history.rods)
-        return np.where(t > 0.0, self.history.sampled(last, SPEED, t), self.history.chain.mass_drift[last])
-
-    def _momentum(self, rod: int, t: np.ndarray) -> np.ndarray:
-        """Of a rod [kg] times v, without what is fixed to its end."""
-        body, lag = self.history.rods[rod], self.history.chain.transit[rod]
-        inside = [self.sent_total(rod, way, t) - self.sent_total(rod, way, t - lag) for way in (True, False)]
-        unit = self.history.force_unit * self.history.trip / self.history.speed
-        return (body.mass - body.end_mass) * self.history.chain.drift[rod] + unit * (inside[0] - inside[1])
-
-    def _energy(self, rod: int, t: np.ndarray) -> np.ndarray:
-        """Kinetic and strain energy of a rod [Z v^2 T], without what is fixed to its end."""
-        chain, record, lag = self.history.chain, self.history.record, self.history.chain.transit[rod]
-        z, drift = chain.impedance[rod], chain.drift[rod]
-        squares = np.array(
-            [
-                sum(
-                    wave_network.square_integral(record, node, quantity, max(now - lag, 0.0), now)
-                    for node, quantity in ((rod, OUT_RIGHT), (rod + 1, OUT_LEFT))
-                )
-                for now in t.tolist()
-            ]
-        )
-        inside = [self.sent_total(rod, way, t) - self.sent_total(rod, way, t - lag) for way in (True, False)]
-        return 0.5 * z * lag * drift**2 + drift * (inside[0] - inside[1]) + squares / z
-
-    def energies(self, time):
-        """Energy split [J] at each time; that of the rods is what their waves hold, summed from the field."""
-        history, scene = self.history, self.scene
-        t = np.atleast_1d(self._t(time))
-        unit = history.force_unit * history.speed * history.trip
-        target = unit * sum(self._energy(rod, t) for rod in range(history.contact, len(history.rods)))
-        last, end = len(history.rods) - 1, scene.target.rods[-1]
-        if end.end_mass:
-            target = target + 0.5 * end.end_mass * (history.speed * self._end_mass_velocity(t)) ** 2
-        if end.support == "anechoic":
-            gone = [
-                wave_network.square_integral(
-                    history.record, last, OUT_RIGHT, 0.0, max(now - history.chain.transit[last], 0.0)
-                )
-                for now in t.tolist()
-            ]
-            target = target + unit * np.array(gone) / history.chain.impedance[last]
-        rigid = self._as_wholes(t)
-        impactor = np.zeros_like(t)
-        if history.contact:
-            impactor = unit * self._energy(0, t)
-        elif scene.impactor.kind != "pulse":
-            impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
-        local, lost = self._local(t)
-        return {
-            "impactor": impactor,
-            "target_rigid": rigid,
-            "target_vibration": target - rigid,
-            "local": unit * local,
-            "dissipated": unit * lost,
-        }
-
-    def work(self, time: float) -> float:
-        """What the contact force has done to the target [J]: the integral of force times velocity of its face."""
-        history, rod = self.history, self.history.contact
-        t, lag, z = min(time / history.trip, history.reach), history.chain.transit[rod], history.chain.impedance[rod]
-        out = wave_network.square_integral(history.record, rod, OUT_RIGHT, 0.0, t)
-        back = wave_network.square_integral(history.record, rod + 1, OUT_LEFT, 0.0, max(t - lag, 0.0))
-        pushed = float(history.sampled(rod, IMPULSE, np.array([t]))[0])
-        unit = history.force_unit * history.speed * history.trip
-        return float(unit * ((out - back) / z + history.chain.drift[rod] * pushed))
-
-    def _as_wholes(self, t: np.ndarray) -> np.ndarray:
-        """Kinetic energy [J] of the mean motion of each part of the target that nothing holds and no joint divides."""
-        rods, target = self.history.rods, self.scene.target
-        energy, momentum, mass = np.zeros_like(t), np.zeros_like(t), 0.0
-        for rod in range(self.history.contact, len(rods)):
-            momentum, mass = momentum + self._momentum(rod, t), mass + rods[rod].mass
-            if rods[rod].end_mass:
-                momentum = momentum + rods[rod].end_mass * self._end_mass_velocity(t)
-            joint = rod - self.history.contact
-            last = rod == len(rods) - 1
-            if last or not target.joints[joint].bonded:
-                if not (last and target.held):
-                    energy += 0.5 * (self.history.speed * momentum) ** 2 / mass
-                momentum, mass = np.zeros_like(t), 0.0
-        return energy
-
-    def _local(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Energy stored in the contact laws, and lost by them [Z v^2 T]."""
-        stored, lost = np.zeros_like(t), np.zeros_like(t)
-        for node, law in enumerate(self.history.laws):
-            if law is None:
-                continue
-            depth = self.history.sampled(node, DEPTH, t)
-            count = int(self.history.record.count[node])
-            ends = self.history.record.values[node, :count, DEPTH, -1]
-            before = np.concatenate(([0.0], np.maximum.accumulate(np.maximum(ends, 0.0))))
-            cells = np.clip(np.searchsorted(self.history.record.start[node, 1:count], t, "right"), 0, count)
-            deepest = np.maximum(before[cells], depth)
-            stored += [law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)]
-            lost += self.history.sampled(node, LOST, t)
-        return stored, lost
-
-    def jumps(self, rod: int, right_going: bool, until: float) -> np.ndarray:
-        """Times [T] at which a wave jumps as it is sent."""
-        node, quantity = (rod, OUT_RIGHT) if right_going else (rod + 1, OUT_LEFT)
-        count = int(self.history.record.count[node])
-        values, start = self.history.record.values[node, :count, quantity], self.history.record.start[node, :count]
-        jumped = np.abs(values[1:, 0] - values[:-1, -1]) > 1e-6
-        first = start[:1] if abs(values[0, 0]) > 1e-6 else start[:0]
-        jumps = np.concatenate([first, start[1:][jumped]])
-        return jumps[jumps <= until]
-
-    # --- fields -------------------------------------------------------------------------------------------------------
-
-    def _field(self, time, x, of_rod):
-        """`of_rod(rod, t, place)` on every rod, place [T] a wave's time from its left end; x < 0 in the impactor."""
-        t, x = self._before_the_end(self._t(time))[:, None], np.asarray(x, float)
-        found = np.empty((t.size, x.size))
-        rods = np.clip(np.searchsorted(self.edges, x, "right") - 1, 0, len(self.history.rods) - 1)
-        rods = np.where((x == 0.0), self.history.contact, rods)
-        for rod in np.unique(rods):
-            here = rods == rod
-            share = (x[here] - self.edges[rod]) / self.history.rods[rod].length
-            place = np.clip(share, 0.0, 1.0) * self.history.chain.transit[rod]
-            found[:, here] = of_rod(rod, t, place[None, :])
-        return found
-
-    def stress(self, time, x):
-        def of_rod(rod, t, place):
-            lag = self.history.chain.transit[rod]
-            waves = self.sent(rod, True, t - place) + self.sent(rod, False, t - lag + place)
-            return self.history.force_unit / self.history.rods[rod].area * waves
-
-        return self._field(time, x, of_rod)
-
-    def velocity(self, time, x):
-        def of_rod(rod, t, place):
-            chain, lag = self.history.chain, self.history.chain.transit[rod]
-            waves = self.sent(rod, True, t - place) - self.sent(rod, False, t - lag + place)
-            return self.history.speed * (chain.drift[rod] + waves / chain.impedance[rod])
-
-        return self._field(time, x, of_rod)
-
-    def displacement(self, time, x):
-        def of_rod(rod, t, place):
-            chain, lag = self.history.chain, self.history.chain.transit[rod]
-            moved = self.sent_total(rod, True, t - place) - self.sent_total(rod, False, t - lag + place)
-            return self._length_unit * (chain.drift[rod] * t + moved / chain.impedance[rod])
-
-        return self._field(time, x, of_rod)

@@ -98,9 +98,7 @@ class SteppedHistory(History):
         beta, reflection = scene.mass_ratio, 1.0 if scene.target.fixed else -1.0
         asked = math.isfinite(until)
         if not asked:
-            most = int(min(cls.COARSE * MAX_ROUND_TRIPS, 2_000_000))
-            contacts = stepped_waves.strike(beta, reflection, cls.COARSE, most, False, 1000)[4]
-            until = float(contacts[-1, 1]) + AFTERGLOW
+            until = cls._lasting(beta, reflection) + AFTERGLOW
         self.per_trip = max(2, round(steps / until))
         count = max(1, math.ceil(until * self.per_trip - 1e-9))
         found = stepped_waves.strike(beta, reflection, self.per_trip, count, True, 1000)
@@ -114,6 +112,16 @@ class SteppedHistory(History):
         coarse = stepped_waves.strike(beta, reflection, half, math.ceil(self.reach * half), True, 1000)
         self.difference = abs(float(coarse[3][-1] - self.velocity[-1]))
         return self
+
+    @classmethod
+    def _lasting(cls, beta: float, reflection: float) -> float:
+        """When the last contact ends [T], on the coarse grid; with room for few steps first: most blows are short."""
+        limit, most = 1_000, int(min(cls.COARSE * MAX_ROUND_TRIPS, 2_000_000))
+        while True:
+            limit = min(8 * limit, most)
+            contacts, parted = stepped_waves.strike(beta, reflection, cls.COARSE, limit, False, 1000)[4:]
+            if parted or limit == most:
+                return float(contacts[-1, 1])
 
     def estimated_error(self, residual):
         return max(self.difference, residual, 1e-15)

@@ -12,7 +12,8 @@ from ..contact import Rigid
 from ..method import AFTERGLOW, Method
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
-from .wave_chain import UNKNOWN, ChainHistory, ChainMotion
+from .chain_motion import ChainMotion
+from .wave_chain import UNKNOWN, ChainHistory
 from .wave_histories import History, RigidHistory, SteppedHistory
 
 FORCE_SAMPLES = 200  # per round trip, in `force_history`

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from pytest import approx
 
 import solvers
-from solvers import Scene, Waves
+from solvers import Scene, SceneError, Waves
 
 SPEED = 5000.0  # m/s, of waves in the material below
 MATERIAL = {"young": 2e11, "density": 8000.0}
@@ -130,3 +130,10 @@ def test_energy_and_momentum_are_kept_and_nothing_pulls(areas, lengths, gap, sup
     assert solution.motion.force_history()[1].min() >= 0.0
     assert all(contact.impulse > -1e-12 for joint in solution.joints for contact in joint)
     assert math.isfinite(solution.impactor_velocity)
+
+
+def test_a_law_of_a_joint_that_lacks_a_constant_is_named_where_it_stands():
+    target = chain(rod(0.3), rod(0.3, joint="touching", contact={"law": "linear"}))
+    with pytest.raises(SceneError) as refused:
+        struck(striker(0.2), target)
+    assert refused.value.key == "target.rods[2].contact.stiffness"

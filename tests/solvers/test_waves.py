@@ -571,3 +571,10 @@ def test_steps_are_for_rigid_contact():
 
 def test_order_helper_measures_an_order():
     assert observed_order(lambda h: 3.0 + 2.0 * h**2, [0.1, 0.05, 0.025, 0.0125]) == approx(2.0, abs=1e-9)
+
+
+def test_a_stepped_blow_is_as_long_as_it_lasts_however_long_that_is():
+    for beta in (1e-3, 1.0):  # a mass far heavier than the rod pushes on for a thousand round trips
+        exact, stepped = (Waves(steps=steps).solve(struck_rod(beta)) for steps in (None, 100_000))
+        assert stepped.contacts[-1].end == approx(exact.contacts[-1].end, rel=1e-3)
+        assert stepped.duration == approx(exact.duration, rel=1e-3)
