@@ -169,9 +169,9 @@ def solve(
     """Follow every node to `until`, or until the impactor has parted from the target for good; returns the status.
 
     record, state, work: new ones, which are filled. contact, joint: their laws, see `wave_laws.law_function`; of that
-    of every node the constants (nodes, CONSTANTS), and whether it remembers, and loses (nodes,). pulse (2, points): times
-    and values of the force on a PRESSED node. masses (nodes + 1,): of the parts of the chain, see `_parted`. wait: how
-    long after parting no touch may come.
+    of every node the constants (nodes, CONSTANTS), and whether it remembers, and loses (nodes,). pulse (2, points):
+    times and values of the force on a PRESSED node. masses (nodes + 1,): of the parts of the chain, see `_parted`.
+    wait: how long after parting no touch may come.
     """
     nodes, capacity = chain.kind.size, record.closed.shape[1]
     for node in range(nodes):

@@ -49,6 +49,8 @@ def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
 
 
 def test_everything_that_can_be_opened_is_compiled_ahead():
+    runners = [value for value in vars(lab.Lab()).values() if isinstance(value, Runner)]
+    assert {runner._work.__name__ for runner in runners} == set(works())
     asked = list(usual())
     assert asked[0] == ("solve_frame", Choices().chosen())
     assert {name for name, _ in asked} == set(works())
