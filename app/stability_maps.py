@@ -11,7 +11,7 @@ from solvers import SceneError, Stability
 from solvers.stability import AXES, CANNOT, NOT_RUN, Map
 from solvers.stability_runs import INTEGRATORS
 
-USUAL_GRID = "20x40"
+USUAL_GRID = "20x41"  # five columns a decade: one of them is a hundred times an element
 LEGEND = (
     ". energy kept to 1e-6   o to 1 %   e worse   L never parts   X more than doubles its energy   ! stopped at the "
     "bound   | theoretical limit, stable on its left or below it"

@@ -128,7 +128,7 @@ def stability(
     scene: Scene,
     integrators: Sequence[str] | None = None,
     axes: Sequence[str] = ("step", "contact_stiffness"),
-    grid: Sequence[int | Sequence[float]] = (40, 40),
+    grid: Sequence[int | Sequence[float]] = (40, 41),
     *,
     modes: int | None = None,
     most_steps: int | None = None,
@@ -148,7 +148,7 @@ def stability(
     `cancel()` true: what has not begun is not run. `progress(done, columns)` is called from the worker threads.
     Every run ends by itself: when no bulge can close the gap any more, or after eight times the time expected, or after
     `most_steps`, usually 100 000, fewer with more than 200 modes. Raises SceneError.
-    Cost: 40 x 40 runs of six integrators with 20 modes take a few seconds on two cores; 1000 modes take minutes.
+    Cost: 40 x 41 runs of six integrators with 20 modes take a few seconds on two cores; 1000 modes take minutes.
     """
     names = [checks.choice("integrators", name, INTEGRATORS) for name in dict.fromkeys(integrators or INTEGRATORS)]
     refusal = Modal().refusal(scene)
