@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from pytest import approx
 
 import solvers
-from solvers import Scene, SceneError, Waves
+from solvers import LAWS, Scene, SceneError, Waves
+from solvers.numerics import wave_network
 
 SPEED = 5000.0  # m/s, of waves in the material below
 MATERIAL = {"young": 2e11, "density": 8000.0}
@@ -137,3 +138,12 @@ def test_a_law_of_a_joint_that_lacks_a_constant_is_named_where_it_stands():
     with pytest.raises(SceneError) as refused:
         struck(striker(0.2), target)
     assert refused.value.key == "target.rods[2].contact.stiffness"
+
+
+def test_the_network_is_compiled_once_whatever_strikes_whatever_by_any_law():
+    for name in ("bronze-rod-steel-ball", "rod-with-gap", "pressure-bar"):
+        solvers.solve(solvers.load(name))
+    pressed = chain(rod(0.3), rod(0.3, joint="touching", contact={"law": "linear", "stiffness": 1e9}))
+    for law in ("hertz", "plastic-power"):
+        solvers.solve(struck(striker(0.2), pressed, {"law": law} | LAWS[law].EXAMPLE))
+    assert len(wave_network.solve.signatures) == 1
