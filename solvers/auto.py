@@ -35,7 +35,6 @@ class Auto(Method):
     among: tuple[str, ...] | None = None  # methods that may be chosen; all
 
     NAME = "auto"
-    SPATIAL = PULSES = BEAMS = True
 
     @classmethod
     def read(cls, given: Mapping[str, object]) -> "Auto":
@@ -56,6 +55,10 @@ class Auto(Method):
     def goal(self) -> float | None:
         """The tolerance; None: as good as the budget allows."""
         return 0.01 if self.tolerance is None and self.budget is None else self.tolerance
+
+    def refusal(self, scene: Scene) -> str | None:
+        """What any of the methods knows, it knows."""
+        return self.why_not(scene)
 
     def why_not(self, scene: Scene) -> str | None:
         if self._ladders(scene):

@@ -155,7 +155,8 @@ class Search:
     def _try_cheaper(self) -> None:
         """Other methods whose solve costs less, held against the same proof."""
         for ladder in self._own:
-            if ladder is self.proof.ladder or ladder is self.chosen.ladder:
+            assumed = ladder.knob is not None and not ladder.converges  # right by chance only
+            if assumed or ladder is self.proof.ladder or ladder is self.chosen.ladder:
                 continue
             for rung in range(len(ladder.rungs)):
                 least = expected_time(ladder.rungs[rung].table(), 0)
@@ -190,7 +191,13 @@ class Search:
     # --- the answer in words ------------------------------------------------------------------------------------------
 
     def answer(self) -> Solution:
-        """What was chosen, with the reasons in its diagnostics and notes."""
+        """What was chosen, with the reasons in its diagnostics and notes.
+
+        `diagnostics["chosen"]`, all a page needs to show and prove the choice: quantity, tolerance, budget as asked
+        for; estimated_error of that quantity; met, None if only a budget was given; why, a sentence; proof, the table
+        `[method]` of the solution it was held against; tried, each with method, label, cost (expected time of a warm
+        solve [s]), wall_time (of this one) and estimated_error; wall_time of everything.
+        """
         self._climb()
         if self.proof not in (None, self.chosen) and self.wish.tolerance is not None:
             self._try_cheaper()
