@@ -40,7 +40,7 @@ export function beamEvents(frame) {
   if (main.contacts <= contacts.length) {
     const end = contacts[last][1], leaves = main.final;
     found.push([end, main.stillTouching ? 'Here the time that was solved ends. They still touch.'
-      : `The last contact is over: the ${mass} ${Math.abs(leaves) < 5e-4 * frame.speed ? 'is left standing' : `goes ${leaves < 0 ? 'back' : 'on'} at ${speed(Math.abs(leaves))}`}. They part for good.`]);
+      : `The ${last ? 'last ' : ''}contact is over: the ${mass} ${Math.abs(leaves) < 5e-4 * frame.speed ? 'is left standing' : `goes ${leaves < 0 ? 'back' : 'on'} at ${speed(Math.abs(leaves))}`}. They part for good.`]);
   }
   return found.sort((a, b) => a[0] - b[0]);
 }
@@ -133,7 +133,7 @@ export class BeamStory {
   shares() {
     const { energy } = this.frame.main, parts = [], bar = make('div', { className: 'bar' });
     const split = 'target_kinetic' in energy && 'target_strain' in energy;
-    const names = [['impactor', 'impactor'], ['target_rigid', 'beam as a whole'], ...(split ? [['target_kinetic', 'beam, moving'], ['target_strain', 'beam, bent']] : [['target_vibration', 'waves left in it']]), ['local', 'in the contact'], ['dissipated', this.frame.law.yields ? 'lost by yielding' : 'lost']];
+    const names = [['impactor', 'impactor'], ['target_rigid', 'beam as a whole'], ...(split ? [['target_kinetic', 'beam, moving'], ['target_strain', 'beam, bent']] : [['target_vibration', 'waves left in it']]), ['local', 'in the contact'], ['dissipated', this.frame.law.yields && !['balance', 'rigid'].includes(this.frame.main.name) ? 'lost by yielding' : 'lost']];
     for (const [key, name] of names) {
       const share = (energy[key] ?? 0) / energy.initial;
       if (Math.abs(share) < 5e-5) continue;

@@ -24,7 +24,7 @@ const LABELS = {
   support: ['Support', '', { cantilever: 'Cantilever', 'pinned-pinned': 'Pinned at both ends', 'clamped-clamped': 'Clamped at both ends', 'free-free': 'Free at both ends', 'pinned-free': 'Pinned and free' }],
   theory: ['Theory', '', { 'euler-bernoulli': 'Euler–Bernoulli', timoshenko: 'Timoshenko' }],
   slenderness: ['Length over depth', '', null, 'log'],
-  damping: ['Damping of modes', 'of critical', null],
+  damping: ['Modal damping', 'of critical', null],
 };
 const ORDER = ['scene', 'mass_ratio', 'speed', 'place', 'support', 'theory', 'slenderness', 'damping', 'law', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth', 'exponent', 'yield_indentation', 'restitution', 'modes', 'elements', 'method'];
 const STEPS = 1000;

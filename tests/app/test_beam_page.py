@@ -40,7 +40,7 @@ def test_a_beam_is_drawn_and_its_story_told(open_page):
         ("Length over depth", "slenderness", 0.5),
         ("Mass ratio", "mass_ratio", 0.6),
         ("Struck at", "place", 0.6),
-        ("Damping of modes", "damping", 0.4),
+        ("Modal damping", "damping", 0.4),
     ],
 )
 def test_each_slider_of_a_beam_redraws_it(open_page, label, name, to):
