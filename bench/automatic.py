@@ -100,6 +100,7 @@ def judge(what: str, scenes: Iterable[solvers.Scene], among: tuple[str, ...] | N
         (f"{what}: says that the tolerance is met", 100.0 * (1.0 - len(unmet) / count), "%"),
         (f"{what}: then true error within the tolerance", 100.0 * np.mean(kept), "%"),
         (f"{what}: then estimate within a factor 3 of the true error", 100.0 * np.mean(near), "%"),
+        (f"{what}: of which the true error is known", len(kept), ""),
         (f"{what}: of these both below 1e-9", 100.0 * trivial / max(1, len(near)), "%"),
         (f"{what}: whole search, median", 1e3 * float(np.median(spent)), "ms"),
         (f"{what}: refused", refused, ""),
