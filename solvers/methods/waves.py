@@ -13,6 +13,7 @@ from ..method import AFTERGLOW, Method
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
 from .chain_motion import ChainMotion
+from .grazing import grazing_note
 from .wave_chain import UNKNOWN, ChainHistory
 from .wave_histories import History, RigidHistory, SteppedHistory
 
@@ -97,9 +98,16 @@ class Waves(Method):
             peak_force=max(contact.peak_force for contact in contacts),
             peak_indentation=None,
             residual_indentation=None,
-            notes=history.notes,
+            notes=history.notes + self._grazing(scene, duration),
             **found,
         )
+
+    def _grazing(self, scene: Scene, duration: float | None) -> list[str]:
+        """Whether a little more or less mass changes the number of contacts; of whole, exact blows."""
+        if self.steps is not None or duration is not None:
+            return []
+        note = grazing_note(scene.mass_ratio, 1.0 if scene.target.fixed else -1.0)
+        return [] if note is None else [note]
 
     def _solve_chain(self, scene: Scene, until: float, begun: float) -> Solution:
         """Several rods, or a contact law, or a rod that strikes: see `numerics.wave_network`."""
