@@ -533,3 +533,12 @@ def test_arbitrary_method_tables_are_read_or_refused(table):
     except SceneError:
         return
     assert isinstance(method, solvers.Method)
+
+
+def test_another_method_leaves_the_options_of_the_one_before():
+    scene = SCENES["figure-8.1"]
+    assert dict(scene.replace({"method.name": "modal"}).method) == {"name": "modal", "duration": 0.0003}
+    named = scene.replace({"method.name": "modal", "method.modes": 7}).method
+    assert dict(named) == {"name": "modal", "modes": 7, "duration": 0.0003}
+    assert scene.replace({"method.name": "fe-nodal"}).method == scene.method
+    assert scene.replace({"impactor.mass": 1.0}).method == scene.method
