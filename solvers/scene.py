@@ -75,7 +75,8 @@ class Scene:
     def replace(self, changes: Mapping[str, object]) -> "Scene":
         """The scene with other values, by dotted key: `scene.replace({"target.length": 0.5})`.
 
-        Another `method.name` takes the options of the method before with it; `duration` stays. Raises SceneError for a key that does not exist or a value that is not allowed.
+        Another `method.name` takes the options of the method before with it; `duration` stays. Raises SceneError for a
+        key that does not exist or a value that is not allowed.
         """
         tables = _copied(self.given or self.table())
         options = tables.get("method", {})
