@@ -95,16 +95,19 @@ COMPILER = Compiler()
 
 def works() -> dict[str, Callable]:
     """What the page asks for, by name."""
+    from .advice import plan_data, regimes_data
     from .analysis import energy_shares
     from .frames import solve_frame
     from .mass_ratios import ratios_for
     from .methods_table import methods_table
     from .trust_view import convergence_data, trust_data
 
-    found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data)
+    found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data, plan_data)
+    found += (regimes_data,)
     return {work.__name__: work for work in found}
 
 
+ONLY_WHEN_ASKED = ("trust_data", "convergence_data", "plan_data", "regimes_data")
 ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  # works that know a beam
 
 
@@ -113,7 +116,7 @@ def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     from .state import SCENES, Choices, on_beam
 
     for name in works():
-        if name not in ("trust_data", "convergence_data"):
+        if name not in ONLY_WHEN_ASKED:
             yield name, Choices().chosen()
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
     for name in ON_BEAMS:

@@ -17,6 +17,7 @@ from .analysis import energy_shares, energy_view
 from .frames import solve_frame
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
+from .panels import Panels, accepted
 from .runner import COMPILING, POOL, SLOW, Runner, at_once
 from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, refusal, scene_groups
 from .trust_view import convergence_data, trust_data
@@ -25,7 +26,7 @@ STATIC = Path(__file__).parent / "static"
 VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
 
 
-class Lab(Choices, pn.custom.JSComponent):
+class Lab(Choices, Panels, pn.custom.JSComponent):
     """Choices synchronised with the browser, and the message that answers them.
 
     Every choice is a bounded parameter of this very class, so that what a hostile client sends over the socket meets
@@ -52,7 +53,7 @@ class Lab(Choices, pn.custom.JSComponent):
     }
     """.replace("VERSION", VERSION)
     OPENED = ("energy_shown", "methods_shown", "ratios_shown", "trust_shown", "convergence_shown")
-    _priority_changes = [*Choices.CHOSEN, *OPENED]  # no debounce: the browser itself waits for each answer
+    _priority_changes = [*Choices.CHOSEN, *OPENED, *Panels.ASKED]  # no debounce: the browser waits for each answer
 
     def __init__(self, **choices):
         super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
@@ -68,6 +69,7 @@ class Lab(Choices, pn.custom.JSComponent):
         self._convergence_runner = self._runner_of(convergence_data, partial(self._show_text, "convergence"), SLOW)
         self.param.watch(self._changed, list(self.CHOSEN))
         self.param.watch(self._ask_views, list(self.OPENED))
+        self.open_panels()
         self._begin()
 
     def _runner_of(self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL) -> Runner:
@@ -109,6 +111,7 @@ class Lab(Choices, pn.custom.JSComponent):
     def _show(self, message: bytes) -> None:
         self.frame = message
         self._ask_views()
+        self.ask_panels()
 
     def _ask_views(self, *events: param.parameterized.Event) -> None:
         """Have every open view follow the choices, and hide the others; after an event, those that it opened."""
@@ -141,6 +144,9 @@ class Lab(Choices, pn.custom.JSComponent):
         self._views[name] = pipe, view(pipe)
         self.below.append(self._views[name][1])
 
+    def _asking(self, runner: Runner, wanted: dict[str, Any]) -> None:
+        pn.state.execute(partial(runner.want, wanted))
+
     def _show_text(self, name: str, text: str) -> None:
         setattr(self, name, text)
 
@@ -159,12 +165,12 @@ class Lab(Choices, pn.custom.JSComponent):
         for name, value in events.items():
             if name in self.OPENED and isinstance(value, bool):
                 super()._process_events({name: value})
-            if name not in self.CHOSEN:
+            if name not in self.CHOSEN and name not in self.ASKED:
                 continue
-            if accepts(name, value):
+            if accepts(name, value) if name in self.CHOSEN else accepted(name, value):
                 super()._process_events({name: value})
             else:
-                self._refuse(refusal(name, value))
+                self._refuse(refusal(name, value, type(self)))
                 with self._silence():
                     self.param.trigger(name)
 

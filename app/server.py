@@ -43,6 +43,8 @@ MODULES = (
     "beam_charts",
     "beam_story",
     "trust",
+    "logplot",
+    "advice",
 )
 
 

@@ -275,11 +275,13 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     return kept, refused
 
 
-def refusal(name: str, value: object) -> str:
+def refusal(name: str, value: object, of: type[param.Parameterized] = Choices) -> str:
     """One sentence: the key, the value and what is allowed."""
-    parameter = Choices.param[name]
+    parameter = of.param[name]
     if isinstance(parameter, param.Selector):
         allowed = ", ".join(parameter.objects)
+    elif isinstance(parameter, param.Boolean):
+        allowed = "true, false"
     else:
         kind = "a whole number" if isinstance(parameter, param.Integer) else "a number"
         allowed = f"{kind} from {parameter.bounds[0]:g} to {parameter.bounds[1]:g}"

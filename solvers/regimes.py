@@ -184,7 +184,7 @@ def _impact_parameter(scene: Scene) -> float:
     return scene.speed / math.sqrt(2.0 * begins / scene.reduced_mass)
 
 
-def _law_of(scene: Scene) -> str:
+def law_of(scene: Scene) -> str:
     """The nearer of the two laws that were swept."""
     exponent = getattr(scene.contact, "exponent", 1.0 if scene.contact.NAME in ("linear", "kelvin-voigt") else 1.5)
     return "linear" if exponent < 1.25 or scene.contact.NAME == "rigid" else "hertz"
@@ -196,7 +196,7 @@ def _covered(scene: Scene, family: str, groups: dict[str, float]) -> bool:
         return False
     if law.LOSSY or groups.get("impact_parameter", 0.0) > 1.0:
         return False
-    table = models_table(family, _law_of(scene))
+    table = models_table(family, law_of(scene))
     return table.covers(groups["mass_ratio"], groups["contact_time"])
 
 
@@ -205,7 +205,7 @@ def _covered(scene: Scene, family: str, groups: dict[str, float]) -> bool:
 
 def _candidates(scene: Scene, family: str, number: int, groups: dict, tolerance: float) -> Iterator[Candidate]:
     """From the smallest up."""
-    table = models_table(family, _law_of(scene))
+    table = models_table(family, law_of(scene))
     errors = table.around(groups["mass_ratio"], groups["contact_time"])[:, number]
     yielding = _elastic_error(scene, number, groups)
     for (name, method), error in zip(MODELS.items(), errors.tolist(), strict=True):

@@ -1,4 +1,5 @@
 // What is opened on demand below the views: all methods in a table, all mass ratios, a measured record.
+import { Needs } from './advice.js';
 import { naming } from './charts.js';
 import { Measurement } from './record.js';
 import { Convergence, Trust } from './trust.js';
@@ -113,9 +114,10 @@ export class Analyses {
     this.record = new Measurement(page);
     this.trust = new Trust(page);
     this.convergence = new Convergence(page);
-    this.all = [this.trust, this.convergence, this.methods, this.ratios, this.record];
+    this.needs = new Needs(page);
+    this.all = [this.needs, this.trust, this.convergence, this.methods, this.ratios, this.record];
     this.buttons = this.all.map((view) => view.button);
-    this.panels = [this.trust.root, this.convergence.root, this.record.root, this.methods.root];
+    this.panels = [this.needs.root, this.trust.root, this.convergence.root, this.record.root, this.methods.root];
   }
   take(frame) { for (const view of this.all) view.take(frame); }
   show(t) { for (const view of this.all) view.show(t); }

@@ -40,7 +40,7 @@ class Page {
     this.analyses = new Analyses(this);
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
-    el.append(make('link', { rel: 'stylesheet', href: new URL('lab.css', import.meta.url).href }), this.layout(), this.waiter.root);
+    el.append(...['lab.css', 'panels.css'].map((name) => make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href })), this.layout(), this.waiter.root);
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
@@ -59,10 +59,11 @@ class Page {
     this.colour = colour;
     const bar = make('header', { className: 'top' },
       make('h1', {}, 'Strikewave'), make('p', { textContent: 'One body strikes another that can bend and ring. Waves decide how it leaves.' }),
-      make('nav', {},
-        this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }), ...this.analyses.buttons,
+      make('div', { className: 'keep' },
         make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() }),
-        make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })));
+        make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })),
+      make('nav', { ariaLabel: 'Look closer' },
+        this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }), ...this.analyses.buttons));
     const view = make('main', { className: 'views' },
       this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
       this.stage.root, this.space.root, ...this.beam.above, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root, this.beam.below);
