@@ -24,6 +24,17 @@ def bodies_that_bend(scene: Scene) -> list[Any]:
     return [body for body in (scene.impactor, scene.target) if body.kind == "beam"]
 
 
+def doubts_of_a_rigid_blow(scene: Scene, period: float) -> list[str]:
+    """Where a mass leaves a beam in rigid contact sooner than what is known of it, down to a `period` [s], can tell."""
+    if not bodies_that_bend(scene) or scene.blow >= period:
+        return []
+    return [
+        f"Bending waves slow down so light a mass within {scene.blow:.3g} s, too short for what is known down to a "
+        f"period of {period:.3g} s only: there the beam is heavier than the mass and throws it back. Do not trust "
+        "rebound and contacts: keep more modes or elements, or give the contact a law."
+    ]
+
+
 class Method(ABC):
     """A frozen dataclass whose fields are its options; `NAME` is its word in scene files."""
 

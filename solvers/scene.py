@@ -140,8 +140,13 @@ class Scene:
 
     @property
     def blow(self) -> float:
-        """m / Z of a compact body on a rod [s]: in this time a wave brings it to rest; infinite for any other pair."""
+        """m / Z of a compact body on a rod [s]: in this time a wave brings it to rest; of one on a beam its
+        `halting_time`; infinite for any other pair.
+        """
         bodies = (self.impactor, self.target)
+        for body, other in (bodies, bodies[::-1]):
+            if body.kind == "beam" and other.kind in ("mass", "sphere"):
+                return body.halting_time(other.mass)
         rings = [body for body in bodies if body.round_trip_time is not None]
         compact = [body for body in bodies if body.time_unit is None]
         return compact[0].mass / rings[0].impedance if rings and compact else math.inf

@@ -10,7 +10,7 @@ import numpy as np
 from .. import checks
 from ..checks import SceneError
 from ..numerics.beam_elements import beam_mesh
-from ..numerics.beam_modes import BeamLine, beam_modes
+from ..numerics.beam_modes import BeamLine, beam_modes, dispersion
 from ..numerics.elements import Mesh
 from ..numerics.modes import Modes
 from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
@@ -154,6 +154,22 @@ class Beam:
 
     def modes(self, count: int) -> Modes:
         return _modes(self.line, self.support, self.place, count, self.end_mass)
+
+    def halting_time(self, mass: float) -> float:
+        """How long the bending waves take to slow down a rigid mass [kg] that has struck it rigidly [s].
+
+        The period of the wave of which half a length weighs as much as the mass, a quarter as much next to a free end,
+        which gives way four times as easily. Modes of longer periods alone are heavier than the mass: they throw it
+        back at once. Infinite where there is an end mass to be struck.
+        """
+        wavenumber = math.pi * self.line.mass_per_length / mass
+        free = [self.length - self.place] if self.support in ("cantilever", "free-free", "pinned-free") else []
+        free += [self.place] if self.support == "free-free" else []
+        if wavenumber * min(free, default=math.inf) < 1.0:
+            if self.end_mass:
+                return math.inf
+            wavenumber *= 0.25
+        return 2.0 * math.pi / float(dispersion(self.line, np.array([wavenumber]))[0][0])
 
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
         """Two-node elements with a node where it is struck; consistent mass, whatever `lumping` asks of rods."""

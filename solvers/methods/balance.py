@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import checks
 from ..bodies import Rods
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend, doubts_of_a_rigid_blow
 from ..motion import SampledMotion, ShapeField, stress_source
 from ..numerics import balances
 from ..numerics.balances import Bank, Events, Joined
@@ -126,6 +126,7 @@ class Balance(Method):
             notes.append("A balance knows no contact law: of the contact only the restitution counts.")
         if self._elements is None:
             notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
+        notes += doubts_of_a_rigid_blow(scene, run.pair.shortest_period)
         many = run.pair.resolved_time > 0.0 and run.balances.sum() > 2
         bends = bool(bodies_that_bend(scene))
         if many and (bends or self.restitution == 1.0):

@@ -10,7 +10,7 @@ from typing import Any
 from .. import checks
 from ..bodies import Rods
 from ..contact import Linear
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend, doubts_of_a_rigid_blow
 from ..numerics.beam_statics import static_compliance
 from ..scene import Scene, contact_time
 from ..solution import Solution, summary
@@ -107,6 +107,8 @@ class FiniteElements(Method):
                 f"The faces touch {raw} times in {contacts} contact{'s' * (contacts > 1)}: the mesh chatters at its "
                 f"shortest period, and the peak of the raw force means nothing. {remedy}"
             )
+        if scene.contact.NAME == "rigid":
+            notes += doubts_of_a_rigid_blow(scene, self._told_down_to(scene, course))
         if beam and scene.contact.NAME == "rigid" and contacts > FEW_CONTACTS:
             notes.append(
                 f"{contacts} contacts, each of which starts from how the one before left the beam: a millionth more "
@@ -120,9 +122,15 @@ class FiniteElements(Method):
         other = self._halved(scene)._course(scene, course.duration)
         scale = scene.impactor.mass * scene.speed
         estimated = float(abs(course.impulse[-1] - other.impulse[-1]) / scale)
-        if scene.contact.NAME == "rigid" and scene.blow < course.shortest_period:
+        if scene.contact.NAME == "rigid" and scene.blow < self._told_down_to(scene, course):
             return max(estimated, 1.0)  # shorter than the mesh can tell: all meshes are wrong alike
         return estimated
+
+    def _told_down_to(self, scene: Scene, course: Course) -> float:
+        """The shortest period of the mesh [s], or half a swing of what strikes a beam on the local stiffness."""
+        if not self._needs_stiffness(scene) or not bodies_that_bend(scene):
+            return course.shortest_period
+        return max(course.shortest_period, contact_time(self._law(scene), scene.reduced_mass, scene.speed))
 
     def _halved(self, scene: Scene) -> "FiniteElements":
         return replace(self, elements=max(1, self.elements // 2), steps=None)

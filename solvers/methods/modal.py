@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import checks
 from ..contact import Rigid
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend, doubts_of_a_rigid_blow
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Record, Residual, march
 from ..scene import Scene
@@ -24,6 +24,8 @@ FINER = 8  # times as many on a beam, where the contact may be over long before 
 MAX_STEPS = 4_000_000
 FRAMES = ("mean-axis", "attached", "attached-far")
 RESOLVED_BLOW = 1.5  # shortest kept periods that a rigid blow must last for its contacts to be told apart
+COUNTS = 0.2  # least share of the largest impulse that a contact must have to count
+FEW_STEPS = 20.0  # in a contact: with fewer neither its peak nor what it loses is told
 REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
 CHECKPOINT_NUMBERS = 1_000_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
@@ -132,6 +134,15 @@ class Modal(Method):
                 f" do not trust its contacts; {needed} modes would resolve it, or use 'waves'."
             )
         notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
+        if isinstance(scene.contact, Rigid):
+            notes += doubts_of_a_rigid_blow(scene, period)
+        steps = _steps_of_a_contact(motion)
+        if steps < FEW_STEPS:
+            fine = motion.step * steps / STEPS_PER_CONTACT
+            notes.append(
+                f"A contact lasts {steps:.2g} steps, too few for its peak force and what it loses: ask for so many "
+                f"steps that each lasts {fine:.2g} s, over a shorter duration if they are too many."
+            )
         if raw > len(contacts):
             notes.append(
                 f"The raw force breaks off {raw - len(contacts)} times more often than the bodies part: chatter at the"
@@ -165,7 +176,11 @@ class Modal(Method):
             differences.append(abs(final - other.record.velocity[-1]))
         estimated = float(max(differences) / scene.speed)
         # shorter than any mode kept: all numbers of modes are wrong alike
-        return max(estimated, 1.0) if _blow(scene) < motion.pair.resolved_time else estimated
+        steps = _steps_of_a_contact(motion)
+        if steps < FEW_STEPS:  # so coarse that half the steps may be as wrong; second order
+            estimated = max(estimated, 2.0 * steps**-2.0)
+        blow = scene.blow if bodies_that_bend(scene) and isinstance(scene.contact, Rigid) else _blow(scene)
+        return max(estimated, 1.0) if blow < motion.pair.resolved_time else estimated
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)
@@ -186,6 +201,15 @@ def _blow(scene: Scene) -> float:
         return math.inf
     mass = scene.target.mass if rods[0] is scene.impactor else scene.impactor.mass
     return mass / rods[0].impedance
+
+
+def _steps_of_a_contact(motion: ModalMotion) -> float:
+    """How many steps the shortest contact has that counts, by a law of its own; infinite where the contact is rigid."""
+    if isinstance(motion.scene.contact, Rigid):
+        return math.inf
+    contacts = motion.contacts()
+    least = COUNTS * max(contact.impulse for contact in contacts)
+    return min(contact.end - contact.start for contact in contacts if contact.impulse >= least) / motion.step
 
 
 def _parting_speed(motion: ModalMotion, parting: float) -> float:

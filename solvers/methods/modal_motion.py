@@ -358,7 +358,7 @@ class ModalMotion:
         gap = float(depth[after]) - dent
         if after == self.steps and gap > 0.0:
             return self.duration
-        if not self.parted and after < self.steps:
+        if not self.parted and after < self.steps and not self._every_gap_counts:
             opened = dent - float(depth[after:].min())
             soon = (self.steps - after) * self.step < self.pair.resolved_time
             if soon or 0.0 < opened <= self._opening_told:

@@ -17,6 +17,8 @@ from ..numerics.rod_phases import LENGTH, SMOOTHINGS
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, summary
 
+NEGLIGIBLE = 0.01  # share of the energy
+
 
 @dataclass(frozen=True)
 class ModeSwitch(Method):
@@ -152,8 +154,13 @@ def _notes_on_a_beam(scene: Scene, course: SwitchedBeam) -> list[str]:
             f"Stopped at {course.contacts[-1].end:.3g} s before the bodies had parted for good, after {reason}; take "
             f"fewer modes, or {remedy}."
         )
+    lost = course.phases[-1].lost / scene.initial_energy
+    if count == 1 and lost > NEGLIGIBLE:
+        notes.append(
+            f"The changes of modes lose {lost:.0%} of the energy, and what the mass gives off in them is no impulse of "
+            "the force: the velocities go with the number of modes. Give the contact a law and use 'modal'."
+        )
     if count > 1:
-        lost = course.phases[-1].lost / scene.initial_energy
         notes.append(
             f"The {count} contacts and the velocity they end with are ill-conditioned: each contact ends with the echo "
             "of the highest mode, so that one mode more, or 0.01 % of mass, makes another sequence; the changes of "

@@ -8,7 +8,7 @@ from pytest import approx
 
 import solvers
 from solvers import Modal, Scene
-from tests.catalog import SCENES, STEEL_BEAM, struck_beam
+from tests.catalog import RIGID, SCENES, STEEL_BEAM, struck_beam
 from tests.catalog import contact_table as rod_contact
 
 SUPPORTS = ("cantilever", "pinned-pinned", "clamped-clamped", "free-free", "pinned-free")
@@ -208,3 +208,43 @@ def test_energy_is_never_created(law, support, theory, modes, softness, mass, at
     assert np.all(np.isfinite(total))
     assert np.abs(total - initial).max() <= 1e-10 * initial
     assert np.diff(found.motion.energies(time)["dissipated"]).min() >= -1e-12 * initial
+
+
+@pytest.mark.parametrize("theory", THEORIES)
+def test_a_light_mass_in_rigid_contact_is_doubted_until_the_modes_give_way(theory):
+    """With modes heavier than the mass it rebounds in one impulse, the faster the fewer: waves nearly stop it."""
+    light = struck_beam(60.0, RIGID, support="clamped-clamped", at=0.3, theory=theory)
+    few, many = (Modal(modes=count).solve(light, 3e-5) for count in (10, 160))
+    assert few.impactor_velocity < -0.5 < many.impactor_velocity
+    assert few.diagnostics["estimated_error"] >= 1.0 and any("slow down so light" in note for note in few.notes)
+    assert not any("slow down so light" in note for note in many.notes)
+    for method in ("balance", "fe-modal", "fe-nodal"):
+        found = solvers.solve(light, method=method, elements=20, duration=3e-5)
+        assert found.diagnostics["estimated_error"] >= 1.0
+        assert any("slow down so light" in note for note in found.notes)
+    soft = solvers.solve(light.replace({"contact": {"law": "hertz", "stiffness": STIFFNESS}}), modes=10)
+    assert not any("slow down" in note for note in soft.notes)
+
+
+@pytest.mark.parametrize("support", ["cantilever", "free-free", "pinned-free"])
+def test_a_free_end_slows_down_a_mass_in_sixteen_times_the_time(support):
+    tip, middle = (struck_beam(100.0, RIGID, support=support, at=at) for at in (1.0, 0.5))
+    assert tip.blow == approx(16.0 * middle.blow, rel=1e-9)
+    line, mass = middle.target.line, middle.impactor.mass
+    beside = np.sqrt(line.bending_stiffness * line.mass_per_length**3)
+    assert middle.blow == approx(2.0 * mass**2 / (np.pi * beside), rel=1e-9)
+
+
+def test_a_contact_of_few_steps_is_doubted():
+    """A grain on a long beam: it must rebound as from a half-space, which no few steps tell."""
+    sphere = {"kind": "sphere", "radius": 2e-4, "velocity": 1.0, "material": STEEL_BEAM["material"]}
+    law = {"law": "plastic-power", "yield_indentation": 5e-9}
+    scene = struck_beam(1.0, law, support="pinned-pinned", length=3.0).replace({"impactor": sphere})
+    beside = solvers.compare_with_half_space(scene).impactor_velocity
+    found, fine = solvers.solve(scene), solvers.solve(scene, duration=1e-5, steps=20_000)
+    assert fine.contacts[0].end == approx(1.5e-6, rel=0.1)  # over, though the time solved is short against the beam's
+    assert not any("still in contact" in note for note in fine.notes)
+    assert fine.impactor_velocity == approx(beside, abs=1e-4)
+    assert abs(found.impactor_velocity - beside) < found.diagnostics["estimated_error"]
+    assert any("steps, too few" in note for note in found.notes)
+    assert not any("steps, too few" in note for note in fine.notes)

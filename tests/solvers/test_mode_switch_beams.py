@@ -248,3 +248,9 @@ def test_modes_faster_than_any_wave_are_doubted():
 def test_estimated_error_owns_to_the_scatter():
     found = solvers.solve(struck_beam(1.0, RIGID), "mode-switch", modes=10, duration=1e-3)
     assert found.diagnostics["estimated_error"] > 1e-3
+
+
+def test_what_one_contact_loses_is_said():
+    found = solve(10, mass_ratio=7.0, support="free-free", at=0.9, theory="timoshenko")
+    assert len(found.contacts) == 1 and found.diagnostics["energy_error"] < -0.1
+    assert any("lose" in note and "'modal'" in note for note in found.notes)
