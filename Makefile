@@ -11,7 +11,7 @@ serve: $(VENV)/.installed
 	$(BIN)/impact serve
 
 test: $(VENV)/.installed-test chromium
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto --dist loadfile
 
 bench: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench

@@ -58,7 +58,7 @@ def bounce(law, step, steps):
     Returns by how much the energy ever exceeded what the weight had put in, and the largest part of it that is neither
     there nor lost by the law, both relative to all that there is.
     """
-    compliance, rate, memory = 0.5 * step * step, 1.0 / step, law.memory(0.0)
+    compliance, rate, memory = 0.5 * step * step, 1.0 / step, law.way_back(0.0)
     x, v, deepest, lost, given, created, missing, force = -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(steps):
         weight = 1.0 + 0.9 * np.sin(1e-3 * k * step)

@@ -123,9 +123,9 @@ def _dent(self, deepest):
     return self.instance_class.dent
 
 
-@overload_method(numba.types.BaseNamedTuple, "memory")
-def _memory(self, deepest):
-    return self.instance_class.memory
+@overload_method(numba.types.BaseNamedTuple, "way_back")
+def _way_back(self, deepest):
+    return self.instance_class.way_back
 
 
 @overload_method(numba.types.BaseNamedTuple, "corner")

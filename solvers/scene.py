@@ -320,8 +320,10 @@ def load(name_or_path: str | Path) -> Scene:
         except (OSError, ValueError):  # no name a file could have
             found = False
         if not found:
-            plain = [name for name in scene_names() if "." not in name]
-            allowed = f"a scene file, or one of {', '.join(plain)}, or a figure or table such as figure-4.13"
+            plain = [name for name in scene_names() if "." not in name][:12]
+            allowed = (
+                f"a scene file, or a built-in one: {', '.join(plain)} ..., figure-4.13 ...; impact scenes lists all"
+            )
             raise SceneError("scene", str(name_or_path), allowed)
     return Scene.from_table(read_toml(path))
 

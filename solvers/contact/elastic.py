@@ -5,10 +5,10 @@ Every law answers the same questions, in SI units, `deepest` being the largest i
 by the first two; `stored(indentation, deepest)` [J], the energy that the contact would give back; `dent(deepest)` [m],
 the indentation at which it opens; `corner(indentation, deepest)` [m], the next larger one where the curve changes its
 formula; `mean(start, end, rate, deepest)`, the mean force [N] along the straight path between two indentations, passed
-at (end - start) * rate, and the energy lost on it [J]; `memory(deepest)`, the dent and one more number of the way back,
-which change with `deepest` only; `mean_force`, given that memory, the force of one step of the modal kernel and the
-memory after it, see `steps.step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether `deepest` matters,
-whether the force may jump at first touch. EXAMPLE: constants that suit a scene file.
+at (end - start) * rate, and the energy lost on it [J]; `way_back(deepest)`, the dent and one more number of the way
+back, which change with `deepest` only; `mean_force`, given these as its memory, the force of one step of the modal
+kernel and the memory after it, see `steps.step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether
+`deepest` matters, whether the force may jump at first touch. EXAMPLE: constants that suit a scene file.
 """
 
 import math
@@ -82,7 +82,7 @@ class Linear(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    memory = no_memory
+    way_back = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf
@@ -151,7 +151,7 @@ class Power(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    memory = no_memory
+    way_back = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf
@@ -203,7 +203,7 @@ class Hertz(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    memory = no_memory
+    way_back = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf

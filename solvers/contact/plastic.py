@@ -141,7 +141,7 @@ class YigitChristoforou(NamedTuple):
     def mean(self, start, end, rate, deepest):
         return hysteretic_mean(self, start, end, deepest)
 
-    def memory(self, deepest):
+    def way_back(self, deepest):
         """Where it opens, and by how much Hertz's curve is shifted."""
         raised = raised_dent(self.yield_indentation, deepest)
         return raised ** (2.0 / 3.0), raised
@@ -159,7 +159,7 @@ def force_from(indentation, memory):
 
 @kernel
 def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
-    """`step_force` of a law whose way back is Hertz's from a dent; its `memory` is that dent and the stiffness of it.
+    """`step_force` of a law whose way back is Hertz's from a dent; its `way_back` is that dent and the stiffness of it.
 
     That way is steeper than the virgin curve: who ends beyond `deepest` on it flows on.
     """
@@ -174,14 +174,14 @@ def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
         return step_force(law, start, free, compliance, rate, expected, deepest, memory)
     end = max(free - compliance * expected, start)
     slope = 1.0 + 0.5 * compliance * law.slopes(end, 0.0, 0.0)[0]
-    for _ in range(100):  # the slope hardly changes within a step
+    for _ in range(12):  # the slope hardly changes within a step, unless it is a very long one
         force = law.loading_mean(start, end)
-        change = (free - compliance * force - end) / slope
-        end += change
-        if abs(change) <= 4e-16 * end:
-            break
-    stored, then = 0.4 * force_from(start, memory) * (start - dent), law.memory(end)
-    return force, end, force * (end - start) - (0.4 * force_from(end, then) * (end - then[0]) - stored), then
+        miss = free - compliance * force - end
+        end = max(end + miss / slope, start)
+        if abs(miss) <= 4e-16 * (abs(free) + compliance * force):
+            stored, then = 0.4 * force_from(start, memory) * (start - dent), law.way_back(end)
+            return force, end, force * (end - start) - (0.4 * force_from(end, then) * (end - then[0]) - stored), then
+    return step_force(law, start, free, compliance, rate, expected, deepest, memory)
 
 
 @kernel
@@ -238,7 +238,7 @@ class PlasticLinear(NamedTuple):
     def dent(self, deepest):
         return line_dent(self.stiffness, self.yield_indentation, deepest)
 
-    def memory(self, deepest):
+    def way_back(self, deepest):
         return line_dent(self.stiffness, self.yield_indentation, deepest), self.stiffness
 
     def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
@@ -372,7 +372,7 @@ class PlasticPower(NamedTuple):
     def dent(self, deepest):
         return crater(self, deepest)[0]
 
-    def memory(self, deepest):
+    def way_back(self, deepest):
         return crater(self, deepest)
 
     def mean_force(self, start, free, compliance, rate, expected, deepest, memory):

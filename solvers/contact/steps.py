@@ -59,10 +59,10 @@ def step_force(law, start, free, compliance, rate, expected, deepest, memory):
     """The constant force of one step whose work is exactly what the law takes up along the way.
 
     `start` is the indentation at the start (negative: the gap), `free` at the end if there were no force; a force F
-    makes it free - compliance * F. `rate` is 1 / step, `expected` a guess of the force, `memory` what the law's own
-    gives for `deepest`, the indentation at which it opens first. The law's mean force grows with the indentation at the
-    end, so there is one solution; it is found to rounding. Returns the force, the indentation at the end, the energy
-    lost, and the memory then.
+    makes it free - compliance * F. `rate` is 1 / step, `expected` a guess of the force, `memory` what the law's
+    `way_back` gives for `deepest`, the indentation at which it opens first. The law's mean force grows with the
+    indentation at the end, so there is one solution; it is found to rounding. Returns the force, the indentation at the
+    end, the energy lost, and the memory then.
     """
     opening = memory[0]
     if start <= opening and free <= opening:
@@ -95,7 +95,7 @@ def step_force(law, start, free, compliance, rate, expected, deepest, memory):
         if following == end:
             break
         end = following
-    return force, end, lost, law.memory(end) if end > deepest else memory
+    return force, end, lost, law.way_back(end) if end > deepest else memory
 
 
 @kernel
@@ -137,10 +137,10 @@ def hertz_spring_step(stiffness, start, free, compliance, expected):
         if r <= 0.0:
             r = math.sqrt(max(free, start))
         elif abs(change) <= 1e-8 * r:  # the next would be below rounding
-            break
-    end = r * r
-    sums = (((r + root0) * r + square0) * r + square0 * root0) * r + square0 * square0
-    return 0.4 * stiffness * sums / (root0 + r), end
+            sums = (((r + root0) * r + square0) * r + square0 * root0) * r + square0 * square0
+            return 0.4 * stiffness * sums / (root0 + r), r * r
+    force, end, _ = hertz_step_force(stiffness, 0.0, start, free, compliance, 0.0, expected)
+    return force, end
 
 
 @kernel

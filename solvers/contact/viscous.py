@@ -46,7 +46,7 @@ class HuntCrossley(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     limits = Hertz.limits
-    stored, dent, memory, corner = Hertz.stored, Hertz.dent, Hertz.memory, Hertz.corner
+    stored, dent, way_back, corner = Hertz.stored, Hertz.dent, Hertz.way_back, Hertz.corner
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
@@ -107,7 +107,7 @@ class LankaraniNikravesh(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "nominal_restitution": 0.5}
 
     limits, table, scaled = Hertz.limits, HuntCrossley.table, HuntCrossley.scaled
-    stored, dent, memory, corner = Hertz.stored, Hertz.dent, Hertz.memory, Hertz.corner
+    stored, dent, way_back, corner = Hertz.stored, Hertz.dent, Hertz.way_back, Hertz.corner
     force, slopes, mean, mean_force = (
         HuntCrossley.force,
         HuntCrossley.slopes,
@@ -145,7 +145,7 @@ class KelvinVoigt(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     limits, table = Linear.limits, HuntCrossley.table
-    stored, dent, memory, corner = Linear.stored, Linear.dent, Linear.memory, Linear.corner
+    stored, dent, way_back, corner = Linear.stored, Linear.dent, Linear.way_back, Linear.corner
 
     @classmethod
     def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "KelvinVoigt":
@@ -260,7 +260,7 @@ class LeeWang(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    memory = no_memory
+    way_back = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf

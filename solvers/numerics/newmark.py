@@ -110,7 +110,7 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
     change = np.zeros(u.size)
     turn, rate_unit = 2.0 / step, 1.0 / step
     indentation, deepest = record.indentation[begin], record.deepest[begin]
-    memory = law.memory(deepest)
+    memory = law.way_back(deepest)
     impulse, lost = record.impulse[begin], record.lost[begin]
     force, force_before = 0.0, 0.0
     for k in range(begin, end):

@@ -142,7 +142,7 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     rigid_x, rigid_v = record.rigid_position[begin], record.rigid_velocity[begin]
     indentation, lost, spring = record.indentation[begin], record.lost[begin], record.spring_force[begin]
     deepest = max(record.indentation[: begin + 1].max(), 0.0)
-    memory, usual = law.memory(deepest), 1.0 / (0.5 + residual.settling)
+    memory, usual = law.way_back(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
     bending = displacement.sum()
     modes = displacement.size

@@ -70,14 +70,15 @@ class SocketClient:
     async def receive(self, timeout: float = 20.0) -> tuple[str, dict[str, Any]]:
         """Kind and content of the next message; binary parts are counted and put under "buffers"."""
 
-        async def part() -> Any:
-            data = await asyncio.wait_for(self._socket.read_message(), timeout)
+        async def part(patience: float = 20.0) -> Any:
+            data = await asyncio.wait_for(self._socket.read_message(), patience)
             if data is None:
                 raise ConnectionError(f"closed: {self._socket.close_code} {self._socket.close_reason}")
             self.received += len(data)
             return data
 
-        header, _, content = [json.loads(await part()) for _ in range(3)]
+        header = json.loads(await part(timeout))  # what follows belongs to it, and comes
+        _, content = [json.loads(await part()) for _ in range(2)]
         buffers = []
         for _ in range(header.get("num_buffers", 0)):
             await part()

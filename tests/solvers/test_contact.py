@@ -318,7 +318,7 @@ def all_answers(law, indentation, rate, deepest, start, free, compliance):
         law.corner(indentation, deepest),
         law.slopes(indentation, rate, deepest),
         law.mean(start, free, 1e3, max(start, deepest)),
-        law.mean_force(start, free, compliance, 1e3, 0.0, max(start, deepest), law.memory(max(start, deepest))),
+        law.mean_force(start, free, compliance, 1e3, 0.0, max(start, deepest), law.way_back(max(start, deepest))),
     )
 
 
@@ -362,9 +362,9 @@ def test_mean_force_works_exactly_what_the_contact_takes_up(law, start, travel, 
     if law.LOSSY:
         law = law._replace(damping=damping)
     free, deepest = start + travel, max(start, deepest)
-    force, end, lost, memory = law.mean_force(start, free, compliance, 1.0, expected, deepest, law.memory(deepest))
+    force, end, lost, memory = law.mean_force(start, free, compliance, 1.0, expected, deepest, law.way_back(deepest))
     assert force >= 0.0 and math.isfinite(force)
-    assert memory == approx(law.memory(max(end, deepest)), rel=1e-12)
+    assert memory == approx(law.way_back(max(end, deepest)), rel=1e-12)
     dent = law.dent(deepest)
     if start <= dent and free <= dent:
         assert (force, end, lost) == (0.0, free, 0.0)
@@ -393,7 +393,7 @@ def test_mean_force_of_a_short_step_is_the_force(law):
     start, step = 1e-5, 1e-10
     rate = 1e-6 * start / step
     free = start * (1.0 + 1e-6)
-    force, end, *_ = law.mean_force(start, free, 1e-30, 1.0 / step, 0.0, start, law.memory(start))
+    force, end, *_ = law.mean_force(start, free, 1e-30, 1.0 / step, 0.0, start, law.way_back(start))
     assert end == approx(free, rel=1e-15)
     assert force == approx(law.force(0.5 * (start + free), rate, 0.0), rel=1e-9)
 

