@@ -111,7 +111,9 @@ def summary(
     final = float(motion.impactor_velocity(end)[0])
     impulse = float(motion.impulse(end)[0])
     held = scene.target.held
-    target_final = 0.0 if held and not scene.target.swings else float(motion.rigid_velocity(end)[0])
+    target_final = _swing(scene.target, impulse) if scene.target.swings else 0.0
+    if not held:
+        target_final = float(motion.rigid_velocity(end)[0])
     energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
     initial = scene.initial_energy
     lost = m1 * (scene.impactor.velocity - final)
@@ -133,6 +135,12 @@ def summary(
             "estimated_error": None,
         },
     }
+
+
+def _swing(beam: Any, impulse: float) -> float:
+    """Mean velocity [m/s] with which a beam on a pin swings on: what it vibrates has no moment about the pin."""
+    known = beam.modes(1)
+    return known.rigid_mean * impulse / known.rigid_mass
 
 
 def _summary_of_a_push(scene: Scene, motion: Any, duration: float, wall_time: float) -> dict[str, Any]:

@@ -1,5 +1,5 @@
 // The stage of a struck beam: the beam bending, and under it the engineer's diagrams of shear force and moment.
-import { COLORS, css } from './plot.js';
+import { cleared, COLORS, css } from './plot.js';
 import { between } from './beam_field.js';
 
 const DIAGRAMS = [['shear', 'Shear force V', 'N'], ['moment', 'Bending moment M', 'N m']];
@@ -33,15 +33,9 @@ export class BeamStage {
   draw(t) {
     const { canvas, frame, root } = this;
     if (!frame) return;
-    const width = root.clientWidth, height = root.clientHeight, ratio = window.devicePixelRatio || 1;
-    if (!width || !height) return;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-    }
-    const c = canvas.getContext('2d');
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
+    const sheet = cleared(canvas, root);
+    if (!sheet) return;
+    const { c, width, height } = sheet;
     const narrow = width < 560, margin = narrow ? 30 : 64, top = 0.56 * height;
     Object.assign(this, { width, narrow, left: margin, long: width - 2 * margin, middle: 0.62 * top });
     this.scale = Math.min(this.factor * this.long / frame.beam.length, 0.36 * top / this.reach);

@@ -1,6 +1,6 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the blow at 0.
-import { COLORS } from './plot.js';
+import { cleared, COLORS } from './plot.js';
 
 const INK = { impactor: '#33475b', target: '#2f6fa8' };
 const FILL = { impactor: [93, 108, 123], target: [120, 170, 212] };
@@ -55,15 +55,9 @@ export class BodiesStage {
   draw(t) {
     const { canvas, frame, root } = this;
     if (!frame) return;
-    const width = root.clientWidth, height = root.clientHeight, ratio = window.devicePixelRatio || 1;
-    if (!width || !height) return;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-    }
-    const c = canvas.getContext('2d');
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
+    const sheet = cleared(canvas, root);
+    if (!sheet) return;
+    const { c, width, height } = sheet;
     this.fit(width, height);
     const now = Math.min(Math.max(t, -1), 1), when = now < 0 ? 'before' : 'after';
     for (const name of ['target', 'impactor']) if (frame.bodies[name].shape === 'stop') this.stop(c);

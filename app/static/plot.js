@@ -29,6 +29,20 @@ export function ticks(low, high, about) {
   return { found, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
 }
 
+// A canvas as large as its element, wiped: what to draw with, and the size in pixels of the page; null while hidden.
+export function cleared(canvas, root) {
+  const width = root.clientWidth, height = root.clientHeight, ratio = window.devicePixelRatio || 1;
+  if (!width || !height) return null;
+  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+  }
+  const c = canvas.getContext('2d');
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.clearRect(0, 0, width, height);
+  return { c, width, height };
+}
+
 const element = (tag, name) => Object.assign(document.createElement(tag), { className: name });
 
 export class Chart {

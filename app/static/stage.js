@@ -1,5 +1,5 @@
 // The stage: the bodies themselves, movement exaggerated by a stated factor.
-import { COLORS, css } from './plot.js';
+import { cleared, COLORS, css } from './plot.js';
 
 const SLICES = 241;
 
@@ -31,15 +31,9 @@ export class Stage {
   draw(t) {
     const { canvas, frame } = this;
     if (!frame) return;
-    const width = this.root.clientWidth, height = this.root.clientHeight, ratio = window.devicePixelRatio || 1;
-    if (!width || !height) return;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-    }
-    const c = canvas.getContext('2d');
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
+    const sheet = cleared(canvas, this.root);
+    if (!sheet) return;
+    const { c, width, height } = sheet;
     const narrow = width < 560, { rods, target } = frame, rodStrikes = frame.impactor.kind === 'rod';
     const left = rodStrikes ? 40 : (narrow ? 0.25 : 0.21) * width, right = target.held ? width - 30 : width * (rodStrikes ? 0.86 : 0.82);
     const length = right - left, middle = height * 0.47, thick = Math.min(height * 0.3, 56);

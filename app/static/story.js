@@ -77,10 +77,12 @@ export class Story {
     this.figures = make('table', { className: 'figures' });
     this.energy = make('div', { className: 'energy' });
     this.trust = make('p', { className: 'trust' });
+    this.doubts = make('ul', { className: 'doubts' });
+    this.doubtsHeading = make('h2', { textContent: 'What to doubt' });
     this.headings = ['What happens', 'Can one number stand for the waves?', 'Contact periods', 'After the blow', 'Where the energy went'].map((text) => make('h2', { textContent: text }));
     const [happens, number, periods, after, energy] = this.headings;
     this.root = make('aside', { className: 'story' },
-      happens, this.units, this.list, number, this.match,
+      happens, this.units, this.list, this.doubtsHeading, this.doubts, number, this.match,
       periods, make('div', { className: 'scroll' }, this.table),
       after, make('div', { className: 'scroll' }, this.figures),
       energy, this.energy, this.trust);
@@ -117,7 +119,12 @@ export class Story {
     this.list.replaceChildren();
     this.figures.replaceChildren(make('tbody', {}, ...frame.figures.map(([name, value, unit]) => make('tr', {},
       make('td', { textContent: name }), make('td', { textContent: Array.isArray(value) ? vector(value) : value === null ? '–' : pretty(value) }), make('td', { textContent: unit })))));
-    this.trust.textContent = `${told(frame)} ${frame.notes.join(' ')}`;
+    this.doubt(frame.notes);
+    this.trust.textContent = told(frame);
+  }
+  doubt(notes) {
+    this.doubts.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
+    this.doubts.hidden = this.doubtsHeading.hidden = !notes.length;
   }
   contacts() {
     const { frame } = this, rows = [];
@@ -180,11 +187,12 @@ export class Story {
       parts.push(make('span', { className: 'key' }, make('i', { className: `chip ${key}` }), `${name} ${percent(share)}`));
     }
     this.energy.replaceChildren(bar, make('p', {}, ...parts));
-    const most = (value) => Math.abs(value).toExponential(0), notes = [...new Set([...exact.notes, ...(other?.notes ?? [])])].join(' ');
+    const most = (value) => Math.abs(value).toExponential(0);
+    this.doubt([...exact.notes, ...(other?.notes ?? []).filter((note) => !exact.notes.includes(note)).map((note) => `Beside it, ${short(other.name)}: ${note}`)]);
     const words = [`Energy unaccounted for: ${short(exact.name)} ${most(diagnostics.energy_error)}${other ? `, ${short(other.name)} ${most(other.diagnostics.energy_error)}` : ''} of the whole.`];
     const { resolved_time: finest, raw_contacts: touches } = other?.diagnostics ?? {};
     if (finest) words.push(`The modes tell nothing shorter than ${pretty(finest * 1e6)} µs apart; their raw force made contact ${count(touches, 'time')}.`);
-    this.trust.textContent = `${words.join(' ')} ${told(this.frame)} ${notes}`;
+    this.trust.textContent = `${words.join(' ')} ${told(this.frame)}`;
   }
   // Mark the latest event at the instant t.
   at(t) {

@@ -99,6 +99,7 @@ def test_a_pinned_beam_swings_on():
     swing = found.motion.rigid_velocity(time).mean()
     # J = m L^2 / 3 about the pin: its middle gets 3 P / (2 m), and rings about that
     assert swing == approx(1.5 * found.impulse / found.scene.target.mass, rel=0.05)
+    assert found.target_velocity == approx(1.5 * found.impulse / found.scene.target.mass, rel=1e-12)
     assert found.restitution["newton"] is None
     assert found.restitution["newton_at_contact"] is not None
 
