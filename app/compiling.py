@@ -97,17 +97,29 @@ def works() -> dict[str, Callable]:
     """What the page asks for, by name."""
     from .advice import plan_data, regimes_data
     from .analysis import energy_shares
+    from .auto_view import auto_data
     from .frames import solve_frame
     from .mass_ratios import ratios_for
     from .methods_table import methods_table
+    from .stability_view import stability_kernels
+    from .tradeoff_view import stored_data, tradeoff_kernels
     from .trust_view import convergence_data, trust_data
 
     found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data, plan_data)
-    found += (regimes_data,)
+    found += (regimes_data, auto_data, stored_data, tradeoff_kernels, stability_kernels)
     return {work.__name__: work for work in found}
 
 
-ONLY_WHEN_ASKED = ("trust_data", "convergence_data", "plan_data", "regimes_data")
+ONLY_WHEN_ASKED = (
+    "trust_data",
+    "convergence_data",
+    "plan_data",
+    "regimes_data",
+    "auto_data",
+    "stored_data",
+    "tradeoff_kernels",
+    "stability_kernels",
+)
 ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  # works that know a beam
 
 

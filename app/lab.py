@@ -144,9 +144,6 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self._views[name] = pipe, view(pipe)
         self.below.append(self._views[name][1])
 
-    def _asking(self, runner: Runner, wanted: dict[str, Any]) -> None:
-        pn.state.execute(partial(runner.want, wanted))
-
     def _show_text(self, name: str, text: str) -> None:
         setattr(self, name, text)
 

@@ -7,10 +7,15 @@ from typing import Any
 import panel as pn
 import param
 
+from solvers.auto import ASKABLE
 from solvers.regime_models import QUESTIONS
 
 from .advice import plan_data, regimes_data
-from .runner import Runner
+from .auto_view import auto_data
+from .long_run import LongRun
+from .runner import SLOW, Runner
+from .stability_view import stability_data, stability_kernels
+from .tradeoff_view import stored_data, tradeoff_data, tradeoff_kernels
 
 
 class Panels(param.Parameterized):
@@ -21,30 +26,96 @@ class Panels(param.Parameterized):
     plan_tolerance = param.Number(default=0.05, bounds=(1e-4, 0.5))
     plan = param.String(default="", doc="the smallest adequate model, see app.advice")
     regimes = param.String(default="", doc="the map in which the scene lies, see app.advice")
+    tradeoff_shown = param.Boolean(default=False, doc="whether speed against accuracy is open")
+    tradeoff_running = param.Boolean(default=False, doc="whether it is being measured; the visitor starts and stops it")
+    tradeoff = param.String(default="", doc="that table, see app.tradeoff_view")
+    auto_shown = param.Boolean(default=False, doc="whether a tolerance is asked for instead of a method")
+    auto_quantity = param.Selector(default=ASKABLE[0], objects=list(ASKABLE))
+    auto_tolerance = param.Number(default=0.01, bounds=(1e-6, 0.5))
+    auto_waves = param.Boolean(default=True, doc="whether exact travelling waves may be chosen")
+    auto = param.String(default="", doc="what keeps to it, see app.auto_view")
+    stability_shown = param.Boolean(default=False, doc="whether the maps of stability are open")
+    stability_running = param.Boolean(default=False, doc="whether they are worked out; the visitor starts and stops it")
+    stability = param.String(default="", doc="those maps, or how far they are, see app.stability_view")
 
-    ASKED = ("plan_shown", "question", "plan_tolerance")
+    PLAN = ("plan_shown", "question", "plan_tolerance")
+    AUTO = ("auto_shown", "auto_quantity", "auto_tolerance", "auto_waves")
+    TRADEOFF = ("tradeoff_shown",)
+    RUNS = ("tradeoff_running", "stability_running")
+    ASKED = (*PLAN, *AUTO, *TRADEOFF, *RUNS, "stability_shown")
 
     # What the laboratory gives
     chosen: Callable[[], dict[str, Any]]
     _runner_of: Callable[..., Runner]
-    _asking: Callable[..., None]
+    _refuse: Callable[[str], None]
+    _wait: Callable[[str, str], None]
 
     def open_panels(self) -> None:
         """Make those who answer, and have them asked whenever a question changes."""
         self._plan_runner = self._runner_of(plan_data, partial(self._tell, "plan"))
         self._regimes_runner = self._runner_of(regimes_data, partial(self._tell, "regimes"))
-        self.param.watch(self.ask_panels, list(self.ASKED))
+        self._stored_runner = self._runner_of(stored_data, partial(self._tell, "tradeoff"))
+        self._auto_runner = self._runner_of(auto_data, partial(self._tell, "auto"), SLOW)
+        self._long = {
+            "tradeoff": self._long_run("tradeoff", tradeoff_data, tradeoff_kernels),
+            "stability": self._long_run("stability", stability_data, stability_kernels),
+        }
+        self._asked: dict[str, dict[str, Any]] = {}  # last, by name of the answer
+        self.param.watch(self.ask_panels, [name for name in self.ASKED if name not in self.RUNS])
+        for name in self._long:
+            self.param.watch(partial(self._start_or_stop, name), f"{name}_running")
+        if pn.state.curdoc:
+            pn.state.on_session_destroyed(lambda _: self.stop_panels())
+
+    def _long_run(self, name: str, work: Callable, kernels: Callable) -> LongRun:
+        return LongRun(work, kernels, partial(self._tell, name), self._refuse, partial(self._wait, name))
 
     def _tell(self, name: str, answer: Any) -> None:
         """Set an answer with the document locked: of two that come at once, outside the lock, one may get lost."""
         pn.state.execute(partial(setattr, self, name, answer), schedule=True)
 
+    def stop_panels(self) -> None:
+        """Nobody looks any more."""
+        for run in self._long.values():
+            run.stop()
+
     def ask_panels(self, *events: param.parameterized.Event) -> None:
         """Have every open panel follow the choices, after the blow itself is answered."""
+        chosen = self.chosen()
         if self.plan_shown:
-            asked = self.chosen() | {"question": self.question, "plan_tolerance": self.plan_tolerance}
-            self._asking(self._plan_runner, asked)
-            self._asking(self._regimes_runner, asked)
+            asked = chosen | {"question": self.question, "plan_tolerance": self.plan_tolerance}
+            self._want("plan", self._plan_runner, asked, asked)
+            self._want("regimes", self._regimes_runner, asked, asked)
+        if self.auto_shown:
+            names = ("auto_quantity", "auto_tolerance", "auto_waves")
+            asked = chosen | {name: getattr(self, name) for name in names}
+            self._want("auto", self._auto_runner, asked, _of_any_method(asked))
+        if self.tradeoff_shown and not self._long["tradeoff"].busy:
+            self._want("tradeoff", self._stored_runner, chosen, _of_any_method(chosen))
+
+    def _want(self, name: str, runner: Runner, asked: dict[str, Any], key: dict[str, Any]) -> None:
+        """Ask, unless the same, as far as it matters, was asked last."""
+        if self._asked.get(name) != key:
+            self._asked[name] = key
+            pn.state.execute(partial(runner.want, asked))
+
+    def _start_or_stop(self, name: str, event: param.parameterized.Event) -> None:
+        run, asked = self._long[name], self.chosen()
+        if not event.new:
+            run.stop()
+        elif not run.busy:
+            pn.state.execute(partial(run.start, asked, partial(self._ended, name, asked)))
+
+    def _ended(self, name: str, asked: dict[str, Any]) -> None:
+        self._tell(f"{name}_running", False)
+        if name == "tradeoff":  # what was measured stays, unless the scene has changed meanwhile
+            self._asked[name] = _of_any_method(asked)
+            self.ask_panels()
+
+
+def _of_any_method(asked: dict[str, Any]) -> dict[str, Any]:
+    """What was asked, without the method and its resolution."""
+    return {name: value for name, value in asked.items() if name not in ("method", "modes", "elements")}
 
 
 def accepted(name: str, value: object) -> bool:

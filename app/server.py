@@ -44,7 +44,11 @@ MODULES = (
     "beam_story",
     "trust",
     "logplot",
+    "panel",
     "advice",
+    "tradeoff",
+    "tolerance",
+    "stability",
 )
 
 

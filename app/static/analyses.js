@@ -2,6 +2,9 @@
 import { Needs } from './advice.js';
 import { naming } from './charts.js';
 import { Measurement } from './record.js';
+import { Stability } from './stability.js';
+import { Tolerance } from './tolerance.js';
+import { TradeOff } from './tradeoff.js';
 import { Convergence, Trust } from './trust.js';
 
 const make = (tag, properties = {}, ...children) => {
@@ -115,9 +118,12 @@ export class Analyses {
     this.trust = new Trust(page);
     this.convergence = new Convergence(page);
     this.needs = new Needs(page);
-    this.all = [this.needs, this.trust, this.convergence, this.methods, this.ratios, this.record];
+    this.tolerance = new Tolerance(page);
+    this.tradeoff = new TradeOff(page);
+    this.stability = new Stability(page);
+    this.all = [this.needs, this.tolerance, this.tradeoff, this.trust, this.convergence, this.methods, this.stability, this.ratios, this.record];
     this.buttons = this.all.map((view) => view.button);
-    this.panels = [this.needs.root, this.trust.root, this.convergence.root, this.record.root, this.methods.root];
+    this.panels = [this.needs, this.tolerance, this.tradeoff, this.trust, this.convergence, this.record, this.methods, this.stability].map((view) => view.root);
   }
   take(frame) { for (const view of this.all) view.take(frame); }
   show(t) { for (const view of this.all) view.show(t); }

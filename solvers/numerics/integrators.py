@@ -29,7 +29,7 @@ class Rows(NamedTuple):
 class State(NamedTuple):
     y: np.ndarray  # (rows,) [m]
     v: np.ndarray  # (rows,) [m/s]
-    memory: np.ndarray  # deepest indentation so far [m]; force that acts at the instant [N]; lost to impulses [J]
+    kept: np.ndarray  # deepest indentation so far [m]; force that acts at the instant [N]; lost to impulses [J]
     spare: np.ndarray  # (3, rows), for intermediate stages
 
 
@@ -142,7 +142,7 @@ class MoreauJean(NamedTuple):
 
 @summing_kernel
 def _central_difference(law, step, bodies, lossy, state):
-    y, v, memory = state.y, state.v, state.memory
+    y, v, memory = state.y, state.v, state.kept
     half, force = 0.5 * step, memory[1]
     indentation, rate, mobility = 0.0, 0.0, 0.0
     for i in range(y.size):
@@ -161,7 +161,7 @@ def _central_difference(law, step, bodies, lossy, state):
 
 @summing_kernel
 def _runge_kutta(law, step, bodies, state):
-    y, v, memory = state.y, state.v, state.memory
+    y, v, memory = state.y, state.v, state.kept
     squares, mobility = bodies.squares, bodies.mobility
     second, third, fourth = state.spare[0], state.spare[1], state.spare[2]  # velocities of the stages
     half, force, deepest = 0.5 * step, memory[1], memory[0]
@@ -197,7 +197,7 @@ def _runge_kutta(law, step, bodies, state):
 
 @summing_kernel
 def _frozen(law, rule, state):
-    y, v, memory = state.y, state.v, state.memory
+    y, v, memory = state.y, state.v, state.kept
     depth, rate, free, compliance = 0.0, 0.0, 0.0, 0.0
     for i in range(y.size):
         depth -= y[i]
@@ -245,7 +245,7 @@ def _moreau_jean(restitution, lossy, rule, state):
     for i in range(y.size):
         depth -= y[i]
     if lossy:
-        state.memory[2] += force * (depth - before)
+        state.kept[2] += force * (depth - before)
     return force, depth
 
 
@@ -300,7 +300,7 @@ def run(integrator, law, rigid, bodies, step, speed, limits):
     tally = np.array([0.0, 0.0, np.inf, 1.0])
     worst, indentation, work, ending, done = 0.0, 0.0, 0.0, BOUND, limits.most
     for k in range(limits.most):
-        deepest, was = state.memory[0], indentation
+        deepest, was = state.kept[0], indentation
         force, indentation = integrator.advance(law, state)
         if not rigid:
             work += law.mean(was, indentation, 1.0 / step, deepest)[0] * (indentation - was)
@@ -308,7 +308,7 @@ def run(integrator, law, rigid, bodies, step, speed, limits):
         over = tally[3] >= limits.quiet and state.v[1] + state.v[0] > 0.0
         if over or (k + 1) % every == 0 or k + 1 == limits.most:
             over = over or _out_of_reach(bodies, state)
-            error = (_energy(bodies, state.y, state.v) + work + state.memory[2]) / initial - 1.0
+            error = (_energy(bodies, state.y, state.v) + work + state.kept[2]) / initial - 1.0
             if not abs(error) <= abs(worst):
                 worst = error
             if over or not abs(worst) < GROWN:

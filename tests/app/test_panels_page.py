@@ -60,3 +60,68 @@ def test_panels_fit_a_phone(open_page):
     page = open_page(size=(390, 844), has_touch=True)
     opened(page, "What this blow needs", "needs")
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
+
+
+def test_speed_against_accuracy(open_page):
+    page = open_page("?scene=free-rod")
+    panel = opened(page, "Speed or accuracy", "tradeoff")
+    expect(panel.locator(".help").first).to_contain_text("exact: travelling waves")
+    assert page.evaluate("() => strikewave.page.analyses.tradeoff.points.length") > 30
+    area = panel.get_by_role("application")
+    area.focus()
+    label = panel.locator(".point h3").inner_text()
+    area.press("ArrowRight")
+    expect(panel.locator(".point h3")).not_to_have_text(label)
+    expect(panel.locator(".point")).to_contain_text("Contacts found")
+    area.evaluate("(element) => element.blur()")
+    page.evaluate(
+        """() => {
+          const view = strikewave.page.analyses.tradeoff;
+          view.picked = view.points.find((p) => p.label === 'modal modes=25');
+          view.mark();
+        }"""
+    )
+    page.answered(
+        lambda: page.evaluate("() => strikewave.page.analyses.tradeoff.chart.area.onkeydown({ key: 'Enter' })")
+    )
+    settled(page)
+    assert (page.header("chosen")["method"], page.header("chosen")["modes"]) == ("modal", 25)
+
+
+def test_a_measurement_can_be_started_and_stopped(open_page):
+    page = open_page("?scene=sphere-on-half-space&speed=1.3")
+    panel = opened(page, "Speed or accuracy", "tradeoff")
+    panel.get_by_role("button", name="Measure on this machine").click()
+    page.wait("() => strikewave.page.analyses.tradeoff.points?.length > 1", timeout=LONG)
+    if page.evaluate("() => strikewave.page.model.tradeoff_running"):
+        panel.get_by_role("button", name="Cancel").click()
+    page.wait("() => !strikewave.page.model.tradeoff_running", timeout=LONG)
+    assert page.evaluate("() => strikewave.page.analyses.tradeoff.points.length") > 1
+    expect(panel.get_by_role("button", name="Measure again")).to_be_visible()
+
+
+def test_a_tolerance_chooses_the_method(open_page):
+    page = open_page("?scene=free-rod")
+    page.tab.get_by_label("Method beside the exact one").select_option("auto")
+    panel = page.tab.locator(".auto")
+    page.wait(TOLD, "tolerance", timeout=LONG)
+    expect(panel.locator(".verdict")).to_contain_text("exact waves")
+    panel.get_by_label("exact waves may be chosen").uncheck()
+    page.wait("() => strikewave.page.analyses.tolerance.answer?.chosen.auto_waves === false", timeout=LONG)
+    found = page.evaluate("() => strikewave.page.analyses.tolerance.answer")
+    assert found["true"] <= 0.01 and found["met"]
+    page.wait("method => strikewave.page.frame.chosen.method === method", found["name"])
+    assert page.tab.get_by_label("Method beside the exact one").input_value() == "auto"
+    expect(panel.locator(".proof")).to_contain_text("true")
+    page.answered(lambda: page.tab.get_by_label("Method beside the exact one").select_option("waves"))
+    assert page.header("chosen")["method"] == "waves"
+
+
+def test_maps_of_stability(open_page):
+    page = open_page()
+    page.tab.get_by_role("button", name="Stability", exact=True).click()
+    page.wait("() => strikewave.page.analyses.stability.known", timeout=2 * LONG)
+    panel = page.tab.locator(".stability")
+    expect(panel.locator(".small-map").first).to_contain_text("None of")
+    expect(panel.locator(".small-map", has_text="frozen")).to_contain_text("runs fail")
+    assert page.evaluate("() => !strikewave.page.model.stability_running")

@@ -1,0 +1,97 @@
+// A tolerance instead of a method: what was chosen, why, and how near it really is.
+import { percentField, share } from './advice.js';
+import { figures } from './beam_stage.js';
+import { naming } from './charts.js';
+import { percentDecade } from './logplot.js';
+import { make, Panel, QUANTITIES, showMethod, shown } from './panel.js';
+
+const LOWEST = 1e-12, QUICK = 0.25; // s of a solve that a slider can wait for
+
+export class Tolerance extends Panel {
+  constructor(page) {
+    super(page, 'auto', 'Within a tolerance', 'say how near the answer must be, and the page chooses the method', 'A tolerance instead of a method', ['auto_quantity', 'auto_tolerance', 'auto_waves']);
+    this.follows = false; // whether the page shows what is chosen
+    this.quantity = make('select', { ariaLabel: 'Quantity' }, ...Object.entries(QUANTITIES).map(([value, textContent]) => make('option', { value, textContent })));
+    this.quantity.onchange = () => this.ask('auto_quantity', this.quantity.value);
+    this.tolerance = percentField('Within', 1e-6, 0.5, (value) => this.ask('auto_tolerance', value), (sentence) => page.complain(sentence));
+    this.waves = make('input', { type: 'checkbox', onchange: () => this.ask('auto_waves', this.waves.checked) });
+    this.shows = make('input', { type: 'checkbox', onchange: () => { this.follows = this.shows.checked; this.fill(); } });
+    this.said = make('p', { className: 'verdict', role: 'status' });
+    this.scale = make('div', { className: 'proof', role: 'img' });
+    this.why = make('p', { className: 'help' });
+    this.table = make('table', { className: 'methods' });
+    this.root.append(make('div', { className: 'record-form' }, this.tolerance.root, make('label', { className: 'part' }, 'in the', this.quantity), make('label', { className: 'part' }, this.waves, 'exact waves may be chosen'), make('label', { className: 'part' }, this.shows, 'show on the page what is chosen')), this.said, this.scale, this.why, make('div', { className: 'scroll' }, this.table));
+    this.choice();
+  }
+  // "By tolerance" among the methods of the page.
+  choice() {
+    const { input } = this.page.controls.fields.method, pick = input.onchange;
+    input.append(make('option', { value: 'auto', textContent: 'Chosen by a tolerance …' }));
+    input.onchange = () => {
+      this.follows = input.value === 'auto';
+      if (!this.follows) { pick(); this.fill(); return; }
+      if (!this.open) this.toggle();
+      else this.fill();
+    };
+    this.page.model.on('method', () => this.named());
+  }
+  named() {
+    const { page } = this;
+    page.controls.fields.method.input.value = this.follows && this.open ? 'auto' : page.model.method;
+  }
+  opened() { if (!this.open) this.follows = false; this.named(); }
+  ask(name, value) {
+    this.page.model[name] = value;
+    this.fill();
+  }
+  told(found, fresh) {
+    const { model } = this.page;
+    this.quantity.value = model.auto_quantity;
+    this.tolerance.set(model.auto_tolerance);
+    this.waves.checked = model.auto_waves;
+    this.shows.checked = this.follows;
+    this.named();
+    this.root.setAttribute('aria-busy', String(!fresh));
+    if (!fresh) { if (!found) this.said.textContent = 'Solving until a coarse answer is proved by a fine one …'; return; }
+    this.scale.hidden = Boolean(found.error);
+    if (found.error) {
+      this.said.textContent = found.error;
+      this.why.textContent = '';
+      this.table.replaceChildren();
+      return;
+    }
+    this.verdict(found);
+    this.proof(found);
+    this.why.textContent = found.why;
+    this.tried(found);
+    if (this.follows && found.cost <= QUICK && found.choices && !shown(this.page, { ...found.choices, name: found.choices.method })) showMethod(this.page, { ...found.choices, name: found.choices.method });
+  }
+  verdict(found) {
+    const { page } = this, method = found.choices && { ...found.choices, name: found.choices.method }, here = method && shown(page, method);
+    const show = method && !here ? [' ', make('button', { type: 'button', className: 'when', textContent: 'Show it on the page', onclick: () => showMethod(page, method) })] : here ? [' The page shows it.'] : [' It is finer than the sliders of the page.'];
+    const slow = this.follows && found.cost > QUICK && !here ? [` It takes ${figures(found.cost, 2)} s a blow, too long to follow the sliders.`] : [];
+    const told = found.estimate === null ? 'an error that nothing here tells' : `an estimated error of ${share(found.estimate)}`;
+    const true_ = found.true === null ? 'No exact solution of this scene is known.' : `Against the exact waves it really misses ${share(found.true)}.`;
+    const kept = found.met ? '' : found.estimate !== null && found.estimate <= found.chosen.auto_tolerance ? ' Nothing finer proves it.' : ` Not ${share(found.chosen.auto_tolerance)} as asked for.`;
+    this.said.replaceChildren('Chosen: ', make('b', { textContent: naming(found.name) }), ` (${found.label}), with ${told} in the ${QUANTITIES[found.chosen.auto_quantity]}. ${true_}${kept}`, ...slow, ...show);
+  }
+  // What is asked, estimated and true, on one logarithmic line.
+  proof(found) {
+    const place = (error) => `${100 * (1 - Math.log(Math.max(error, LOWEST)) / Math.log(LOWEST))}%`;
+    const marks = [['asked', found.chosen.auto_tolerance, 'allowed'], ['estimate', found.estimate, 'estimated'], ['true', found.true, 'true']].filter(([, error]) => error !== null);
+    const ticks = [-12, -9, -6, -4, -2, 0].map((power) => { const tick = make('i', { className: 'tick', textContent: percentDecade(power) }); tick.style.left = place(10 ** power); return tick; });
+    const allowed = make('i', { className: 'allowed' });
+    allowed.style.width = place(found.chosen.auto_tolerance);
+    this.scale.replaceChildren(allowed, ...ticks, ...marks.map(([kind, error, word]) => { const mark = make('i', { className: `mark ${kind}`, title: `${word}: ${share(error)}` }, make('span', { textContent: `${word} ${share(error)}` })); mark.style.left = place(error); return mark; }));
+    this.scale.setAttribute('aria-label', marks.map(([, error, word]) => `${word} error ${share(error)}`).join(', '));
+  }
+  tried(found) {
+    const head = make('thead', {}, make('tr', {}, ...['Solved on the way', 'costs, ms', 'misses, est.'].map((textContent) => make('th', { scope: 'col', textContent }))));
+    const rows = found.tried.map((row) => {
+      const line = make('tr', {}, make('td', { textContent: row.label + (row.label === found.proof ? ' (the proof)' : '') }), make('td', { textContent: figures(1e3 * row.cost, 2) }), make('td', { textContent: row.estimated_error === null ? '–' : share(row.estimated_error) }));
+      if (row.label === found.label) line.setAttribute('aria-current', 'true');
+      return line;
+    });
+    this.table.replaceChildren(head, make('tbody', {}, ...rows));
+  }
+}

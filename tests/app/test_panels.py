@@ -1,0 +1,188 @@
+"""What the panels beside the solution tell, and the long runs behind them."""
+
+import asyncio
+import json
+import threading
+
+import numpy as np
+import pytest
+
+from app import long_run, stability_view
+from app.auto_view import auto_data, nearest_choices
+from app.long_run import LongRun
+from app.panels import Panels, accepted
+from app.stability_view import KINDS, kinds_of, stability_data, stability_kernels
+from app.state import Choices
+from app.tradeoff_view import stored_data, tradeoff_data
+from solvers import load, stored_tradeoff
+from solvers.stability import NOT_RUN, Map
+
+
+def asked(scene, **more):
+    return Choices(**Choices.of_scene(scene) | {"scene": scene}).chosen() | more
+
+
+def never():
+    return False
+
+
+# --- trade-off --------------------------------------------------------------------------------------------------------
+
+
+def test_a_built_in_scene_shows_its_table_at_once():
+    found, own = json.loads(stored_data(asked("free-rod"))), stored_tradeoff(load("free-rod"))
+    assert [point["label"] for point in found["points"]] == [point.label for point in own.points]
+    front = {point["label"] for point in found["points"] if "peak-force" in point["best_for"]}
+    assert front == {point.label for point in own.front("peak-force")}
+    assert found["reference"]["words"] == own.reference.words and found["machine"] == own.machine
+    assert json.loads(stored_data(asked("free-rod") | {"mass_ratio": 1.7}))["points"] == []
+
+
+def test_a_measurement_that_is_stopped_keeps_what_it_found():
+    stop, told = threading.Event(), []
+
+    def tell(text):
+        told.append(json.loads(text))
+        stop.set()
+
+    found = json.loads(tradeoff_data(asked("two-balls"), stop.is_set, tell))
+    assert found["stopped"] in ("cancelled", None) and found["points"]
+    stop.set()
+    nothing = json.loads(tradeoff_data(asked("two-balls"), stop.is_set, tell))
+    assert nothing["stopped"] == "cancelled" and nothing["points"] == []
+
+
+# --- a tolerance ------------------------------------------------------------------------------------------------------
+
+
+def automatic(scene, quantity, tolerance, waves):
+    return json.loads(auto_data(asked(scene, auto_quantity=quantity, auto_tolerance=tolerance, auto_waves=waves)))
+
+
+def test_what_keeps_to_a_tolerance_is_proved_beside_the_exact_waves():
+    found = automatic("bronze-rod-steel-ball", "rebound", 0.01, False)
+    assert found["met"] and found["name"] != "waves"
+    assert found["true"] <= 0.01
+    assert found["estimate"] == pytest.approx(found["true"], rel=2.0)
+    assert found["choices"]["method"] == found["name"]
+    assert found["label"] in [row["label"] for row in found["tried"]]
+
+
+def test_bodies_without_exact_waves_have_no_true_error():
+    found = automatic("two-balls", "rebound", 0.01, True)
+    assert found["true"] is None and found["met"]
+
+
+def test_what_is_finer_than_the_sliders_is_not_shown():
+    assert nearest_choices({"name": "modal", "modes": 3200, "steps": None}) is None
+    assert nearest_choices({"name": "modal", "modes": 12, "steps": None}) == {"method": "modal", "modes": 12}
+
+
+# --- stability --------------------------------------------------------------------------------------------------------
+
+
+def test_the_maps_say_what_the_library_found(monkeypatch):
+    monkeypatch.setattr(stability_view, "GRID", (3, 4))
+    told = []
+    stability_kernels(asked("fixed-rod"))
+    found = json.loads(stability_data(asked("fixed-rod"), never, told.append))
+    assert json.loads(told[-1])["done"] == 4 == json.loads(told[-1])["of"]
+    first = found["maps"][0]
+    assert first["name"] == "modal" and first["failures"] == 0
+    assert len(first["runs"]) == 3 and all(len(row) == 4 for row in first["runs"])
+    failed = str(KINDS.index("failed"))
+    assert failed not in "".join(first["runs"])
+    frozen = next(each for each in found["maps"] if each["name"] == "newmark-frozen")
+    assert failed in "".join(frozen["runs"]) and len(frozen["limit"]) == 4
+    stopped = json.loads(stability_data(asked("fixed-rod"), lambda: True, told.append))
+    assert stopped["cancelled"] and stopped["maps"][0]["count"] == 0
+
+
+def test_the_gravest_of_what_holds_is_shown():
+    ending = np.array([[0, 0, 0, 0], [1, 2, 3, NOT_RUN]], np.uint8)
+    error = np.array([[1e-12, -1e-4, 0.5, 1e-9], [1e-12, 0.5, np.nan, np.nan]])
+    chatter = np.array([[0, 0, 3, 2], [5, 0, 0, 0]])
+    each = Map("modal", "", "", ending, error, chatter, error, chatter, error, None)
+    named = [[KINDS[kind] for kind in row] for row in kinds_of(each).tolist()]
+    assert named == [["ok", "slight", "error", "chatter"], ["stopped", "lasting", "failed", "none"]]
+
+
+# --- long runs --------------------------------------------------------------------------------------------------------
+
+
+def ran(work, kernels=lambda asked: None, meanwhile=None):
+    """What a long run published, refused and whether it ended."""
+    published, refused, ended = [], [], []
+    run = LongRun(work, kernels, published.append, refused.append, lambda sentence: None)
+
+    async def main():
+        started = asyncio.ensure_future(run.start("asked", lambda: ended.append(True)))
+        if meanwhile is not None:
+            await asyncio.sleep(0.05)
+            meanwhile(run)
+        await started
+
+    asyncio.run(main())
+    assert ended == [True] and not run.busy
+    return published, refused
+
+
+def test_a_long_run_tells_parts_and_then_the_whole():
+    def work(asked, cancelled, tell):
+        tell("a part")
+        return f"all of {asked}"
+
+    assert ran(work) == (["a part", "all of asked"], [])
+
+
+def test_a_long_run_can_be_stopped_and_keeps_what_it_has():
+    def work(asked, cancelled, tell):
+        done = threading.Event()
+        while not cancelled():
+            done.wait(0.01)
+        return "half"
+
+    assert ran(work, meanwhile=LongRun.stop) == (["half"], [])
+
+
+def test_a_long_run_that_fails_says_so_in_a_sentence(caplog):
+    def refuses(asked, cancelled, tell):
+        raise ValueError("scene: got nothing; allowed: something")
+
+    def breaks(asked, cancelled, tell):
+        raise ZeroDivisionError
+
+    assert ran(refuses) == ([], ["scene: got nothing; allowed: something"])
+    published, refused = ran(breaks)
+    assert published == [] and "could not" in refused[0] and "ZeroDivisionError" in caplog.text
+
+
+def test_kernels_of_a_long_run_are_compiled_elsewhere(monkeypatch):
+    wanted = []
+
+    class Elsewhere:
+        @staticmethod
+        async def ready(name, asked):
+            wanted.append((name, asked))
+
+    def kernels(asked):
+        raise long_run.NotCompiled("one")
+
+    monkeypatch.setattr(long_run, "COMPILER", Elsewhere)
+    assert ran(lambda asked, cancelled, tell: "done", kernels) == (["done"], [])
+    assert wanted == [("kernels", "asked")]
+
+
+@pytest.mark.parametrize(
+    "name, value",
+    [
+        ("auto_tolerance", 0.0),
+        ("auto_tolerance", 1.0),
+        ("auto_quantity", "energy"),
+        ("auto_waves", 1),
+        ("tradeoff_running", "yes"),
+        ("stability_running", None),
+    ],
+)
+def test_no_other_question_is_taken(name, value):
+    assert name in Panels.ASKED and not accepted(name, value)
