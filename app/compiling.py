@@ -110,26 +110,18 @@ def works() -> dict[str, Callable]:
     return {work.__name__: work for work in found}
 
 
-ONLY_WHEN_ASKED = (
-    "trust_data",
-    "convergence_data",
-    "plan_data",
-    "regimes_data",
-    "auto_data",
-    "stored_data",
-    "tradeoff_kernels",
-    "stability_kernels",
-)
+LAST = "stability_kernels"  # which take longest
 ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  # works that know a beam
 
 
 def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     """What visitors usually ask for, what most of them ask for first."""
+    from .panels import QUESTIONS_OF
     from .state import SCENES, Choices, on_beam
 
     for name in works():
-        if name not in ONLY_WHEN_ASKED:
-            yield name, Choices().chosen()
+        if name not in ("trust_data", "convergence_data", LAST):
+            yield name, Choices().chosen() | QUESTIONS_OF.get(name, {})
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
     for name in ON_BEAMS:
         yield name, Choices(**Choices.of_scene(beam) | {"scene": beam}).chosen()
@@ -137,6 +129,7 @@ def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     for name in ("solve_frame", "methods_table"):
         for law in laws:
             yield name, Choices(law=law, modes=5).chosen()
+    yield LAST, Choices().chosen()
 
 
 def compile_usual(between: Callable[[], None] = lambda: None) -> None:

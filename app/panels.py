@@ -113,6 +113,17 @@ class Panels(param.Parameterized):
             self.ask_panels()
 
 
+def _defaults(*names: str) -> dict[str, Any]:
+    return {name: Panels.param[name].default for name in names}
+
+
+QUESTIONS_OF = {  # by work: what it is asked besides the choices, as long as nobody changes it
+    "plan_data": _defaults("question", "plan_tolerance"),
+    "regimes_data": _defaults("question", "plan_tolerance"),
+    "auto_data": _defaults("auto_quantity", "auto_tolerance", "auto_waves"),
+}
+
+
 def _of_any_method(asked: dict[str, Any]) -> dict[str, Any]:
     """What was asked, without the method and its resolution."""
     return {name: value for name, value in asked.items() if name not in ("method", "modes", "elements")}
