@@ -116,7 +116,7 @@ ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  #
 
 def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     """What visitors usually ask for, what most of them ask for first."""
-    from .panels import QUESTIONS_OF
+    from .questions import QUESTIONS_OF
     from .state import SCENES, Choices, on_beam
 
     for name in works():

@@ -17,7 +17,8 @@ from .analysis import energy_shares, energy_view
 from .frames import solve_frame
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
-from .panels import Panels, accepted
+from .panels import Panels
+from .questions import accepted
 from .runner import COMPILING, POOL, SLOW, Runner, at_once
 from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, refusal, scene_groups
 from .trust_view import convergence_data, trust_data

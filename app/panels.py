@@ -1,4 +1,4 @@
-"""What is asked about a blow beside its solution: parameters of the panels below the page, and who answers them."""
+"""The panels beside the solution: who answers what is asked in them, and when."""
 
 from collections.abc import Callable
 from functools import partial
@@ -7,42 +7,17 @@ from typing import Any
 import panel as pn
 import param
 
-from solvers.auto import ASKABLE
-from solvers.regime_models import QUESTIONS
-
 from .advice import plan_data, regimes_data
 from .auto_view import auto_data
 from .long_run import LongRun
+from .questions import Questions
 from .runner import SLOW, Runner
 from .stability_view import stability_data, stability_kernels
 from .tradeoff_view import stored_data, tradeoff_data, tradeoff_kernels
 
 
-class Panels(param.Parameterized):
-    """Bounded questions of a visitor and the answers to them, each a text in JSON; a part of `app.lab.Lab`."""
-
-    plan_shown = param.Boolean(default=False, doc="whether the plan and the map of regimes are open")
-    question = param.Selector(default=QUESTIONS[0], objects=list(QUESTIONS))
-    plan_tolerance = param.Number(default=0.05, bounds=(1e-4, 0.5))
-    plan = param.String(default="", doc="the smallest adequate model, see app.advice")
-    regimes = param.String(default="", doc="the map in which the scene lies, see app.advice")
-    tradeoff_shown = param.Boolean(default=False, doc="whether speed against accuracy is open")
-    tradeoff_running = param.Boolean(default=False, doc="whether it is being measured; the visitor starts and stops it")
-    tradeoff = param.String(default="", doc="that table, see app.tradeoff_view")
-    auto_shown = param.Boolean(default=False, doc="whether a tolerance is asked for instead of a method")
-    auto_quantity = param.Selector(default=ASKABLE[0], objects=list(ASKABLE))
-    auto_tolerance = param.Number(default=0.01, bounds=(1e-6, 0.5))
-    auto_waves = param.Boolean(default=True, doc="whether exact travelling waves may be chosen")
-    auto = param.String(default="", doc="what keeps to it, see app.auto_view")
-    stability_shown = param.Boolean(default=False, doc="whether the maps of stability are open")
-    stability_running = param.Boolean(default=False, doc="whether they are worked out; the visitor starts and stops it")
-    stability = param.String(default="", doc="those maps, or how far they are, see app.stability_view")
-
-    PLAN = ("plan_shown", "question", "plan_tolerance")
-    AUTO = ("auto_shown", "auto_quantity", "auto_tolerance", "auto_waves")
-    TRADEOFF = ("tradeoff_shown",)
-    RUNS = ("tradeoff_running", "stability_running")
-    ASKED = (*PLAN, *AUTO, *TRADEOFF, *RUNS, "stability_shown")
+class Panels(Questions):
+    """Has the questions of a visitor answered; a part of `app.lab.Lab`."""
 
     # What the laboratory gives
     chosen: Callable[[], dict[str, Any]]
@@ -113,29 +88,6 @@ class Panels(param.Parameterized):
             self.ask_panels()
 
 
-def _defaults(*names: str) -> dict[str, Any]:
-    return {name: Panels.param[name].default for name in names}
-
-
-QUESTIONS_OF = {  # by work: what it is asked besides the choices, as long as nobody changes it
-    "plan_data": _defaults("question", "plan_tolerance"),
-    "regimes_data": _defaults("question", "plan_tolerance"),
-    "auto_data": _defaults("auto_quantity", "auto_tolerance", "auto_waves"),
-}
-
-
 def _of_any_method(asked: dict[str, Any]) -> dict[str, Any]:
     """What was asked, without the method and its resolution."""
     return {name: value for name, value in asked.items() if name not in ("method", "modes", "elements")}
-
-
-def accepted(name: str, value: object) -> bool:
-    """Whether a question may have this value."""
-    parameter = Panels.param[name]
-    if isinstance(value, bool) != isinstance(parameter, param.Boolean):  # Python counts booleans among the numbers
-        return False
-    try:
-        Panels(**{name: value})
-    except (ValueError, TypeError, OverflowError):
-        return False
-    return True

@@ -260,7 +260,7 @@ export class Needs {
     this.map.tolerance = found.chosen.plan_tolerance;
     if (this.map.map) {
       this.map.move(found.groups);
-      this.map.about.textContent = `A compact body strikes ${FAMILIES[this.map.map.family]}${this.map.map.law === 'hertz' ? ', Hertzian contact' : ''}; the dot is this scene, with the time that its contact would last between rigid bodies${found.measured ? '' : ', beside what was measured'}. Each point of the map was solved by the cheap model and in full; error in the ${QUESTIONS[this.map.map.question]}.`;
+      this.map.about.textContent = `A compact body strikes ${FAMILIES[this.map.map.family]}${this.map.map.law === 'hertz' ? ', Hertzian contact' : ''}; the dot is this scene, with the time that its contact would last between rigid bodies${found.measured ? '' : '; it lies outside what was measured'}. Each point of the map was solved by the cheap model and in full; error in the ${QUESTIONS[this.map.map.question]}.`;
     }
     if (map !== this.map.map || tolerance !== this.map.tolerance || drawn !== this.map.shown) this.map.paint();
     else this.map.mark();

@@ -1,4 +1,5 @@
 // Where each integrator keeps the energy, chatters or fails: one small map each, over step and contact stiffness.
+import { share } from './advice.js';
 import { decade, LogChart } from './logplot.js';
 import { make, Panel } from './panel.js';
 
@@ -7,7 +8,7 @@ const WORDS = { ok: 'energy kept to 10⁻⁶', slight: 'to 1 %', error: 'wrong b
 
 class Small {
   constructor() {
-    this.chart = new LogChart('', 'map of stability over step and contact stiffness', ['contact stiffness', 'step × highest frequency, rad']);
+    this.chart = new LogChart('', 'map of stability over step and contact stiffness', ['contact stiffness, in element stiffnesses or as the law has it', 'step × highest frequency, rad']);
     this.said = make('p', { className: 'help' });
     this.root = make('div', { className: 'small-map' }, this.chart.root, this.said);
     this.chart.area.onpointermove = (event) => { this.chart.value.textContent = this.at(this.chart.under(event)); };
@@ -19,7 +20,7 @@ class Small {
     chart.x = ends(found.stiffness);
     chart.y = ends(found.step);
     chart.head.querySelector('h2').textContent = map.name === 'modal' ? `${map.label} (the page’s own)` : map.label;
-    const worst = map.worst === null ? '' : ` Energy error of the others at most ${map.worst > 0 ? decade(Math.ceil(Math.log10(map.worst))) : 0}.`;
+    const worst = map.worst === null ? '' : ` Energy error of the others at most ${map.worst > 1e-3 ? share(map.worst) : map.worst > 0 ? decade(Math.ceil(Math.log10(map.worst))) : 0}.`;
     this.said.textContent = map.reason ?? `${map.failures ? `${map.failures} of ${map.count} runs fail` : `None of ${map.count} runs fails`}${map.chattering ? `, ${map.chattering} chatter` : ''}.${worst} Theory: ${map.limit_name}.`;
   }
   kind(i, j) { return this.found.kinds[Number(this.map.runs[i][j])]; }

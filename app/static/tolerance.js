@@ -49,6 +49,7 @@ export class Tolerance extends Panel {
     this.quantity.value = model.auto_quantity;
     this.tolerance.set(model.auto_tolerance);
     this.waves.checked = model.auto_waves;
+    this.waves.parentElement.hidden = Boolean(this.page.frame.refusals?.waves) || this.page.frame.kind === 'bodies';
     this.shows.checked = this.follows;
     this.named();
     this.root.setAttribute('aria-busy', String(!fresh));

@@ -6,7 +6,7 @@ import pytest
 
 from app.advice import page_choices, plan_data, regimes_data
 from app.frames import method_options
-from app.panels import accepted
+from app.questions import accepted
 from app.state import Choices, accepts
 from solvers import METHODS, load, plan
 

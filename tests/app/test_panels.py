@@ -10,7 +10,7 @@ import pytest
 from app import long_run, stability_view
 from app.auto_view import auto_data, nearest_choices
 from app.long_run import LongRun
-from app.panels import Panels, accepted
+from app.questions import Questions, accepted
 from app.stability_view import KINDS, kinds_of, stability_data, stability_kernels
 from app.state import Choices
 from app.tradeoff_view import stored_data, tradeoff_data
@@ -185,4 +185,4 @@ def test_kernels_of_a_long_run_are_compiled_elsewhere(monkeypatch):
     ],
 )
 def test_no_other_question_is_taken(name, value):
-    assert name in Panels.ASKED and not accepted(name, value)
+    assert name in Questions.ASKED and not accepted(name, value)
