@@ -98,8 +98,14 @@ def test_speed_against_accuracy(open_page):
 def test_a_measurement_can_be_started_and_stopped(open_page):
     page = open_page("?scene=sphere-on-half-space&speed=1.3")
     panel = opened(page, "Speed or accuracy", "tradeoff")
-    panel.get_by_role("button", name="Measure on this machine").click()
-    page.wait("() => strikewave.page.analyses.tradeoff.points?.length > 1", timeout=LONG)
+    panel.get_by_role("button", name="Measure").click()
+    page.wait(
+        """() => {
+          const { page } = strikewave, found = page.analyses.tradeoff.answer;
+          return !page.model.tradeoff_running || (found.stopped === 'under way' && found.points.length > 1);
+        }""",
+        timeout=LONG,
+    )
     if page.evaluate("() => strikewave.page.model.tradeoff_running"):
         panel.get_by_role("button", name="Cancel").click()
     page.wait("() => !strikewave.page.model.tradeoff_running", timeout=LONG)
