@@ -115,18 +115,25 @@ def gated_page(browser, monkeypatch):
         gate, port, ready = Gate(*names), free_port(), threading.Event()
         monkeypatch.setattr(runner, "COMPILER", gate)
 
+        failed = []
+
         def serve():
-            asyncio.set_event_loop(asyncio.new_event_loop())
-            server = page_server.build(port, "127.0.0.1", [])
-            for name, work in works().items():  # after the server has made its own first page
-                monkeypatch.setattr(lab if hasattr(lab, name) else panels, name, gate.guard(work))
-            server.start()
-            stop.append(lambda: server.io_loop.add_callback(server.io_loop.stop))
-            ready.set()
+            try:
+                asyncio.set_event_loop(asyncio.new_event_loop())
+                server = page_server.build(port, "127.0.0.1", [])
+                for name, work in works().items():  # after the server has made its own first page
+                    monkeypatch.setattr(lab if hasattr(lab, name) else panels, name, gate.guard(work))
+                server.start()
+                stop.append(lambda: server.io_loop.add_callback(server.io_loop.stop))
+            except Exception as error:
+                failed.append(error)
+                raise
+            finally:
+                ready.set()
             server.io_loop.start()
 
         threading.Thread(target=serve, daemon=True).start()
-        assert ready.wait(180)  # a first compilation
+        assert ready.wait(180) and not failed  # a first compilation
         page = Page(browser, f"127.0.0.1:{port}", query, drawn="solve_frame" not in names)
         stop.append(page.context.close)
         return page, gate
