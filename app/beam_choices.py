@@ -3,6 +3,7 @@
 from typing import Any
 
 from solvers import Scene
+from solvers.bodies.beams import USUAL_PLACES, free_places
 
 BEAM_CHOICES = {  # name: how it is read from a beam
     "place": lambda beam: beam.at,
@@ -16,6 +17,12 @@ BEAM_CHOICES = {  # name: how it is read from a beam
 def on_beam(scene: Scene) -> bool:
     """Whether what is struck is a beam."""
     return scene.target.kind == "beam"
+
+
+def free_place(support: str, place: float) -> float:
+    """This place along a beam, or the usual one where this support would hold it."""
+    first, last = free_places(support)
+    return place if first <= place <= last else USUAL_PLACES.get(support, 0.5)
 
 
 def other_beam(base: Scene, chosen: dict[str, Any]) -> Scene:

@@ -14,6 +14,7 @@ import param
 from solvers.jit import NotCompiled
 
 from .analysis import energy_shares, energy_view
+from .beam_choices import free_place
 from .frames import solve_frame
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
@@ -59,7 +60,8 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     def __init__(self, **choices):
         super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
         self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
-        self._runner = self._runner_of(solve_frame, self._show)
+        self._runner = Runner(solve_frame, self._show, self._set_back, POOL, partial(self._wait, solve_frame.__name__))
+        self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
         self._views: dict[str, tuple[Any, Any]] = {}  # by name: the stream that feeds it, and its pane
@@ -80,6 +82,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         """The first answer goes out with the page, unless it must be compiled first."""
         try:
             self.frame = at_once(solve_frame, self.chosen())
+            self._answered = self.chosen()
         except NotCompiled:
             self.waiting = COMPILING
             pn.state.execute(partial(self._runner.want, self.chosen()), schedule=True)
@@ -97,6 +100,9 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         if any(event.name == "scene" for event in events):
             with self._silence():
                 self.param.update(**self.of_scene(self.scene))
+        if any(event.name == "support" for event in events):
+            with self._silence():
+                self.place = free_place(self.support, self.place)
         self.refused = ""
         pn.state.execute(partial(self._runner.want, self.chosen()))
 
@@ -110,6 +116,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             self._quiet = False
 
     def _show(self, message: bytes) -> None:
+        self._answered = self._runner.current
         self.frame = message
         self._ask_views()
         self.ask_panels()
@@ -147,6 +154,13 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
 
     def _show_text(self, name: str, text: str) -> None:
         setattr(self, name, text)
+
+    def _set_back(self, sentence: str) -> None:
+        """Choices that cannot be solved together are not left standing beside the picture of others."""
+        if self._answered and self.chosen() == self._runner.current:
+            with self._silence():
+                self.param.update(**self._answered)
+        self._refuse(sentence)
 
     def _refuse(self, sentence: str) -> None:
         self.refused = ""

@@ -39,6 +39,7 @@ class Runner:
         wait: Callable = lambda sentence: None,
     ):
         self._work, self._publish, self._refuse, self._pool, self._wait = work, publish, refuse, pool, wait
+        self.current: Any = None  # the choices that are being answered, or were last
         self._wanted: Any = None
         self._busy = False
         self._newer = asyncio.Event()
@@ -52,14 +53,14 @@ class Runner:
         self._busy = True
         try:
             while self._wanted is not None:
-                current, self._wanted = self._wanted, None
+                self.current, self._wanted = self._wanted, None
                 self._newer.clear()
                 try:
-                    result = await self._solved(current)
+                    result = await self._solved(self.current)
                 except ValueError as refusal:  # SceneError: the sentence is for the visitor
                     self._refuse(str(refusal))
                 except Exception:
-                    log.exception("a solve failed: %r", current)
+                    log.exception("a solve failed: %r", self.current)
                     self._refuse("This could not be solved. The choices before it are still shown.")
                 else:
                     if result is not None:

@@ -14,7 +14,7 @@ from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
-from .beam_choices import BEAM_CHOICES, on_beam, other_beam
+from .beam_choices import BEAM_CHOICES, free_place, on_beam, other_beam
 from .space import has_length, struck_at, struck_place
 
 SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
@@ -97,8 +97,15 @@ def scene_groups() -> list[list[Any]]:
     """Scenes by heading, each as [name, what it is], for the picker."""
     groups: dict[str, list[list[str]]] = {}
     for name, scene in SCENES.items():
-        groups.setdefault(_heading(name, scene), []).append([name, scene.title or name])
+        groups.setdefault(_heading(name, scene), []).append([name, _entry(name, scene)])
     return [[heading, scenes] for heading, scenes in groups.items()]
+
+
+def _entry(name: str, scene: Scene) -> str:
+    """What the picker says of a scene; one of the thesis by its number first."""
+    title = scene.title or name
+    found = re.fullmatch(r"(figure|table)-(\d+\.\d+)", name)
+    return f"{found[1].capitalize()} {found[2]}: {title}" if found else title
 
 
 def _heading(name: str, scene: Scene) -> str:
@@ -272,13 +279,17 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
         if name == "scene":
             kept |= Choices.of_scene(value)
         kept[name] = value
+    if "support" in arguments and "place" not in arguments and "support" in kept and "place" in kept:
+        kept["place"] = free_place(kept["support"], kept["place"])
     return kept, refused
 
 
 def refusal(name: str, value: object, of: type[param.Parameterized] = Choices) -> str:
     """One sentence: the key, the value and what is allowed."""
     parameter = of.param[name]
-    if isinstance(parameter, param.Selector):
+    if name == "scene":
+        allowed = f"one of the {len(SCENES)} scenes of the picker, as {START}"
+    elif isinstance(parameter, param.Selector):
         allowed = ", ".join(parameter.objects)
     elif isinstance(parameter, param.Boolean):
         allowed = "true, false"

@@ -58,7 +58,7 @@ export class Controls {
     }
     input.onchange = () => this.send(name, input.value);
     const root = make('div', { className: `field field-${name}` }, make('label', { htmlFor: id, textContent: label }), input);
-    this.fields[name] = { root, input, set: (value) => { input.value = value; } };
+    this.fields[name] = { root, input, set: (value) => { input.value = value; input.title = input.selectedOptions[0]?.textContent ?? ''; } };
     return root;
   }
   slider(name) {
@@ -96,10 +96,11 @@ export class Controls {
     };
     const head = make('div', { className: 'field-head' }, make('label', { htmlFor: id, textContent: label }), number, make('span', { className: 'unit', textContent: unit }));
     const root = make('div', { className: `field field-${name}` }, head, range);
-    this.fields[name] = { root, set: (value) => { last = value; if (held) return; range.value = toPlace(value); show(value); } };
+    this.fields[name] = { root, set: (value, refused) => { last = value; if (refused) held = false; if (held) return; range.value = toPlace(value); show(value); } };
     return root;
   }
-  show(name, value) { this.fields[name]?.set(value); }
+  // `refused`: back to this value, also where the hand still holds the slider.
+  show(name, value, refused = false) { this.fields[name]?.set(value, refused); }
   // Only what acts on this scene is shown; methods that cannot solve it say why.
   arrange(frame) {
     const { restitution, method } = frame.chosen;
@@ -107,6 +108,7 @@ export class Controls {
     const onBeam = frame.kind === 'beam';
     this.fields.method.root.firstChild.textContent = onBeam ? 'Method' : LABELS.method[0];
     for (const option of this.fields.method.input.options) {
+      if (option.value === 'waves') option.textContent = onBeam ? 'Travelling waves' : LABELS.method[2].waves;
       const reason = frame.refusals[option.value];
       option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
       option.title = reason ?? '';

@@ -72,7 +72,7 @@ class Page {
   }
   listen(model) {
     model.on('frame', () => this.take());
-    model.on('refused', () => { if (model.refused) { this.settle(); this.waiter.clear(); this.complain(model.refused); } });
+    model.on('refused', () => { if (model.refused) { this.settle(); this.waiter.clear(); for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true); this.complain(model.refused); } });
     for (const name of this.names) model.on(name, () => { if (!(name in this.waiting)) this.controls.show(name, model[name]); });
     for (const { chart } of [...this.charts, ...this.beam.charts]) {
       const drag = (event) => { if (event.buttons & 1) this.player.go(chart.time(event.clientX)); };

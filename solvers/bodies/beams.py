@@ -249,11 +249,16 @@ def _read_section(key: str, given: Mapping[str, object]) -> Section:
     return section
 
 
+def free_places(support: str) -> tuple[float, float]:
+    """First and last place, as fractions of the length, where nothing holds a beam on this support."""
+    first = 0.0 if support == "free-free" else CLOSEST
+    return first, 1.0 - (CLOSEST if support in ("pinned-pinned", "clamped-clamped") else 0.0)
+
+
 def _read_place(key: str, given: Mapping[str, object], support: str) -> float:
     """`at`, a fraction of the length, not where a support holds the beam."""
     at = checks.number(f"{key}.at", given.get("at", USUAL_PLACES.get(support, 0.5)), 0.0, 1.0)
-    first = 0.0 if support == "free-free" else CLOSEST
-    last = 1.0 - (CLOSEST if support in ("pinned-pinned", "clamped-clamped") else 0.0)
+    first, last = free_places(support)
     if not first <= at <= last:
         raise SceneError(f"{key}.at", at, f"a fraction of the length from {first:g} to {last:g}: elsewhere it is held")
     return at

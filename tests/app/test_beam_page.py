@@ -159,3 +159,29 @@ def test_the_data_of_a_beam_can_be_saved(open_page, tmp_path):
     rows = (tmp_path / "data.csv").read_text().splitlines()
     assert rows[0].startswith("time_s,force_5_modes_N,impactor_m")
     assert len(rows) == 2002
+
+
+def test_a_support_that_would_hold_the_struck_place_moves_the_blow(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    page.answered(lambda: page.tab.get_by_label("Support", exact=True).select_option("pinned-pinned"))
+    settled(page)
+    beam = page.evaluate("strikewave.page.frame.beam")
+    assert beam["support"] == "pinned-pinned" and beam["place"] == pytest.approx(0.5 * beam["length"])
+    expect(page.tab.get_by_label("Struck at, exact value")).to_have_value("0.5")
+
+
+def test_choices_that_cannot_be_solved_are_set_back(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    place = page.tab.get_by_label("Struck at, exact value")
+    place.fill("0")
+    place.press("Enter")
+    expect(page.tab.locator(".toast")).to_contain_text("elsewhere it is held")
+    expect(place).to_have_value("1")
+    page.answered(lambda: page.tab.get_by_label("Theory", exact=True).select_option("timoshenko"))
+    assert page.header("chosen")["place"] == 1.0
+
+
+def test_a_method_without_waves_says_so(open_page):
+    page = open_page("?scene=hammer-on-cantilever&method=rigid")
+    expect(page.tab.locator(".story:visible")).to_contain_text("For this method the beam is rigid")
+    assert page.evaluate("strikewave.page.beam.stage.factor") < 1e6
