@@ -11,7 +11,7 @@ const HALF_SPACE = '#7a5ea8', STRUCK = '#4f9bd8', BAND = 'rgba(122,94,168,.14)',
 export const called = (solution) => {
   const { name, modes, elements } = solution, what = { modal: 'modes', 'mode-switch': 'switched modes', 'fe-modal': 'modes of elements', 'fe-nodal': 'elements' }[name];
   const count = name === 'fe-nodal' ? elements : modes;
-  return what && count ? `${count} ${what}` : naming(name);
+  return what && count ? `${count} ${count === 1 ? what.replace(/s( of elements)?$/, '$1') : what}` : naming(name);
 };
 
 function shadeContacts(c, chart, contacts) {
@@ -257,6 +257,6 @@ export class Dispersion {
     c.restore();
     const theory = beam.theory === 'timoshenko' ? 'Timoshenko' : 'Euler–Bernoulli';
     chart.key([[theory, 'line waves'], ...(upper ? [['shear branch', 'line end']] : []), ['√(E/ρ)', 'line dashes']]);
-    chart.value.textContent = beyond ? `${beyond} of ${modeWavenumbers.length} modes too fast` : `${modeWavenumbers.length} modes, none too fast`;
+    chart.value.textContent = beyond ? `${beyond} of ${modeWavenumbers.length} modes too fast` : `${modeWavenumbers.length} mode${modeWavenumbers.length === 1 ? '' : 's'}, none too fast`;
   }
 }

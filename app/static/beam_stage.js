@@ -22,7 +22,7 @@ export class BeamStage {
     Object.assign(this, { frame, field, what });
     const lasting = frame.contacts.at(-1)?.[1] ?? frame.duration; // the impactor counts until it has gone
     let reach = field.largest.deflection;
-    for (let k = 0; k < frame.time.length; k++) if (frame.time[k] <= lasting) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
+    for (let k = 0; k < frame.time.length; k++) if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
     const wanted = 0.13 * frame.beam.length / reach, power = 10 ** Math.floor(Math.log10(wanted));
     this.factor = power * [5, 2, 1].find((f) => f * power <= wanted);
     this.reach = reach;
@@ -167,7 +167,8 @@ export class BeamStage {
     const factor = this.scale * frame.beam.length / this.long;
     say(`movement drawn × ${figures(factor, 2)}`, 12, 18, 'left');
     if (frame.staticShape && frame.staticPath && !narrow) say('dashed: bent as at rest, by the quasi-static estimate', 12, top - 8, 'left');
-    const bar = Math.min(130, width * 0.26), x = width - bar - 14, y = 22, unit = this.what === 'moment' ? this.stressUnit : this.what === 'deflection' ? 1e3 : 1;
+    // away from the impactor, which flies back over the struck place
+    const bar = 130, x = frame.beam.place > 0.6 * frame.beam.length ? (narrow ? this.left : 0.3 * width) : width - bar - 14, y = narrow && x < 0.5 * width ? 44 : 22, unit = this.what === 'moment' ? this.stressUnit : this.what === 'deflection' ? 1e3 : 1;
     const largest = this.field.usual[this.what] * unit, [factorOf, prefix] = this.what === 'shear' ? prefixed(largest) : [1, ''];
     for (let k = 0; k < bar; k++) { c.fillStyle = css(k / bar * 2 - 1, 1); c.fillRect(x + k, y, 1.2, 6); }
     c.fillStyle = COLORS.faint;

@@ -12,18 +12,21 @@ const TOLD = 4, LISTED = 16; // contacts told as events, and in the table
 const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 const percent = (share) => `${(100 * share).toFixed(Math.abs(share) < 0.0995 ? 2 : 1)} %`;
 const speed = (v) => `${figures(v)} m/s`;
-export const duration = (ms) => (ms === 0 ? 'no time' : Math.abs(ms) < 0.9995 ? `${figures(ms * 1e3)} µs` : `${figures(ms)} ms`);
+export const duration = (ms) => (ms === 0 ? 'no time' : Math.abs(ms) < 0.9995 ? `${figures(ms * 1e3)} µs` : Math.abs(ms) < 999.5 ? `${figures(ms)} ms` : `${figures(ms / 1e3)} s`);
 const length = (m) => (Math.abs(m) < 1e-3 ? `${figures(m * 1e6)} µm` : `${figures(m * 1e3)} mm`);
 const STRIKERS = { sphere: 'ball', rod: 'rod', beam: 'other beam' };
 const strikerOf = (frame) => STRIKERS[frame.impactor.kind] ?? 'mass';
 const struckOf = ({ beam }) => (beam.place > 0.999 * beam.length && beam.support !== 'free-free' ? 'tip' : 'struck place');
+
+// What methods without waves take the beam for.
+const WAVELESS = { rigid: 'For this method the beam is rigid: all of it answers at once, in no time.', 'quasi-static': 'For this method the whole beam bends at once, as under a force at rest: no wave runs in it.' };
 
 // The events of the blow as [time in ms, sentence].
 export function beamEvents(frame) {
   const { contacts, rates, main, law } = frame, mass = strikerOf(frame), tip = struckOf(frame), found = [], last = contacts.length - 1;
   const at = (k, end) => [rates[4 * k + 2 * end], rates[4 * k + 2 * end + 1]]; // of impactor and of struck place
   const told = (k) => 4 * k + 3 < rates.length;
-  found.push([contacts[0][0], `The ${mass} touches the ${tip}. ${law.name === 'rigid' ? 'The' : 'The contact gives way, the force grows, and the'} ${tip} has to go along, but of the beam behind it only the short piece that the first waves have reached: at first the ${mass} pushes on next to nothing.`]);
+  found.push([contacts[0][0], WAVELESS[main.name] ? `The ${mass} touches the ${tip}. ${WAVELESS[main.name]}` : `The ${mass} touches the ${tip}. ${law.name === 'rigid' ? 'The' : 'The contact gives way, the force grows, and the'} ${tip} has to go along, but of the beam behind it only the short piece that the first waves have reached: at first the ${mass} pushes on next to nothing.`]);
   contacts.forEach(([start, end], k) => {
     if (k > 0 && k < TOLD) found.push([start, k === 1
       ? `The rest of the beam holds the ${tip} back. The ${mass} catches up with it: contact 2.`
@@ -34,7 +37,8 @@ export function beamEvents(frame) {
       ? `The ${tip} has been thrown ahead: it moves at ${speed(ahead)}, the ${mass} at ${speed(own)}. After ${duration(end - start)} they part, and the ${mass} has given away ${percent(1 - own / frame.impactorRate[0])} of its speed.`
       : `Thrown ahead again: the ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}.`]);
   });
-  if (last > TOLD) found.push([contacts[TOLD][0], `The same again and again: contacts ${TOLD + 1} to ${main.contacts}. Each passes a little of the push on to a longer piece of the beam.`]);
+  if (last === TOLD) found.push([contacts[TOLD][0], `Caught up again: contact ${TOLD + 1}.`]);
+  else if (last > TOLD) found.push([contacts[TOLD][0], `The same again and again: contacts ${TOLD + 1} to ${main.contacts}. Each passes a little of the push on to a longer piece of the beam.`]);
   const turn = turningPoint(frame), slow = frame.span.apparent > 0.7 * (frame.span.half ?? Infinity);
   if (turn && turn[0] < contacts[last][1]) found.push([turn[0], `The ${mass} stands still, ${length(turn[1])} from where it touched${slow ? '; the beam is bent as a whole, and' : '. What has given way'} drives it back from here.`]);
   if (main.contacts <= contacts.length) {
@@ -96,14 +100,15 @@ export class BeamStory {
     this.whyHeading.textContent = many ? `Why one blow is ${main.contacts} contacts` : 'One contact, and why';
     this.why.textContent = many
       ? `Bending does not run through a beam at one speed: short waves run ahead, long ones follow (see the picture of the beam against time). So the ${mass} meets a beam that is light at first and grows heavier. It throws the light piece ahead, the rest holds that piece back, the ${mass} catches up and throws it ahead once more, until the whole beam moves with it.`
+      : WAVELESS[main.name] ? `${WAVELESS[main.name]} So it knows one contact only; choose “Modes” to see how many there are.`
       : `Here the force ends once and for all: the ${mass} has gone before the ${tip} can come back to it. A heavier ${mass}, or a harder contact, is hit more than once.`;
     const share = span.apparent > 0 ? span.real / span.apparent : 1, said = [];
     if (span.real > 0) said.push(many ? `From the first touch to the last parting it takes ${duration(span.apparent)}, but they press on each other during only ${duration(span.real)} of it (${percent(share)}).` : `They touch for ${duration(span.apparent)}.`);
-    if (span.half) {
+    if (span.half && main.name !== 'rigid') {
       const ratio = span.apparent / span.half, riding = `With the ${mass} riding on it this beam swings half a period in ${duration(span.half)}`;
       said.push(ratio > 0.75 && ratio < 1.3 ? `${riding}, and the blow lasts ${figures(ratio)} of that: seen from afar it is one slow push, by the beam as a spring, handed on in ${count(main.contacts, 'piece')}.`
         : ratio <= 0.75 ? `${riding}; the blow is over after ${figures(ratio)} of that, before the beam as a whole can answer.`
-          : `${riding}; the blow lasts ${figures(ratio)} times as long, as they meet again later.`);
+          : `${riding}; the blow lasts ${figures(ratio)} times as long${many ? ', as they meet again later' : ': the contact gives way more than the beam'}.`);
     }
     if (beam.endMass) said.push(`A mass of ${figures(beam.endMass)} kg is fixed to the tip.`);
     this.span.textContent = said.join(' ');
@@ -112,9 +117,10 @@ export class BeamStory {
     const { frame } = this, rows = [], [factor, prefix] = prefixed(frame.main.peakForce ?? 0);
     const head = make('tr', {}, ...['', 'from', 'to', 'impulse', 'peak'].map((textContent) => make('th', { textContent })));
     const units = make('tr', { className: 'units' }, ...['', 'ms', 'ms', 'N s', `${prefix}N`].map((textContent) => make('td', { textContent })));
+    const digits = Math.min(Math.max(5 - Math.floor(Math.log10(frame.duration)) - 1, 0), 4); // as many as fit
     frame.contacts.slice(0, LISTED).forEach(([start, end, impulse, peak], k) => {
       const look = make('button', { type: 'button', className: 'when', textContent: `contact ${k + 1}`, title: 'look closer', onclick: () => this.page.zoom(start, end) });
-      rows.push(make('tr', {}, make('td', {}, look), ...[start.toFixed(4), end.toFixed(4), figures(impulse), peak ? figures(peak * factor) : '–'].map((textContent) => make('td', { textContent }))));
+      rows.push(make('tr', {}, make('td', {}, look), ...[start.toFixed(digits), end.toFixed(digits), figures(impulse), peak ? figures(peak * factor) : '–'].map((textContent) => make('td', { textContent }))));
     });
     if (frame.main.contacts > LISTED) rows.push(make('tr', {}, make('td', { colSpan: 5, textContent: `and ${frame.main.contacts - LISTED} more` })));
     this.table.replaceChildren(make('thead', {}, head, units), make('tbody', {}, ...rows));
