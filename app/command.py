@@ -6,7 +6,9 @@ import os
 import re
 import socket
 import sys
+import threading
 import tomllib
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,7 @@ import solvers
 from solvers import SceneError
 
 DEFAULT_PORT = 5006
+PATIENCE = 3.0  # [s] until one line says what takes long
 
 
 class _Refused(Exception):
@@ -33,7 +36,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code: 0, or 2 after one line on standard error; 130 if interrupted."""
     try:
         options = _parser().parse_args(arguments)
-        code = options.run(options)
+        with _patience():
+            code = options.run(options)
         sys.stdout.flush()
         return code
     except (_Refused, SceneError) as refusal:
@@ -50,6 +54,24 @@ def main(arguments: list[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         print(f"impact: standard output: cannot be written ({error.strerror})", file=sys.stderr)
         return 2
+
+
+@contextmanager
+def _patience():
+    """Tell who looks on, and waits, that kernels may be compiling: once for a machine and these sources."""
+    from solvers.jit import all_compiled
+
+    if not sys.stderr.isatty() or all_compiled().exists():
+        yield
+        return
+    said = "impact: kernels are compiled when first used, some seconds to a minute; impact warm does them all at once"
+    timer = threading.Timer(PATIENCE, print, (said,), {"file": sys.stderr, "flush": True})
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
 
 
 def _parser() -> argparse.ArgumentParser:

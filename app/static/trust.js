@@ -71,7 +71,7 @@ export class Trust extends Study {
   }
   drawn(found) { this.page.beam.band = found; }
   words(found) {
-    return `${found.told} ${found.runs} blows, ${found.key.replace('impactor.', 'the impactor’s ')} changed by up to ${figures(100 * found.largest, 2)} %. The band behind the curves of force and displacement holds 90 % of them, the paler one all. ${found.notes.join(' ')}`;
+    return `${found.told.replaceAll('impactor.mass', 'the impactor’s mass').replaceAll('impactor.length', 'the impactor’s length')} So ${found.runs} blows tell. The band behind the curves of force and displacement holds 90 % of them, the paler one all. ${found.notes.join(' ')}`;
   }
   rows(found) {
     const head = make('thead', {}, make('tr', {}, ...COLUMNS.map((textContent) => make('th', { scope: 'col', textContent }))));
