@@ -17,6 +17,8 @@ from app.tradeoff_view import stored_data, tradeoff_data
 from solvers import load, stored_tradeoff
 from solvers.stability import NOT_RUN, Map
 
+from .socket_client import run as in_a_loop
+
 
 def asked(scene, **more):
     return Choices(**Choices.of_scene(scene) | {"scene": scene}).chosen() | more
@@ -122,7 +124,7 @@ def ran(work, kernels=lambda asked: None, meanwhile=None):
             meanwhile(run)
         await started
 
-    asyncio.run(main())
+    in_a_loop(main())
     assert ended == [True] and not run.busy
     return published, refused
 
