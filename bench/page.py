@@ -16,6 +16,13 @@ from .serving import served_page
 from .timing import row
 
 VISITS = 15
+CASES = {
+    "exact waves drawn": "",
+    "50 modes drawn": "?method=modal",
+    "Hertz": "?law=hertz",
+    "a beam, 5 modes": "?scene=figure-8.15",
+    "a beam, 20 modes": "?scene=hammer-on-cantilever",
+}
 
 LATENCY = """async () => {
   const { send } = strikewave.page.controls, found = [];
@@ -60,7 +67,7 @@ def _browser(address: str) -> list:
         begun = time.perf_counter()
         page = Page(browser, address)
         rows.append(row("page interactive, from the request, first visit", time.perf_counter() - begun, "s", "<= 2"))
-        for name, query in (("exact waves drawn", ""), ("50 modes drawn", "?method=modal"), ("Hertz", "?law=hertz")):
+        for name, query in CASES.items():
             page = Page(browser, address, query)
             page.tab.wait_for_timeout(500)
             received = page.frames["bytes"]

@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -261,6 +262,7 @@ def _read_joint_laws(impactor: Any, target: Any) -> tuple[Any, ...]:
     )
 
 
+@lru_cache(maxsize=256)  # the unit of time of a scene is asked for often
 def contact_time(law: Any, mass: float, speed: float) -> float:
     """About how long two compact bodies of this reduced mass [kg] touch [s]: half a swing on the secant stiffness."""
     if law.NAME == "rigid":

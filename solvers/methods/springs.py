@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -52,6 +53,7 @@ def _straight(rod: Any) -> Callable[[Blow, np.ndarray, np.ndarray], ShapeField]:
     )
 
 
+@lru_cache(maxsize=64)  # asked for several times in a solve, and again when a slider of the impactor moves
 def _bent_beam(beam: Any) -> Spring:
     """Static shape of the beam under the blow, held by its supports or by its own inertia.
 
