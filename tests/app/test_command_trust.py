@@ -78,10 +78,11 @@ def test_it_can_be_interrupted():
     words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--runs", "10000"]  # fmt: skip
     ready = (
-        "import sys, solvers; from app.command import main; "
+        "import signal, sys, solvers; from app.command import main; "
+        "signal.signal(signal.SIGINT, signal.default_int_handler); "
         "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
         "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
-    )  # kernels first: while one is compiled an interrupt may be lost
+    )  # kernels first: while one is compiled an interrupt may be lost; whoever runs the tests may ignore interrupts
     process = subprocess.Popen(
         [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
