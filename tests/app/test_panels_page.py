@@ -137,4 +137,4 @@ def test_maps_of_stability(open_page):
     panel = page.tab.locator(".stability")
     expect(panel.locator(".small-map").first).to_contain_text("None of")
     expect(panel.locator(".small-map", has_text="frozen")).to_contain_text("runs fail")
-    assert page.evaluate("() => !strikewave.page.model.stability_running")
+    page.wait("() => !strikewave.page.model.stability_running")
