@@ -9,8 +9,9 @@ from .ladders import Ladder, ladders, ranked, refusals
 from .method import Method
 from .methods import METHODS
 from .scene import Scene
-from .search import Search, Wish
+from .search import Search
 from .solution import Solution
+from .tried import Wish
 
 TOLERANCE_RANGE = (1e-9, 0.5)
 BUDGET_RANGE = (1e-6, 3600.0)  # s

@@ -9,6 +9,7 @@ from .comparison import FORCE_SAMPLES, overlapping
 from .scene import Scene
 from .solution import ContactPeriod, Solution
 
+HISTORIES = ("force-history", "resolved-force")  # quantities for which the force over time is needed
 QUANTITIES = {
     "rebound": "final velocity of the impactor (of the target under a prescribed force), in approach speeds",
     "impulse": "impulse of all contacts, relative to the true one",
@@ -33,16 +34,18 @@ class Answer:
     contacts: tuple[ContactPeriod, ...]
     energy_error: float
     times: np.ndarray = field(repr=False)
-    force: np.ndarray | None = field(repr=False)  # None: a blow of no duration, or bodies in space
+    force: np.ndarray | None = field(repr=False)  # None: a blow of no duration, bodies in space, or not asked for
     resolved: np.ndarray | None = field(repr=False)
 
     @classmethod
-    def of(cls, solution: Solution) -> "Answer":
+    def of(cls, solution: Solution, histories: bool = True) -> "Answer":
+        """`histories`: whether the force over time is asked for, which may take as long as a quick solve."""
         pushed = solution.impactor_velocity is None
         until = max((contact.end for contact in solution.contacts), default=0.0)
         times = (np.arange(FORCE_SAMPLES) + 0.5) * until / FORCE_SAMPLES
         motion, force, resolved = solution.motion, None, None
-        if motion is not None and until > 0.0 and all(c.peak_force is not None for c in solution.contacts):
+        lasting = until > 0.0 and all(contact.peak_force is not None for contact in solution.contacts)
+        if histories and lasting and motion is not None:
             force = np.asarray(motion.force(times), float)
             averaged = getattr(motion, "resolved_force", None)
             resolved = force if averaged is None else np.asarray(averaged(times), float)
@@ -71,8 +74,8 @@ class Truth:
     answer: Answer
 
     @classmethod
-    def of(cls, solution: Solution) -> "Truth":
-        return cls(solution.scene, solution, Answer.of(solution))
+    def of(cls, solution: Solution, histories: bool = True) -> "Truth":
+        return cls(solution.scene, solution, Answer.of(solution, histories))
 
     def errors(self, found: Answer) -> dict[str, float | None]:
         """By quantity, found minus true where that has a sign; None where one of both has no such thing."""

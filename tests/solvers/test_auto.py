@@ -173,3 +173,38 @@ def test_a_scene_file_may_ask_for_it():
     solution = solvers.solve(again)
     assert solution.diagnostics["chosen"]["tolerance"] == 0.001
     assert Auto.read({"budget": 0.05}).goal is None and Auto.read({}).goal == 0.01
+
+
+def test_what_costs_more_than_the_answer_is_not_solved():
+    scene = struck_rod(1.0, "free", contact_table("linear", softness=1e4))
+    tried = solvers.solve(scene, "auto", among=list(MODES)).diagnostics["chosen"]["tried"]
+    # modes until these agree, then the cheapest of all, which will do; no elements at all
+    assert [row["method"]["name"] for row in tried] == ["modal"] * (len(tried) - 1) + ["rigid"]
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_a_search_takes_no_more_than_twice_its_proof_and_one_solve(number):
+    scene = random_scene(np.random.default_rng(70 + number))
+    tried = solvers.solve(scene, "auto", among=list(MODES), tolerance=1e-3).diagnostics["chosen"]["tried"]
+    names = [row["method"]["name"] for row in tried]
+    climb = names.index("modal") + names.count("modal")
+    assert names[:climb] == ["modal"] * climb  # nothing else before the proof
+    costs = [row["cost"] for row in tried]
+    assert sum(costs[climb:-1]) <= sum(costs[:climb])
+
+
+def test_a_force_without_limit_is_not_climbed_after():
+    beam = solvers.load("table-8.4").replace({"contact": {"law": "rigid"}, "target.theory": "euler-bernoulli"})
+    solution = solvers.solve(beam, "auto", quantity="peak-force")
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is False and chosen["estimated_error"] is None and len(chosen["tried"]) == 4
+    assert "starts without bound" in " ".join(solution.notes)
+
+
+@pytest.mark.parametrize("quantity", ["peak-force", "force-history", "contact-time"])
+def test_what_no_method_tells_of_a_blow_is_not_claimed(quantity):
+    solution = solvers.solve(solvers.load("brick-off-centre"), "auto", quantity=quantity)  # of no duration
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is False and chosen["estimated_error"] is None
+    assert f"No {quantity} is told of this blow by 'rigid'." in solution.notes
+    assert solution.diagnostics["estimated_error"] <= 1e-12  # of its velocities, which balance to rounding
