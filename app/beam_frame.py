@@ -227,16 +227,19 @@ def _modal_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndar
         "modalFrequencies": modes.frequencies[:count],
         "modalAtContact": modes.at_contact[:count],
     }
-    for name, table in (("shape", modes.shapes), ("moment", modes.moments), ("shear", modes.shears)):
-        rows = table(x)[:count]
+    drawn = modes.lowest(count)
+    for name, table in (("shape", drawn.shapes), ("moment", drawn.moments), ("shear", drawn.shears)):
+        rows = table(x)
         scale = np.maximum(np.abs(rows).max(axis=1, initial=0.0), 1e-300)
         arrays |= {f"{name}Rows": whole_numbers((rows / scale[:, None]).ravel()), f"{name}Scale": scale}
+    arrays |= {"momentBeside": drawn.left_out("moments", x), "shearBeside": drawn.left_out("shears", x)}
     free = np.isfinite(modes.rigid_mass)
     if free:
         arrays["rigidShape"] = modes.rigid_shape(x)
     header = {
         "places": PLACES,
         "step": motion.step * group,
+        "smoothing": motion.smoothing,  # [s]
         "damping": beam.damping,
         "rigidMass": modes.rigid_mass if free else None,
         "drift": beam.velocity,

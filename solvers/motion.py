@@ -63,6 +63,13 @@ class ShapeField:
         return self._at(time, self._coordinates) @ self._shears(np.asarray(x, float))
 
 
+def growth(time: np.ndarray, instants: np.ndarray, total: np.ndarray, width: float) -> np.ndarray:
+    """Mean rate at which a history grows over a window of this width about each time, as far as it is known."""
+    first = np.maximum(np.asarray(time, float) - 0.5 * width, instants[0])
+    last = np.minimum(np.asarray(time, float) + 0.5 * width, instants[-1])
+    return (np.interp(last, instants, total) - np.interp(first, instants, total)) / (last - first)
+
+
 def field_as_a_whole(beam: Any, time: np.ndarray, struck: np.ndarray, rate: np.ndarray) -> ShapeField:
     """Of a beam that does not bend, by the displacement and velocity of the place where it is struck (time,)."""
     shape, drift = beam.modes(1).rigid_shape, np.full(time.size, beam.velocity)

@@ -70,6 +70,9 @@ export class BeamField extends Field {
     this.begin();
     this.tables = { deflection: this.table('shape'), moment: this.table('moment'), shear: this.table('shear') };
     this.tables.velocity = this.tables.deflection;
+    this.beside = { moment: frame.momentBeside, shear: frame.shearBeside };
+    this.impulses = new Float64Array(this.steps + 1);
+    for (let k = 0; k < this.steps; k++) this.impulses[k + 1] = this.impulses[k] + h * frame.modalForce[k];
     this.survey();
   }
   // A table (mode, place), sent as whole numbers with a scale for each mode.
@@ -127,6 +130,13 @@ export class BeamField extends Field {
     this.rigid = [rows[start + 2 * n], rows[start + 2 * n + 1]];
     this.at = row * this.stride;
   }
+  // The force about the instant reached, which the modes left out follow as if it were steady.
+  force() {
+    const { impulses, steps, frame } = this, reach = Math.max(frame.smoothing / (2 * frame.step), 1);
+    const start = Math.max(this.at - reach, 0), end = Math.min(this.at + reach, steps);
+    const upTo = (place) => { const k = Math.min(Math.floor(place), steps - 1); return impulses[k] + (place - k) * (impulses[k + 1] - impulses[k]); };
+    return (upTo(end) - upTo(start)) / ((end - start) * frame.step);
+  }
   profile(t, what, out = new Float64Array(this.places)) {
     this.seek(t);
     const { places, frame } = this, table = this.tables[what], amounts = what === 'velocity' ? this.v : this.q;
@@ -136,6 +146,8 @@ export class BeamField extends Field {
       const amount = amounts[i];
       for (let j = 0, k = i * places; j < places; j++, k++) out[j] += amount * table[k];
     }
+    const beside = this.beside[what], force = beside ? this.force() : 0;
+    if (force) for (let j = 0; j < places; j++) out[j] += force * beside[j];
     return out;
   }
 }

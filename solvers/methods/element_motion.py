@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..motion import SampledMotion, ShapeField, stress_source
+from ..motion import SampledMotion, ShapeField, growth, stress_source
 from ..numerics.elements import two_sided
 from ..scene import Scene
 from ..solution import ContactPeriod
@@ -77,11 +77,9 @@ class ElementMotion(SampledMotion):
 
     def resolved_force(self, time: np.ndarray) -> np.ndarray:
         """The force averaged over the shortest period of the mesh: the finest that it can tell."""
-        time, half = np.asarray(time, float), 0.5 * self.course.shortest_period
-        if half == 0.0:
+        if self.course.shortest_period == 0.0:
             return self.force(time)
-        first, last = np.maximum(time - half, 0.0), time + half
-        return (self.impulse(last) - self.impulse(first)) / (last - first)
+        return growth(time, self.time, self.course.impulse, self.course.shortest_period)
 
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
         """Start and end [s] of every stretch with a contact force, located inside the steps."""

@@ -3,13 +3,14 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from .. import checks
 from ..contact import Linear
-from ..motion import ShapeField
+from ..motion import ShapeField, growth
 from ..numerics.elements import AVERAGED, CONSISTENT, mesh_modes
 from ..numerics.modes import Modes, front_time
 from ..numerics.oscillators import Record, Residual, march, oscillator_bank
@@ -169,7 +170,8 @@ class FeModal(FiniteElements):
         deepest = np.maximum(np.maximum.accumulate(depth), 0.0)
         stored = [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
         energies = [side.energies() for side in sides]
-        field = self._field(scene, sides, force[rows], times[rows])
+        gained = np.append(0.0, np.cumsum(push)) * plan.step
+        field = self._field(scene, modes, sides, force[rows], gained, times[rows])
         closing = np.minimum(depth, 0.0) if self._face_goes_along(scene) else depth
         if scene.impactor.time_unit is None:
             face = record.position[instants] - closing
@@ -183,7 +185,7 @@ class FeModal(FiniteElements):
             step=plan.step,
             stride=plan.stride,
             force=force,
-            impulse=np.append(0.0, np.cumsum(push)) * plan.step,
+            impulse=gained,
             indentation=depth,
             position=_mean(record.position[instants], scene.impactor.velocity * times, modes[0]),
             end_position=face,
@@ -210,22 +212,28 @@ class FeModal(FiniteElements):
         order = 4 if self._massless(scene) else 2  # of the dispersion of averaged and of consistent mass
         return front_time(modes.frequencies.size, modes.shortest_period, order)
 
-    def _field(self, scene: Scene, sides: tuple["_Side", "_Side"], force: np.ndarray, times: np.ndarray) -> ShapeField:
-        """Sums of the modes, and of the strain that the force leaves in a massless first element of a rod."""
-        parts = []
-        for body, side, sign in zip((scene.impactor, scene.target), sides, (-1.0, 1.0), strict=True):
-            if self._massless(scene) and body.time_unit is not None and body.kind != "beam":
+    def _field(self, scene: Scene, modes, sides: tuple["_Side", "_Side"], force, gained, times) -> ShapeField:
+        """Sums of the modes, and what the force leaves beside them: strain in a massless first element of a rod, and
+        what the modes left out of a beam carry, as if it were steady; force (rows,), impulse `gained` at all instants.
+        """
+        parts, bodies = [], (scene.impactor, scene.target)
+        for body, known, side, sign in zip(bodies, modes, sides, (-1.0, 1.0), strict=True):
+            if body.kind == "beam":
+                fields = {name: partial(known.left_out, name) for name in ("moments", "shears")}
+                side = side.beside(sign * self._slow_force(scene, modes, gained, times), times, fields)
+            elif self._massless(scene) and body.time_unit is not None:
                 mesh = body.mesh(self.elements, AVERAGED)
-                press = sign * force[:, None] / mesh.neighbour
-                side = side._replace(
-                    coordinates=np.hstack((side.coordinates, press)),
-                    rates=np.hstack((side.rates, np.gradient(press, times[1], axis=0))),
-                    shapes=_beside(side.shapes, mesh.shapes),
-                    slopes=_beside(side.slopes, mesh.slopes),
-                )
+                fields = {"shapes": _first(mesh.shapes), "slopes": _first(mesh.slopes)}
+                side = side.beside(sign * force / mesh.neighbour, times, fields)
             parts.append(side)
         coordinates, rates = np.hstack([p.coordinates for p in parts]), np.hstack([p.rates for p in parts])
         return shape_field(scene, times, coordinates, rates, parts)
+
+    def _slow_force(self, scene: Scene, modes, gained: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """The force without the chatter of a rigid contact, at `times`."""
+        step = times[-1] / (gained.size - 1)
+        periods = [known.shortest_period for known in modes] if scene.contact.NAME == "rigid" else []
+        return growth(times, step * np.arange(gained.size), gained, max(2.0 * step, *periods, 0.0))
 
 
 class _Side(NamedTuple):
@@ -246,6 +254,15 @@ class _Side(NamedTuple):
     def energies(self) -> np.ndarray:
         """Of each coordinate, (rows, all) [J]."""
         return 0.5 * (self.rates**2 + (self.frequencies * self.coordinates) ** 2)
+
+    def beside(self, coordinate: np.ndarray, times: np.ndarray, fields: Mapping[str, Callable]) -> "_Side":
+        """With one more coordinate (rows,) and the fields (x,) per 1 of it."""
+        names = [name for name in ("shapes", "slopes", "moments", "shears") if getattr(self, name) is not None]
+        return self._replace(
+            coordinates=np.column_stack((self.coordinates, coordinate)),
+            rates=np.column_stack((self.rates, np.gradient(coordinate, times[1]))),
+            **{name: _below(getattr(self, name), fields.get(name)) for name in names},
+        )
 
     def mean_rate(self, modes: Modes) -> np.ndarray:
         """What the vibration adds to the mean velocity (rows,) [m/s]: of what is held."""
@@ -282,6 +299,11 @@ def _mean(struck: np.ndarray, untouched: np.ndarray | float, modes: Modes) -> np
     return struck if modes.rigid_mean == 1.0 else untouched + modes.rigid_mean * (struck - untouched)
 
 
-def _beside(field, nodes):
-    """A field of modes with that of the struck node alone below it."""
-    return lambda x: np.vstack((field(x), nodes(x)[:1]))
+def _first(nodes: Callable) -> Callable:
+    """A field of the struck node alone."""
+    return lambda x: nodes(x)[0]
+
+
+def _below(field: Callable, row: Callable | None) -> Callable:
+    """A field with one more row, (x,), which is zero if it is not given."""
+    return lambda x: np.vstack((field(x), np.zeros(np.size(x)) if row is None else row(x)))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..contact import Linear, Rigid
-from ..motion import stress_source
+from ..motion import growth, stress_source
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Bank, Record, advance, oscillator_bank, turn
 from ..scene import Scene
@@ -70,8 +70,9 @@ class Pair:
 class ModalMotion:
     """Fields and histories rebuilt from the force on the oscillators; between instants they move exactly too.
 
-    Fields are sums of the kept modes alone. Struck faces give way by the residual compliance besides, so that
-    `end_position` is not `displacement` where it is struck: it lies deeper by compliance times force.
+    Displacements are sums of the kept modes alone. Struck faces give way by the residual compliance besides, so that
+    `end_position` is not `displacement` where it is struck: it lies deeper by compliance times force. To moments and
+    shear forces of a beam the modes left out add what they carry of the present force, as if it were steady.
     An impactor that can bend is where x is negative; its position and velocity are those of its centre of mass.
     A beam that turns as it moves has one coordinate for both, the place where it is struck: the record holds that.
     """
@@ -221,16 +222,43 @@ class ModalMotion:
         for body, here in ((self.scene.impactor, x < 0.0), (self.scene.target, x >= 0.0)):
             name, factor = stress_source(body)
             if factor:
-                found -= here * self._sum(amplitudes, x, name) * factor
+                found -= here * (self._sum(amplitudes, x, name) + self._left_out(time, x, name)) * factor
         return found
 
     def moment(self, time, x):
         """Bending moment E I y'' [N m] (time, x); none in a rod."""
-        return self._sum(self.amplitudes(time)[0], x, "moments")
+        side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)  # the impactor is pushed back
+        return side * (self._sum(self.amplitudes(time)[0], x, "moments") + self._left_out(time, x, "moments"))
 
     def shear(self, time, x):
-        """Shear force dM/dx [N] (time, x), of the kept modes: the jump where it is struck is rounded off."""
-        return self._sum(self.amplitudes(time)[0], x, "shears")
+        """Shear force dM/dx [N] (time, x); it jumps where the beam is struck."""
+        return self._sum(self.amplitudes(time)[0], x, "shears") + self._left_out(time, x, "shears")
+
+    def _left_out(self, time, x, name):
+        """That field of the modes left out of a beam (time, x), which follow the force as if it were steady.
+
+        Source: the mode-acceleration method; what is left out is then of the order of (T_kept / T_force)^2.
+        """
+        x = np.asarray(x, float)
+        row, carries = np.zeros(x.size), name in ("moments", "shears")
+        for modes, here in ((self.pair.impactor, x < 0.0), (self.pair.target, x >= 0.0)):
+            if carries and here.any():
+                row[here] = modes.left_out(name, np.abs(x[here]))
+        return np.multiply.outer(self.smoothed_force(time) if row.any() else np.zeros(np.size(time)), row)
+
+    @cached_property
+    def smoothing(self) -> float:
+        """Time over which the force is averaged for the modes left out [s].
+
+        A step to either side, where the force is constant over each; the shortest kept period in rigid contact, where
+        the raw force chatters.
+        """
+        rigid = isinstance(self.scene.contact, Rigid)
+        return max(2.0 * self.step, self.pair.resolved_time if rigid else 0.0)
+
+    def smoothed_force(self, time):
+        """The raw force averaged over `smoothing`."""
+        return growth(time, self._instants, self._impulses, self.smoothing)
 
     def _ringing(self, time):
         """Strain and kinetic energy of every oscillator, each (time, modes) [J]."""

@@ -103,7 +103,8 @@ def _in_si_units(
     shapes = seen(field.displacement, per_mass)
     at_contact = shapes(np.array([place]))[:, 0]
     rigid = rigid_motion(line, support, place)
-    whole = static_shape(line, support, place, attached_mass).compliance
+    static = static_shape(line, support, place, attached_mass)
+    whole = static.compliance
     left_out = max(whole - float(np.sum((at_contact / frequencies) ** 2)), 0.0)
     if tail and left_out < TINY * whole:
         left_out = tail() * line.length**3 / line.bending_stiffness
@@ -119,4 +120,6 @@ def _in_si_units(
         rigid_mean=float(rigid.shape(0.5 * line.length)),
         moments=seen(field.moment, stiffness),
         shears=seen(field.shear_force, stiffness / line.length),
+        static_moments=static.moments,
+        static_shears=static.shears,
     )

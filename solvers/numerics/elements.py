@@ -191,8 +191,8 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
     if massless:  # without its own inertia the face goes along with the node behind it
         full = np.hstack((vectors[:, :1], vectors)) if kept else np.zeros((0, mesh.size))
 
-    def fields(field: Callable | None) -> Callable | None:
-        return None if field is None else lambda x: full @ field(x)
+    def fields(field: Callable | None, rows: np.ndarray = full) -> Callable | None:
+        return None if field is None else lambda x: rows @ field(x)
 
     return Modes(
         frequencies=frequencies,
@@ -204,6 +204,7 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
         means=full @ mesh.weights / mesh.total_mass,
         moments=fields(mesh.moments),
         shears=fields(mesh.shears),
+        **_static_fields(mesh, fields),
         **({} if whole is None else {"rigid_shape": lambda x: whole @ mesh.shapes(x)}),
         rigid_mean=1.0 if whole is None else float(whole @ mesh.weights / mesh.total_mass),
     )
@@ -217,7 +218,7 @@ def _eigenpairs(mesh: Mesh, count: int) -> tuple[np.ndarray, np.ndarray]:
         return np.zeros(0), np.zeros((0, mesh.size))
     shift, free, size = 0.0, mesh.free.shape[0], mesh.size
     if free:  # a square of about the lowest frequency makes the stiffness definite
-        bent = _bent(mesh, np.eye(size)[mesh.struck], mesh.free)
+        bent = _bent(mesh, _unit_load(mesh), mesh.free)
         shift = float(bent @ bands.times(mesh.stiffness, bent)) / float(bent @ bands.times(mesh.mass, bent))
     stiffness = mesh.stiffness + shift * mesh.mass
     if MANY * count < size:
@@ -266,9 +267,22 @@ def _bent(mesh: Mesh, load: np.ndarray, kept: np.ndarray) -> np.ndarray:
 
 def _left_out(mesh: Mesh, modes: np.ndarray) -> float:
     """Compliance at the struck unknown of all modes but these [m/N]; O(unknowns), exact to its own rounding."""
+    return max(float(_bent(mesh, _unit_load(mesh), np.vstack((mesh.free, modes)))[mesh.struck]), 0.0)
+
+
+def _unit_load(mesh: Mesh) -> np.ndarray:
+    """1 N where the body is struck, (unknowns,)."""
     load = np.zeros(mesh.size)
     load[mesh.struck] = 1.0
-    return max(float(_bent(mesh, load, np.vstack((mesh.free, modes)))[mesh.struck]), 0.0)
+    return load
+
+
+def _static_fields(mesh: Mesh, fields: Callable) -> dict[str, Callable]:
+    """Of a beam under a steady force of 1 N where it is struck, as `Modes` has them."""
+    if not mesh.bends:
+        return {}
+    bent = _bent(mesh, _unit_load(mesh), mesh.free)
+    return {"static_moments": fields(mesh.moments, bent), "static_shears": fields(mesh.shears, bent)}
 
 
 def two_sided(first: Callable, second: Callable, sign: float) -> Callable:

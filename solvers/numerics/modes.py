@@ -26,7 +26,9 @@ class Modes:
     and rotation, both in one;
     means (modes,) [kg^-1/2] and rigid_mean, averages of the shapes over the mass of the body; None: all zero;
     moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
-    unit of the modal coordinate [kg^1/2 m].
+    unit of the modal coordinate [kg^1/2 m];
+    static_moments(x) [m] and static_shears(x) [-], (x,), of a beam by all modes under a steady force of 1 N where it is
+    struck, held by its inertia if it is free.
     """
 
     frequencies: np.ndarray
@@ -40,22 +42,40 @@ class Modes:
     rigid_mean: float = 1.0
     moments: Callable[[np.ndarray], np.ndarray] | None = None
     shears: Callable[[np.ndarray], np.ndarray] | None = None
+    static_moments: Callable[[np.ndarray], np.ndarray] | None = None
+    static_shears: Callable[[np.ndarray], np.ndarray] | None = None
+
+    def left_out(self, field: str, x: np.ndarray) -> np.ndarray:
+        """That field, "moments" or "shears", of all modes left out under a steady force of 1 N, (x,).
+
+        They follow a force slower than themselves as springs do: what they carry of a support reaction is lost without
+        it, while they hardly move the beam. Zero where no static field is known.
+        """
+        static, own = getattr(self, f"static_{field}"), getattr(self, field)
+        if static is None or own is None:
+            return np.zeros(np.size(x))
+        return static(x) - (self.at_contact / self.frequencies**2) @ own(x)
 
     def felt(self) -> "Modes":
         """Without the modes that a blow cannot move, as they are at rest where it falls."""
         moved = np.abs(self.at_contact) > STILL * np.abs(self.at_contact).max(initial=0.0)
-        if moved.all():
-            return self
+        return self if moved.all() else self._only(moved)
+
+    def lowest(self, count: int) -> "Modes":
+        """The first of them; what the others give way is not in `residual_compliance`."""
+        return self if count >= self.frequencies.size else self._only(np.arange(self.frequencies.size) < count)
+
+    def _only(self, kept: np.ndarray) -> "Modes":
         fields = {
-            name: _rows(getattr(self, name), moved)
+            name: _rows(getattr(self, name), kept)
             for name in ("shapes", "slopes", "moments", "shears")
             if getattr(self, name) is not None
         }
         return replace(
             self,
-            frequencies=self.frequencies[moved],
-            at_contact=self.at_contact[moved],
-            means=None if self.means is None else self.means[moved],
+            frequencies=self.frequencies[kept],
+            at_contact=self.at_contact[kept],
+            means=None if self.means is None else self.means[kept],
             **fields,
         )
 

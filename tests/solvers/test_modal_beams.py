@@ -142,6 +142,46 @@ def test_shear_is_the_slope_of_the_moment():
     assert motion.shear(time, x) == approx(slope, rel=1e-6, abs=1e-6 * np.abs(slope).max())
 
 
+@pytest.mark.parametrize("support", ["cantilever", "pinned-pinned", "clamped-clamped"])
+def test_supports_carry_a_slow_blow_with_one_mode_as_with_all(support):
+    """On a soft spring the beam bends as at rest: its supports carry the force, and M'' = 0 beside it."""
+    law = {"law": "linear", "stiffness": 1e4}
+    scene = struck_beam(1e-2, law, support=support, at=0.6, length=0.2, damping=0.2)  # so that it hardly rings
+    motion = solvers.solve(scene, modes=2, steps=4000, duration=0.3).motion
+    time, ends, x = np.array([0.25]), np.array([0.0, 0.2]), np.array([0.01, 0.05, 0.09])
+    left, right = motion.shear(time, ends)[0]
+    force = float(motion.force(time)[0])
+    assert right - left == approx(force, rel=1e-3)
+    moment = motion.moment(time, x)[0]
+    assert moment[0] - 2.0 * moment[1] + moment[2] == approx(0.0, abs=1e-3 * abs(moment[0] - moment[2]))
+    assert motion.stress(time, x)[0] == approx(-moment * 0.015 / scene.target.second_moment, rel=1e-12)
+
+
+@pytest.mark.parametrize("theory", THEORIES)
+@pytest.mark.parametrize("support", SUPPORTS)
+def test_few_modes_tell_the_moments_and_support_reactions(support, theory):
+    scene = struck_beam(support=support, theory=theory, at=0.6)
+    few, many = (Modal(modes=count, estimate=False).solve(scene, 6e-4).motion for count in (20, 80))
+    time, x = np.linspace(0.0, 6e-4, 150), np.linspace(0.0, 0.3, 21)
+    for name, places, share in (("shear", x[[0, -1]], 4e-3), ("moment", x, 1e-3), ("stress", x, 1e-3)):
+        true = getattr(many, name)(time, places)
+        share = 5e-4 if theory == "euler-bernoulli" else share  # no shear waves, which nothing slow tells
+        whole = np.abs(many.shear(time, x)).max() if name == "shear" else np.abs(true).max()
+        assert np.abs(getattr(few, name)(time, places) - true).max() < share * whole
+
+
+def test_moment_and_shear_of_a_beam_that_strikes():
+    bar = STEEL_BEAM | {"length": 0.2, "support": "free-free", "velocity": 1.0}
+    law = {"law": "linear", "stiffness": 1e7}
+    scene = Scene.from_table({"impactor": bar, "target": STEEL_BEAM, "contact": law})
+    motion = solvers.solve(scene, modes=8, duration=2e-4).motion
+    time, x, step = np.array([5e-5, 1e-4]), np.array([-0.17, -0.13, -0.06, -0.02]), 1e-5
+    slope = (motion.moment(time, x + step) - motion.moment(time, x - step)) / (2.0 * step)
+    assert motion.shear(time, x) == approx(slope, rel=1e-6, abs=1e-6 * np.abs(slope).max())
+    elements = solvers.solve(scene, "fe-nodal", duration=2e-4).motion.moment(time, x)
+    assert motion.moment(time, x) == approx(elements, abs=0.01 * np.abs(elements).max())
+
+
 def test_damping_takes_what_it_should():
     """Work taken from a mode at rate 2 zeta omega q'^2, summed over the modes."""
     scene = struck_beam(5.0, damping=0.03)
