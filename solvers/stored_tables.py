@@ -1,6 +1,7 @@
 """Tables of trade-offs that have been measured: in the user's cache, and those that come with the library."""
 
 import json
+import re
 from collections.abc import Mapping
 from hashlib import sha256
 from pathlib import Path
@@ -11,6 +12,12 @@ from .scene import Scene
 
 SHIPPED = Path(__file__).parent / "tradeoffs"
 SAID = ("title", "source", "note", "method")  # parts of a scene that do not change what happens
+DIGITS = {"wall_time": 4, "first_time": 4, "spread": 4}  # kept of times; of all else FIGURES
+FIGURES = 5
+DERIVED = ("label", "best_for")  # of a point, known from the rest
+RUNG = ("method", "ladder", "knob")  # of a point, the same for a whole ladder but for the value of the knob
+NUMBER = re.compile(r"(\d[\d.e+-]*\d|\d)")  # in a sentence
+GAP = "\0"  # where it stands
 
 
 def scene_key(scene: Scene) -> str:
@@ -43,7 +50,8 @@ def keep(scene: Scene, table: Mapping[str, Any]) -> None:
 
 def shipped(scene: Scene) -> dict[str, Any] | None:
     """The table that comes with the library, measured on the machine it names, or None."""
-    return _read(SHIPPED / f"{scene_key(scene)}.json")
+    packed = _read(SHIPPED / f"{scene_key(scene)}.json")
+    return None if packed is None else unpack(packed, scene)
 
 
 def _read(path: Path) -> dict[str, Any] | None:
@@ -51,3 +59,63 @@ def _read(path: Path) -> dict[str, Any] | None:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):  # none, or half a one
         return None
+
+
+def pack(table: Mapping[str, Any]) -> dict[str, Any]:
+    """A table as it is shipped, a fifth as long: by columns, what repeats kept once, times and errors rounded.
+
+    What the scene and the library know anyway is left out.
+    """
+    rungs: list[dict[str, Any]] = []
+    texts: list[str] = []
+    columns: dict[str, Any] = {"rung": [], "notes": []}
+    for point in table["points"]:
+        options = {key: None if key == point["knob"] else value for key, value in point["method"].items()}
+        columns["rung"].append(_place(rungs, {"method": options, "ladder": point["ladder"], "knob": point["knob"]}))
+        columns["notes"].append([[_place(texts, NUMBER.sub(GAP, n)), *NUMBER.findall(n)] for n in point["notes"]])
+        for name, error in point["errors"].items():
+            columns.setdefault("errors", {}).setdefault(name, []).append(_rounded(error, FIGURES))
+        for key, value in point.items():
+            if key not in (*DERIVED, *RUNG, "notes", "errors"):
+                kept = value if key == "size" else _rounded(value, DIGITS.get(key, FIGURES))
+                columns.setdefault(key, []).append(kept)
+    rest = {key: _rounded(table[key], FIGURES) for key in table if key not in ("points", "scene", "quantities")}
+    return rest | {"rungs": rungs, "texts": texts, "points": columns}
+
+
+def unpack(packed: Mapping[str, Any], scene: Scene) -> dict[str, Any]:
+    """The table that was packed, for any scene in which the same happens; `quantities` are those that have errors."""
+    columns = dict(packed["points"])
+    errors, notes = columns.pop("errors"), columns.pop("notes")
+    points = []
+    for place, rung in enumerate(columns.pop("rung")):
+        point = dict(packed["rungs"][rung]) | {key: values[place] for key, values in columns.items()}
+        if point["knob"] is not None:
+            point["method"] = point["method"] | {point["knob"]: point["size"]}
+        point["errors"] = {name: values[place] for name, values in errors.items()}
+        point["notes"] = [_filled(packed["texts"][text], numbers) for text, *numbers in notes[place]]
+        points.append(point)
+    rest = {key: value for key, value in packed.items() if key not in ("rungs", "texts")}
+    return rest | {"points": points, "scene": scene.table(), "quantities": dict.fromkeys(errors, "")}
+
+
+def _place(known: list[Any], one: Any) -> int:
+    """Of one among those known, to which it now belongs."""
+    if one not in known:
+        known.append(one)
+    return known.index(one)
+
+
+def _filled(text: str, numbers: list[str]) -> str:
+    pieces = text.split(GAP)
+    return "".join(piece + number for piece, number in zip(pieces, [*numbers, ""], strict=True))
+
+
+def _rounded(value: Any, figures: int) -> Any:
+    if isinstance(value, float):
+        return float(f"{value:.{figures - 1}e}")
+    if isinstance(value, Mapping):
+        return {key: _rounded(part, figures) for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_rounded(part, figures) for part in value]
+    return value

@@ -64,7 +64,7 @@ def tradeoff(
 def stored_tradeoff(scene: Scene) -> TradeOff | None:
     """The table at once, if there is one: measured on this machine, or one that the library brings; `machine` says."""
     table = stored_tables.measured_here(scene, machine(), version()) or stored_tables.shipped(scene)
-    return None if table is None else TradeOff.from_table(table)
+    return None if table is None else _narrowed(TradeOff.from_table(table), tuple(QUANTITIES))
 
 
 def _narrowed(found: TradeOff, quantities: Sequence[str]) -> TradeOff:

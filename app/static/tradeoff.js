@@ -68,7 +68,7 @@ export class TradeOff extends Panel {
     if (points.length) this.plot();
   }
   words(found, running) {
-    const where = found.here ? 'on this machine' : `on another machine (${found.machine.processor}, ${found.machine.cores} cores)`;
+    const where = found.here ? 'on this machine' : `on ${found.machine.processor} (${found.machine.cores} cores, Python ${found.machine.python}), another machine than this`;
     const state = running ? `${found.points.length} points so far, ${figures(found.seconds, 2)} s` : found.stopped ? `${found.points.length} points, then ${found.stopped}` : `${found.points.length} points, ${found.date}`;
     return `Measured ${where}: ${state}. Errors are against the truth, ${found.reference.words}.`;
   }

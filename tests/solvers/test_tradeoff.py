@@ -9,6 +9,7 @@ import pytest
 from pytest import approx
 
 import solvers
+from bench.tradeoffs import already_stored, blows_of, measure
 from solvers import METHODS, ContactPeriod, SceneError, SceneNotSupported, TradeOff, stored_tables, tradeoff
 from solvers.judging import QUANTITIES, Answer, Truth, contact_time_error
 from solvers.ladders import ladders, refusals
@@ -219,6 +220,57 @@ def test_shipped_scenes_bring_their_table(name):
     if found.reference.kind == "exact":  # measured then, recomputed now: only the machine has changed
         errors = Truth.of(solvers.solve(scene, "waves")).errors(Answer.of(solvers.solve(scene, "modal", modes=50)))
         assert labels["modal modes=50"]["rebound"] == approx(errors["rebound"], abs=1e-7)
+
+
+def test_every_stored_table_belongs_to_a_scene_that_comes_with_the_library():
+    tables = blows_of(solvers.scene_names())
+    for path in stored_tables.SHIPPED.glob("*.json"):
+        scene, called = tables[path.stem]  # KeyError: of no scene any more
+        assert path.stat().st_size < 3_000 + 300 * len(solvers.stored_tradeoff(scene).points)
+        for name in called:
+            found = solvers.stored_tradeoff(solvers.load(name))
+            assert {"processor", "cores", "python"} <= set(found.machine) and found.date and found.stopped is None
+            assert found.reference.kind in ("exact", "converged", "closed form") and found.reference.words
+            assert found.scene == solvers.load(name).table()
+            assert set(found.quantities) == set(QUANTITIES) and found.points
+            assert {point.method["name"] for point in found.points} <= {
+                ladder.rungs[0].NAME for ladder in ladders(scene)
+            }
+
+
+def test_a_table_is_packed_without_losing_what_is_read(rod_table):
+    found, _ = rod_table
+    scene = struck_rod(1.0)
+    packed = json.loads(json.dumps(stored_tables.pack(found.table()), allow_nan=False))
+    again = TradeOff.from_table(stored_tables.unpack(packed, scene))
+    for point, kept in zip(found.points, again.points, strict=True):
+        assert kept.wall_time == approx(point.wall_time, rel=5e-4)
+        for quantity, error in point.errors.items():
+            assert kept.errors[quantity] == (None if error is None else approx(error, rel=5e-5))
+        exact = ("method", "ladder", "knob", "size", "contacts", "notes", "invented_contacts", "repeats", "label")
+        assert [getattr(kept, name) for name in exact] == [getattr(point, name) for name in exact]
+    assert again.refused == found.refused and again.remarks == found.remarks
+
+
+def test_numbers_of_a_sentence_are_kept_apart_from_it():
+    notes = ["", "12", "-3.5e-07 s, 4 times", "a 1.2.", "no number"]
+    point = {"method": {"name": "rigid"}, "ladder": "rigid", "knob": None, "size": None, "errors": {}, "notes": notes}
+    packed = stored_tables.pack({"points": [point]})
+    assert len(packed["texts"]) == len(notes)
+    packed["points"].setdefault("errors", {})
+    assert stored_tables.unpack(packed, struck_rod(1.0))["points"][0]["notes"] == notes
+
+
+def test_half_a_measurement_of_the_shipped_tables_goes_on_where_it_was(tmp_path, capsys):
+    folder = tmp_path / "tables"
+    measure(["brick-off-centre"], folder)
+    (path,) = folder.iterdir()
+    before = path.stat().st_mtime_ns
+    assert already_stored(path) and "1 points" in capsys.readouterr().out
+    measure(["brick-off-centre"], folder)  # named: renewed
+    assert path.stat().st_mtime_ns > before
+    path.write_text(path.read_text().replace('"version":"', '"version":"older '))
+    assert not already_stored(path)
 
 
 def test_a_question_that_does_not_exist_is_refused():
