@@ -1,27 +1,32 @@
-"""A tolerance instead of a method, on the page: what was chosen, why, and how near it really is."""
+"""A tolerance or a time instead of a method, on the page: what was chosen, why, and how near it really is."""
 
 import json
+from collections.abc import Callable
 from typing import Any
 
 from solvers import METHODS, Auto, Scene, SceneError, Solution, Waves
 from solvers.judging import Answer, Truth
 from solvers.ladders import label
+from solvers.tried import never
 
+from .questions import BUDGET
 from .state import accepts, chosen_scene
 
-BUDGET = 6.0  # s that one visitor may keep the others waiting
 TIGHT = 1e-11  # tolerance of the exact solution
 
 
-def auto_data(asked: dict[str, Any]) -> str:
-    """The cheapest solution within `auto_tolerance` of `auto_quantity` as JSON: `chosen`, which is all that was asked,
-    what was found and its estimated and true error; or `error`, a sentence why there is none."""
+def auto_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
+    """The cheapest solution within `auto_tolerance` of `auto_quantity`, or the finest within `auto_budget` [s], as JSON:
+    `chosen`, which is all that was asked, what was found and its estimated and true error; or `error`, a sentence why
+    there is none. Once `cancelled`, the best so far."""
     answer: dict[str, Any] = {"chosen": asked}
     try:
         scene = chosen_scene(asked)
         among = None if asked["auto_waves"] else tuple(name for name in METHODS if name != Waves.NAME)
-        auto = Auto(asked["auto_tolerance"], asked["auto_quantity"], BUDGET, among)
+        limits = (None, asked["auto_budget"]) if asked["auto_within"] == "time" else (asked["auto_tolerance"], BUDGET)
+        auto = Auto(limits[0], asked["auto_quantity"], limits[1], among, cancelled)
         answer |= _found(auto.solve(scene, scene.method.get("duration")), scene, asked["auto_quantity"])
+        answer["cancelled"] = cancelled()
     except ValueError as refusal:  # SceneError
         answer["error"] = str(refusal)
     return json.dumps(answer, allow_nan=False)

@@ -75,8 +75,10 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self.open_panels()
         self._begin()
 
-    def _runner_of(self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL) -> Runner:
-        return Runner(work, publish, self._refuse, pool, partial(self._wait, work.__name__))
+    def _runner_of(
+        self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL, stoppable: bool = False
+    ) -> Runner:
+        return Runner(work, publish, self._refuse, pool, partial(self._wait, work.__name__), stoppable)
 
     def _begin(self) -> None:
         """The first answer goes out with the page, unless it must be compiled first."""

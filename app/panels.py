@@ -30,7 +30,8 @@ class Panels(Questions):
         self._plan_runner = self._runner_of(plan_data, partial(self._tell, "plan"))
         self._regimes_runner = self._runner_of(regimes_data, partial(self._tell, "regimes"))
         self._stored_runner = self._runner_of(stored_data, partial(self._tell, "tradeoff"))
-        self._auto_runner = self._runner_of(auto_data, partial(self._tell, "auto"), SLOW)
+        self._auto_runner = self._runner_of(auto_data, partial(self._tell, "auto"), SLOW, stoppable=True)
+        self._auto_asked = 0  # times that have not been dealt with
         self._long = {
             "tradeoff": self._long_run("tradeoff", tradeoff_data, tradeoff_kernels),
             "stability": self._long_run("stability", stability_data, stability_kernels),
@@ -39,6 +40,7 @@ class Panels(Questions):
         self.param.watch(self.ask_panels, [name for name in self.ASKED if name not in self.RUNS])
         for name in self._long:
             self.param.watch(partial(self._start_or_stop, name), f"{name}_running")
+        self.param.watch(self._stop_or_resume, "auto_running")
         if pn.state.curdoc:
             pn.state.on_session_destroyed(lambda _: self.stop_panels())
 
@@ -51,6 +53,7 @@ class Panels(Questions):
 
     def stop_panels(self) -> None:
         """Nobody looks any more."""
+        self._auto_runner.stop()
         for run in self._long.values():
             run.stop()
 
@@ -62,9 +65,8 @@ class Panels(Questions):
             self._want("plan", self._plan_runner, asked, asked)
             self._want("regimes", self._regimes_runner, asked, asked)
         if self.auto_shown:
-            names = ("auto_quantity", "auto_tolerance", "auto_waves")
-            asked = chosen | {name: getattr(self, name) for name in names}
-            self._want("auto", self._auto_runner, asked, _of_any_method(asked))
+            asked = chosen | {name: getattr(self, name) for name in self.AUTO}
+            self._want_auto(asked, _of_any_method(asked))
         if self.tradeoff_shown and not self._long["tradeoff"].busy:
             self._want("tradeoff", self._stored_runner, chosen, _of_any_method(chosen))
 
@@ -73,6 +75,32 @@ class Panels(Questions):
         if self._asked.get(name) != key:
             self._asked[name] = key
             pn.state.execute(partial(runner.want, asked))
+
+    def _want_auto(self, asked: dict[str, Any], key: dict[str, Any]) -> None:
+        """As `_want`; the visitor sees that it is under way, and may stop it."""
+        if self._asked.get("auto") != key:
+            self._asked["auto"] = key
+            self._auto_asked += 1
+            self.auto_running = True
+            pn.state.execute(partial(self._find_auto, asked))
+
+    async def _find_auto(self, asked: dict[str, Any]) -> None:
+        await self._auto_runner.want(asked)
+        self._auto_asked -= 1
+        if not self._auto_asked:
+            pn.state.execute(self._auto_over, schedule=True)
+
+    def _auto_over(self) -> None:
+        if not self._auto_asked:  # nor was anything asked since
+            self.auto_running = False
+
+    def _stop_or_resume(self, event: param.parameterized.Event) -> None:
+        """The visitor has had enough, or wants it all the same."""
+        if not event.new:
+            self._auto_runner.stop()
+        elif not self._auto_asked:
+            self._asked.pop("auto", None)
+            self.ask_panels()
 
     def _start_or_stop(self, name: str, event: param.parameterized.Event) -> None:
         run, asked = self._long[name], self.chosen()

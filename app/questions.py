@@ -7,6 +7,8 @@ import param
 from solvers.auto import ASKABLE
 from solvers.regime_models import QUESTIONS
 
+WITHIN = ("tolerance", "time")
+BUDGET = 6.0  # s that one visitor may keep the others waiting
 
 class Questions(param.Parameterized):
     """Questions of a visitor and the answers to them, each a text in JSON."""
@@ -20,19 +22,22 @@ class Questions(param.Parameterized):
     tradeoff_running = param.Boolean(default=False, doc="whether it is being measured; the visitor starts and stops it")
     tradeoff = param.String(default="", doc="that table, see app.tradeoff_view")
     auto_shown = param.Boolean(default=False, doc="whether a tolerance is asked for instead of a method")
+    auto_within = param.Selector(default=WITHIN[0], objects=list(WITHIN))  # what the answer is to keep to
     auto_quantity = param.Selector(default=ASKABLE[0], objects=list(ASKABLE))
     auto_tolerance = param.Number(default=0.01, bounds=(1e-6, 0.5))
+    auto_budget = param.Number(default=0.05, bounds=(1e-4, BUDGET), doc="computing time that may be spent [s]")
     auto_waves = param.Boolean(default=True, doc="whether exact travelling waves may be chosen")
+    auto_running = param.Boolean(default=False, doc="whether it is looked for; the visitor may stop it")
     auto = param.String(default="", doc="what keeps to it, see app.auto_view")
     stability_shown = param.Boolean(default=False, doc="whether the maps of stability are open")
     stability_running = param.Boolean(default=False, doc="whether they are worked out; the visitor starts and stops it")
     stability = param.String(default="", doc="those maps, or how far they are, see app.stability_view")
 
     PLAN = ("plan_shown", "question", "plan_tolerance")
-    AUTO = ("auto_shown", "auto_quantity", "auto_tolerance", "auto_waves")
+    AUTO = ("auto_within", "auto_quantity", "auto_tolerance", "auto_budget", "auto_waves")
     TRADEOFF = ("tradeoff_shown",)
-    RUNS = ("tradeoff_running", "stability_running")
-    ASKED = (*PLAN, *AUTO, *TRADEOFF, *RUNS, "stability_shown")
+    RUNS = ("tradeoff_running", "stability_running", "auto_running")
+    ASKED = (*PLAN, "auto_shown", *AUTO, *TRADEOFF, *RUNS, "stability_shown")
 
 
 def _defaults(*names: str) -> dict[str, Any]:
@@ -42,7 +47,7 @@ def _defaults(*names: str) -> dict[str, Any]:
 QUESTIONS_OF = {  # by work: what it is asked besides the choices, as long as nobody changes it
     "plan_data": _defaults("question", "plan_tolerance"),
     "regimes_data": _defaults("question", "plan_tolerance"),
-    "auto_data": _defaults("auto_quantity", "auto_tolerance", "auto_waves"),
+    "auto_data": _defaults(*Questions.AUTO),
 }
 
 

@@ -1,7 +1,7 @@
 """A question instead of a method: the cheapest solution that is good enough, and how good it is."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields, replace
 
 from . import checks
 from .judging import QUANTITIES
@@ -11,7 +11,7 @@ from .methods import METHODS
 from .scene import Scene
 from .search import Search
 from .solution import Solution
-from .tried import Wish
+from .tried import Wish, never
 
 TOLERANCE_RANGE = (1e-9, 0.5)
 BUDGET_RANGE = (1e-6, 3600.0)  # s
@@ -34,6 +34,7 @@ class Auto(Method):
     quantity: str = "rebound"
     budget: float | None = None  # [s] of everything, kernels compiled
     among: tuple[str, ...] | None = None  # methods that may be chosen; all
+    cancelled: Callable[[], bool] = field(default=never, repr=False)  # asked between two solves: enough of it?
 
     NAME = "auto"
 
@@ -74,7 +75,7 @@ class Auto(Method):
         return [replace(ladder, rungs=tuple(map(bare, ladder.rungs))) for ladder in ranked(found)]
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        wish = Wish(self.goal, self.quantity, self.budget)
+        wish = Wish(self.goal, self.quantity, self.budget, self.cancelled)
         return Search(scene, wish, self._ladders(scene), duration).answer()
 
 

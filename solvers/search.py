@@ -40,10 +40,15 @@ class Search:
         self._climb()
         if self.proof not in (None, self.chosen) and self.wish.tolerance is not None:
             self._try_cheaper()
-        limit = LONGEST if self._cut_short and self.wish.budget is None else None
-        spent = time.perf_counter() - self._begun
-        found = Outcome(self.wish, self.tried, self.chosen, self.proof, self._doubts, self._doubted, spent, limit)
-        return told(found)
+        cancelled, spent = self.wish.cancelled(), time.perf_counter() - self._begun
+        limit = LONGEST if self._cut_short and self.wish.budget is None and not cancelled else None
+        finer = GROWTH * self.chosen.cost * self._slowness()
+        return told(
+            Outcome(
+                self.wish, self.tried, self.chosen, self.proof, self._doubts, self._doubted, spent, limit, cancelled,
+                finer,
+            )
+        )  # fmt: skip
 
     def _climb(self) -> None:
         """The best method that can be refined, until a coarse solution is proved by a fine one."""
@@ -134,7 +139,8 @@ class Search:
 
     def _ask_another(self, refinable: list[Ladder]) -> None:
         """Forces where nothing gives way: modes may converge to something else than the truth."""
-        others = [ladder for ladder in refinable if ladder.rungs[0].NAME != self.proof.ladder.rungs[0].NAME]
+        proof = self.proof.ladder.rungs[0].NAME
+        others = [ladder for ladder in refinable if ladder.rungs[0].NAME != proof and not self.wish.cancelled()]
         if (
             self.wish.quantity not in HARSH
             or self.scene.contact.NAME != "rigid"
@@ -215,6 +221,8 @@ class Search:
         return min(SLOW, *(tried.wall_time / tried.cost for tried in self.tried))
 
     def _time_for(self, expected: float) -> bool:
+        if self.wish.cancelled():
+            return False
         budget = LONGEST if self.wish.budget is None else self.wish.budget
         return sum(min(tried.wall_time, SLOW * tried.cost) for tried in self.tried) + expected <= budget
 

@@ -1,6 +1,6 @@
 """One solve on the way to an answer, and what can be told of its error from the others."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -11,12 +11,17 @@ from .ladders import Ladder, label
 from .solution import Solution
 
 
+def never() -> bool:
+    return False
+
+
 class Wish(NamedTuple):
     """What is asked for."""
 
     tolerance: float | None  # None: as good as the budget allows
     quantity: str  # of `solvers.judging.QUANTITIES`
     budget: float | None  # [s]
+    cancelled: Callable[[], bool]  # asked between two solves
 
 
 @dataclass(eq=False)

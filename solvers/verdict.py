@@ -21,6 +21,8 @@ class Outcome(NamedTuple):
     doubted: bool  # whether no estimate can be believed
     spent: float  # [s]
     limit: float | None  # s at which the search was ended, though no budget was given
+    cancelled: bool
+    finer: float  # s that one more solve, the next finer, is expected to take
 
     @property
     def met(self) -> bool | None:
@@ -42,7 +44,7 @@ def told(found: Outcome) -> Solution:
     wall_time (of this one) and estimated_error; wall_time of everything.
     """
     chosen, wish = found.chosen, found.wish
-    why = _why(found)
+    why = "Cancelled. " * found.cancelled + _why(found)
     reasons = {
         "quantity": wish.quantity,
         "tolerance": wish.tolerance,
@@ -78,15 +80,24 @@ def _why(found: Outcome) -> str:
         said += f" by comparison with '{proof.label}'"
     if found.met:
         return f"{said}, the cheapest of {len(found.tried)} solved that keeps to {wish.tolerance:g}."
+    if found.met is None and found.cancelled:
+        return f"{said}, the finest by then."
     if found.met is None and wish.budget >= found.spent:
-        return f"{said}, the finest that {wish.budget:g} s are enough for."
+        return f"{said}, the finest that {wish.budget:g} s are enough for.{_untold(found)}"
     if found.met is None:
-        return f"{said}: {wish.budget:g} s are not enough, the quickest answer with a proof took {found.spent:.2g} s."
+        return f"{said}: {wish.budget:g} s are not enough, this took {found.spent:.2g} s.{_untold(found)}"
     if chosen.error is not None and chosen.error <= wish.tolerance:
         said = f"{said}, but nothing proves that it keeps to {wish.tolerance:g}."
     else:
         said = f"{said}, not {wish.tolerance:g} as asked for: {_needed(found)}"
     return said + (f" The search ended at its limit of {found.limit:g} s; a budget allows more." if found.limit else "")
+
+
+def _untold(found: Outcome) -> str:
+    """What it would take to tell an error that the time was too short for."""
+    if found.chosen.error is not None or not found.chosen.ladder.converges:
+        return ""
+    return f" To tell its error takes a finer one beside it, about {found.finer:.1g} s more."
 
 
 def _needed(found: Outcome) -> str:

@@ -25,20 +25,22 @@ export function modelName(model) {
 // Which of the classes of error: within 1, 5, 20 %, or worse.
 const grade = (error) => LEVELS.findIndex(([level]) => error <= level);
 
-// A number that the visitor gives as a percentage.
-export function percentField(label, low, high, send, complain) {
+// A number that the visitor gives in another unit than the one that is sent, which is so many times as large.
+function unitField(label, unit, kind, times, low, high, send, complain) {
   const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', autocomplete: 'off', maxLength: 12 });
-  input.setAttribute('aria-label', `${label}, in percent`);
+  input.setAttribute('aria-label', `${label}, in ${kind[1]}`);
   let last = '';
   input.onchange = () => {
-    const text = input.value.trim().replace(',', '.').replace(/\s*%$/, ''), value = Number(text) / 100;
+    const text = input.value.trim().replace(',', '.').replace(unit, '').trim(), value = Number(text) / times;
     if (/^\d*\.?\d+(e[+-]?\d+)?$/i.test(text) && value >= low && value <= high) { send(value); return; }
-    complain(`${label}: got '${input.value.slice(0, 24)}'; allowed: a percentage from ${figures(100 * low)} to ${figures(100 * high)}`);
+    complain(`${label}: got '${input.value.slice(0, 24)}'; allowed: ${kind[0]} from ${figures(times * low)} to ${figures(times * high)}`);
     input.value = last;
   };
-  const root = make('label', { className: 'part' }, label, input, make('span', { className: 'unit', textContent: '%' }));
-  return { root, input, set: (value) => { last = String(Number((100 * value).toPrecision(4))); if (document.activeElement !== input && input.getRootNode().activeElement !== input) input.value = last; } };
+  const root = make('label', { className: 'part' }, label, input, make('span', { className: 'unit', textContent: unit }));
+  return { root, input, set: (value) => { last = String(Number((times * value).toPrecision(4))); if (document.activeElement !== input && input.getRootNode().activeElement !== input) input.value = last; } };
 }
+export const percentField = (label, ...rest) => unitField(label, '%', ['a percentage', 'percent'], 100, ...rest);
+export const msField = (label, ...rest) => unitField(label, 'ms', ['milliseconds', 'milliseconds'], 1000, ...rest);
 
 // Choices of the page that show one model, all at once.
 export function choose(page, choices) {

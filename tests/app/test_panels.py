@@ -10,7 +10,7 @@ import pytest
 from app import long_run, stability_view
 from app.auto_view import auto_data, nearest_choices
 from app.long_run import LongRun
-from app.questions import Questions, accepted
+from app.questions import QUESTIONS_OF, Questions, accepted
 from app.stability_view import KINDS, kinds_of, stability_data, stability_kernels
 from app.state import Choices
 from app.tradeoff_view import stored_data, tradeoff_data
@@ -57,8 +57,9 @@ def test_a_measurement_that_is_stopped_keeps_what_it_found():
 # --- a tolerance ------------------------------------------------------------------------------------------------------
 
 
-def automatic(scene, quantity, tolerance, waves):
-    return json.loads(auto_data(asked(scene, auto_quantity=quantity, auto_tolerance=tolerance, auto_waves=waves)))
+def automatic(scene, quantity, tolerance, waves, cancelled=never, **more):
+    own = {"auto_quantity": quantity, "auto_tolerance": tolerance, "auto_waves": waves}
+    return json.loads(auto_data(asked(scene, **QUESTIONS_OF["auto_data"] | own | more), cancelled))
 
 
 def test_what_keeps_to_a_tolerance_is_proved_beside_the_exact_waves():
@@ -68,6 +69,21 @@ def test_what_keeps_to_a_tolerance_is_proved_beside_the_exact_waves():
     assert found["estimate"] == pytest.approx(found["true"], rel=2.0)
     assert found["choices"]["method"] == found["name"]
     assert found["label"] in [row["label"] for row in found["tried"]]
+
+
+def test_within_a_time_the_finest_is_given_and_an_impossible_one_says_what_it_would_take():
+    enough = automatic("bronze-rod-steel-ball", "rebound", 0.01, False, auto_within="time", auto_budget=5.0)
+    assert enough["met"] is None and enough["proof"] is None
+    assert enough["true"] < 1e-3 and enough["estimate"] < 1e-3
+    least = automatic("bronze-rod-steel-ball", "rebound", 0.01, False, auto_within="time", auto_budget=1e-4)
+    assert "0.0001 s are not enough" in least["why"] and "takes a finer one" in least["why"]
+    assert least["true"] > enough["true"] and len(least["tried"]) == 1
+
+
+def test_a_search_that_is_cancelled_gives_the_best_by_then():
+    found = automatic("bronze-rod-steel-ball", "peak-force", 1e-6, False, lambda: True)
+    assert found["cancelled"] and not found["met"] and found["why"].startswith("Cancelled.")
+    assert len(found["tried"]) == 1 and found["name"] == "modal"
 
 
 def test_bodies_without_exact_waves_have_no_true_error():
@@ -181,6 +197,9 @@ def test_kernels_of_a_long_run_are_compiled_elsewhere(monkeypatch):
         ("auto_tolerance", 0.0),
         ("auto_tolerance", 1.0),
         ("auto_quantity", "energy"),
+        ("auto_within", "money"),
+        ("auto_budget", 0.0),
+        ("auto_budget", 60.0),
         ("auto_waves", 1),
         ("tradeoff_running", "yes"),
         ("stability_running", None),

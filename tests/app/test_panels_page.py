@@ -130,6 +130,34 @@ def test_a_tolerance_chooses_the_method(open_page):
     assert page.header("chosen")["method"] == "waves"
 
 
+def test_a_computing_time_chooses_the_method_and_an_impossible_one_says_so(open_page):
+    page = open_page("?scene=bronze-rod-steel-ball")
+    opened(page, "Within a tolerance", "tolerance")
+    panel = page.tab.locator(".auto")
+    panel.get_by_label("exact waves may be chosen").uncheck()
+    panel.get_by_label("Keep to").select_option("time")
+    panel.get_by_label("within, in milliseconds").fill("0.1")
+    panel.get_by_label("within, in milliseconds").press("Enter")
+    expect(panel).to_contain_text("0.0001 s are not enough", timeout=LONG)
+    expect(panel.locator(".verdict")).to_contain_text("Against the exact waves it really misses")
+    panel.get_by_label("within, in milliseconds").fill("0")
+    panel.get_by_label("within, in milliseconds").press("Enter")
+    expect(page.tab.locator(".toast")).to_contain_text("milliseconds from 0.1 to 6000")
+
+
+def test_a_long_search_can_be_cancelled(open_page):
+    page = open_page("?scene=fixed-rod")
+    opened(page, "Within a tolerance", "tolerance")
+    panel = page.tab.locator(".auto")
+    panel.get_by_label("exact waves may be chosen").uncheck()
+    panel.get_by_label("within, in percent").fill("0.0001")
+    panel.get_by_label("within, in percent").press("Enter")
+    panel.get_by_role("button", name="Cancel").click(timeout=LONG)
+    expect(panel.get_by_role("button", name="Work it out")).to_be_visible(timeout=LONG)
+    expect(panel.locator(".verdict")).to_contain_text("Cancelled", timeout=LONG)
+    page.answered(lambda: drag(page, "Mass ratio", 0.4))
+
+
 def test_maps_of_stability(open_page):
     page = open_page()
     page.tab.get_by_role("button", name="Stability", exact=True).click()

@@ -54,3 +54,44 @@ def test_a_failure_becomes_a_sentence_and_the_next_wish_is_served():
     assert refused[0] == "speed: got -1; allowed: more"
     assert "secret" not in refused[1]
     assert len(refused) == 2
+
+
+def test_work_that_can_be_stopped_ends_with_what_it_has():
+    started, published = threading.Event(), []
+
+    def work(choices, cancelled):
+        started.set()
+        while not cancelled():
+            time.sleep(0.005)
+        return f"some of {choices}"
+
+    async def main():
+        runner = Runner(work, published.append, published.append, stoppable=True)
+        asked = asyncio.ensure_future(runner.want("one"))
+        while not started.is_set():
+            await asyncio.sleep(0.005)
+        runner.stop()
+        await asked
+
+    run(main())
+    assert published == ["some of one"]
+
+
+def test_a_newer_wish_ends_what_takes_long(monkeypatch):
+    monkeypatch.setattr("app.runner.PATIENCE", 0.05)
+    published = []
+
+    def work(choices, cancelled):
+        while choices == "endless" and not cancelled():
+            time.sleep(0.005)
+        return choices
+
+    async def main():
+        runner = Runner(work, published.append, published.append, stoppable=True)
+        first = asyncio.ensure_future(runner.want("endless"))
+        await asyncio.sleep(0.01)
+        await runner.want("newer")
+        await first
+
+    run(main())
+    assert published == ["endless", "newer"]
