@@ -129,7 +129,7 @@ def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     for name in ("solve_frame", "methods_table"):
         for law in laws:
             yield name, Choices(law=law, modes=5).chosen()
-    yield LAST, Choices().chosen()
+    yield LAST, Choices().chosen() | QUESTIONS_OF[LAST]
 
 
 def compile_usual(between: Callable[[], None] = lambda: None) -> None:

@@ -36,8 +36,9 @@ class Panels(Questions):
             "tradeoff": self._long_run("tradeoff", tradeoff_data, tradeoff_kernels),
             "stability": self._long_run("stability", stability_data, stability_kernels),
         }
+        self._again: set[str] = set()  # long runs that begin anew when they have ended
         self._asked: dict[str, dict[str, Any]] = {}  # last, by name of the answer
-        self.param.watch(self.ask_panels, [name for name in self.ASKED if name not in self.RUNS])
+        self.param.watch(self.ask_panels, [name for name in self.ASKED if name not in (*self.RUNS, *self.STABILITY)])
         for name in self._long:
             self.param.watch(partial(self._start_or_stop, name), f"{name}_running")
         self.param.watch(self._stop_or_resume, "auto_running")
@@ -103,13 +104,25 @@ class Panels(Questions):
             self.ask_panels()
 
     def _start_or_stop(self, name: str, event: param.parameterized.Event) -> None:
-        run, asked = self._long[name], self.chosen()
+        run = self._long[name]
+        self._again.discard(name)
         if not event.new:
             run.stop()
-        elif not run.busy:
-            pn.state.execute(partial(run.start, asked, partial(self._ended, name, asked)))
+        elif run.busy:  # stopped before, and about to end
+            self._again.add(name)
+        else:
+            self._start(name)
+
+    def _start(self, name: str) -> None:
+        more = self.STABILITY if name == "stability" else ()
+        asked = self.chosen() | {key: getattr(self, key) for key in more}
+        pn.state.execute(partial(self._long[name].start, asked, partial(self._ended, name, asked)))
 
     def _ended(self, name: str, asked: dict[str, Any]) -> None:
+        if name in self._again:
+            self._again.discard(name)
+            self._start(name)
+            return
         self._tell(f"{name}_running", False)
         if name == "tradeoff":  # what was measured stays, unless the scene has changed meanwhile
             self._asked[name] = _of_any_method(asked)

@@ -6,9 +6,12 @@ import param
 
 from solvers.auto import ASKABLE
 from solvers.regime_models import QUESTIONS
+from solvers.stability import AXES
 
 WITHIN = ("tolerance", "time")
+STABILITY_AXES = tuple(name for name in AXES if name != "step")
 BUDGET = 6.0  # s that one visitor may keep the others waiting
+
 
 class Questions(param.Parameterized):
     """Questions of a visitor and the answers to them, each a text in JSON."""
@@ -30,14 +33,16 @@ class Questions(param.Parameterized):
     auto_running = param.Boolean(default=False, doc="whether it is looked for; the visitor may stop it")
     auto = param.String(default="", doc="what keeps to it, see app.auto_view")
     stability_shown = param.Boolean(default=False, doc="whether the maps of stability are open")
+    stability_axis = param.Selector(default=STABILITY_AXES[0], objects=list(STABILITY_AXES))  # beside the step
     stability_running = param.Boolean(default=False, doc="whether they are worked out; the visitor starts and stops it")
     stability = param.String(default="", doc="those maps, or how far they are, see app.stability_view")
 
     PLAN = ("plan_shown", "question", "plan_tolerance")
     AUTO = ("auto_within", "auto_quantity", "auto_tolerance", "auto_budget", "auto_waves")
     TRADEOFF = ("tradeoff_shown",)
+    STABILITY = ("stability_axis",)
     RUNS = ("tradeoff_running", "stability_running", "auto_running")
-    ASKED = (*PLAN, "auto_shown", *AUTO, *TRADEOFF, *RUNS, "stability_shown")
+    ASKED = (*PLAN, "auto_shown", *AUTO, *TRADEOFF, *RUNS, "stability_shown", *STABILITY)
 
 
 def _defaults(*names: str) -> dict[str, Any]:
@@ -48,6 +53,7 @@ QUESTIONS_OF = {  # by work: what it is asked besides the choices, as long as no
     "plan_data": _defaults("question", "plan_tolerance"),
     "regimes_data": _defaults("question", "plan_tolerance"),
     "auto_data": _defaults(*Questions.AUTO),
+    "stability_kernels": _defaults(*Questions.STABILITY),
 }
 
 

@@ -16,6 +16,7 @@ from .method import SceneNotSupported
 from .methods import Modal
 from .numerics.integrators import BOUND, DIVERGED, LASTING, Outcome
 from .scene import Scene
+from .search import never
 from .stability_runs import INTEGRATORS, Problem, bound, damped, own_stiffness, problem_of, run
 
 USUAL_MODES = 20  # where neither the scene nor an axis says how many
@@ -158,7 +159,7 @@ def stability(
     if most_steps is not None:
         checks.whole_number("most_steps", most_steps, 10, 10_000_000)
     first, second = _read_axes(scene, axes, grid)
-    asked = _Asked(scene, first, second, modes, names, most_steps, cancel or _never)
+    asked = _Asked(scene, first, second, modes, names, most_steps, cancel or never)
     columns = _columns(asked, workers, progress)
     maps = {name: _map(name, number, first, columns) for number, name in enumerate(names)}
     own = problem_of(scene, {}, modes)
@@ -177,28 +178,31 @@ def _plain(value: Any) -> Any:
 # --- what is asked for ------------------------------------------------------------------------------------------------
 
 
-def _never() -> bool:
-    return False
-
-
 def _read_axes(scene: Scene, names: Sequence[str], grid: Sequence[int | Sequence[float]]) -> tuple[Axis, Axis]:
     names = tuple(names)
-    if len(names) != 2 or names[0] == names[1]:
-        raise SceneError("axes", names, f"two different ones of {', '.join(AXES)}")
+    check_axes(scene, names)
     if len(grid) != 2:
         raise SceneError("grid", grid, "two numbers of values, or two lists of values")
     first, second = (_read_axis(name, given) for name, given in zip(names, grid, strict=True))
-    if second.name == "step":
+    return first, second
+
+
+def check_axes(scene: Scene, names: Sequence[str]) -> None:
+    """Raises SceneError for axes that do not go together, or with the scene."""
+    if len(names) != 2 or names[0] == names[1]:
+        raise SceneError("axes", names, f"two different ones of {', '.join(AXES)}")
+    for name in names:
+        checks.choice("axes", name, AXES)
+    if names[1] == "step":
         raise SceneError("axes", names, "the step as the first of the two")
     if "restitution" in names and damped(scene.contact) is None:
         raise SceneError("axes", "restitution", f"another axis: {scene.contact.NAME} is plastic and knows no damping")
     if "mass_ratio" in names and not math.isfinite(scene.target.mass):
         raise SceneError("axes", "mass_ratio", f"another axis: the mass of a {scene.target.kind} has no end")
-    return first, second
 
 
 def _read_axis(name: str, given: int | Sequence[float]) -> Axis:
-    unit, low, high, log = AXES[checks.choice("axes", name, AXES)]
+    unit, low, high, log = AXES[name]
     if isinstance(given, int):
         count = checks.whole_number("grid", given, 2, 400)
         values = np.geomspace(low, high, count) if log else np.linspace(low, high, count)

@@ -1,5 +1,5 @@
 // Charts whose two axes are logarithmic, with their names.
-import { Chart, COLORS } from './plot.js';
+import { Chart, COLORS, ticks } from './plot.js';
 
 const DIGITS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 const raised = (power) => `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((d) => DIGITS[d]).join('')}`;
@@ -13,13 +13,18 @@ export class LogChart extends Chart {
     Object.assign(this, { named, across: decade, upward: decade });
     this.margin = { left: 64, right: 12, top: 8, bottom: 40 };
   }
-  px(x) { return this.box.x + Math.log(x / this.x[0]) / Math.log(this.x[1] / this.x[0]) * this.box.w; }
+  // `linear`: across; upward it is always logarithmic.
+  px(x) {
+    const [low, high] = this.x;
+    return this.box.x + (this.linear ? (x - low) / (high - low) : Math.log(x / low) / Math.log(high / low)) * this.box.w;
+  }
   py(y) { return this.box.y + this.box.h - Math.log(y / this.y[0]) / Math.log(this.y[1] / this.y[0]) * this.box.h; }
   // Values under a pointer.
   under(event) {
     const from = this.area.getBoundingClientRect(), share = (value, start, size) => (value - start) / size;
     const u = share(event.clientX - from.left, this.box.x, this.box.w), w = 1 - share(event.clientY - from.top, this.box.y, this.box.h);
-    return [this.x[0] * (this.x[1] / this.x[0]) ** u, this.y[0] * (this.y[1] / this.y[0]) ** w, u, w];
+    const [low, high] = this.x;
+    return [this.linear ? low + (high - low) * u : low * (high / low) ** u, this.y[0] * (this.y[1] / this.y[0]) ** w, u, w];
   }
   axes(c) {
     const { box } = this, decades = ([low, high], most) => {
@@ -40,7 +45,14 @@ export class LogChart extends Chart {
     }
     c.textAlign = 'center';
     c.textBaseline = 'top';
-    for (const power of decades(this.x, box.w / 54)) {
+    if (this.linear) {
+      const { found, digits } = ticks(...this.x, box.w / 54);
+      for (const value of found) {
+        const x = Math.round(this.px(value)) + 0.5;
+        c.beginPath(); c.moveTo(x, box.y); c.lineTo(x, box.y + box.h); c.stroke();
+        c.fillText(value.toFixed(digits), x, box.y + box.h + 5);
+      }
+    } else for (const power of decades(this.x, box.w / 54)) {
       const x = Math.round(this.px(10 ** power)) + 0.5;
       c.beginPath(); c.moveTo(x, box.y); c.lineTo(x, box.y + box.h); c.stroke();
       c.fillText(this.across(power), this.gap && power === decades(this.x, box.w / 54)[0] ? x + 6 : x, box.y + box.h + 5);

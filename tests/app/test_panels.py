@@ -100,10 +100,11 @@ def test_what_is_finer_than_the_sliders_is_not_shown():
 
 
 def test_the_maps_say_what_the_library_found(monkeypatch):
-    monkeypatch.setattr(stability_view, "GRID", (3, 4))
-    told = []
-    stability_kernels(asked("fixed-rod"))
-    found = json.loads(stability_data(asked("fixed-rod"), never, told.append))
+    monkeypatch.setattr(stability_view, "STEPS", 3)
+    monkeypatch.setattr(stability_view, "ACROSS", 4)
+    told, asking = [], asked("fixed-rod", stability_axis="contact_stiffness")
+    stability_kernels(asking)
+    found = json.loads(stability_data(asking, never, told.append))
     assert json.loads(told[-1])["done"] == 4 == json.loads(told[-1])["of"]
     first = found["maps"][0]
     assert first["name"] == "modal" and first["failures"] == 0
@@ -112,8 +113,28 @@ def test_the_maps_say_what_the_library_found(monkeypatch):
     assert failed not in "".join(first["runs"])
     frozen = next(each for each in found["maps"] if each["name"] == "newmark-frozen")
     assert failed in "".join(frozen["runs"]) and len(frozen["limit"]) == 4
-    stopped = json.loads(stability_data(asked("fixed-rod"), lambda: True, told.append))
+    stopped = json.loads(stability_data(asking, lambda: True, told.append))
     assert stopped["cancelled"] and stopped["maps"][0]["count"] == 0
+
+
+@pytest.mark.parametrize("axis", ["mass_ratio", "modes", "speed"])
+def test_the_maps_go_over_the_axis_that_is_asked_for(monkeypatch, axis):
+    monkeypatch.setattr(stability_view, "STEPS", 3)
+    monkeypatch.setattr(stability_view, "ACROSS", 4)
+    monkeypatch.setattr(stability_view, "MODES", (1, 10, 40))
+    found = json.loads(stability_data(asked("fixed-rod", stability_axis=axis), never, lambda text: None))
+    columns = 3 if axis == "modes" else 4
+    assert found["across"]["name"] == axis and len(found["across"]["values"]) == columns
+    assert found["maps"][0]["failures"] == 0
+    for each in found["maps"]:
+        for key in ("runs", "errors", "velocities", "chatter", "steps"):
+            assert [len(row) for row in each[key]] == [columns] * 3
+
+
+def test_an_axis_that_the_contact_does_not_know_is_refused_before_anything_runs():
+    plastic = asked("fixed-rod", law="plastic-linear", stability_axis="restitution")
+    with pytest.raises(ValueError, match=r"axes: got .restitution.; allowed: another axis"):
+        stability_kernels(plastic)
 
 
 def test_the_gravest_of_what_holds_is_shown():
@@ -203,6 +224,7 @@ def test_kernels_of_a_long_run_are_compiled_elsewhere(monkeypatch):
         ("auto_waves", 1),
         ("tradeoff_running", "yes"),
         ("stability_running", None),
+        ("stability_axis", "step"),
     ],
 )
 def test_no_other_question_is_taken(name, value):

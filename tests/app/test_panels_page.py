@@ -158,11 +158,22 @@ def test_a_long_search_can_be_cancelled(open_page):
     page.answered(lambda: drag(page, "Mass ratio", 0.4))
 
 
-def test_maps_of_stability(open_page):
+def test_maps_of_stability_over_another_axis(open_page):
     page = open_page()
     page.tab.get_by_role("button", name="Stability", exact=True).click()
-    page.wait("() => strikewave.page.analyses.stability.known", timeout=2 * LONG)
     panel = page.tab.locator(".stability")
+    panel.get_by_label("Step against").select_option("speed")  # while the maps over stiffness are under way
+    page.wait("() => strikewave.page.analyses.stability.known?.across.name === 'speed'", timeout=2 * LONG)
     expect(panel.locator(".small-map").first).to_contain_text("None of")
     expect(panel.locator(".small-map", has_text="frozen")).to_contain_text("runs fail")
-    page.wait("() => !strikewave.page.model.stability_running")
+    expect(panel.get_by_role("button", name="Work it out again")).to_be_visible()
+    area = panel.locator(".small-map", has_text="central").get_by_role("application")
+    area.focus()
+    said = panel.locator(".small-map", has_text="central").locator(".help")
+    expect(said).to_contain_text("m/s: parts after")
+    first = said.inner_text()
+    for _ in range(20):
+        area.press("ArrowUp")
+    expect(said).not_to_have_text(first)
+    expect(said).to_contain_text("grows past reason after")
+    expect(said).to_contain_text("Theory allows")
