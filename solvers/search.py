@@ -140,7 +140,7 @@ class Search:
     def _ask_another(self, refinable: list[Ladder]) -> None:
         """Forces where nothing gives way: modes may converge to something else than the truth."""
         proof = self.proof.ladder.rungs[0].NAME
-        others = [ladder for ladder in refinable if ladder.rungs[0].NAME != proof and not self.wish.cancelled()]
+        others = [ladder for ladder in refinable if proof != ladder.rungs[0].NAME and not self.wish.cancelled()]
         if (
             self.wish.quantity not in HARSH
             or self.scene.contact.NAME != "rigid"

@@ -16,8 +16,8 @@ from .method import SceneNotSupported
 from .methods import Modal
 from .numerics.integrators import BOUND, DIVERGED, LASTING, Outcome
 from .scene import Scene
-from .search import never
 from .stability_runs import INTEGRATORS, Problem, bound, damped, own_stiffness, problem_of, run
+from .tried import never
 
 USUAL_MODES = 20  # where neither the scene nor an axis says how many
 NOT_RUN, CANNOT = 254, 255
