@@ -67,10 +67,10 @@ class FeModal(FiniteElements):
     def _needs_stiffness(self, scene: Scene) -> bool:
         return not self._massless(scene)
 
-    def _halved(self, scene: Scene) -> "FeModal":
-        kept, fewer = self._kept(scene), super()._halved(scene)
+    def _coarser(self, scene: Scene, parts: int) -> "FeModal":
+        kept, fewer = self._kept(scene), super()._coarser(scene, parts)
         elements = fewer.elements if fewer._gives_way(scene) else self.elements
-        return replace(fewer, elements=elements, modes=None if kept is None else max(1, kept // 2))
+        return replace(fewer, elements=elements, modes=None if kept is None else max(1, kept // parts))
 
     def why_not(self, scene: Scene) -> str | None:
         reason = super().why_not(scene)

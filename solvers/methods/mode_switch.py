@@ -24,8 +24,8 @@ NEGLIGIBLE = 0.01  # share of the energy
 class ModeSwitch(Method):
     """A rigid mass on a rod or beam without local compliance, every stretch of time by its own natural modes.
 
-    Displacements and velocities are projected at each change; the energy that this and the modes left out lose is
-    `energy_error`. `smoothing` says which contact force ends a contact with a rod: "delay", from the velocity of the
+    Displacements and velocities are projected at each change; the energy that this and the modes left out lose counts
+    as dissipated. `smoothing` says which contact force ends a contact with a rod: "delay", from the velocity of the
     mass and the wave that arrives; "lanczos", the modal series averaged over its shortest period; "none", the series as
     it is, which parts the bodies falsely before the front returns (Gibbs). Bending waves disperse, so that on a beam it
     is always the series, by the rule of thesis 5.5: no contact ends before it has pressed more than it has pulled.
@@ -288,9 +288,10 @@ class SwitchedMotion:
         return -self.scene.target.material.young * self._length * self._place * self._field(time, x, strained)
 
     def energies(self, time):
-        parts = {name: self._energy * value for name, value in self.course.energies(self._time(time)).items()}
-        nothing = np.zeros_like(parts["impactor"])
-        return parts | {"local": nothing, "dissipated": nothing}
+        time = self._time(time)
+        parts = {name: self._energy * value for name, value in self.course.energies(time).items()}
+        lost = np.array([phase.lost for phase in self.course.phases])[self.course.phase_numbers(time)]
+        return parts | {"local": np.zeros_like(lost), "dissipated": self._energy * lost}
 
 
 class SwitchedBeamMotion(SwitchedMotion):
