@@ -99,12 +99,10 @@ class FeNodal(FiniteElements):
                 newmark.march_explicit(law, lossy, explicit, step, u, v, stride, begin, end, record)
                 return end
         elif self.status == "frozen":
-            matrices, acceleration = newmark.newmark(whole, step), np.zeros(u.size)
+            matrices = newmark.newmark(whole, step)
 
             def advance(begin, end, record):
-                return newmark.march_frozen(
-                    law.stiffness, matrices, step, u, v, acceleration, stride, begin, end, record
-                )
+                return newmark.march_frozen(law.stiffness, matrices, step, u, v, stride, begin, end, record)
         else:
             matrices = newmark.newmark(whole, step)
 

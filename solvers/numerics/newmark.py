@@ -137,47 +137,33 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
 
 
 @kernel
-def _product(bands, vector, found):
-    """A symmetric matrix of bands times a vector."""
-    size = vector.size
-    for i in range(size):
-        found[i] = bands[0, i] * vector[i]
-    for j in range(1, min(bands.shape[0], size)):
-        for i in range(size - j):
-            found[i] += bands[j, i] * vector[i + j]
-            found[i + j] += bands[j, i] * vector[i]
-
-
-@kernel
-def march_frozen(stiffness, line, step, u, v, acceleration, stride, begin, end, record):
+def march_frozen(stiffness, line, step, u, v, stride, begin, end, record):
     """Newmark's step with the contact spring [N/m] in the matrix if the faces overlapped when the step began.
 
     The spring joins two unknowns: its part of the solution follows from `response`, without a matrix of its own.
     Puts energy in where the faces part within a step; grows without bound where the spring is stiff. Stops and returns
     the instant at which the motion is past reason.
+    Error: second order; solved for the change of a step, as for the whole position rounding would grow as step^-2.
     Source: thesis 8.2, whose step, status and start this is: table 8.1 follows digit for digit.
     """
-    front, other = line.front, line.other
-    load, rates = np.empty(u.size), np.empty(u.size)
-    impulse, force, pressed = record.impulse[begin], record.contact_force[begin], 0.0
-    deepest = record.deepest[begin]
-    held = stiffness / (1.0 + 0.5 * stiffness * line.compliance)  # newtons per metre that the faces would overlap
+    front, other, response = line.front, line.other, line.response
+    change = np.zeros(u.size)
+    turn, indentation, deepest = 2.0 / step, record.indentation[begin], record.deepest[begin]
+    impulse, force, closing = record.impulse[begin], record.contact_force[begin], 0.5 * line.compliance
+    held = stiffness / (1.0 + stiffness * closing)  # newtons per metre that the faces would overlap
+    # what the bodies feel, a pull too, at the instants: as the status was when the step to there began
+    pressed = stiffness * indentation if begin > 0 and record.contact_force[begin - 1] > 0.0 else 0.0
     for k in range(begin, end):
-        # 4 M / step^2 u + 4 M / step v + M a, in terms of the matrix 4 M / step
-        for i in range(u.size):
-            rates[i] = u[i] / step + v[i] + 0.25 * step * acceleration[i]
-        _product(line.inertia, rates, load)
-        solve(line.factors, load)
-        before, pressed = pressed, 0.0  # what the bodies felt
-        if force > 0.0:
-            pressed = held * (load[front] - (load[other] if other >= 0 else 0.0))
+        _free_change(line, u, v, change)
+        free = indentation + change[front]
+        if other >= 0:
+            free -= change[other]
+        before, pressed = pressed, held * (free - closing * pressed) if force > 0.0 else 0.0
         impulse += 0.5 * step * (before + pressed)
         for i in range(u.size):
-            u_next = load[i] - pressed * line.response[i]
-            moved = 2.0 * (u_next - u[i]) / step
-            now = 2.0 * (moved - 2.0 * v[i]) / step - acceleration[i]
-            v[i] = moved - v[i]
-            u[i], acceleration[i] = u_next, now
+            moved = change[i] - (before + pressed) * response[i]
+            u[i] += moved
+            v[i] = turn * moved - v[i]
         indentation = u[front] - (u[other] if other >= 0 else 0.0)
         force = max(stiffness * indentation, 0.0)
         deepest = max(deepest, indentation)

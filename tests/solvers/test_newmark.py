@@ -32,7 +32,7 @@ def frozen(elements: int, step: float, factor: float, duration: float):
     matrices = newmark.newmark(whole, step)
     steps = round(duration / step)
     u, v, record = started(whole, steps)
-    reached = newmark.march_frozen(stiffness, matrices, step, u, v, np.zeros(u.size), 1, 0, steps, record)
+    reached = newmark.march_frozen(stiffness, matrices, step, u, v, 1, 0, steps, record)
     return record, reached, steps
 
 
