@@ -86,6 +86,9 @@ event.register("numba:compile", _Refusal())
 
 kernel = numba.njit(cache=True, nogil=True, error_model="numpy")
 
+# What a contact law does within a step becomes part of the loop over steps: a call costs as much as the work in it.
+inlined_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+
 # Sums over modes may be reordered, so that they run on vector registers; NaN and infinity keep their meaning.
 summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"})
 
@@ -138,7 +141,7 @@ def _mean(self, start, end, rate, deepest):
     return self.instance_class.mean
 
 
-@overload_method(numba.types.BaseNamedTuple, "mean_force")
+@overload_method(numba.types.BaseNamedTuple, "mean_force", jit_options={"forceinline": True})
 def _mean_force(self, start, free, compliance, rate, expected, deepest, memory):
     return self.instance_class.mean_force
 

@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from .. import checks
-from ..jit import kernel
+from ..jit import inlined_kernel, kernel
 from .constants import LENGTH_RANGE, hertz_stiffness, point_limits, yield_indentation
 from .steps import hertz_mean, hertz_spring_step, power_mean, step_force
 
@@ -157,7 +157,7 @@ def force_from(indentation, memory):
     return memory[1] * depth * math.sqrt(depth)
 
 
-@kernel
+@inlined_kernel
 def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
     """`step_force` of a law whose way back is Hertz's from a dent; its `way_back` is that dent and the stiffness of it.
 
@@ -167,19 +167,25 @@ def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
     if start <= dent and free <= dent:
         return 0.0, free, 0.0, memory
     top = max(deepest, law.yield_indentation)
+    if start >= top and free - compliance * law.force(start, 0.0, deepest) > start:
+        return flow_step(law, start, free, compliance, rate, expected, deepest, memory)
     force, end = hertz_spring_step(stiffness, start - dent, free - dent, compliance, expected)
-    if end + dent <= top:
+    if end + dent <= top or start >= top:
         return force, end + dent, 0.0, memory
-    if start < top:
-        return step_force(law, start, free, compliance, rate, expected, deepest, memory)
+    return step_force(law, start, free, compliance, rate, expected, deepest, memory)
+
+
+@inlined_kernel
+def flow_step(law, start, free, compliance, rate, expected, deepest, memory):
+    """`plastic_step` that begins and stays on the virgin curve beyond yield, whose slope hardly changes within it."""
     end = max(free - compliance * expected, start)
     slope = 1.0 + 0.5 * compliance * law.slopes(end, 0.0, 0.0)[0]
-    for _ in range(12):  # the slope hardly changes within a step, unless it is a very long one
+    for _ in range(12):
         force = law.loading_mean(start, end)
         miss = free - compliance * force - end
         end = max(end + miss / slope, start)
         if abs(miss) <= 4e-16 * (abs(free) + compliance * force):
-            stored, then = 0.4 * force_from(start, memory) * (start - dent), law.way_back(end)
+            stored, then = 0.4 * force_from(start, memory) * (start - memory[0]), law.way_back(end)
             return force, end, force * (end - start) - (0.4 * force_from(end, then) * (end - then[0]) - stored), then
     return step_force(law, start, free, compliance, rate, expected, deepest, memory)
 

@@ -2,7 +2,7 @@
 
 import math
 
-from ..jit import kernel
+from ..jit import inlined_kernel, kernel
 
 
 @kernel
@@ -98,7 +98,7 @@ def step_force(law, start, free, compliance, rate, expected, deepest, memory):
     return force, end, lost, law.way_back(end) if end > deepest else memory
 
 
-@kernel
+@inlined_kernel
 def hertz_spring_step(stiffness, start, free, compliance, expected):
     """`step_force` of F = stiffness * a^(3/2), and the indentation at the end.
 
@@ -127,18 +127,23 @@ def hertz_spring_step(stiffness, start, free, compliance, expected):
         a = r * r
         sums = (((r + root0) * r + square0) * r + square0 * root0) * r + square0 * square0
         rise = ((4.0 * r + 3.0 * root0) * r + 2.0 * square0) * r + square0 * root0
+        bend = (6.0 * r + 3.0 * root0) * r + square0
         value = (a - free) * (root0 + r) + pull * sums
         slope = 2.0 * r * (root0 + r) + (a - free) + pull * rise
         if slope <= 0.0:
             r = math.sqrt(max(free, start))  # right of the root, from where every step comes closer
             continue
-        change = value / slope
+        inverse, divided = 1.0 / slope, 1.0 / (root0 + r)
+        change = value * inverse
+        if abs(change) <= 4e-6 * r:  # with the square of it (Chebyshev's step) the rest is below rounding
+            change += change * change * inverse * (3.0 * r + root0 + pull * bend)
+            sums += change * (change * bend - rise)
+            shift = change * divided
+            end = r - change
+            return 0.4 * stiffness * sums * divided * (1.0 + shift + shift * shift), end * end
         r -= change
         if r <= 0.0:
             r = math.sqrt(max(free, start))
-        elif abs(change) <= 1e-8 * r:  # the next would be below rounding
-            sums = (((r + root0) * r + square0) * r + square0 * root0) * r + square0 * square0
-            return 0.4 * stiffness * sums / (root0 + r), r * r
     force, end, _ = hertz_step_force(stiffness, 0.0, start, free, compliance, 0.0, expected)
     return force, end
 

@@ -136,6 +136,10 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     mass, rigid_mass [kg]: of impactor and target where they move freely as a whole, or infinity. The bank holds the
     oscillators of both bodies.
     """
+    # Copies, as arrays made in a kernel are aligned to vector registers: a fifth of the time of 40 modes.
+    q, p = displacement.copy(), velocity.copy()
+    cosine, sine = bank.cosine.copy(), bank.sine.copy()
+    q_kick, p_kick = bank.turned_kick_displacement.copy(), bank.turned_kick_velocity.copy()
     gain, rigid_gain, rate = step / mass, step / rigid_mass, 1.0 / step
     stiff = 0.5 * step * (gain + rigid_gain) + bank.kick_displacement.sum()  # a step's compliance without the residual
     x, v = record.position[begin], record.velocity[begin]
@@ -144,8 +148,8 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     deepest = max(record.indentation[: begin + 1].max(), 0.0)
     memory, usual = law.way_back(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
-    bending = displacement.sum()
-    modes = displacement.size
+    bending = q.sum()
+    modes = q.size
     force, force_before = 0.0, 0.0
     until_checkpoint = stride - begin % stride
     for k in range(begin, end):
@@ -175,30 +179,29 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
             row = (k + 1) // stride
             for i in range(modes):
                 correction = -0.5 * stride * bank.excess[i]
-                displacement[i] += correction * displacement[i]
-                velocity[i] += correction * velocity[i]
-                record.checkpoint_displacement[row, i] = displacement[i] + bank.kick_displacement[i] * force
-                record.checkpoint_velocity[row, i] = velocity[i] + bank.kick_velocity[i] * force
+                q[i] += correction * q[i]
+                p[i] += correction * p[i]
+                record.checkpoint_displacement[row, i] = q[i] + bank.kick_displacement[i] * force
+                record.checkpoint_velocity[row, i] = p[i] + bank.kick_velocity[i] * force
         bending = 0.0
         if force != 0.0:
             for i in range(modes):
-                q, p = displacement[i], velocity[i]
-                turned = bank.cosine[i] * q + bank.sine[i] * p + bank.turned_kick_displacement[i] * force
-                velocity[i] = bank.cosine[i] * p - bank.sine[i] * q + bank.turned_kick_velocity[i] * force
-                displacement[i] = turned
+                turned = cosine[i] * q[i] + sine[i] * p[i] + q_kick[i] * force
+                p[i] = cosine[i] * p[i] - sine[i] * q[i] + p_kick[i] * force
+                q[i] = turned
                 bending += turned
         else:
             for i in range(modes):
-                q, p = displacement[i], velocity[i]
-                turned = bank.cosine[i] * q + bank.sine[i] * p
-                velocity[i] = bank.cosine[i] * p - bank.sine[i] * q
-                displacement[i] = turned
+                turned = cosine[i] * q[i] + sine[i] * p[i]
+                p[i] = cosine[i] * p[i] - sine[i] * q[i]
+                q[i] = turned
                 bending += turned
         record.contact_force[k] = force
         record.indentation[k + 1] = indentation
         record.position[k + 1], record.velocity[k + 1] = x, v
         record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
         record.spring_force[k + 1], record.lost[k + 1] = spring, lost
+    displacement[:], velocity[:] = q, p
 
 
 @kernel
