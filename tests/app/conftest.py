@@ -10,7 +10,10 @@ import urllib.request
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import expect, sync_playwright
+
+PATIENCE = 60_000  # ms, for a machine that does much else beside
+expect.set_options(timeout=PATIENCE)
 
 QUIET = [
     "--no-sandbox",
@@ -102,7 +105,7 @@ class Page:
         socket.on("framereceived", received)
         socket.on("framesent", sent)
 
-    def wait(self, condition: str, argument=None, timeout: int = 15_000):
+    def wait(self, condition: str, argument=None, timeout: int = PATIENCE):
         return self.tab.wait_for_function(condition, arg=argument, timeout=timeout)
 
     def evaluate(self, code: str, argument=None):

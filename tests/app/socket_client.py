@@ -83,7 +83,8 @@ class SocketClient:
         for _ in range(header.get("num_buffers", 0)):
             await part()
             buffers.append(await part())
-        return header["msgtype"], content | {"buffers": buffers}
+        self.last = content | {"buffers": buffers}
+        return header["msgtype"], self.last
 
     async def changes(self, seconds: float) -> tuple[dict[str, Any], list[str]]:
         """Attributes that the server changed within so many seconds, and the kinds of all messages."""
@@ -100,14 +101,26 @@ class SocketClient:
                     found[event["attr"]] = event["new"]
                     if event["attr"] == "frame":
                         self.last_frame = content["buffers"][-1]
-            self.last = content
         return found, kinds
+
+    async def refusal(self, name: str) -> None:
+        """Wait until the value just set is refused, by a sentence about it or as a message that cannot be."""
+        while True:
+            kind, content = await self.receive()
+            if kind == "ERROR":
+                return
+            for event in content.get("events", []):
+                assert event.get("attr") != "frame", f"{name} was taken, and solved"
+                if event.get("attr") == "refused" and event["new"].startswith(f"{name}: got "):
+                    assert "allowed:" in event["new"]
+                    return
 
     async def answer(self) -> None:
         """Wait for the next solved frame."""
         while True:
             kind, content = await self.receive()
             if kind == "PATCH-DOC" and any(e.get("attr") == "frame" for e in content.get("events", [])):
+                self.last_frame = content["buffers"][-1]
                 return
 
     def close(self) -> None:

@@ -39,13 +39,7 @@ def test_every_value_out_of_bounds_is_refused_and_set_back(server):
         client = await opened(server)
         for name, value in wrong_values():
             await client.set(name, value)
-            changed, _ = await client.changes(0.12)
-            if changed.get("refused") == "":  # wiped before the new sentence, which is under way
-                changed |= (await client.changes(1.0))[0]
-            assert "frame" not in changed, (name, value)
-            if "refused" in changed:  # the browser is told, and gets the value that holds
-                assert changed["refused"].startswith(f"{name}: got "), (name, value)
-                assert "allowed:" in changed["refused"]
+            await client.refusal(name)
         await client.set("mass_ratio", 2.0)  # still at work, and with the old values of all the rest
         await client.answer()
         client.close()
@@ -58,9 +52,7 @@ def test_a_wrong_type_is_refused_without_a_stack_trace(server, value):
     async def attack():
         client = await opened(server)
         await client.set("speed", value)
-        changed, kinds = await client.changes(0.4)
-        assert "frame" not in changed
-        assert "ERROR" in kinds or "refused" in changed
+        await client.refusal("speed")
         assert "Traceback" not in json.dumps({k: v for k, v in client.last.items() if k != "buffers"})
         client.close()
 
@@ -92,12 +84,11 @@ def test_a_flood_of_foreign_events_costs_nobody_anything(server):
         begun = time.perf_counter()
         await other.set("mass_ratio", 3.0)
         await other.answer()
-        assert time.perf_counter() - begun < 5.0  # unguarded it takes 25 s
-        _, kinds = await client.changes(0.5)
-        assert kinds == ["ERROR"]
+        assert time.perf_counter() - begun < 15.0  # unguarded it takes 25 s on an idle machine
+        assert (await client.receive())[0] == "ERROR"
         await client.send("PUSH-DOC", {"doc": {}})
-        _, kinds = await client.changes(0.3)
-        assert kinds == ["ERROR"]
+        assert (await client.receive())[0] == "ERROR"
+        assert (await client.changes(0.3))[1] == []
         client.close()
         other.close()
 
@@ -129,7 +120,7 @@ def test_too_long_a_message_closes_only_its_own_connection(server):
         client = await opened(server)
         await client.set("law", "x" * 100_000)
         with pytest.raises(ConnectionError):
-            await client.changes(2.0)
+            await client.changes(20.0)
         other = await opened(server)
         await other.set("modes", 9)
         await other.answer()
@@ -154,9 +145,9 @@ def test_many_changes_at_once_end_with_the_newest(server):
         client = await opened(server)
         for k in range(60):
             await client.set("mass_ratio", 1.0 + k / 64)
-        await client.changes(2.0)
-        # the last message holds the newest choice
-        assert b'"mass_ratio": 1.921875' in client.last_frame
+        while b'"mass_ratio": 1.921875' not in client.last_frame:
+            await client.answer()
+        assert "frame" not in (await client.changes(1.0))[0]  # and the newest choice is the last
         client.close()
 
     run(hurry())
