@@ -12,7 +12,7 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
 
-def run(coroutine: Coroutine, seconds: float = 60.0) -> Any:
+def run(coroutine: Coroutine, seconds: float = 300.0) -> Any:
     """Run to the end on a thread of its own: Playwright keeps a loop on the main one."""
     with ThreadPoolExecutor(1) as pool:
         return pool.submit(asyncio.run, asyncio.wait_for(coroutine, seconds)).result()
@@ -31,10 +31,10 @@ class SocketClient:
         self.last_frame = b""
 
     async def open(self, query: str = "") -> "SocketClient":
-        page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=60)
+        page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=120)
         self.html = page.body.decode()
         token = re.search(r'"token":\s*"([^"]+)"', self.html).group(1)
-        request = HTTPRequest(f"ws://{self.address}/ws", request_timeout=60)
+        request = HTTPRequest(f"ws://{self.address}/ws", request_timeout=120)
         self._socket = await websocket_connect(request, subprotocols=["bokeh", token], max_message_size=2**24)
         self._socket.protocol.set_nodelay(True)
         await self.receive()  # ACK
@@ -67,10 +67,10 @@ class SocketClient:
     async def set(self, name: str, value: Any) -> None:
         await self.patch({"kind": "ModelChanged", "model": {"id": self.lab["id"]}, "attr": name, "new": value})
 
-    async def receive(self, timeout: float = 20.0) -> tuple[str, dict[str, Any]]:
+    async def receive(self, timeout: float = 60.0) -> tuple[str, dict[str, Any]]:
         """Kind and content of the next message; binary parts are counted and put under "buffers"."""
 
-        async def part(patience: float = 20.0) -> Any:
+        async def part(patience: float = 60.0) -> Any:
             data = await asyncio.wait_for(self._socket.read_message(), patience)
             if data is None:
                 raise ConnectionError(f"closed: {self._socket.close_code} {self._socket.close_reason}")
