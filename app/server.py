@@ -42,6 +42,7 @@ MODULES = (
     "beam_stage",
     "beam_charts",
     "beam_story",
+    "in_view",
     "trust",
     "logplot",
     "panel",

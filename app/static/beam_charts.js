@@ -37,8 +37,7 @@ export class BeamSpaceTime {
     const { chart, field, frame, what } = this;
     chart.x = view;
     if (!chart.fit()) return;
-    if (field.span[0] !== view[0] || field.span[1] !== view[1]) field.raster(view);
-    this.paint();
+    this.paint(field.picture(view, what));
     const c = chart.begin(chart.below), { box } = chart;
     c.imageSmoothingEnabled = true;
     c.drawImage(this.image, box.x, box.y, box.w, box.h);
@@ -59,15 +58,20 @@ export class BeamSpaceTime {
     }
     chart.key([[`red: ${what} ${what === 'moment' || what === 'shear' ? 'positive' : 'forward'}`, 'red'], ['contact', 'line ink'], ['fastest possible, √(E/ρ)', 'line dashes']]);
   }
-  paint() {
-    const { field, what, image } = this, { columns, places } = field, picture = field.pictures[what], largest = field.usualOf(picture, 0);
-    if (image.width !== columns || image.height !== places) Object.assign(image, { width: columns, height: places });
-    const context = image.getContext('2d'), data = context.createImageData(columns, places), pixels = data.data;
-    for (let column = 0; column < columns; column++) for (let row = 0; row < places; row++) {
-      const k = shade(picture[column * places + row], largest), p = 4 * (row * columns + column);
-      pixels[p] = palette[k]; pixels[p + 1] = palette[k + 1]; pixels[p + 2] = palette[k + 2]; pixels[p + 3] = 255;
+  paint(picture) {
+    const { field, image } = this, { columns, places } = field, largest = field.usualOf(picture, 0);
+    if (image.width !== columns || image.height !== places) {
+      Object.assign(image, { width: columns, height: places });
+      this.context = image.getContext('2d');
+      this.data = this.context.createImageData(columns, places);
+      this.data.data.fill(255);
     }
-    context.putImageData(data, 0, 0);
+    const pixels = this.data.data;
+    for (let row = 0, p = 0; row < places; row++) for (let column = 0; column < columns; column++, p += 4) {
+      const k = shade(picture[column * places + row], largest);
+      pixels[p] = palette[k]; pixels[p + 1] = palette[k + 1]; pixels[p + 2] = palette[k + 2];
+    }
+    this.context.putImageData(this.data, 0, 0);
   }
   cursor(t) { if (this.chart.box) this.chart.cursor(t); }
 }

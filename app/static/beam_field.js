@@ -2,7 +2,8 @@
 // Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
 
 export const QUANTITIES = ['moment', 'velocity', 'shear', 'deflection'];
-const COLUMNS = 240, SAVED_NUMBERS = 80_000, SPARSE = 7;
+const COLUMNS = 240, SAVED_NUMBERS = 20_000, SPARSE = 7;
+const SURVEYED = 96, EVERY = 2; // instants of the first look, and every how many-th place of each
 
 // Value at t of a history on ascending times; where a time stands twice, the value after the jump.
 export function between(time, value, t) {
@@ -12,18 +13,32 @@ export function between(time, value, t) {
   return value[low] + part * (value[high] - value[low]);
 }
 
+// Room for numbers that each field of its size uses anew; only one field is shown at a time.
+const rooms = {};
+function scratch(name, size, Type = Float32Array) {
+  if (rooms[name]?.length !== size) rooms[name] = new Type(size);
+  return rooms[name].fill(0);
+}
+
 class Field {
-  // Look over the whole blow: pictures, and the largest value of everything.
+  // A first look over the whole blow: the largest value of everything, and where the colours end.
   survey() {
-    this.raster([0, this.frame.duration]);
-    this.whole = this.pictures;
+    const { places, frame } = this, row = scratch('row', places), across = Math.ceil(places / EVERY);
+    const seen = Object.fromEntries(QUANTITIES.map((what) => [what, scratch(`surveyed ${what}`, SURVEYED * across)]));
+    for (let c = 0; c < SURVEYED; c++) {
+      const t = (c + 0.5) / SURVEYED * frame.duration;
+      for (const what of QUANTITIES) {
+        this.profile(t, what, row, c % EVERY, EVERY); // by turns other places, so that none is left out
+        for (let j = c % EVERY, k = c * across; j < places; j += EVERY, k++) seen[what][k] = row[j];
+      }
+    }
     this.largest = {};
     this.usual = {};
     for (const what of QUANTITIES) {
       let most = 1e-30;
-      for (const value of this.whole[what]) most = Math.max(most, Math.abs(value));
+      for (const value of seen[what]) most = Math.max(most, Math.abs(value));
       this.largest[what] = most;
-      this.usual[what] = this.usualOf(this.whole[what], most);
+      this.usual[what] = this.usualOf(seen[what], most);
     }
   }
   // The end of the colours of a picture: few values lie beyond.
@@ -33,15 +48,15 @@ class Field {
     sizes.sort();
     return Math.max(sizes[Math.floor(0.99 * (sizes.length - 1))], 0.2 * most, 1e-30);
   }
-  // Pictures (column of time, place) of every quantity over a stretch of time.
-  raster([start, end]) {
+  // The picture (column of time, place) of one quantity over a stretch of time.
+  picture([start, end], what) {
     this.columns = COLUMNS;
-    this.span = [start, end];
-    this.pictures = Object.fromEntries(QUANTITIES.map((what) => [what, new Float32Array(COLUMNS * this.places)]));
-    for (let c = 0; c < COLUMNS; c++) {
-      const t = start + (c + 0.5) / COLUMNS * (end - start);
-      for (const what of QUANTITIES) this.profile(t, what, this.pictures[what].subarray(c * this.places, (c + 1) * this.places));
-    }
+    const asked = `${start} ${end} ${what}`;
+    if (asked === this.asked) return this.drawn;
+    this.asked = asked;
+    this.drawn = scratch('picture', COLUMNS * this.places);
+    for (let c = 0; c < COLUMNS; c++) this.profile(start + (c + 0.5) / COLUMNS * (end - start), what, this.drawn.subarray(c * this.places, (c + 1) * this.places));
+    return this.drawn;
   }
 }
 
@@ -66,7 +81,7 @@ export class BeamField extends Field {
     this.steps = frame.modalForce.length;
     this.stride = Math.max(1, Math.ceil(this.steps * n / SAVED_NUMBERS));
     this.saved = 0; // rows of displacements, rates and the two of the whole, one every `stride` steps
-    this.rows = new Float64Array((Math.floor(this.steps / this.stride) + 1) * (2 * n + 2));
+    this.rows = scratch('rows', (Math.floor(this.steps / this.stride) + 1) * (2 * n + 2), Float64Array);
     this.begin();
     this.tables = { deflection: this.table('shape'), moment: this.table('moment'), shear: this.table('shear') };
     this.tables.velocity = this.tables.deflection;
@@ -78,8 +93,8 @@ export class BeamField extends Field {
   // A table (mode, place), sent as whole numbers with a scale for each mode.
   table(name) {
     const rows = this.frame[`${name}Rows`], scale = this.frame[`${name}Scale`];
-    const found = new Float64Array(rows.length);
-    for (let k = 0; k < rows.length; k++) found[k] = rows[k] * scale[Math.floor(k / this.places)];
+    const found = scratch(`table ${name}`, rows.length, Float64Array);
+    for (let i = 0, k = 0; i < scale.length; i++) for (let j = 0; j < this.places; j++, k++) found[k] = rows[k] * scale[i];
     return found;
   }
   begin() {
@@ -120,7 +135,7 @@ export class BeamField extends Field {
     const { q, v, rigid, rows } = this, n = q.length, start = this.saved * (2 * n + 2);
     rows.set(q, start);
     rows.set(v, start + n);
-    rows.set(rigid, start + 2 * n);
+    [rows[start + 2 * n], rows[start + 2 * n + 1]] = rigid;
     this.saved++;
   }
   restore(row) {
@@ -137,17 +152,18 @@ export class BeamField extends Field {
     const upTo = (place) => { const k = Math.min(Math.floor(place), steps - 1); return impulses[k] + (place - k) * (impulses[k + 1] - impulses[k]); };
     return (upTo(end) - upTo(start)) / ((end - start) * frame.step);
   }
-  profile(t, what, out = new Float64Array(this.places)) {
+  // Values along the beam at one instant: at all places, or at every `every`-th from `first`.
+  profile(t, what, out = new Float64Array(this.places), first = 0, every = 1) {
     this.seek(t);
-    const { places, frame } = this, table = this.tables[what], amounts = what === 'velocity' ? this.v : this.q;
+    const { places, frame } = this, table = this.tables[what], amounts = what === 'velocity' ? this.v : this.q, n = amounts.length;
     const whole = what === 'velocity' ? this.rigid[1] : what === 'deflection' ? this.rigid[0] : 0;
-    for (let j = 0; j < places; j++) out[j] = whole ? whole * frame.rigidShape[j] : 0;
-    for (let i = 0; i < amounts.length; i++) {
-      const amount = amounts[i];
-      for (let j = 0, k = i * places; j < places; j++, k++) out[j] += amount * table[k];
+    for (let j = first; j < places; j += every) out[j] = whole ? whole * frame.rigidShape[j] : 0;
+    for (let i = 0; i < n; i += 2) { // two modes at a time: half as many readings and writings of the sum
+      const one = amounts[i], two = i + 1 < n ? amounts[i + 1] : 0, a = i * places, b = i + 1 < n ? a + places : a;
+      for (let j = first; j < places; j += every) out[j] += one * table[a + j] + two * table[b + j];
     }
     const beside = this.beside[what], force = beside ? this.force() : 0;
-    if (force) for (let j = 0; j < places; j++) out[j] += force * beside[j];
+    if (force) for (let j = first; j < places; j += every) out[j] += force * beside[j];
     return out;
   }
 }
@@ -162,12 +178,12 @@ export class SampledBeamField extends Field {
     this.tables = { deflection: frame.fieldDeflection, velocity: frame.fieldVelocity, moment: frame.fieldMoment, shear: frame.fieldShear };
     this.survey();
   }
-  profile(t, what, out = new Float64Array(this.places)) {
+  profile(t, what, out = new Float64Array(this.places), first = 0, every = 1) {
     const { places, instants } = this, time = this.frame.fieldTime, table = this.tables[what];
     let low = 0, high = instants - 1;
     while (high - low > 1) { const m = (low + high) >> 1; if (time[m] <= t) low = m; else high = m; }
     const part = Math.min(Math.max((t - time[low]) / (time[high] - time[low]), 0), 1);
-    for (let j = 0; j < places; j++) out[j] = table ? (1 - part) * table[low * places + j] + part * table[high * places + j] : 0;
+    for (let j = first; j < places; j += every) out[j] = table ? (1 - part) * table[low * places + j] + part * table[high * places + j] : 0;
     return out;
   }
 }

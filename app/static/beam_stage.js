@@ -5,7 +5,9 @@ import { between } from './beam_field.js';
 const DIAGRAMS = [['shear', 'Shear force V', 'N'], ['moment', 'Bending moment M', 'N m']];
 const UNITS = { moment: 'MPa', velocity: 'm/s', shear: 'N', deflection: 'mm' };
 
-export const figures = (value, digits = 3) => (Math.abs(value) < 1e-12 ? '0' : Number(value.toPrecision(digits)).toLocaleString('en', { maximumSignificantDigits: digits, useGrouping: false }).replace('-', '−'));
+const FORMATS = {}; // made once for each number of digits: to make one takes longer than to use it
+const formatOf = (digits) => (FORMATS[digits] ??= new Intl.NumberFormat('en', { maximumSignificantDigits: digits, useGrouping: false }));
+export const figures = (value, digits = 3) => (Math.abs(value) < 1e-12 ? '0' : formatOf(digits).format(value).replace('-', '−'));
 // A scale for numbers of this size: factor and prefix of the unit.
 export const prefixed = (size) => (size >= 2e6 ? [1e-6, 'M'] : size >= 2e3 ? [1e-3, 'k'] : size < 0.5 && size > 0 ? [1e3, 'm'] : [1, '']);
 
@@ -27,7 +29,7 @@ export class BeamStage {
     this.factor = power * [5, 2, 1].find((f) => f * power <= wanted);
     this.reach = reach;
     // of both signs alike, so that the zero line stays
-    this.scales = { shear: field.usual.shear * 1.25, moment: field.largest.moment };
+    this.scales = { shear: field.usual.shear * 1.25, moment: field.largest.moment * 1.2 };
     this.stressUnit = frame.beam.halfDepth / frame.beam.secondMoment / 1e6;
   }
   draw(t) {
@@ -64,18 +66,17 @@ export class BeamStage {
     c.beginPath(); c.moveTo(this.struck, top + this.middle); c.lineTo(this.struck, bottom - 4); c.stroke();
     c.setLineDash([]);
   }
-  // Slice by slice; the outer fibres in the colours of their stress, which is opposite above and below.
+  // The outer fibres in the colours of their stress, which is opposite above and below.
   beam(c) {
-    const { field, frame, thick, middle, scale, what } = this, half = thick / 2, largest = field.usual[what];
-    const sides = what === 'moment' ? [[-half, 0, -1], [0, half, 1]] : [[-half, half, 1]];
-    for (let j = 0; j + 1 < field.places; j++) {
-      const x = [this.px(j), this.px(j + 1)], y = [middle + this.moved[j] * scale, middle + this.moved[j + 1] * scale], value = 0.5 * (this.values[j] + this.values[j + 1]);
-      for (const [above, below, sign] of sides) {
-        c.fillStyle = css(sign * value, largest);
-        c.beginPath();
-        c.moveTo(x[0], y[0] + above); c.lineTo(x[1] + 0.6, y[1] + above); c.lineTo(x[1] + 0.6, y[1] + below); c.lineTo(x[0], y[0] + below);
-        c.fill();
-      }
+    const { field, frame, thick, middle, scale, what } = this, half = thick / 2, largest = field.usual[what], last = field.places - 1;
+    for (const [above, below, sign] of what === 'moment' ? [[-half, 0, -1], [0, half, 1]] : [[-half, half, 1]]) {
+      const colours = c.createLinearGradient(this.left, 0, this.left + this.long, 0);
+      for (let j = 0; j <= last; j++) colours.addColorStop(j / last, css(sign * this.values[j], largest));
+      c.fillStyle = colours;
+      c.beginPath();
+      for (let j = 0; j <= last; j++) c.lineTo(this.px(j), middle + this.moved[j] * scale + above);
+      for (let j = last; j >= 0; j--) c.lineTo(this.px(j), middle + this.moved[j] * scale + below);
+      c.fill();
     }
     c.strokeStyle = '#4a5968';
     c.lineWidth = 1.1;
@@ -170,7 +171,10 @@ export class BeamStage {
     // away from the impactor, which flies back over the struck place
     const bar = 130, x = frame.beam.place > 0.6 * frame.beam.length ? (narrow ? this.left : 0.3 * width) : width - bar - 14, y = narrow && x < 0.5 * width ? 44 : 22, unit = this.what === 'moment' ? this.stressUnit : this.what === 'deflection' ? 1e3 : 1;
     const largest = this.field.usual[this.what] * unit, [factorOf, prefix] = this.what === 'shear' ? prefixed(largest) : [1, ''];
-    for (let k = 0; k < bar; k++) { c.fillStyle = css(k / bar * 2 - 1, 1); c.fillRect(x + k, y, 1.2, 6); }
+    const colours = c.createLinearGradient(x, 0, x + bar, 0);
+    for (let k = 0; k <= 6; k++) colours.addColorStop(k / 6, css(k / 3 - 1, 1));
+    c.fillStyle = colours;
+    c.fillRect(x, y, bar, 6);
     c.fillStyle = COLORS.faint;
     c.font = '11px system-ui, sans-serif';
     const [low, high] = { moment: ['tension', 'compression'], velocity: ['back', 'forward'], shear: ['−', '+'], deflection: ['back', 'forward'] }[this.what];

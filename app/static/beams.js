@@ -4,6 +4,7 @@ import { between, fieldOf, QUANTITIES } from './beam_field.js';
 import { BeamStage } from './beam_stage.js';
 import { BeamStory } from './beam_story.js';
 import { Cycle } from './charts.js';
+import { InView } from './in_view.js';
 
 const SLOW_SECONDS = 16, SLOW_CONTACTS = 4;
 
@@ -17,7 +18,7 @@ export class BeamView {
   constructor(page) {
     this.page = page;
     this.what = 'moment';
-    const redraw = () => { this.draw(); this.show(page.player.t); };
+    const redraw = () => { this.draw(true); this.show(page.player.t); };
     this.stage = new BeamStage();
     this.spaceTime = new BeamSpaceTime();
     this.force = new BeamForce(redraw);
@@ -25,6 +26,7 @@ export class BeamView {
     this.dispersion = new Dispersion();
     this.cycle = new Cycle();
     this.charts = [this.spaceTime, this.force, this.motion];
+    this.inView = new InView([...this.charts, this.cycle, this.dispersion], (part) => this.paint(part));
     this.story = new BeamStory(page);
     this.colours = make('div', { className: 'segments', role: 'group' }, ...QUANTITIES.map((what) => make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); redraw(); } })));
     this.colours.setAttribute('aria-label', 'Colour shows');
@@ -55,19 +57,24 @@ export class BeamView {
     this.spaceTime.load(this.frame, this.field, this.what);
     for (const button of this.colours.children) button.setAttribute('aria-pressed', String(button.textContent === this.what));
   }
-  draw() {
-    if (!this.frame || this.below.hidden) return;
-    this.spaceTime.draw(this.view);
-    this.force.draw(this.view, this.band);
-    this.motion.draw(this.view, this.band);
-    this.cycle.draw(this.frame);
-    this.dispersion.draw(this.frame);
+  draw(all = false) {
+    if (this.frame && !this.below.hidden) this.inView.draw(all);
+  }
+  paint(part) {
+    if (!this.frame) return;
+    if (this.charts.includes(part)) part.draw(this.view, this.band);
+    else part.draw(this.frame);
+    this.point(part, this.page.player.t);
   }
   show(t) {
     this.stage.draw(t);
-    for (const chart of this.charts) chart.cursor(t);
-    const { frame } = this, depth = between(frame.time, frame.impactorPath, t) - between(frame.time, frame.struckPath, t);
-    if (frame.cycleDepth) this.cycle.mark(depth, this.force.at(t));
+    for (const part of this.inView.seen) this.point(part, t);
+  }
+  // What a chart shows of one instant.
+  point(part, t) {
+    const { frame } = this;
+    if (this.charts.includes(part)) part.cursor(t);
+    else if (part === this.cycle && frame.cycleDepth) part.mark(between(frame.time, frame.impactorPath, t) - between(frame.time, frame.struckPath, t), this.force.at(t));
   }
   zoom(start, end) {
     const { duration } = this.frame;

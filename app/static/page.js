@@ -133,7 +133,7 @@ class Page {
     this.space.root.hidden = kind !== 'bodies';
     this.energy.hidden = kind === 'bodies';
     this.beam.hide(kind !== 'beam');
-    this.aside.replaceWith(this.told.root);
+    if (this.aside !== this.told.root) this.aside.replaceWith(this.told.root);
     this.aside = this.told.root;
     for (const { chart } of this.charts) chart.root.hidden = !axial;
     this.cycle.chart.root.hidden = !axial || !this.frame.cycleDepth;

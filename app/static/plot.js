@@ -29,9 +29,21 @@ export function ticks(low, high, about) {
   return { found, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
 }
 
+// Width and height of an element, read anew only once it has changed: to read them the browser must lay out the page.
+const sizes = new WeakMap();
+const resized = new ResizeObserver((entries) => { for (const { target } of entries) sizes.set(target, null); });
+export function sizeOf(root) {
+  if (!sizes.has(root)) resized.observe(root);
+  const known = sizes.get(root);
+  if (known) return known;
+  const size = [root.clientWidth, root.clientHeight];
+  sizes.set(root, size[0] && size[1] ? size : null);
+  return size;
+}
+
 // A canvas as large as its element, wiped: what to draw with, and the size in pixels of the page; null while hidden.
 export function cleared(canvas, root) {
-  const width = root.clientWidth, height = root.clientHeight, ratio = window.devicePixelRatio || 1;
+  const [width, height] = sizeOf(root), ratio = window.devicePixelRatio || 1;
   if (!width || !height) return null;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);
@@ -69,7 +81,7 @@ export class Chart {
   }
   // Returns false while the chart has no size.
   fit() {
-    const width = this.area.clientWidth, height = this.area.clientHeight, ratio = window.devicePixelRatio || 1;
+    const [width, height] = sizeOf(this.area), ratio = window.devicePixelRatio || 1;
     if (!width || !height) return false;
     for (const canvas of [this.below, this.above]) {
       if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
@@ -128,6 +140,7 @@ export class Chart {
   }
   // A line through (x(k), y(k)); keeps the extremes of each pixel column, so that thousands of points cost little.
   line(c, count, x, y, color, width = 1.6, dash = []) {
+    const { box } = this, across = box.w / (this.x[1] - this.x[0]), up = box.h / (this.y[1] - this.y[0]);
     c.strokeStyle = color;
     c.lineWidth = width;
     c.lineJoin = 'round';
@@ -137,7 +150,7 @@ export class Chart {
     for (let k = 0; k < count; k++) {
       const t = x(k);
       if (k + 1 < count && x(k + 1) < this.x[0]) continue;
-      const px = this.px(t), py = this.py(y(k)), here = Math.round(px * 2);
+      const px = box.x + (t - this.x[0]) * across, py = box.y + (this.y[1] - y(k)) * up, here = Math.round(px * 2);
       if (here !== column) {
         if (started && low !== high) { c.lineTo(column / 2, low); c.lineTo(column / 2, high); c.lineTo(column / 2, last); }
         if (started) c.lineTo(px, py); else c.moveTo(px, py);
@@ -167,6 +180,9 @@ export class Chart {
     c.beginPath(); c.arc(this.px(t), this.py(y), 4, 0, 7); c.fill(); c.stroke();
   }
   key(entries) {
+    const said = entries.join('|');
+    if (said === this.said) return;
+    this.said = said;
     this.legend.replaceChildren(...entries.map(([text, style]) => {
       const item = element('span', 'key'), mark = element('i', style);
       item.append(mark, text);

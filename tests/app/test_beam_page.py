@@ -11,6 +11,7 @@ from .test_page import drag, settled
 
 SCENE = "?scene=figure-8.15"
 STUDIED = "name => strikewave.page.analyses[name].fresh"
+ALL_DRAWN = "() => !strikewave.page.beam.inView.owed.size"
 LONG = 120_000  # ms: in a fresh copy the kernels of the studies are compiled first
 
 
@@ -24,6 +25,7 @@ def test_a_beam_is_drawn_and_its_story_told(open_page):
     for name in ("How bending runs along the beam", "Contact force", "Impactor and struck place", "Dispersion"):
         expect(page.tab.get_by_role("heading", name=name)).to_be_visible()
     assert page.tab.locator("section.stage:visible").count() == 1
+    page.wait(ALL_DRAWN)
     colours = page.evaluate(
         """() => [strikewave.page.beam.stage.canvas, ...strikewave.page.beam.charts.map(({ chart }) => chart.below),
              strikewave.page.beam.cycle.chart.below, strikewave.page.beam.dispersion.chart.below].map((canvas) => {
@@ -85,6 +87,20 @@ def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
             now = round(t / MS / step) * step
             drawn = page.evaluate("([t, what]) => [...strikewave.page.beam.field.profile(t, what)]", [MS * now, what])
             assert np.abs(np.array(drawn) - field(np.array([now]), x)[0]).max() < 2e-3 * largest, (what, t)
+
+
+def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
+    page = open_page("?scene=hammer-on-cantilever", size=(1440, 700))
+    page.wait("() => strikewave.page.beam.inView.seen.size")
+    page.wait(ALL_DRAWN)
+    owed = page.evaluate(
+        """() => { strikewave.page.take();
+             const owed = [...strikewave.page.beam.inView.owed];
+             return owed.map(({ chart }) => chart.root.querySelector("h2").textContent); }"""
+    )
+    assert "Dispersion" in owed and "How bending runs along the beam" not in owed
+    page.tab.get_by_role("heading", name="Dispersion").scroll_into_view_if_needed()
+    page.wait("() => !strikewave.page.beam.inView.owed.has(strikewave.page.beam.dispersion)")
 
 
 def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
