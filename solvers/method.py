@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 from . import checks
 from .checks import SceneError
+from .doubts import bodies_that_bend, general_doubts
 from .scene import Scene
 from .solution import Solution
 
@@ -17,22 +18,6 @@ MAX_DURATION = 1e4  # [s]
 
 class SceneNotSupported(SceneError):
     """The method cannot solve this scene; the message says what to use instead."""
-
-
-def bodies_that_bend(scene: Scene) -> list[Any]:
-    """Which of both are beams."""
-    return [body for body in (scene.impactor, scene.target) if body.kind == "beam"]
-
-
-def doubts_of_a_rigid_blow(scene: Scene, period: float) -> list[str]:
-    """Where a mass leaves a beam in rigid contact sooner than what is known of it, down to a `period` [s], can tell."""
-    if not bodies_that_bend(scene) or scene.blow >= period:
-        return []
-    return [
-        f"Bending waves slow down so light a mass within {scene.blow:.3g} s, too short for what is known down to a "
-        f"period of {period:.3g} s only: there the beam is heavier than the mass and throws it back. Do not trust "
-        "rebound and contacts: keep more modes or elements, or give the contact a law."
-    ]
 
 
 class Method(ABC):
@@ -82,9 +67,17 @@ class Method(ABC):
             shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
         solution = self._solve(scene, duration)
-        for body in bodies_that_bend(scene):
-            solution.notes.extend(body.doubts())
+        doubts = general_doubts(solution, duration is None, self._recount(), self._knob(scene))
+        solution.notes.extend(doubt for doubt in doubts if doubt not in solution.notes)
         return solution
+
+    def _recount(self) -> str | None:
+        """Why the contacts may be miscounted and what to do, in a sentence; None if they cannot, or nothing counts."""
+        return None
+
+    def _knob(self, scene: Scene) -> str | None:
+        """The option that makes this finer, as it is set; None where no resolution settles the velocities."""
+        return next((knob for knob in self.KNOBS if getattr(self, knob) is not None), next(iter(self.KNOBS), None))
 
     def table(self) -> dict[str, Any]:
         """Name and options, as in a scene file."""

@@ -110,8 +110,9 @@ def point_limits(deepest: float, impactor: Any, target: Any, plastic: bool) -> l
             )
     contact = math.sqrt(deepest * radius * (2.0 if plastic else 1.0)) / radius
     if contact > LARGEST_CONTACT:
+        slower = approach_speed(impactor, target) * (LARGEST_CONTACT / contact) ** (2.0 if plastic else 2.5)
         found.append(
             f"The contact radius reaches {contact:.2g} of the radius of curvature; the contact law holds up to about"
-            " a third."
+            f" a third: below some {slower:.2g} m/s, or with a larger radius."
         )
     return found

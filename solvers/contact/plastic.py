@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from .. import checks
 from ..jit import inlined_kernel, kernel
-from .constants import LENGTH_RANGE, hertz_stiffness, point_limits, yield_indentation
+from .constants import LENGTH_RANGE, approach_speed, hertz_stiffness, point_limits, yield_indentation
 from .steps import hertz_mean, hertz_spring_step, power_mean, step_force
 
 FULL_OVER_FIRST_YIELD = 3200.0 / (1.6 * math.pi) ** 2  # alpha_fp / alpha_Y, (7.26)
@@ -337,9 +337,11 @@ class PlasticPower(NamedTuple):
         """What the law leaves out of a blow as deep as this [m], in sentences."""
         found = point_limits(deepest, impactor, target, True)
         if deepest > self.full_indentation:
+            work, most = (depth * self.mean(0.0, depth, 0.0, 0.0)[0] for depth in (deepest, self.full_indentation))
+            slower = approach_speed(impactor, target) * math.sqrt(most / work)
             found.append(
                 f"The indentation reaches {deepest / self.full_indentation:.3g} times that of full plastic flow, beyond"
-                " which the law only continues its curve."
+                f" which the law only continues its curve: it is meant for less than some {slower:.2g} m/s here."
             )
         return found
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from .. import checks
 from ..bodies import Rods
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend, doubts_of_a_rigid_blow
+from ..doubts import bodies_that_bend, doubts_of_a_rigid_blow
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..motion import SampledMotion, ShapeField, stress_source
 from ..numerics import balances
 from ..numerics.balances import Bank, Events, Joined
@@ -84,6 +85,12 @@ class Balance(Method):
                 return "exact modes know uniform rods without a mass at their end only; give elements"
         return None
 
+    def _knob(self, scene: Scene) -> str | None:
+        return None if bodies_that_bend(scene) else super()._knob(scene)
+
+    def _recount(self) -> str:
+        return "So few elements or modes do not tell slight gaps and contacts: take more, or use 'waves'."
+
     @property
     def _elements(self) -> int | None:
         return 100 if self.elements is None and self.modes is None else self.elements
@@ -126,7 +133,8 @@ class Balance(Method):
             notes.append("A balance knows no contact law: of the contact only the restitution counts.")
         if self._elements is None:
             notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
-        notes += doubts_of_a_rigid_blow(scene, run.pair.shortest_period)
+        kind, count = ("modes", self.modes) if self._elements is None else ("elements", self._elements)
+        notes += doubts_of_a_rigid_blow(scene, run.pair.shortest_period, count, kind)
         many = run.pair.resolved_time > 0.0 and run.balances.sum() > 2
         bends = bool(bodies_that_bend(scene))
         if many and (bends or self.restitution == 1.0):

@@ -12,7 +12,8 @@ import numpy as np
 from .. import checks
 from ..bodies import Rods
 from ..contact import Linear
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend, doubts_of_a_rigid_blow
+from ..doubts import CUT_SHORT, STILL_TOUCHING, bodies_that_bend, doubts_of_a_front, doubts_of_a_rigid_blow
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.beam_statics import static_compliance
 from ..scene import Scene, contact_time
 from ..solution import Solution, summary
@@ -26,6 +27,7 @@ SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
 LEAST_ORDER = 0.6  # in 1 / elements, that is told from none
 FEW_CONTACTS = 6  # of a stiff contact with a beam: so many are well determined
+UNSETTLED = 1e-3  # estimated error of many contacts with a law: with less they are well determined
 ELEMENTS_RANGE = (1, 2000)
 
 
@@ -77,7 +79,8 @@ class FiniteElements(Method):
             peak_force=max(contact.peak_force for contact in contacts),
             peak_indentation=depth,
             residual_indentation=None if rigid else float(scene.contact.dent(depth)),
-            notes=self._notes(scene, motion, duration, len(contacts)) + self._doubts(found["diagnostics"]),
+            notes=self._notes(scene, motion, duration, len(contacts), found["diagnostics"]["estimated_error"])
+            + self._doubts(found["diagnostics"]),
             **found,
         )
 
@@ -85,7 +88,9 @@ class FiniteElements(Method):
         """What the figures themselves say."""
         return []
 
-    def _notes(self, scene: Scene, motion: ElementMotion, duration: float | None, contacts: int) -> list[str]:
+    def _notes(
+        self, scene: Scene, motion: ElementMotion, duration: float | None, contacts: int, error: float | None
+    ) -> list[str]:
         course, notes = motion.course, []
         if scene.contact.NAME == "rigid" and self._needs_stiffness(scene):
             notes.append(
@@ -98,25 +103,28 @@ class FiniteElements(Method):
                 "feeds a stiff contact. Use status 'implicit', a smaller contact_stiffness or more steps."
             )
         elif course.force[-1] > 0.0:
-            notes.append("The bodies are still in contact at the end of the time solved.")
+            notes.append(STILL_TOUCHING)
         elif duration is None and not course.parted:
-            notes.append("The solution stopped at its limit of steps before the bodies had parted for good.")
+            notes.append(CUT_SHORT)
         raw, beam = motion.raw_contacts()[0].size, "beam" in (scene.impactor.kind, scene.target.kind)
         if raw > contacts and not course.diverged:
-            remedy = "All modes with the massless boundary of 'fe-modal' avoid most of it."
-            if beam:
-                remedy = "A law by which the contact gives way, such as 'hertz', avoids it."
+            remedy = (
+                "A law by which the contact gives way, such as 'hertz', avoids it." if beam else self._calmer(scene)
+            )
             notes.append(
                 f"The faces touch {raw} times in {contacts} contact{'s' * (contacts > 1)}: the mesh chatters at its "
                 f"shortest period, and the peak of the raw force means nothing. {remedy}"
             )
         if scene.contact.NAME == "rigid":
-            notes += doubts_of_a_rigid_blow(scene, self._told_down_to(scene, course))
-        if beam and scene.contact.NAME == "rigid" and contacts > FEW_CONTACTS:
+            notes += doubts_of_a_rigid_blow(scene, self._told_down_to(scene, course), self.elements, "elements")
+        notes += doubts_of_a_front(scene, course.shortest_period, self.elements, "elements")
+        rough = scene.contact.NAME == "rigid" or (error is not None and error > UNSETTLED)
+        if beam and rough and contacts > FEW_CONTACTS:
             notes.append(
                 f"{contacts} contacts, each of which starts from how the one before left the beam: a millionth more "
                 "mass, or half the step, changes the later ones, their number and the final velocity. The first few "
-                "and the largest deflection are well determined; an ensemble of such blows tells what is."
+                "and the largest deflection are well determined; an ensemble of such blows tells what is, and a softer "
+                "contact makes fewer."
             )
         return notes
 
@@ -148,6 +156,18 @@ class FiniteElements(Method):
 
     def _law(self, scene: Scene) -> Any:
         return Linear(self._stiffness(scene)) if scene.contact.NAME == "rigid" else scene.contact
+
+    def _calmer(self, scene: Scene) -> str:
+        """What avoids chatter in rods."""
+        if scene.contact.NAME == "rigid":
+            return "All modes with the massless boundary of 'fe-modal' avoid most of it."
+        return "More elements make it less, and 'waves' has none."
+
+    def _knob(self, scene: Scene) -> str | None:
+        return None if bodies_that_bend(scene) else super()._knob(scene)
+
+    def _recount(self) -> str:
+        return "The mesh and its local stiffness blur slight gaps and contacts: use 'fe-modal' as it comes, or 'waves'."
 
     def _needs_stiffness(self, scene: Scene) -> bool:
         """Whether a rigid contact needs a local stiffness."""

@@ -64,6 +64,14 @@ class FeModal(FiniteElements):
     def _massless(self, scene: Scene) -> bool:
         return scene.contact.NAME == "rigid" if self.boundary is None else self.boundary == "massless"
 
+    def _calmer(self, scene: Scene) -> str:
+        if self._massless(scene) and self.modes is None:
+            return "More elements make it shorter, and 'waves' has none."
+        return super()._calmer(scene)
+
+    def _recount(self) -> str:
+        return "So few elements or modes blur slight gaps and contacts: take more and a massless boundary, or 'waves'."
+
     def _needs_stiffness(self, scene: Scene) -> bool:
         return not self._massless(scene)
 

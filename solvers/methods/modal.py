@@ -10,7 +10,8 @@ import numpy as np
 
 from .. import checks
 from ..contact import Rigid
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method, bodies_that_bend, doubts_of_a_rigid_blow
+from ..doubts import CUT_SHORT, STILL_TOUCHING, bodies_that_bend, doubts_of_a_front, doubts_of_a_rigid_blow
+from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Record, Residual, march
 from ..scene import Scene
@@ -23,8 +24,11 @@ EXPECTED_STEPS = 60_000  # more are not chosen unasked: energy is kept at any st
 FINER = 8  # times as many on a beam, where the contact may be over long before the beam has swung once
 MAX_STEPS = 4_000_000
 FRAMES = ("mean-axis", "attached", "attached-far")
-RESOLVED_BLOW = 1.5  # shortest kept periods that a rigid blow must last for its contacts to be told apart
 COUNTS = 0.2  # least share of the largest impulse that a contact must have to count
+FEW_CONTACTS = 6  # with a beam: so many are well determined
+CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tried
+AMPLIFIED = 10.0  # times what is no longer in proportion to the change, as in an ensemble
+LONG_GAP = 3.0  # shortest kept periods, longer than which chatter under a law seldom breaks off
 FEW_STEPS = 20.0  # in a contact: with fewer neither its peak nor what it loses is told
 REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
 CHECKPOINT_NUMBERS = 1_000_000  # doubles kept of each kind, from which fields at any time are rebuilt
@@ -123,19 +127,15 @@ class Modal(Method):
     def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list, raw: int) -> list[str]:
         notes = []
         if contacts[-1].end >= motion.duration * (1.0 - 1e-12):
-            notes.append("The bodies are still in contact at the end of the time solved.")
+            notes.append(STILL_TOUCHING)
         elif not asked and not motion.parted:
-            notes.append("The solution stopped at its limit of steps before the bodies had parted for good.")
-        blow, period = _blow(scene), motion.pair.resolved_time
-        if blow < RESOLVED_BLOW * period:
-            needed = math.ceil(self.modes * RESOLVED_BLOW * period / blow)
-            notes.append(
-                f"The blow fades within {blow:.3g} s, which is too short for modes down to a period of {period:.3g} s:"
-                f" do not trust its contacts; {needed} modes would resolve it, or use 'waves'."
-            )
+            notes.append(CUT_SHORT)
+        period = motion.pair.resolved_time
         notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
         if isinstance(scene.contact, Rigid):
-            notes += doubts_of_a_rigid_blow(scene, period)
+            notes += doubts_of_a_rigid_blow(scene, period, self.modes, "modes")
+        notes += doubts_of_a_front(scene, period, self.modes, "modes")
+        notes += self._ill_conditioned(scene, motion, contacts)
         steps = _steps_of_a_contact(motion)
         if steps < FEW_STEPS:
             fine = motion.step * steps / STEPS_PER_CONTACT
@@ -146,9 +146,34 @@ class Modal(Method):
         if raw > len(contacts):
             notes.append(
                 f"The raw force breaks off {raw - len(contacts)} times more often than the bodies part: chatter at the"
-                f" shortest kept period ({period:.3g} s), as the modes left out cannot carry the front of the wave."
+                f" shortest kept period ({period:.3g} s), as the modes left out cannot carry the front of the wave. "
+                + _remedy_of_chatter(motion)
             )
-        return notes + scene.contact.limits(float(motion.deepest[-1]), scene.impactor, scene.target)
+        return notes
+
+    def _recount(self) -> str:
+        return "So few modes do not tell slight gaps and contacts: keep more, or use 'waves'."
+
+    def _ill_conditioned(self, scene: Scene, motion: ModalMotion, contacts: list) -> list[str]:
+        """Of many contacts with a beam, by blows of a mass that is changed a little."""
+        if not (self.estimate and bodies_that_bend(scene)) or len(contacts) <= FEW_CONTACTS:
+            return []
+        if scene.impactor.kind not in ("mass", "sphere"):
+            return []
+        final, record, moved = motion.record.velocity[-1], None, {}
+        for change in CHANGES:
+            other = scene.replace({"impactor.mass": scene.impactor.mass * (1.0 + change)})
+            record = again(motion, other, record)[1]
+            moved[change] = abs(float(record.velocity[-1]) - final) / scene.speed
+        change = max(moved, key=lambda change: moved[change] / abs(change))
+        if moved[change] <= AMPLIFIED * abs(change):
+            return []
+        return [
+            f"Ill-conditioned: with {100.0 * abs(change):g} % {'more' if change > 0.0 else 'less'} mass the final "
+            f"velocity moves by {100.0 * moved[change]:.2g} % of the speed of approach, as each of {len(contacts)} "
+            "contacts starts from how the one before left the beam. Trust the band of an ensemble, not one curve; a "
+            "softer contact, such as 'hertz' or 'plastic-power' from radius and materials, makes fewer contacts."
+        ]
 
     def pair(self, scene: Scene) -> Pair:
         """The modes that take part in this blow."""
@@ -202,6 +227,16 @@ def _blow(scene: Scene) -> float:
         return math.inf
     mass = scene.target.mass if rods[0] is scene.impactor else scene.impactor.mass
     return mass / rods[0].impedance
+
+
+def _remedy_of_chatter(motion: ModalMotion) -> str:
+    """What to do about it, and whether some of it may be none."""
+    if isinstance(motion.scene.contact, Rigid):
+        return "Read the averaged force; a contact law soft enough for these modes ends it, and 'waves' has none."
+    doubtful = motion.doubtful_gaps(LONG_GAP)
+    if doubtful:
+        return f"{doubtful} of these gaps may be real, and too slight for these modes: keep more, or use 'waves'."
+    return "Read the averaged force; more modes make it less, and 'waves' has none."
 
 
 def _steps_of_a_contact(motion: ModalMotion) -> float:

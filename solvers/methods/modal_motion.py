@@ -356,6 +356,13 @@ class ModalMotion:
         dent = self.pair.law(self.scene)[0].dent(float(self.deepest[first]))
         return dent - float(self.record.indentation[first : last + 1].min()) > self._opening_told
 
+    def doubtful_gaps(self, periods: float) -> int:
+        """How many gaps of the raw force are not counted, and yet last longer than so many shortest kept periods."""
+        starts, ends = (edges.tolist() for edges in self.raw_contacts())
+        longest = periods * self.pair.resolved_time / self.step
+        gaps = zip(ends[:-1], starts[1:], strict=True)
+        return sum(start - end > longest and not self._apart(end, start) for end, start in gaps)
+
     def contacts(self) -> list[ContactPeriod]:
         """Contact periods as far as these modes can tell, by the resolved force: the rest is chatter."""
         starts, ends = (edges.tolist() for edges in self.raw_contacts())

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .. import checks
+from ..doubts import STILL_TOUCHING, bodies_that_bend
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics import beam_switch
 from ..numerics.beam_modes import attached_beam_modes
@@ -104,6 +105,17 @@ class ModeSwitch(Method):
             **found,
         )
 
+    def _knob(self, scene: Scene) -> str | None:
+        return None if bodies_that_bend(scene) else super()._knob(scene)
+
+    def _recount(self) -> str:
+        if self.smoothing != "delay":
+            return (
+                "The truncated series undershoots before the front returns (Gibbs) and ends contacts: use the "
+                "smoothing 'delay', which has no undershoot, or 'waves'."
+            )
+        return "So few modes do not tell slight gaps and contacts: keep more, or use 'waves'."
+
     def _course(self, scene: Scene, limit: float) -> SwitchedModes | SwitchedBeam:
         """`limit` in the units of the course."""
         target, mass = scene.target, scene.impactor.mass
@@ -128,16 +140,11 @@ class ModeSwitch(Method):
     def _notes(self, scene: Scene, course, contacts: list[ContactPeriod], duration: float) -> list[str]:
         notes = []
         if contacts[-1].end >= duration * (1.0 - 1e-12):
-            notes.append("The bodies are still in contact at the end of the time solved.")
+            notes.append(STILL_TOUCHING)
         if scene.target.kind == "beam":
             return notes + scene.target.doubts_of_modes(self.modes) + _notes_on_a_beam(scene, course)
         if len(course.phases) >= MAX_PHASES:
             notes.append(f"Stopped after {MAX_PHASES} changes of modes: the truncated force chatters; use 'delay'.")
-        elif self.smoothing == "none" and len(contacts) > 1:
-            notes.append(
-                "Contacts counted on the truncated series, whose undershoot (Gibbs) may end them falsely; "
-                "the smoothing 'delay' has no undershoot."
-            )
         return notes
 
 

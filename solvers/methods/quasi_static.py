@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import checks
+from ..doubts import STILL_TOUCHING
 from ..method import AFTERGLOW, Method
 from ..motion import SampledMotion, ShapeField, field_as_a_whole
 from ..numerics.quasi_static import Collision, damped_collision, path_collision, power_collision, sine_collision
@@ -83,6 +84,9 @@ class QuasiStatic(Method):
             return f"'hertz-sine' is for Hertz contact, got {scene.contact.NAME}; use 'local'"
         return None
 
+    def _recount(self) -> str:
+        return "A quasi-static blow is one contact: 'waves' has them all."
+
     def _model(self, scene: Scene) -> str:
         if self.model != "auto":
             return self.model
@@ -125,7 +129,7 @@ class QuasiStatic(Method):
 def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeriod, duration: float) -> list[str]:
     notes = []
     if contact.end >= duration * (1.0 - 1e-12):
-        notes.append("The bodies are still in contact at the end of the time solved.")
+        notes.append(STILL_TOUCHING)
     structural = model.startswith("structural")
     if structural and scene.target.kind == "rod":
         notes += rod_doubts(scene)

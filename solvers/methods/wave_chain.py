@@ -10,6 +10,7 @@ import numpy as np
 
 from ..bodies import Rod
 from ..contact import Linear, Rigid
+from ..doubts import CUT_SHORT, NEVER_PART, STILL_TOUCHING
 from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_network
 from ..numerics.wave_laws import constants_of, law_function, new_work
@@ -37,12 +38,8 @@ NO_LAW = Linear(1.0)  # where no law is asked for
 def end_notes(parted: bool, touching: bool, asked: bool, cut: bool = False) -> list[str]:
     """What to say of the end of a solution."""
     if cut or (not parted and not asked):
-        return [
-            "The solution stopped at its limit of steps before the bodies had parted for good: do not trust its end."
-        ]
-    if touching:
-        return ["The bodies are still in contact at the end of the time solved."]
-    return []
+        return [CUT_SHORT]
+    return [STILL_TOUCHING] if touching else []
 
 
 class ChainHistory:
@@ -55,12 +52,14 @@ class ChainHistory:
         self.force_unit = scene.target.impedance * self.speed
         self.rods: list[Rod] = ([scene.impactor] if scene.impactor.kind == "rod" else []) + list(scene.target.rods)
         self.contact = len(self.rods) - len(scene.target.rods)
+        self.faded = False
         self.laws = self._laws()
         self.chain = self._chain()
         if scene.impactor.kind == "pulse":
             until = min(until, scene.impactor.end / self.trip + 2.0)
         elif self.rods[-1].support == "anechoic":
-            until = min(until, self._faded())
+            faded = self._faded()
+            self.faded, until = faded <= until, min(until, faded)
         asked, limit = math.isfinite(until), min(until, MAX_ROUND_TRIPS)
         wait = math.inf if asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
         capacity = min(STRETCHES, MAX_STRETCHES // len(self.laws))
@@ -83,6 +82,8 @@ class ChainHistory:
     def notes(self) -> list[str]:
         if self.failed:
             return ["The equations of a contact could not be solved beyond this time: try another tolerance."]
+        if self.faded and self.touching and not self.cut:
+            return [NEVER_PART]
         return end_notes(True, self.touching, True, self.cut)
 
     def _laws(self) -> list[Any]:

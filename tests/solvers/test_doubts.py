@@ -1,0 +1,191 @@
+"""Doubts about a result: each comes where it belongs, its remedy removes the fault, and a sound neighbour has none."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import pytest
+from pytest import approx
+
+import solvers
+from app.command import main
+from solvers import Scene, Solution
+from solvers.contact import PlasticPower
+from tests.catalog import SCENES, contact_table, struck_beam, struck_rod
+
+
+class Blow(NamedTuple):
+    scene: Scene
+    method: str
+    options: dict[str, Any] = {}
+
+    def solve(self) -> Solution:
+        return solvers.solve(self.scene, self.method, **self.options)
+
+
+class Case(NamedTuple):
+    says: tuple[str, ...]  # cause and remedy
+    fault: Blow
+    remedied: Blow
+    sound: Blow
+    right: Callable[[Solution], bool]  # once remedied; not before
+
+
+def exact(scene: Scene) -> Solution:
+    return solvers.solve(scene, "waves")
+
+
+def counts_right(found: Solution) -> bool:
+    return len(found.contacts) == len(exact(found.scene).contacts)
+
+
+def makes_no_false_touch(found: Solution) -> bool:
+    return found.diagnostics["raw_contacts"] == len(found.contacts)
+
+
+def peaks_right(found: Solution) -> bool:
+    return found.peak_force == approx(exact(found.scene).peak_force, rel=0.03)
+
+
+def rebounds_right(found: Solution) -> bool:
+    return found.impactor_velocity == approx(exact(found.scene).impactor_velocity, abs=0.02)
+
+
+def is_within_its_law(found: Solution) -> bool:
+    law = found.scene.contact
+    assert isinstance(law, PlasticPower)
+    return found.peak_indentation <= law.full_indentation
+
+
+def is_well_conditioned(found: Solution) -> bool:
+    return not solvers.ensemble(found.scene, runs=20, method="modal").ill_conditioned
+
+
+FRONT = contact_table("hertz", 0.02)  # by itself it would last 0.4 round trips
+PLASTIC = SCENES["table-7.1"]
+STIFF, SOFT = ({"law": "hertz", "stiffness": k} for k in (1e13, 2.4e10))
+CASES = {
+    "chatter": Case(
+        ("chatter at the shortest kept period", "soft enough"),
+        Blow(struck_rod(), "modal", {"modes": 50}),
+        Blow(struck_rod(contact=contact_table("hertz", 3.0)), "modal", {"modes": 50}),
+        Blow(SCENES["bronze-rod-steel-ball"], "modal", {"modes": 50}),
+        makes_no_false_touch,
+    ),
+    "Gibbs": Case(
+        ("False separation", "at 0.9691 round trips", "Gibbs", "'delay'"),
+        Blow(struck_rod(), "mode-switch", {"modes": 20, "smoothing": "none"}),
+        Blow(struck_rod(), "mode-switch", {"modes": 20, "smoothing": "delay"}),
+        Blow(struck_rod(0.8), "mode-switch", {"modes": 20, "smoothing": "none"}),
+        counts_right,
+    ),
+    "missed by modes": Case(
+        ("Missed re-contact", "from 2.125 to 2.163 round trips", "0.66 %", "keep more"),
+        Blow(struck_rod(), "modal", {"modes": 10}),
+        Blow(struck_rod(), "modal", {"modes": 50}),
+        Blow(struck_rod(2.0), "modal", {"modes": 10}),
+        counts_right,
+    ),
+    "missed by elements": Case(
+        ("Missed re-contact", "local stiffness blur", "'fe-modal' as it comes"),
+        Blow(struck_rod(), "fe-nodal"),
+        Blow(struck_rod(), "fe-modal"),
+        Blow(struck_rod(0.8), "fe-nodal"),
+        counts_right,
+    ),
+    "near grazing": Case(
+        ("Near grazing", "one contact instead of 2", "trust rebound and impulse"),
+        Blow(struck_rod(), "waves"),
+        Blow(struck_rod(0.9), "waves"),
+        Blow(struck_rod(2.0), "waves"),
+        lambda found: (
+            len(exact(found.scene.replace({"impactor.mass": 0.98 * found.scene.impactor.mass})).contacts) == 2
+        ),
+    ),
+    "truncated law": Case(
+        ("1.16 times that of full plastic flow", "less than some 4.2 m/s"),
+        Blow(PLASTIC.replace({"impactor.velocity": 5.0}), "quasi-static"),
+        Blow(PLASTIC.replace({"impactor.velocity": 4.1}), "quasi-static"),
+        Blow(PLASTIC, "quasi-static"),
+        is_within_its_law,
+    ),
+    "too few modes, law": Case(
+        ("too short for modes down to a period", "peak force and the front", "8 modes"),
+        Blow(struck_rod(contact=FRONT), "modal", {"modes": 3}),
+        Blow(struck_rod(contact=FRONT), "modal", {"modes": 8}),
+        Blow(struck_rod(contact=contact_table("hertz", 3.0)), "modal", {"modes": 3}),
+        peaks_right,
+    ),
+    "too few modes, rigid": Case(
+        ("too short for modes down to a period", "do not trust", "211 modes"),
+        Blow(struck_rod(20.0), "modal", {"modes": 10}),
+        Blow(struck_rod(20.0), "modal", {"modes": 211}),
+        Blow(struck_rod(2.0), "modal", {"modes": 10}),
+        rebounds_right,
+    ),
+    "too few elements": Case(
+        ("too short for elements down to a period", "263 elements"),
+        Blow(struck_rod(20.0), "fe-modal", {"elements": 10}),
+        Blow(struck_rod(20.0), "fe-modal", {"elements": 263}),
+        Blow(struck_rod(2.0), "fe-modal", {"elements": 10}),
+        rebounds_right,
+    ),
+    "too coarse": Case(
+        ("off by 6", "take more steps"),
+        Blow(struck_rod(20.0), "waves", {"steps": 20}),
+        Blow(struck_rod(20.0), "waves", {"steps": 1000}),
+        Blow(struck_rod(0.3), "waves", {"steps": 200}),
+        rebounds_right,
+    ),
+    "ill-conditioned": Case(
+        ("Ill-conditioned", "contacts starts from how", "band of an ensemble", "softer contact"),
+        Blow(struck_beam(contact=STIFF), "modal", {"modes": 30}),
+        Blow(struck_beam(contact=SOFT), "modal", {"modes": 30}),
+        Blow(SCENES["figure-8.14"], "modal", {"modes": 30}),
+        is_well_conditioned,
+    ),
+}
+
+
+def told(found: Solution, words: tuple[str, ...]) -> list[str]:
+    return [note for note in found.notes if all(word in note for word in words)]
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_a_doubt_comes_where_it_belongs_and_goes_with_its_remedy(case):
+    fault, remedied, sound = case.fault.solve(), case.remedied.solve(), case.sound.solve()
+    assert len(told(fault, case.says)) == 1 and not case.right(fault)
+    for blow in (remedied, sound):
+        assert not told(blow, case.says[:1])
+    assert case.right(remedied)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["bronze-rod-steel-ball", "free-rod", "rod-with-gap", "split-hopkinson", "two-balls", "xylophone-bar",
+     "timoshenko-1913-long", "hammer-on-cantilever", "figure-8.14", "table-8.4", "figure-10.1", "table-7.1"],
+)  # fmt: skip
+def test_sound_scenes_raise_no_alarm(name):
+    assert solvers.solve(SCENES[name]).notes == []
+
+
+def test_what_never_parts_says_why():
+    (note,) = solvers.solve(SCENES["semi-infinite-rod"]).notes
+    assert "still in contact" in note and "rod without end" in note
+    (note,) = solvers.solve(SCENES["semi-infinite-rod"], duration=1e-4).notes
+    assert "solve for longer" in note
+
+
+def test_a_contact_law_has_its_limits_whatever_the_method():
+    ball = {"kind": "sphere", "mass": 0.05, "velocity": 1.0, "radius": 0.02, "material": "steel"}
+    target = {"kind": "rod", "length": 1.0, "section": {"radius": 0.02}, "support": "free",
+              "material": {"young": 210e9, "density": 7900.0, "yield": 300e6}}  # fmt: skip
+    scene = Scene.from_table({"impactor": ball, "target": target, "contact": {"law": "hertz"}})
+    for method in ("waves", "modal", "fe-nodal", "quasi-static"):
+        assert len(told(solvers.solve(scene, method), ("first yield", "'plastic-power'"))) == 1
+    chosen = solvers.solve(scene, "auto", tolerance=0.05)
+    assert len(told(chosen, ("first yield",))) == 1  # and not twice
+
+
+def test_doubts_are_printed(capsys):
+    assert main(["solve", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=10"]) == 0
+    assert "Note: Missed re-contact: exact waves touch again from 2.125" in capsys.readouterr().out
