@@ -1,14 +1,19 @@
-"""`method = "auto"` over 500 random scenes: how often it keeps its word. Run alone: the constants of cost."""
+"""`method = "auto"` over 500 random scenes: how often it keeps its word. Run alone: the constants of cost.
+
+The scenes are of seeds that nothing was developed with. Whoever looks into one of them, to mend what it shows, moves
+FIRST on.
+"""
 
 import json
 from collections.abc import Iterable
-from time import perf_counter, thread_time
+from dataclasses import dataclass, field
+from time import thread_time
 
 import numpy as np
 from scipy.optimize import nnls
 
 import solvers
-from solvers import Auto, SceneError
+from solvers import Auto
 from solvers.auto import bare
 from solvers.costs import STORED, work_size
 from solvers.judging import Truth
@@ -18,21 +23,25 @@ from solvers.machine import machine
 from .random_scenes import random_scene
 from .timing import row
 
+FIRST = 90_000  # seed
 SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 200, 60, 12
 LONGEST = 0.2  # s of a solve that the constants of cost are fitted to
-TOLERANCES = (0.03, 0.01, 0.003, 0.001)
-QUANTITIES = ("rebound", "impulse", "peak-force", "force-history")
+TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
+QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
+ELEMENTS, FINER, MOST_STEPS = 400, 8, 400_000  # of the truth on beams; times the steps of half the elements
 EXACT = 1e-9  # errors below it are as good as none, estimated or true
 WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 
 
 def measure() -> dict[str, object]:
     """Run `python -m bench.automatic` before, if a method has become quicker or slower: it renews costs.json."""
-    found = judge("all methods", (random_scene(np.random.default_rng(i)) for i in range(SCENES)), None)
-    others = (random_scene(np.random.default_rng(i)) for i in range(OTHER_SCENES))
-    found |= judge("without waves", others, WITHOUT_WAVES)
-    beams = (random_scene(np.random.default_rng(1000 + i), beams=1.0) for i in range(BEAM_SCENES))
-    return found | judge("beams", beams, None)
+    found = judge("all methods", _scenes(FIRST, SCENES), None)
+    found |= judge("without waves", _scenes(FIRST + 1000, OTHER_SCENES), WITHOUT_WAVES)
+    return found | judge("beams", _scenes(FIRST + 2000, BEAM_SCENES, beams=1.0), None)
+
+
+def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scene]:
+    return (random_scene(np.random.default_rng(first + number), beams) for number in range(count))
 
 
 def fit_costs() -> dict[str, object]:
@@ -70,43 +79,91 @@ def _timed(method: solvers.Method, scene: solvers.Scene) -> tuple[float, solvers
 
 
 def judge(what: str, scenes: Iterable[solvers.Scene], among: tuple[str, ...] | None) -> dict[str, object]:
-    """How often the true error is within the tolerance, and the estimate near the true error."""
-    kept, near, unmet, spent, refused, count, trivial = [], [], [], [], 0, 0, 0
-    for number, scene in enumerate(scenes):
-        wish = Auto(TOLERANCES[number % 4], QUANTITIES[number // 4 % 4], None, among)
-        begun = perf_counter()
-        try:
-            solution = wish.solve(scene)
-        except SceneError:
-            refused += 1
-            continue
-        count += 1
-        spent.append(perf_counter() - begun)
-        truth = exact(scene)
-        chosen = solution.diagnostics["chosen"]
-        true = truth and truth.judge(solution, wish.quantity)
-        if not chosen["met"]:
-            unmet.append(number)
-        if true is None or chosen["estimated_error"] is None:
-            continue
-        estimated = max(chosen["estimated_error"], EXACT)
-        true = max(true, EXACT)
-        trivial += max(true, estimated) == EXACT
-        if chosen["met"]:
-            kept.append(true <= wish.tolerance)
-            near.append(1.0 / 3.0 <= estimated / true <= 3.0)
-    figures = [
-        (f"{what}: scenes", count, ""),
-        (f"{what}: says that the tolerance is met", 100.0 * (1.0 - len(unmet) / count), "%"),
-        (f"{what}: then true error within the tolerance", 100.0 * np.mean(kept), "%"),
-        (f"{what}: then estimate within a factor 3 of the true error", 100.0 * np.mean(near), "%"),
-        (f"{what}: of which the true error is known", len(kept), ""),
-        (f"{what}: of these both below 1e-9", 100.0 * trivial / max(1, len(near)), "%"),
-        (f"{what}: whole search, median", 1e3 * float(np.median(spent)), "ms"),
-        (f"{what}: refused", refused, ""),
-    ]
-    targets = {2: ">= 95", 3: ">= 90"}
-    return dict(row(*figure, targets.get(place, "")) for place, figure in enumerate(figures))
+    """How often the true error is within the tolerance, and the estimate near the true error.
+
+    Of those that say that they keep to it, and of all: what misses, or says no more than that it cannot, counts there.
+    """
+    verdicts = [verdict for verdict in (_verdict(*each, among) for each in enumerate(scenes)) if verdict is not None]
+    met = [verdict for verdict in verdicts if verdict.met]
+    for verdict in verdicts:
+        if verdict.wrong:
+            print(f"    {what}, number {verdict.number}: {verdict}")
+    near = [verdict for verdict in verdicts if verdict.near is not None]
+    searches = np.array([verdict.times for verdict in verdicts])
+    times, shares = searches[:, 0], searches[:, :1] / searches[:, 1:]
+    return dict(
+        [
+            row(f"{what}: scenes", len(verdicts), ""),
+            row(f"{what}: says that the tolerance is met", _share([v.met for v in verdicts]), "%"),
+            row(f"{what}: then true error within the tolerance", _share([v.kept for v in met]), "%", ">= 95"),
+            row(f"{what}: then estimate within a factor 3", _share([v.near for v in met]), "%", ">= 90"),
+            row(f"{what}: true error within the tolerance, of all", _share([v.kept for v in verdicts]), "%", ">= 95"),
+            row(f"{what}: estimate within a factor 3, of all", _share([v.near for v in verdicts]), "%", ">= 90"),
+            row(f"{what}: judged, of all: tolerance", sum(v.kept is not None for v in verdicts), ""),
+            row(f"{what}: judged, of all: estimate", len(near), ""),
+            row(f"{what}: of these both below 1e-9", _share([v.trivial for v in near]), "%"),
+            row(f"{what}: whole search, median", 1e3 * float(np.median(times)), "ms"),
+            row(f"{what}: whole search, longest", 1e3 * float(times.max()), "ms"),
+            row(f"{what}: search over the solve it ends with, median", float(np.median(shares[:, 0])), "x"),
+            row(f"{what}: search over the solve it ends with, worst", float(shares[:, 0].max()), "x"),
+            row(f"{what}: search over its costliest solve, median", float(np.median(shares[:, 1])), "x"),
+            row(f"{what}: search over its costliest solve, worst", float(shares[:, 1].max()), "x"),
+        ]
+    )
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """On one scene. None: not known, as the truth is not known well enough, or no such thing has been claimed."""
+
+    number: int
+    asked: str
+    met: bool
+    kept: bool | None
+    near: bool | None
+    estimated: float | None
+    true: float | None
+    times: tuple[float, float, float] = field(repr=False)  # search, the solve it ends with, its costliest [s]
+
+    @property
+    def wrong(self) -> bool:
+        return (self.met and self.kept is False) or self.near is False
+
+    @property
+    def trivial(self) -> bool:
+        return max(self.true, self.estimated) <= EXACT
+
+
+def _verdict(number: int, scene: solvers.Scene, among: tuple[str, ...] | None) -> Verdict | None:
+    quantity = QUANTITIES[number // len(TOLERANCES) % len(QUANTITIES)]
+    wish = Auto(TOLERANCES[number % len(TOLERANCES)], quantity, None, among)
+    if wish.refusal(scene) is not None:
+        return None
+    wish.solve(scene)  # compiled
+    begun = thread_time()
+    solution = wish.solve(scene)
+    spent = thread_time() - begun
+    chosen, truth = solution.diagnostics["chosen"], exact(scene)
+    costliest = max(chosen["tried"], key=lambda row: row["cost"])["method"]
+    times = tuple(_timed(_named(method), scene)[0] for method in (solution.method, costliest))
+    estimated, (true, doubt) = chosen["estimated_error"], truth.judge(solution, quantity)
+    kept = near = None
+    if true is not None and abs(true - wish.tolerance) > doubt:
+        kept = true <= wish.tolerance
+    if true is not None and estimated is not None and 10.0 * doubt <= max(true, EXACT):
+        near = 1.0 / 3.0 <= max(estimated, EXACT) / max(true, EXACT) <= 3.0
+    asked = f"{quantity} to {wish.tolerance:g}, {scene.contact.NAME}, {solution.method}"
+    return Verdict(number, asked, bool(chosen["met"]), kept, near, estimated, true, (spent, *times))
+
+
+def _named(table: dict[str, object]) -> solvers.Method:
+    return bare(solvers.read_method({key: value for key, value in table.items() if value is not None})[0])
+
+
+def _share(told: Iterable[bool | None]) -> float:
+    """Of those that are known [%]."""
+    known = [one for one in told if one is not None]
+    return 100.0 * float(np.mean(known)) if known else float("nan")
 
 
 class Exact:
@@ -115,13 +172,10 @@ class Exact:
     def __init__(self, finest: solvers.Solution, second: solvers.Solution | None):
         self.truth, self.second = Truth.of(finest), second
 
-    def judge(self, solution: solvers.Solution, quantity: str) -> float | None:
-        """True error; None where the truth is not known ten times better than that."""
-        error = self._error(solution, quantity)
-        if error is None or self.second is None:
-            return error
-        doubt = self._error(self.second, quantity)
-        return error if doubt is not None and 10.0 * doubt <= max(error, 1e-7) else None
+    def judge(self, solution: solvers.Solution, quantity: str) -> tuple[float | None, float]:
+        """True error, None if there is no such thing; and by how much the truth may be wrong."""
+        doubt = 0.0 if self.second is None else self._error(self.second, quantity)
+        return self._error(solution, quantity), np.inf if doubt is None else doubt
 
     def _error(self, solution: solvers.Solution, quantity: str) -> float | None:
         error = self.truth.errors(Truth.of(solution).answer)[quantity]
@@ -129,11 +183,15 @@ class Exact:
 
 
 def exact(scene: solvers.Scene) -> Exact:
-    """Waves where they run, else 1600 modes beside 800."""
+    """Waves where they run. Else finite elements node by node, which share neither modes nor integration with what is
+    mostly chosen and proved, and which are believed as far as 1600 modes agree with them.
+    """
     waves = solvers.Waves(tolerance=1e-11)
     if waves.refusal(scene) is None:
         return Exact(waves.solve(scene), None)
-    return Exact(*(bare(solvers.Modal(modes=modes)).solve(scene) for modes in (1600, 800)))
+    steps = FINER * bare(solvers.FeNodal(elements=ELEMENTS // 2)).solve(scene).diagnostics["steps"]
+    elements = bare(solvers.FeNodal(elements=ELEMENTS, steps=min(steps, MOST_STEPS)))
+    return Exact(elements.solve(scene), bare(solvers.Modal(modes=1600)).solve(scene))
 
 
 if __name__ == "__main__":

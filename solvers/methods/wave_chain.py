@@ -182,8 +182,8 @@ class ChainHistory:
     def periods(self, node: int) -> list[ContactPeriod]:
         """Stretches of time in which the faces at a node press on each other.
 
-        Faces that stay together without force, as two equal rods do, do not press; openings no larger than rounding
-        part nothing.
+        Faces that stay together without force, as two equal rods do, do not press; openings no larger than rounding,
+        from the dent that is left, part nothing.
         """
         count = int(self.record.count[node])
         values, start = self.record.values[node, :count], self.record.start[node]
@@ -191,7 +191,7 @@ class ChainHistory:
         waves = np.maximum(np.abs(values[:, OUT_LEFT]), np.abs(values[:, OUT_RIGHT]))
         arriving = np.maximum(np.abs(force - values[:, OUT_LEFT]), np.abs(force - values[:, OUT_RIGHT]))
         presses = closed & (force.max(axis=1) > ROUNDING * np.maximum(waves, arriving).max(axis=1))
-        together = closed | (values[:, DEPTH].min(axis=1) > -ROUNDING)
+        together = closed | (values[:, DEPTH].min(axis=1) - self._dents(node) > -ROUNDING)
         edges = np.flatnonzero(np.diff(np.concatenate(([0], together.astype(np.int8), [0]))))
         found = []
         for first, beyond in edges.reshape(-1, 2):
@@ -209,6 +209,14 @@ class ChainHistory:
                 )
             )
         return found
+
+    def _dents(self, node: int) -> np.ndarray:
+        """Indentation at which the faces at a node come apart, by the end of every stretch [v T]."""
+        law, ends = self.laws[node], self.record.values[node, : int(self.record.count[node]), DEPTH, -1]
+        if law is None or not law.PLASTIC:
+            return np.zeros(ends.size)
+        deepest, where = np.unique(np.maximum.accumulate(np.maximum(ends, 0.0)), return_inverse=True)
+        return np.array([law.dent(depth) for depth in deepest.tolist()])[where]
 
     def deepest(self) -> float | None:
         """Largest indentation of the contact [m]; None for rigid faces."""

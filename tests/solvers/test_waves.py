@@ -542,6 +542,22 @@ def test_the_modes_tend_to_the_waves(law):
     assert misses[0] > 1.5 * misses[1] > 2.25 * misses[2]  # at least as 1 / modes, within a quarter
 
 
+def test_faces_that_open_at_their_dent_and_meet_again_touch_twice():
+    length, area = 0.5406787864691684, 0.00035390626747315243
+    scene = struck_rod(1.0, contact={"law": "plastic-power", "stiffness": 160675224427.82452,
+                                     "yield_indentation": 2.376942701365289e-06,
+                                     "full_indentation": 0.00030104330994043364})  # fmt: skip
+    changes = {"impactor.mass": 2.412048790395322, "impactor.velocity": 0.2560172772520727}
+    scene = scene.replace(changes | {"target.length": length, "target.section": {"area": area}})
+    exact, modes = Waves(tolerance=1e-9).solve(scene), Modal(modes=200, estimate=False).solve(scene)
+    assert len(exact.contacts) == len(modes.contacts) == 2  # the force fades at the dent, which is no opening of zero
+    gap = exact.contacts[1].start - exact.contacts[0].end
+    assert gap == approx(modes.contacts[1].start - modes.contacts[0].end, rel=1e-3) and gap > 0.05 * scene.time_unit
+    between = np.linspace(exact.contacts[0].end, exact.contacts[1].start, 22)[1:-1]
+    assert np.all(exact.motion.force(between) == 0.0)
+    assert sum(contact.impulse for contact in exact.contacts) == approx(exact.impulse, rel=1e-12)
+
+
 def test_a_duration_ends_the_solution():
     solution = Waves().solve(struck_rod(1.0, "fixed"), 0.5 * T)
     assert solution.duration == approx(0.5 * T, rel=1e-15)
