@@ -4,6 +4,7 @@ import json
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 STORED = Path(__file__).parent / "costs.json"
 
@@ -13,16 +14,24 @@ def _constants() -> dict[str, list[float]]:
     return json.loads(STORED.read_text(encoding="utf-8"))["seconds"]
 
 
-def expected_time(method: Mapping[str, object], steps: int) -> float:
+def expected_time(method: Mapping[str, object], steps: int, law: Any) -> float:
     """Time of a warm solve [s] on the machine that costs.json names: a + b steps + c steps size + d size^3.
 
-    `method` as in a scene file; size: its number of modes or elements, whatever it has.
-    Error: within a factor of two for three solves of four there, see bench/results.json; elsewhere only the order of
-    methods is worth something.
+    `method` as in a scene file; size: its number of modes or elements, whatever it has; `law` of the contact.
+    Error: within a factor of two for most solves there, see bench/results.json; elsewhere only the order of methods is
+    worth something.
     """
-    start, per_step, per_step_and_size, cubic = _constants()[str(method["name"])]
+    known = _constants()
+    start, per_step, per_step_and_size, cubic = next(known[sort] for sort in sorts(method, law) if sort in known)
     size = work_size(method)
     return start + steps * (per_step + per_step_and_size * size) + cubic * size**3
+
+
+def sorts(method: Mapping[str, object], law: Any) -> tuple[str, str]:
+    """What a solve has its constants of: method, model and kind of law; the method alone, where these are not known."""
+    kind = "plastic" if law.PLASTIC else "lossy" if law.LOSSY else "elastic"
+    name, model = str(method["name"]), str(method.get("model", ""))
+    return " ".join(f"{name} {model} {kind}".split()), name
 
 
 def work_size(method: Mapping[str, object]) -> int:

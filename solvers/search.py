@@ -179,7 +179,7 @@ class Search:
         for ladder in self._own:
             assumed = ladder.knob is not None and not ladder.converges  # right by chance only
             if not assumed and ladder not in (self.proof.ladder, self.chosen.ladder):
-                waiting[ladder] = expected_time(ladder.rungs[0].table(), 0), []
+                waiting[ladder] = self._foretold(ladder, 0, 0), []
         climbed, allowed = len(self.tried), sum(tried.cost for tried in self.tried)
         while waiting and sum(tried.cost for tried in self.tried[climbed:]) < allowed:
             ladder = min(waiting, key=lambda ladder: waiting[ladder][0])
@@ -192,18 +192,21 @@ class Search:
             if other.error is not None and other.error <= MARGIN * self.wish.tolerance:
                 self.chosen = min(self.chosen, other, key=lambda tried: tried.cost)
             elif self._promising(own):
-                next_rung = ladder.rungs[other.rung + 1]
-                waiting[ladder] = expected_time(next_rung.table(), other.solution.diagnostics["steps"]), own
+                waiting[ladder] = self._foretold(ladder, len(own), other.solution.diagnostics["steps"]), own
 
     def _promising(self, own: list[Tried]) -> bool:
         """Whether a finer rung may keep to the tolerance and still cost less than what is chosen by now."""
-        last, rungs = own[-1], own[-1].ladder.rungs
+        last = own[-1]
         if last.error is None or (len(own) > 1 and last.error > RISE * own[-2].error):
             return False
         enough = last.rung + math.ceil(math.log(last.error / (MARGIN * self.wish.tolerance)) / math.log(FALL))
-        if enough >= len(rungs):
+        if enough >= len(last.ladder.rungs):
             return False
-        return expected_time(rungs[enough].table(), last.solution.diagnostics["steps"]) < self.chosen.cost
+        return self._foretold(last.ladder, enough, last.solution.diagnostics["steps"]) < self.chosen.cost
+
+    def _foretold(self, ladder: Ladder, rung: int, steps: int) -> float:
+        """Cost of a rung, if it takes so many steps."""
+        return expected_time(ladder.rungs[rung].table(), steps, self.scene.contact)
 
     def _try(self, ladder: Ladder, rung: int) -> Tried:
         begun = time.perf_counter()

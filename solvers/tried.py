@@ -46,7 +46,7 @@ class Tried:
     @property
     def cost(self) -> float:
         """Expected of a warm solve [s], the same wherever it runs."""
-        return expected_time(self.solution.method, self.solution.diagnostics["steps"])
+        return expected_time(self.solution.method, self.solution.diagnostics["steps"], self.solution.scene.contact)
 
     def row(self) -> dict[str, Any]:
         return {

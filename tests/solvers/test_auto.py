@@ -146,10 +146,6 @@ def test_the_solution_is_that_of_the_method_it_names():
 @pytest.mark.parametrize(
     "options, said",
     [
-        ({"tolerance": 0}, "method.tolerance: got 0; allowed: a number from 1e-09 to 0.5"),
-        ({"tolerance": -0.01}, "method.tolerance: got -0.01"),
-        ({"tolerance": math.nan}, "method.tolerance"),
-        ({"budget": 0.0}, "method.budget: got 0.0; allowed: a number from 1e-06 to 3600 s"),
         ({"quantity": "beauty"}, "method.quantity: got 'beauty'; allowed: 'rebound'"),
         ({"among": []}, "method.among"),
         ({"among": "modal"}, "method.among"),
@@ -208,3 +204,59 @@ def test_what_no_method_tells_of_a_blow_is_not_claimed(quantity):
     assert chosen["met"] is False and chosen["estimated_error"] is None
     assert f"No {quantity} is told of this blow by 'rigid'." in solution.notes
     assert solution.diagnostics["estimated_error"] <= 1e-12  # of its velocities, which balance to rounding
+
+
+@pytest.mark.parametrize("tolerance", [0, -0.01, math.nan, math.inf, -math.inf, 1e-20, 2.0, "tight", True])
+def test_a_tolerance_that_cannot_be_is_refused_by_one_sentence(tolerance):
+    with pytest.raises(SceneError, match=r"^method\.tolerance: got .*; allowed: a number from 1e-09 to 0\.5$"):
+        solvers.solve(bronze_rod(), "auto", tolerance=tolerance)
+
+
+@pytest.mark.parametrize("budget", [0, -1.0, math.nan, math.inf, 1e-9, 1e9, "soon", False])
+def test_a_budget_that_cannot_be_is_refused_by_one_sentence(budget):
+    with pytest.raises(SceneError, match=r"^method\.budget: got .*; allowed: a number from 1e-06 to 3600 s$"):
+        solvers.solve(bronze_rod(), "auto", budget=budget)
+
+
+def test_the_least_budget_and_tolerance_get_the_best_there_is_and_what_it_would_take():
+    solution = solvers.solve(bronze_rod(), "auto", tolerance=1e-9, budget=1e-6, among=["modal"])
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is False and "not 1e-09 as asked for" in chosen["why"] and len(chosen["tried"]) == 1
+    # no budget, and a tolerance that no number of modes up to 3200 keeps to: given up long before, with its reason
+    solution = solvers.solve(struck_rod(1.0), "auto", tolerance=1e-9, among=["modal"])
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is False and "would take about" in chosen["why"] and chosen["estimated_error"] < 0.01
+
+
+def test_a_peak_that_one_method_alone_finds_is_not_called_kept():
+    solution = solvers.solve(struck_rod(0.5, "free"), "auto", quantity="peak-force", tolerance=0.1, among=["fe-modal"])
+    chosen = solution.diagnostics["chosen"]
+    assert chosen["met"] is False and "nothing proves that it keeps to 0.1" in chosen["why"]
+    assert "No second method can tell" in " ".join(solution.notes)
+
+
+@settings(max_examples=6, deadline=None)
+@given(number=st.integers(0, 10_000), beams=st.sampled_from((0.0, 1.0)), quantity=st.sampled_from(solvers.auto.ASKABLE))
+def test_what_is_reported_is_of_the_very_solution_returned(number, beams, quantity):
+    scene = random_scene(np.random.default_rng(number), beams)
+    solution = solvers.solve(scene, "auto", quantity=quantity, tolerance=0.03, among=list(MODES))
+    assert_of_this_very_solution(scene, solution, quantity)
+
+
+def assert_of_this_very_solution(scene, solution, quantity: str):
+    """Solved again by the methods it names, nothing of it differs, nor its errors from those told."""
+    chosen = solution.diagnostics["chosen"]
+    again = named(solution.method).solve(scene)
+    assert again.impactor_velocity == solution.impactor_velocity and again.contacts == solution.contacts
+    own = {"wall_time", "estimated_error", "chosen"}
+    for key in again.diagnostics.keys() - own:
+        assert again.diagnostics[key] == solution.diagnostics[key]
+    if chosen["proof"] is not None:
+        errors = Truth.of(named(chosen["proof"]).solve(scene)).errors(Answer.of(again))
+        if scene.contact.NAME != "rigid":
+            assert chosen["estimated_error"] == abs(errors[quantity])
+        assert solution.diagnostics["estimated_error"] == abs(errors["rebound"])
+
+
+def named(table: dict):
+    return solvers.auto.bare(solvers.read_method({key: value for key, value in table.items() if value is not None})[0])
