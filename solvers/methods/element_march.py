@@ -224,7 +224,8 @@ class Plan:
         if count is not None:
             stride = next(part for part in range(stride, 0, -1) if count % part == 0)
         period = 2.0 * max(trips)
-        most = count or int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
+        most = int(min(MAX_STEPS, MAX_ROUND_TRIPS * scene.time_unit / fine, stride * MOST_NUMBERS // nodes))
+        most = count or stride * max(1, most // stride)  # so that the last instant has its snapshot
         chunk = count or stride * math.ceil(period / fine / stride)
         return cls(fine, count, most, chunk, stride)
 

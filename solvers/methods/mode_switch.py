@@ -88,7 +88,7 @@ class ModeSwitch(Method):
         found = summary(scene, motion, contacts, duration, wall_time)
         found["diagnostics"] |= {
             "steps": len(course.phases),
-            "estimated_error": self._estimated_error(scene, course) if self.estimate else None,
+            "estimated_error": self._estimated_error(scene, course, duration) if self.estimate else None,
             "projection_losses": [units.energy * phase.lost for phase in course.phases],
             "left_out": course.left_out,
         }
@@ -128,19 +128,30 @@ class ModeSwitch(Method):
         course.solve(limit)
         return course
 
-    def _estimated_error(self, scene: Scene, course: SwitchedModes | SwitchedBeam) -> float:
-        """Of the final velocity, relative to the impact speed: against two smaller numbers of modes."""
+    def _estimated_error(self, scene: Scene, course: SwitchedModes | SwitchedBeam, duration: float) -> float:
+        """Of the final velocity, relative to the impact speed: against two smaller numbers of modes.
+
+        After the blow, though it may last longer with these; of a blow that is cut off, at that very instant.
+        """
         units = _units(scene)
-        final = course.phases[-1].mass_velocity
-        limit = course.phases[-1].start + 2.0 * scene.time_unit / units.time
+        limit = duration / units.time
+        if course.parted:
+            limit = course.phases[-1].start + 2.0 * scene.time_unit / units.time
         others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
-        finals = [replace(self, modes=modes)._course(scene, limit).phases[-1].mass_velocity for modes in others]
+        at_limit = np.array([limit])
+        final = course.mass_motion(at_limit)[1][0]
+        finals = [replace(self, modes=modes)._course(scene, limit).mass_motion(at_limit)[1][0] for modes in others]
         return float(max(abs(final - other) for other in finals)) * units.speed / scene.speed
 
     def _notes(self, scene: Scene, course, contacts: list[ContactPeriod], duration: float) -> list[str]:
         notes = []
         if contacts[-1].end >= duration * (1.0 - 1e-12):
             notes.append(STILL_TOUCHING)
+        elif not (course.parted or course.stopped):
+            notes.append(
+                "The time solved ends before the bodies have parted for good: the velocities, and their estimated "
+                "error, are those of that instant."
+            )
         if scene.target.kind == "beam":
             return notes + scene.target.doubts_of_modes(self.modes) + _notes_on_a_beam(scene, course)
         if len(course.phases) >= MAX_PHASES:

@@ -307,6 +307,27 @@ class Line(NamedTuple):
     split: int  # unknowns of the impactor
     front: int
     other: int
+    wholes: "Wholes"
+
+    def strain_energy(self, displacement: np.ndarray) -> np.ndarray:
+        """Of every unknown's share (rows, unknowns) [J]; without the digits that motions as a whole would take."""
+        bent = displacement - displacement[:, self.wholes.anchors] @ self.wholes.shapes
+        return 0.5 * bent * bands.times(self.stiffness, bent)
+
+
+class Wholes(NamedTuple):
+    """What two bodies do as wholes: motions without strain, each 1 at its own anchor and 0 at the others'.
+
+    A mesh that has gone far has lost the digits of its strain, so that its forces are taken from what is left.
+    """
+
+    shapes: np.ndarray  # (motions, unknowns)
+    anchors: np.ndarray  # (motions,): unknowns
+    spans: np.ndarray  # (motions, 2): first unknown of the body and the one after its last
+
+    def still(self) -> np.ndarray:
+        """Displacements and rates of none of them, (2, motions)."""
+        return np.zeros((2, self.anchors.size))
 
 
 def line(impactor: Mesh, target: Mesh) -> Line:
@@ -314,7 +335,22 @@ def line(impactor: Mesh, target: Mesh) -> Line:
         bands.side_by_side(*pair) for pair in ((impactor.mass, target.mass), (impactor.stiffness, target.stiffness))
     )
     split = impactor.size
-    return Line(mass, stiffness, split, impactor.struck, split + target.struck if target.size else -1)
+    other = split + target.struck if target.size else -1
+    return Line(mass, stiffness, split, impactor.struck, other, _wholes(impactor, target))
+
+
+def _wholes(impactor: Mesh, target: Mesh) -> Wholes:
+    size = impactor.size + target.size
+    shapes, anchors, spans = [np.zeros((0, size))], [], []
+    for mesh, start in ((impactor, 0), (target, impactor.size)):
+        count = mesh.free.shape[0]
+        rows = np.zeros((count, size))
+        if count:
+            rows[:, start : start + mesh.size] = np.linalg.solve(mesh.free[:, :count], mesh.free)
+        shapes.append(rows)
+        anchors += range(start, start + count)
+        spans += count * [(start, start + mesh.size)]
+    return Wholes(np.vstack(shapes), np.array(anchors, np.int64), np.array(spans, np.int64).reshape(-1, 2))
 
 
 def highest_frequency(line: Line, contact_stiffness: float) -> float:

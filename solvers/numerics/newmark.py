@@ -11,7 +11,9 @@ import numpy as np
 
 from ..jit import kernel
 from .bands import Factors, factorised, solve, substitute, widened
-from .elements import Line
+from .elements import Line, Wholes
+
+TAKEN_OUT = 4  # steps between which motions as wholes gather in the unknowns: a blow changes them little in so few
 
 
 class Record(NamedTuple):
@@ -44,6 +46,7 @@ class Newmark(NamedTuple):
     stiffness: np.ndarray
     front: int
     other: int
+    wholes: Wholes
 
 
 def newmark(line: Line, step: float) -> Newmark:
@@ -57,7 +60,7 @@ def newmark(line: Line, step: float) -> Newmark:
     closing = response[line.front] - (response[line.other] if line.other >= 0 else 0.0)
     count = factors.below.shape[0] + 1
     inertia, stiffness = 4.0 / step * widened(line.mass, count), 2.0 * widened(line.stiffness, count)
-    return Newmark(factors, response, 2.0 * float(closing), inertia, stiffness, line.front, line.other)
+    return Newmark(factors, response, 2.0 * float(closing), inertia, stiffness, line.front, line.other, line.wholes)
 
 
 @kernel
@@ -70,6 +73,26 @@ def _write(record, k, stride, force, impulse, indentation, deepest, lost, u, v, 
     if k % stride == 0:
         record.displacement[k // stride] = u
         record.velocity[k // stride] = v
+
+
+@kernel
+def _take_out(shapes, anchors, spans, u, v, drift):
+    """Moves motions as wholes out of the unknowns into `drift` (2, motions), displacements and rates."""
+    for m in range(anchors.size):
+        moved, rate = u[anchors[m]], v[anchors[m]]
+        drift[0, m] += moved
+        drift[1, m] += rate
+        for i in range(spans[m, 0], spans[m, 1]):
+            u[i] -= moved * shapes[m, i]
+            v[i] -= rate * shapes[m, i]
+
+
+@kernel
+def _sum(amounts, values, row):
+    total = 0.0
+    for m in range(values.size):
+        total += amounts[row, m] * values[m]
+    return total
 
 
 @kernel
@@ -100,13 +123,18 @@ def _free_change(line, u, v, change):
 
 
 @kernel
-def march_implicit(law, line, step, u, v, stride, begin, end, record):
+def march_implicit(law, line, step, u, v, drift, stride, begin, end, record):
     """Newmark's step for the bodies; the contact force, constant over it, does exactly the law's work.
 
-    u, v (unknowns,) hold instant `begin` and are advanced to `end`. Error: second order; energy is kept to rounding
-    for any law, stiffness and step, as the bodies' part of the step keeps it too.
+    u, v (unknowns,) hold instant `begin` and are advanced to `end`, less motions as wholes, which are in `drift`
+    (2, motions): the scheme carries these at constant velocity, and they bend nothing. Error: second order; energy is
+    kept to rounding for any law, stiffness and step, as the bodies' part of the step keeps it too.
     """
-    front, other, response = line.front, line.other, line.response
+    front, other, response, ends = line.front, line.other, line.response, line.other >= 0
+    shapes, anchors, spans = line.wholes
+    at_front, at_other = shapes[:, front].copy(), shapes[:, other].copy() if ends else np.zeros(anchors.size)
+    closing = at_front - at_other
+    _take_out(shapes, anchors, spans, u, v, drift)
     change = np.zeros(u.size)
     turn, rate_unit = 2.0 / step, 1.0 / step
     indentation, deepest = record.indentation[begin], record.deepest[begin]
@@ -115,9 +143,7 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
     force, force_before = 0.0, 0.0
     for k in range(begin, end):
         _free_change(line, u, v, change)
-        free = indentation + change[front]
-        if other >= 0:
-            free -= change[other]
+        free = indentation + change[front] - (change[other] if ends else 0.0) + step * _sum(drift, closing, 1)
         expected = force + force - force_before
         force_before = force
         force, indentation, loss, memory = law.mean_force(
@@ -131,9 +157,22 @@ def march_implicit(law, line, step, u, v, stride, begin, end, record):
             moved = change[i] - push * response[i]
             u[i] += moved
             v[i] = turn * moved - v[i]
-        rate = v[front] - (v[other] if other >= 0 else 0.0)
+        for m in range(anchors.size):
+            drift[0, m] += step * drift[1, m]
+        if k % TAKEN_OUT == 0:
+            _take_out(shapes, anchors, spans, u, v, drift)
+        rate = v[front] - (v[other] if ends else 0.0) + _sum(drift, closing, 1)
         now = law.force(indentation, rate, deepest)
         _write(record, k + 1, stride, now, impulse, indentation, deepest, lost, u, v, front, other)
+        record.first[k + 1] += _sum(drift, at_front, 0)
+        record.first_velocity[k + 1] += _sum(drift, at_front, 1)
+        if ends:
+            record.second[k + 1] += _sum(drift, at_other, 0)
+            record.second_velocity[k + 1] += _sum(drift, at_other, 1)
+        if (k + 1) % stride == 0:
+            for m in range(anchors.size):
+                record.displacement[(k + 1) // stride] += drift[0, m] * shapes[m]
+                record.velocity[(k + 1) // stride] += drift[1, m] * shapes[m]
 
 
 @kernel

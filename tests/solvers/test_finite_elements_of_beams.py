@@ -278,3 +278,17 @@ def test_what_a_rigid_contact_is_told_to_be():
     modal = solvers.solve(scene, quick("fe-modal"), duration=2e-3)
     assert not any("local stiffness" in note for note in modal.notes)
     assert STEEL_ROD_MASS * (1.0 - modal.impactor_velocity) == approx(modal.impulse, rel=1e-9)
+
+
+@pytest.mark.parametrize("support, at", [("free-free", 0.5), ("free-free", 0.9), ("pinned-free", 1.0)])
+@pytest.mark.parametrize("stiffness", [1e3, 1e5])
+def test_a_soft_blow_that_carries_a_beam_far_keeps_its_energy(support, at, stiffness):
+    scene = struck_beam(1.0, {"law": "linear", "stiffness": stiffness}, support=support, at=at)
+    found = solvers.solve(scene, quick("fe-nodal", elements=100))
+    course = found.motion.course
+    total = sum(course.energies.values())
+    assert total == approx(np.full(total.size, scene.initial_energy), rel=1e-10)
+    assert abs(found.diagnostics["momentum_error"]) < 1e-10
+    x = np.linspace(0.0, 0.3, 9)
+    moved = found.motion.displacement(np.array([found.duration]), x)[0]
+    assert np.abs(moved).max() > 0.01 * (1e3 / stiffness) ** 0.5  # as a whole, far beyond what it bends

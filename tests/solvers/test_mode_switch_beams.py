@@ -252,6 +252,17 @@ def test_estimated_error_owns_to_the_scatter():
     assert found.diagnostics["estimated_error"] > 1e-3
 
 
+@pytest.mark.parametrize("duration", [3e-5, 7.5e-5, 2e-4])
+def test_the_estimate_of_a_blow_that_is_cut_off_is_of_that_instant(duration):
+    """Cut off in the first contact, after it, and later on: other modes are compared at the same instant."""
+    scene = struck_beam(1.0, RIGID)
+    found = solvers.solve(scene, "mode-switch", modes=10, duration=duration)
+    true = solvers.solve(scene, solvers.Modal(modes=150, estimate=False), duration=duration).impactor_velocity
+    error = abs(found.impactor_velocity - true)
+    assert error / 3.0 < found.diagnostics["estimated_error"] < 0.01
+    assert any("end of the time solved" in note or "time solved ends" in note for note in found.notes)
+
+
 def test_what_one_contact_loses_is_said():
     found = solve(10, mass_ratio=7.0, support="free-free", at=0.9, theory="timoshenko")
     assert len(found.contacts) == 1 and found.energy["dissipated"] > 0.1 * found.energy["initial"]
