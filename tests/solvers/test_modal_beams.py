@@ -50,16 +50,6 @@ def test_thesis_8_4_4_of_50_g(law, lost):
     assert found.energy["dissipated"] == approx(lost, rel=1e-5)
 
 
-def test_second_order_in_the_step():
-    scene = struck_beam(contact={"law": "hertz", "stiffness": STIFFNESS})
-    finals = [
-        solvers.solve(scene, modes=8, steps=n, duration=5e-3).impactor_velocity
-        for n in (10_000, 20_000, 40_000, 80_000)
-    ]
-    changes = np.abs(np.diff(finals))
-    assert np.polyfit(np.log([4.0, 2.0, 1.0]), np.log(changes), 1)[0] == approx(2.0, abs=0.35)
-
-
 @pytest.mark.parametrize("theory", THEORIES)
 @pytest.mark.parametrize("support", SUPPORTS)
 def test_more_modes_agree(support, theory):
