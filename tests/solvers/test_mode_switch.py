@@ -202,4 +202,23 @@ def test_refusals_and_options():
     with pytest.raises(SceneError, match=r"method\.modes"):
         solvers.solve(struck_rod(1.0), "mode-switch", modes=1)
     found = solvers.solve(struck_rod(1.0), "mode-switch", modes=20, smoothing="none")
-    assert len(found.contacts) == 3 and "Gibbs" in found.notes[0]
+    assert len(found.contacts) == 3 and any("Gibbs" in note for note in found.notes)
+
+
+def test_the_energy_that_few_modes_lose_is_told_with_the_remedy():
+    heavy = ModeSwitch(modes=50).solve(struck_rod(30.0))
+    assert heavy.energy["dissipated"] > 0.1 * heavy.energy["initial"]
+    assert any("12.9% of the energy" in note and "'waves'" in note for note in heavy.notes)
+    few = ModeSwitch(modes=50).solve(struck_rod(3.0, "free"))
+    asked = int(next(note for note in few.notes if "keep" in note).split("keep ")[1].split()[0])
+    enough = ModeSwitch(modes=round(1.1 * asked), estimate=False).solve(struck_rod(3.0, "free"))
+    assert enough.energy["dissipated"] < 0.0115 * enough.energy["initial"]
+    assert not any("dissipated" in note for note in ModeSwitch(modes=50).solve(struck_rod(0.3)).notes)
+
+
+@pytest.mark.parametrize("mass_ratio", [3.0, 5.0])
+def test_modes_that_part_at_rest_before_the_front_is_back_do_not_pass_for_right(mass_ratio):
+    found = ModeSwitch(modes=50).solve(struck_rod(mass_ratio, "free"))
+    true = np.exp(-2.0 * mass_ratio)  # which the front finds, and ends the contact
+    assert found.contacts[0].end < T and abs(found.impactor_velocity) < 1e-12
+    assert found.diagnostics["estimated_error"] == approx(true)
