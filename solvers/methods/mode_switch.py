@@ -167,7 +167,7 @@ class ModeSwitch(Method):
             needed = math.ceil(self.modes * lost / NEGLIGIBLE)
             remedy = f"keep {needed} modes to lose 1 %, or use 'waves'" if needed <= MOST_MODES else "use 'waves'"
             notes.append(
-                f"{self.modes} modes do not hold how suddenly the end of a rod starts that is {scene.mass_ratio:.3g} times "
+                f"{self.modes} modes do not hold how suddenly the end of the rod starts, {scene.mass_ratio:.3g} times "
                 f"as heavy as the mass: {lost:.1%} of the energy counts as dissipated and is in waves; {remedy}."
             )
         return notes
