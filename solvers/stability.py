@@ -21,6 +21,7 @@ from .tried import never
 
 USUAL_MODES = 20  # where neither the scene nor an axis says how many
 NOT_RUN, CANNOT = 254, 255
+SURE = 0.97  # of a limit by theory: failures below it are told
 UNSTABLE = "newmark-frozen"
 THESIS_STIFFNESS = 100.0  # of an element, at which thesis 8.2 sees the solution diverge
 
@@ -341,6 +342,14 @@ def _notes(found: Stability, own: Problem) -> list[str]:
     for each in found.maps.values():
         if each.reason:
             notes.append(f"{each.integrator}: {each.reason}.")
+    early = [
+        each.integrator for each in found.maps.values() if np.any(each.ending[each.limit_share < SURE] == DIVERGED)
+    ]
+    if early:
+        notes.append(
+            f"{', '.join(early)}: some runs fail below the limit drawn, which is that of a contact that stays closed: "
+            "one that opens and closes feeds the motion. Half the limit was safe, a quarter where the status is frozen."
+        )
     stopped = max((each.stopped for each in found.maps.values()), default=0)
     if stopped:
         notes.append(

@@ -215,19 +215,19 @@ INTEGRATORS = {
     "newmark": Integrator("Newmark, contact status implicit", "stable at every step", _endless, _implicit),
     "newmark-frozen": Integrator(
         "Newmark, contact status frozen over a step",
-        "about 3 / omega_c, of the contact spring on what it moves at once (measured)",
+        "about 3 / omega_c, of the contact spring on what it moves at once (measured on one stiff contact)",
         lambda problem: FROZEN_LIMIT / math.sqrt(problem.stiffness * problem.mobility),
         _frozen,
     ),
     "central-difference": Integrator(
         "central difference",
-        "2 / omega_max, of the modes with the contact spring",
+        "2 / omega_max, of the modes with the contact spring closed",
         lambda problem: 2.0 / _highest(problem),
         _central_difference,
     ),
     "rk4": Integrator(
         "Runge-Kutta, fourth order",
-        "2 sqrt(2) / omega_max, of the modes with the contact spring",
+        "2 sqrt(2) / omega_max, of the modes with the contact spring closed",
         lambda problem: 2.0 * math.sqrt(2.0) / _highest(problem),
         _runge_kutta,
     ),

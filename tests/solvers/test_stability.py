@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 from pytest import approx
 
 import solvers
-from solvers import SceneError, SceneNotSupported, stability
+from solvers import Scene, SceneError, SceneNotSupported, stability
+from solvers.methods import Modal
 from solvers.numerics import integrators
 from solvers.numerics.integrators import BOUND, DIVERGED, ENDED, LASTING
 from solvers.stability import NOT_RUN
 from solvers.stability_runs import INTEGRATORS, bound, problem_of, run
-from tests.catalog import ROD, T, contact_table, observed_order, struck_rod
+from tests.catalog import LAWS, ROD, T, contact_table, observed_order, struck_beam, struck_rod
 
 BOX = {  # corners of it, and hypothesis inside
     "contact_stiffness": (1e-3, 1e6),
@@ -88,6 +89,54 @@ def test_the_default_kernel_ends_by_itself_on_the_map_of_the_page():
         assert found.failures == 0 and found.worst_energy_error <= KEPT
 
 
+WHERE = ("fixed", "free", "cantilever", "free-free", "pinned-pinned, timoshenko")
+
+
+def struck(where: str, law: str) -> Scene:
+    """The rod or the beam by its support, struck by its own mass."""
+    if where in ("fixed", "free"):
+        return struck_rod(1.0, where, contact_table(law))
+    support, _, theory = where.partition(", ")
+    place = {"cantilever": 1.0}.get(support, 0.37)
+    return struck_beam(1.0, contact_table(law), support=support, at=place, theory=theory or "euler-bernoulli")
+
+
+@settings(max_examples=40)
+@given(
+    st.sampled_from(["rigid", "hertz", "plastic-power", "kelvin-voigt"]),
+    st.sampled_from(WHERE[2:]),
+    st.fixed_dictionaries({name: logarithmic(*ends) for name, ends in (BOX | {"modes": (1, 200)}).items()}),
+    st.floats(*RESTITUTION),
+    logarithmic(1e-2, 1e3),
+)
+def test_nor_anywhere_inside_it_on_beams(law, where, values, restitution, share):
+    values = values | ({"restitution": restitution} if law == "kelvin-voigt" else {})
+    problem = problem_of(struck(where, law), values, 20)
+    found = run("modal", problem, share * problem.usual_step, 5_000)
+    assert abs(found.energy_error) <= KEPT and found.ending in (ENDED, BOUND)
+    assert abs(found.velocity) <= problem.scene.speed * (1.0 + KEPT)
+
+
+@settings(max_examples=50)
+@given(
+    st.sampled_from(list(LAWS)),
+    st.sampled_from(WHERE),
+    st.fixed_dictionaries({name: logarithmic(*ends) for name, ends in (BOX | {"modes": (1, 300)}).items()}),
+    st.floats(*RESTITUTION),
+    logarithmic(1e-2, 1e2),
+)
+def test_every_law_keeps_its_energy_on_rods_and_beams_as_they_are_solved(law, where, values, restitution, share):
+    values = values | ({"restitution": restitution} if LAWS[law].LOSSY else {})
+    problem = problem_of(struck(where, law), values, 20)
+    method, steps = Modal(modes=int(values["modes"]), steps=300, estimate=False), 300
+    found = method.solve(problem.scene, min(steps * share * problem.usual_step, 1e4 * problem.scene.time_unit))
+    assert abs(found.diagnostics["energy_error"]) <= KEPT
+    assert math.isfinite(found.impulse) and abs(found.impactor_velocity) <= problem.scene.speed * (1.0 + KEPT)
+    assert found.diagnostics["steps"] == steps
+    told = any("still in contact" in note for note in found.notes)
+    assert told == (found.contacts[-1].end >= found.duration * (1.0 - 1e-12))
+
+
 # --- limits by theory -------------------------------------------------------------------------------------------------
 
 
@@ -100,6 +149,42 @@ def test_the_highest_frequency_is_that_of_the_modes_with_the_contact_spring(stif
     assert integrators.highest_frequency(bodies, stiffness) == approx(
         math.sqrt(np.linalg.eigvalsh(whole)[-1]), rel=1e-9
     )
+
+
+def first_failure(name: str, problem, shares: np.ndarray) -> float:
+    """The smallest of these shares of the limit at which a run grows past reason."""
+    limit = INTEGRATORS[name].limit(problem)
+    return next((s for s in shares.tolist() if run(name, problem, s * limit).ending == DIVERGED), math.nan)
+
+
+@pytest.mark.parametrize("mass_ratio, stiffness", [(1e-3, 0.01), (1e-3, 1.0), (0.03, 1.0), (1.0, 0.01), (1.0, 1.0)])
+def test_a_closed_contact_fails_where_theory_says(mass_ratio, stiffness):
+    problem = problem_of(struck_rod(), {"mass_ratio": mass_ratio, "contact_stiffness": stiffness}, 10)
+    for name in ("central-difference", "rk4"):
+        assert first_failure(name, problem, np.geomspace(0.8, 1.25, 46)) == approx(1.0, abs=0.03)
+
+
+@pytest.mark.parametrize("stiffness", [100.0, 1000.0, 3000.0])
+def test_a_frozen_status_fails_where_it_was_measured(stiffness):
+    problem = problem_of(struck_rod(1.0, "free"), {"contact_stiffness": stiffness}, 10)
+    assert first_failure("newmark-frozen", problem, np.geomspace(0.5, 2.0, 71)) == approx(1.0, abs=0.07)
+    for name in ("newmark", "modal", "moreau-jean"):
+        steps = np.geomspace(0.01, 1e3, 12) * problem.step_unit
+        assert not any(run(name, problem, step).ending == DIVERGED for step in steps.tolist())
+
+
+def test_failures_below_a_limit_are_told():
+    scene = struck_rod(0.03)
+    problem = problem_of(scene, {"contact_stiffness": 100.0}, 10)
+    limit = INTEGRATORS["central-difference"].limit(problem) / problem.step_unit
+    box = ((np.geomspace(0.45, 0.95, 40) * limit).tolist(), [100.0])
+    found = stability(scene, ["central-difference"], grid=box, modes=10)
+    each = found.maps["central-difference"]
+    assert np.any(each.ending[each.limit_share < 0.9] == DIVERGED)
+    assert not np.any(each.ending[each.limit_share < 0.5] == DIVERGED)
+    assert any("below the limit drawn" in note for note in found.notes)
+    soft = stability(struck_rod(0.03), ["central-difference"], grid=(6, [0.01, 1.0]), modes=10)
+    assert not any("below the limit drawn" in note for note in soft.notes)
 
 
 def test_explicit_rules_are_stable_below_their_limit_and_not_beyond():
