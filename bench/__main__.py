@@ -10,6 +10,7 @@ from solvers.machine import machine
 from . import (
     automatic,
     beams,
+    cost,
     elements,
     ensemble,
     impulses,
@@ -35,6 +36,7 @@ PARTS = {
     "ensemble": ensemble,
     "impulses": impulses,
     "methods": methods,
+    "cost": cost,
     "sweep": sweep,
     "regimes": regimes,
     "regime-sweep": regime_sweep,

@@ -1,7 +1,5 @@
 """How far to trust a blow: an ensemble of 200 runs, and where its time goes."""
 
-from time import thread_time
-
 import numpy as np
 
 import solvers
@@ -9,20 +7,9 @@ from solvers import Modal, ensemble
 from solvers.methods.modal import again
 
 from .kernels import bare_rotation
-from .timing import median, row
+from .timing import median, processor_times, row
 
 MODES, STEPS, RUNS = 40, 20_000, 200
-
-
-def processor_time(work, repeats: int = 9) -> float:
-    """Least time of a processor [s]: of kernels that others disturb."""
-    work()
-    times = []
-    for _ in range(repeats):
-        begun = thread_time()
-        work()
-        times.append(thread_time() - begun)
-    return min(times)
 
 
 def measure() -> dict[str, object]:
@@ -31,9 +18,13 @@ def measure() -> dict[str, object]:
     record = again(base.motion, scene)[1]
     turn = np.ones(MODES), np.zeros(MODES)
     whole = median(lambda: ensemble(scene, method, runs=RUNS), 5)
-    floor = processor_time(lambda: bare_rotation(*turn, np.ones(MODES), np.zeros(MODES), STEPS))
-    kernel = processor_time(lambda: again(base.motion, scene, record))
-    told = processor_time(lambda: again(base.motion, scene, record)[0].contacts())
+    floor, kernel, told = processor_times(
+        [
+            lambda: bare_rotation(*turn, np.ones(MODES), np.zeros(MODES), STEPS),
+            lambda: again(base.motion, scene, record),
+            lambda: again(base.motion, scene, record)[0].contacts(),
+        ]
+    )
     rigid = solvers.load("fixed-rod")
     return dict(
         [

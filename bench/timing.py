@@ -2,7 +2,7 @@
 
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 
 def median(work: Callable[[], object], repeats: int = 15) -> float:
@@ -14,6 +14,19 @@ def median(work: Callable[[], object], repeats: int = 15) -> float:
         work()
         times.append(time.perf_counter() - begun)
     return statistics.median(times)
+
+
+def processor_times(works: Sequence[Callable[[], object]], repeats: int = 7) -> list[float]:
+    """Median time of a processor [s] of each work, all in turn: what disturbs the machine disturbs them alike."""
+    for work in works:
+        work()
+    times: list[list[float]] = [[] for _ in works]
+    for _ in range(repeats):
+        for work, own in zip(works, times, strict=True):
+            begun = time.thread_time()
+            work()
+            own.append(time.thread_time() - begun)
+    return [statistics.median(own) for own in times]
 
 
 def paired_medians(floor: Callable[[], object], work: Callable[[], object], repeats: int) -> tuple[float, float, float]:
