@@ -34,9 +34,10 @@ class FeModal(FiniteElements):
     hardly chatters; all modes are kept unless `modes` says otherwise. A contact with a law of its own does better with
     the "consistent" mass. A beam keeps 20 modes; "massless", at most half of those of its mesh, and its struck section
     gives way without inertia by all that are left out, as in 'modal'.
-    Error: second order in the step; first order in 1 / elements and 1 / modes for a rigid contact; on a beam with a law
-    of its own fourth order in 1 / elements, second where it shears. Cost: steps * modes and, once, elements * modes,
-    or elements^3 where more than a few modes are kept.
+    Error: second order in the step; in elements of a rod second, but 4/5 where the front parts rigid faces (free rod,
+    massless boundary) and 4/3 if a law's force jumps at first touch; in elements of a beam with a law of its own
+    fourth, second where it shears. Cost: steps * modes and, once, elements * modes, or elements^3 where more than a few
+    modes are kept.
     Source: thesis 6.4.1 and 8.2; massless boundary: Monjaraz Tec, Gross and Krack (2022).
     Differs: table 8.2 leaves out the compliance of the modes not kept, and its rows of 5 to 20 modes follow from no
     stiffness and step that could be tried.

@@ -44,8 +44,9 @@ class Modal(Method):
     A free rod may be described in a frame on the mean of its sections, with the shapes of the free rod, or in one fixed
     to its struck or its far end, "attached" or "attached-far", with the shapes of a rod clamped there: thesis 10.2. The
     oscillators are then those of the coupled system; what the frame does is in the diagnostics.
-    Error: second order in the step; in the number of modes about 1/modes, less where the contact is soft; without the
-    residual compliance 1/modes for any contact, but modes^-3 in the frame on the struck end.
+    Error: second order in the step; in the number of modes of a rod modes^-3 with a contact law, modes^-2 if its force
+    jumps at first touch, 1/modes to modes^-1.5 if rigid; of a slender beam modes^-7. Without the residual compliance
+    1/modes for any contact, but modes^-3 in the frame on the struck end.
     Source: thesis 5.2, 5.3, 8.4, 9.2 and 9.3; kernel: see `numerics.oscillators`.
     Differs: thesis 8.2 takes the stiffness of the neighbouring element and misses the second contact below 400 modes.
     """
