@@ -43,6 +43,7 @@ MODULES = (
     "beam_charts",
     "beam_story",
     "in_view",
+    "words",
     "trust",
     "logplot",
     "panel",

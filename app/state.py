@@ -181,8 +181,13 @@ def own_options(scene: Scene, method: str) -> dict[str, Any]:
 
 
 def resolutions(scene: Scene, method: str) -> list[str]:
-    """Which of modes and elements the method takes; where the scene gives any of them, those only."""
+    """Which of modes and elements the method takes; where the scene gives any of them, those only.
+
+    Of a beam what makes the method finer: it keeps so few modes of its elements that their number need not be set.
+    """
     known, own = {option.name for option in fields(METHODS[method])}, own_options(scene, method)
+    if on_beam(scene) and not own:
+        known &= set(METHODS[method].KNOBS)
     found = [name for name in ("modes", "elements") if name in known]
     return [name for name in found if name in own] or found
 

@@ -79,7 +79,7 @@ export class BeamSpaceTime {
 export class BeamForce {
   constructor(toggled) {
     this.chart = new Chart('Contact force', 'N', 'contact force against time, with every contact shaded');
-    this.half = Object.assign(document.createElement('button'), { type: 'button', className: 'whole small', textContent: 'Beside it: on a half-space' });
+    this.half = Object.assign(document.createElement('button'), { type: 'button', className: 'whole small', textContent: 'On a half-space' });
     this.half.title = 'the same impactor, by the same contact law, on a body of this material too large to bend';
     this.shown = true;
     this.half.onclick = () => { this.shown = !this.shown; toggled(); };
@@ -145,8 +145,8 @@ export class BeamForce {
     c.restore();
     const entries = [[called(frame.main), 'line waves']];
     if (this.raw) entries.push(['raw', 'line raw-main']);
-    if (frame.reference) entries.push([called(frame.reference), 'line modal']);
-    if (this.shown && frame.halfForce) entries.push([`half-space (to ${figures(Math.max(...frame.halfForce) * factor, 2)})`, 'line half-space']);
+    if (frame.reference) entries.push([`${called(frame.reference)}, to compare`, 'line modal']);
+    if (this.shown && frame.halfForce) entries.push([`on a body too large to bend, up to ${figures(Math.max(...frame.halfForce) * factor, 2)} ${prefix}N`, 'line half-space']);
     if (band) entries.push(['spread', 'chip spread']);
     chart.key(entries);
   }
@@ -213,7 +213,7 @@ export class BeamMotion {
     for (const [time, values, color, width, dash] of this.curves) chart.line(c, time.length, (k) => time[k], (k) => values[k] * factor, color, width, dash);
     c.restore();
     const entries = [['impactor', 'line waves'], ['struck place', 'line end']];
-    if (kind === 'displacement' && frame.reference) entries.push([called(frame.reference), 'line modal']);
+    if (kind === 'displacement' && frame.reference) entries.push([`${called(frame.reference)}, to compare`, 'line modal']);
     if (kind === 'displacement' && frame.staticPath) entries.push(['quasi-static', 'line ghost']);
     chart.key(entries);
   }

@@ -2,6 +2,7 @@
 import { called } from './beam_charts.js';
 import { between } from './beam_field.js';
 import { figures, prefixed } from './beam_stage.js';
+import { LABELS, plainly } from './words.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -18,23 +19,37 @@ const STRIKERS = { sphere: 'ball', rod: 'rod', beam: 'other beam' };
 const strikerOf = (frame) => STRIKERS[frame.impactor.kind] ?? 'mass';
 const struckOf = ({ beam }) => (beam.place > 0.999 * beam.length && beam.support !== 'free-free' ? 'tip' : 'struck place');
 
+const NEAR = 0.2, HARD = 0.5; // of its length from a support; movement of the struck place over that of the contact
+
+// The support next to the struck place, where that is so near that the contact gives way and not the beam; else null.
+function holding(frame) {
+  const { beam, contacts, main, time, struckPath } = frame, [first, last] = { cantilever: ['clamp'], 'pinned-pinned': ['pin', 'roller'], 'clamped-clamped': ['clamp', 'clamp'], 'free-free': [], 'pinned-free': ['pin'] }[beam.support];
+  const [name, away] = first && (!last || beam.place < beam.length / 2) ? [first, beam.place] : [last, beam.length - beam.place];
+  if (!name || away > NEAR * beam.length || !(main.peakIndentation > 0)) return null;
+  let moved = 0;
+  for (let k = 0; k < time.length && time[k] <= contacts[0][1]; k++) moved = Math.max(moved, struckPath[k]);
+  return moved < HARD * main.peakIndentation ? { name, away, moved } : null;
+}
+
 // What methods without waves take the beam for.
 const WAVELESS = { rigid: 'For this method the beam is rigid: all of it answers at once, in no time.', 'quasi-static': 'For this method the whole beam bends at once, as under a force at rest: no wave runs in it.' };
 
 // The events of the blow as [time in ms, sentence].
 export function beamEvents(frame) {
-  const { contacts, rates, main, law } = frame, mass = strikerOf(frame), tip = struckOf(frame), found = [], last = contacts.length - 1;
+  const { contacts, rates, main, law } = frame, mass = strikerOf(frame), tip = struckOf(frame), found = [], last = contacts.length - 1, held = holding(frame);
   const at = (k, end) => [rates[4 * k + 2 * end], rates[4 * k + 2 * end + 1]]; // of impactor and of struck place
   const told = (k) => 4 * k + 3 < rates.length;
-  found.push([contacts[0][0], WAVELESS[main.name] ? `The ${mass} touches the ${tip}. ${WAVELESS[main.name]}` : `The ${mass} touches the ${tip}. ${law.name === 'rigid' ? 'The' : 'The contact gives way, the force grows, and the'} ${tip} has to go along, but of the beam behind it only the short piece that the first waves have reached: at first the ${mass} pushes on next to nothing.`]);
+  found.push([contacts[0][0], WAVELESS[main.name] ? `The ${mass} touches the ${tip}. ${WAVELESS[main.name]}` : held ? `The ${mass} touches the ${tip}, only ${length(held.away)} from the ${held.name}, which holds it back almost at once: the contact has to give way, not the beam.` : `The ${mass} touches the ${tip}. ${law.name === 'rigid' ? 'The' : 'The contact gives way, the force grows, and the'} ${tip} has to go along, but of the beam behind it only the short piece that the first waves have reached: at first the ${mass} pushes on next to nothing.`]);
   contacts.forEach(([start, end], k) => {
-    if (k > 0 && k < TOLD) found.push([start, k === 1
-      ? `The rest of the beam holds the ${tip} back. The ${mass} catches up with it: contact 2.`
+    if (k > 0 && k < TOLD) found.push([start, told(k) && at(k, 0)[0] < 0
+      ? `The ${tip} swings back and overtakes the ${mass}, which is on its way back: contact ${k + 1}.`
+      : k === 1 ? `The rest of the beam holds the ${tip} back. The ${mass} catches up with it: contact 2.`
       : `Caught up again: contact ${k + 1}.`]);
     if (k === last || k >= TOLD - 1 || !told(k)) return;
     const [own, ahead] = at(k, 1);
-    found.push([end, k === 0
-      ? `The ${tip} has been thrown ahead: it moves at ${speed(ahead)}, the ${mass} at ${speed(own)}. After ${duration(end - start)} they part, and the ${mass} has given away ${percent(1 - own / frame.impactorRate[0])} of its speed.`
+    found.push([end, own < 0
+      ? `After ${duration(end - start)} they part: the ${mass} goes back at ${speed(-own)}, the ${tip} ${ahead < 0 ? 'back' : 'on'} at ${speed(Math.abs(ahead))}.`
+      : k === 0 ? `The ${tip} has been thrown ahead: it moves at ${speed(ahead)}, the ${mass} at ${speed(own)}. After ${duration(end - start)} they part, and the ${mass} has given away ${percent(1 - own / frame.impactorRate[0])} of its speed.`
       : `Thrown ahead again: the ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}.`]);
   });
   if (last === TOLD) found.push([contacts[TOLD][0], `Caught up again: contact ${TOLD + 1}.`]);
@@ -65,6 +80,7 @@ export class BeamStory {
     this.doubts = make('ul', { className: 'doubts' });
     this.table = make('table', { className: 'contacts' });
     this.answers = make('table', { className: 'figures' });
+    this.beside = make('p', { className: 'help' });
     this.energy = make('div', { className: 'energy' });
     this.source = make('p', { className: 'trust' });
     const heading = (textContent) => make('h2', { textContent });
@@ -72,7 +88,7 @@ export class BeamStory {
     this.whyHeading = heading('');
     this.root = make('aside', { className: 'story' },
       heading('What happens'), this.list, this.whyHeading, this.why, this.span, this.doubtsHeading, this.doubts,
-      heading('Contact periods'), make('div', { className: 'scroll' }, this.table), heading('After the blow'), make('div', { className: 'scroll' }, this.answers),
+      heading('Contact periods'), make('div', { className: 'scroll' }, this.table), heading('After the blow'), make('div', { className: 'scroll' }, this.answers), this.beside,
       heading('Where the energy went'), this.energy, this.source);
   }
   load(frame) {
@@ -87,8 +103,8 @@ export class BeamStory {
     this.figures();
     this.shares();
     const { main, reference } = frame, unlike = reference && reference.contacts !== main.contacts;
-    const notes = [...(unlike ? [`By ${called(reference)} instead of ${called(main)} the blow has ${count(reference.contacts, 'contact')}, not ${main.contacts}: do not trust single contacts. “How far to trust this” tells what can be trusted.`] : []), ...(frame.refused ? [`${frame.chosen.method}: ${frame.refused}. Modes are shown instead.`] : []), ...frame.main.notes, ...(frame.reference ? frame.reference.notes.filter((n) => !frame.main.notes.includes(n)).map((n) => `Beside it, ${called(frame.reference)}: ${n}`) : [])];
-    this.doubts.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
+    const notes = [...(unlike ? [`By ${called(reference)} instead of ${called(main)} the blow has ${count(reference.contacts, 'contact')}, not ${main.contacts}: do not trust single contacts. “How far to trust this” tells what can be trusted.`] : []), ...(frame.refused ? [`${LABELS.method[2][frame.chosen.method]}: ${frame.refused}. Modes are shown instead.`] : []), ...frame.main.notes, ...(frame.reference ? frame.reference.notes.filter((n) => !frame.main.notes.includes(n)).map((n) => `Beside it, ${called(frame.reference)}: ${n}`) : [])];
+    this.doubts.replaceChildren(...notes.map((note) => make('li', { textContent: plainly(note) })));
     this.doubts.hidden = this.doubtsHeading.hidden = !notes.length;
     const { keptModes, drawnModes } = frame;
     const drawn = keptModes > drawnModes ? ` The pictures are drawn from the lowest ${drawnModes} of ${keptModes} modes.` : '';
@@ -96,15 +112,16 @@ export class BeamStory {
   }
   // Why so many contacts, or why only one; and how long the whole takes.
   reasons() {
-    const { main, span, beam } = this.frame, mass = strikerOf(this.frame), tip = struckOf(this.frame), many = main.contacts > 1;
+    const { main, span, beam } = this.frame, mass = strikerOf(this.frame), tip = struckOf(this.frame), many = main.contacts > 1, held = WAVELESS[main.name] ? null : holding(this.frame);
     this.whyHeading.textContent = many ? `Why one blow is ${main.contacts} contacts` : 'One contact, and why';
-    this.why.textContent = many
-      ? `Bending does not run through a beam at one speed: short waves run ahead, long ones follow (see the picture of the beam against time). So the ${mass} meets a beam that is light at first and grows heavier. It throws the light piece ahead, the rest holds that piece back, the ${mass} catches up and throws it ahead once more, until the whole beam moves with it.`
+    this.why.textContent = held
+      ? `So near the ${held.name} (${length(held.away)}) the beam hardly gives way: during the first contact the ${tip} moves ${length(held.moved)}, while the contact is pressed in by ${length(main.peakIndentation)}. The ${mass} turns round as on a wall, and only a little of the blow runs along the beam.`
+      : many ? `Bending does not run through a beam at one speed: short waves run ahead, long ones follow (see the picture of the beam against time). So the ${mass} meets a beam that is light at first and grows heavier. It throws the light piece ahead, the rest holds that piece back, the ${mass} catches up and throws it ahead once more, until the whole beam moves with it.`
       : WAVELESS[main.name] ? `${WAVELESS[main.name]} So it knows one contact only; choose “Modes” to see how many there are.`
       : `Here the force ends once and for all: the ${mass} has gone before the ${tip} can come back to it. A heavier ${mass}, or a harder contact, is hit more than once.`;
     const share = span.apparent > 0 ? span.real / span.apparent : 1, said = [];
     if (span.real > 0) said.push(many ? `From the first touch to the last parting it takes ${duration(span.apparent)}, but they press on each other during only ${duration(span.real)} of it (${percent(share)}).` : `They touch for ${duration(span.apparent)}.`);
-    if (span.half && main.name !== 'rigid') {
+    if (span.half && main.name !== 'rigid' && !held) {
       const ratio = span.apparent / span.half, riding = `With the ${mass} riding on it this beam swings half a period in ${duration(span.half)}`;
       said.push(ratio > 0.75 && ratio < 1.3 ? `${riding}, and the blow lasts ${figures(ratio)} of that: seen from afar it is one slow push, by the beam as a spring, handed on in ${count(main.contacts, 'piece')}.`
         : ratio <= 0.75 ? `${riding}; the blow is over after ${figures(ratio)} of that, before the beam as a whole can answer.`
@@ -133,6 +150,7 @@ export class BeamStory {
     rows.push(['restitution e', (s) => value(s.restitution.newton)], ['impulse, N s', (s) => value(s.impulse)], [`peak force, ${prefix}N`, (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))], ['indentation, µm', (s) => micro(s.peakIndentation)]);
     if (both.some((s) => s.residualIndentation)) rows.push(['crater left, µm', (s) => micro(s.residualIndentation)]);
     rows.push(['apparent contact, ms', (s) => (s === main ? figures(span.apparent) : '')], ['true contact, ms', (s) => (s === main ? figures(span.real) : '')], ['energy unaccounted for', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)], ['solved in, ms', (s) => figures(s.diagnostics.wall_time * 1e3)]);
+    this.beside.textContent = reference ? `${called(reference)}: the same blow solved once more, to see what depends on their number.` : '';
     const head = make('tr', {}, ...['', ...both.map(called)].map((textContent) => make('th', { textContent })));
     this.answers.replaceChildren(make('thead', {}, head), make('tbody', {}, ...rows.map(([name, show]) => make('tr', {}, make('td', { textContent: name }), ...both.map((s) => make('td', { textContent: show(s) }))))));
   }
@@ -163,7 +181,8 @@ export class BeamStory {
     const gone = here < 0 && before === contacts.length - 1;
     this.now.textContent = here >= 0 ? `Now: contact ${here + 1} of ${main.contacts}; the ${mass} at ${speed(own)}.`
       : gone ? `Now: parted. The ${mass} at ${speed(own)}, the ${tip} at ${speed(ahead)}.`
-        : `Now: apart, after contact ${before + 1} of ${main.contacts}. The ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}: ${ahead > own ? 'it runs ahead' : `the ${mass} catches up`}.`;
+        : `Now: apart, after contact ${before + 1} of ${main.contacts}. The ${tip} at ${speed(ahead)}, the ${mass} at ${speed(own)}: ${ahead > own ? own < 0 ? 'they draw apart' : 'it runs ahead' : own < 0 ? `the ${tip} catches up` : `the ${mass} catches up`}.`;
+    if (!this.page.player.played) this.now.textContent += ' “Play” shows what follows.';
     this.now.classList.toggle('touching', here >= 0);
   }
 }

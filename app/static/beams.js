@@ -30,8 +30,8 @@ export class BeamView {
     this.story = new BeamStory(page);
     this.colours = make('div', { className: 'segments', role: 'group' }, ...QUANTITIES.map((what) => make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); redraw(); } })));
     this.colours.setAttribute('aria-label', 'Colour shows');
-    this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', onclick: () => page.zoom() });
-    this.slow = make('button', { type: 'button', className: 'whole slow-motion', textContent: '▶ Slow motion: the first contacts', onclick: () => this.slowly() });
+    this.whole = make('button', { type: 'button', className: 'whole away', textContent: 'Show the whole blow', onclick: () => page.zoom() });
+    this.slow = make('button', { type: 'button', className: 'whole slow-motion', textContent: '▶ Slow motion', title: 'the first contacts, filling the views, in 16 seconds', onclick: () => this.slowly() });
     this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), this.colours, this.slow, this.whole);
     this.above = [this.head, this.stage.root];
     this.below = make('div', { className: 'beam-views' }, this.story.now, ...this.charts.map(({ chart }) => chart.root), make('div', { className: 'pair' }, this.cycle.chart.root, this.dispersion.chart.root));
@@ -45,7 +45,7 @@ export class BeamView {
     for (const name of ['contacts', 'referenceContacts']) if (frame[name]) frame[name] = Array.from({ length: frame[name].length / 4 }, (_, k) => [...frame[name].subarray(4 * k, 4 * k + 4)]);
     this.field = fieldOf(frame);
     this.view = [0, frame.duration];
-    this.whole.hidden = true;
+    this.whole.classList.add('away'); // unseen, in a place that is kept
     this.slow.hidden = this.frame.contacts.length < 2;
     this.force.load(frame);
     this.motion.load(frame);
@@ -83,7 +83,7 @@ export class BeamView {
       const margin = Math.max(0.35 * (end - start), 1e-5 * duration);
       this.view = [Math.max(0, start - margin), Math.min(duration, end + margin)];
     }
-    this.whole.hidden = start === undefined;
+    this.whole.classList.toggle('away', start === undefined);
     this.draw();
   }
   // The first contacts, filling the views, and slowly.

@@ -1,31 +1,6 @@
 // The form: one control for each choice, made from the bounds that the server holds.
+import { LABELS, plainly } from './words.js';
 
-const LABELS = {
-  scene: ['Scene', '', {}],
-  method: ['Method beside the exact one', '', {
-    waves: 'Modes (pictures: exact)', modal: 'Modes', 'fe-nodal': 'Finite elements', 'fe-modal': 'Modes of finite elements', balance: 'Impulse balances',
-    'mode-switch': 'Modes that switch', 'quasi-static': 'Quasi-static', rigid: 'Rigid bodies', 'floating-frame': 'Floating frame',
-  }],
-  mass_ratio: ['Mass ratio', 'm₂/m₁', null, 'log'],
-  speed: ['Impact speed', 'm/s', null, 'log'],
-  law: ['Contact law', '', {
-    rigid: 'Rigid', linear: 'Linear spring', hertz: 'Hertz', power: 'Power law', 'kelvin-voigt': 'Kelvin–Voigt', 'lee-wang': 'Lee–Wang', 'hunt-crossley': 'Hunt–Crossley',
-    'lankarani-nikravesh': 'Lankarani–Nikravesh', 'yigit-christoforou': 'Yigit–Christoforou', 'plastic-linear': 'Plastic, linear', 'plastic-power': 'Plastic, power (Tabor)',
-  }],
-  linear_stiffness: ['Stiffness', 'N/m', null, 'log'],
-  hertz_stiffness: ['Stiffness', 'N/m¹·⁵', null, 'log'],
-  force_at_depth: ['Force at 10 µm', 'N', null, 'log'],
-  exponent: ['Exponent', '', null],
-  yield_indentation: ['Yields at', 'm', null, 'log'],
-  restitution: ['Restitution', '', null],
-  modes: ['Modes', 'kept', null, 'log'],
-  elements: ['Elements', '', null, 'log'],
-  place: ['Struck at', 'of its length', null],
-  support: ['Support', '', { cantilever: 'Cantilever', 'pinned-pinned': 'Pinned at both ends', 'clamped-clamped': 'Clamped at both ends', 'free-free': 'Free at both ends', 'pinned-free': 'Pinned and free' }],
-  theory: ['Theory', '', { 'euler-bernoulli': 'Euler–Bernoulli', timoshenko: 'Timoshenko' }],
-  slenderness: ['Length over depth', '', null, 'log'],
-  damping: ['Modal damping', 'of critical', null],
-};
 const ORDER = ['scene', 'mass_ratio', 'speed', 'place', 'support', 'theory', 'slenderness', 'damping', 'law', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth', 'exponent', 'yield_indentation', 'restitution', 'modes', 'elements', 'method'];
 const STEPS = 1000;
 
@@ -111,7 +86,7 @@ export class Controls {
       if (option.value === 'waves') option.textContent = onBeam ? 'Travelling waves' : LABELS.method[2].waves;
       const reason = frame.refusals[option.value];
       option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
-      option.title = reason ?? '';
+      option.title = plainly(reason ?? '');
     }
     if (frame.kind === 'bodies') { this.note.textContent = 'Speed of parting over speed of approach of the touching points, along the normal.'; return; }
     if (onBeam) { this.note.textContent = frame.law.damps ? 'Sets what this contact delivers between two rigid bodies.' : 'Sets the restitution of every balance.'; return; }
@@ -120,7 +95,7 @@ export class Controls {
       : method === 'balance' ? 'Sets the restitution of every balance, and the ghost.'
       : `Sets the ghost: the answer of rigid-body theory, dashed grey. ${frame.yields ? 'This contact loses by yielding.' : 'This contact law itself loses nothing.'}`;
     const refused = frame.refusals[method];
-    this.note.textContent = acts + match + (refused && method !== 'waves' ? ` ${refused}` : '');
+    this.note.textContent = acts + match + (refused && method !== 'waves' ? ` ${plainly(refused)}` : '');
   }
 }
 

@@ -67,8 +67,19 @@ class Page {
     const view = make('main', { className: 'views' },
       this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
       this.stage.root, this.space.root, ...this.beam.above, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root, this.beam.below);
-    this.root = make('div', { className: 'page' }, bar, this.controls.root, view, this.aside = this.story.root, ...this.analyses.panels, this.toast);
+    this.root = make('div', { className: 'page' }, bar, this.choices(), view, this.aside = this.story.root, ...this.analyses.panels, this.toast);
     return this.root;
+  }
+  // The form; a phone shows the first of it until the others are asked for.
+  choices() {
+    const more = make('button', { type: 'button', textContent: 'All choices' }), root = make('section', { className: 'choices' }, this.controls.root, more);
+    more.onclick = () => {
+      const open = root.classList.toggle('open');
+      more.setAttribute('aria-expanded', String(open));
+      more.textContent = open ? 'Fewer choices' : 'All choices';
+    };
+    more.setAttribute('aria-expanded', 'false');
+    return root;
   }
   listen(model) {
     model.on('frame', () => this.take());

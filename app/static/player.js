@@ -9,12 +9,15 @@ const make = (tag, properties = {}, ...children) => {
   return element;
 };
 
+// Where a blow on a beam is shown at first: as on rods, in the first contact, once waves have set out.
+const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
+
 export class Player {
   // `show(t)` draws the instant t [round trips].
   constructor(show) {
     this.show = show;
     this.t = 0;
-    this.playing = false;
+    this.playing = this.played = false; // now, and ever
     this.speed = 1;
     this.button = make('button', { type: 'button', className: 'play' });
     this.scrub = make('input', { type: 'range', min: 0, max: 10000, step: 1, className: 'scrub' });
@@ -44,7 +47,7 @@ export class Player {
     this.until = Infinity;
     if (first) this.t = Math.min(0.36, 0.4 * this.duration);
     if (frame.kind === 'bodies' && this.was !== 'bodies') this.t = 1.7; // after the blow
-    if (frame.kind === 'beam' && this.was !== 'beam') this.t = 0.12 * this.duration;
+    if (frame.kind === 'beam' && this.was !== 'beam') this.t = opening(frame);
     this.was = frame.kind;
     this.t = Math.min(this.t, this.duration);
     this.label();
@@ -61,7 +64,7 @@ export class Player {
   // Play a stretch of time, to last so many seconds.
   through(start, end, seconds) {
     const idle = !this.playing;
-    this.playing = true;
+    this.playing = this.played = true;
     this.perSecond = (end - start) / seconds;
     this.until = end;
     this.last = 0;
@@ -71,6 +74,7 @@ export class Player {
   }
   toggle() {
     this.playing = !this.playing;
+    this.played = true;
     this.perSecond = this.usual;
     this.until = Infinity;
     if (this.playing && this.t >= this.duration - 1e-9) this.t = 0;

@@ -1,6 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { naming } from './charts.js';
 import { pretty } from './controls.js';
+import { plainly } from './words.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -123,7 +124,7 @@ export class Story {
     this.trust.textContent = told(frame);
   }
   doubt(notes) {
-    this.doubts.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
+    this.doubts.replaceChildren(...notes.map((textContent) => make('li', { textContent: plainly(textContent) })));
     this.doubts.hidden = this.doubtsHeading.hidden = !notes.length;
   }
   contacts() {

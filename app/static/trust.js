@@ -1,13 +1,14 @@
 // How far to trust a blow on a beam: the same blow many times with tiny changes; its band goes behind the curves.
 import { duration } from './beam_story.js';
 import { figures, prefixed } from './beam_stage.js';
+import { plainly } from './words.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
   element.append(...children);
   return element;
 };
-const COLUMNS = ['', 'this blow', 'lowest', 'highest', 'half range', 'a change of 1 % does', ''];
+const COLUMNS = ['', '', 'this blow', 'lowest', 'highest', 'half range', 'a change of 1 % does'];
 const VERDICTS = { firm: '✓ firm', loose: '~ loose', 'not to be trusted': '✗ not to be trusted' };
 
 // A figure in the units of the page.
@@ -71,13 +72,13 @@ export class Trust extends Study {
   }
   drawn(found) { this.page.beam.band = found; }
   words(found) {
-    return `${found.told.replaceAll('impactor.mass', 'the impactor’s mass').replaceAll('impactor.length', 'the impactor’s length')} So ${found.runs} blows tell. The band behind the curves of force and displacement holds 90 % of them, the paler one all. ${found.notes.join(' ')}`;
+    return `${found.told.replaceAll('impactor.mass', 'the impactor’s mass').replaceAll('impactor.length', 'the impactor’s length')} So ${found.runs} blows tell. The band behind the curves of force and displacement holds 90 % of them, the paler one all. ${plainly(found.notes.join(' '))}`;
   }
   rows(found) {
     const head = make('thead', {}, make('tr', {}, ...COLUMNS.map((textContent) => make('th', { scope: 'col', textContent }))));
     const rows = found.spread.map((row) => {
       const values = [row.unperturbed, row.lowest, row.highest].map((value) => shown(value, row.unit));
-      const line = make('tr', {}, ...[row.quantity.replaceAll('_', ' '), ...values, `${figures(100 * row.half_range, 2)} %`, row.verdict === 'firm' ? `${figures(row.sensitivity, 2)} %` : 'jumps', VERDICTS[row.verdict]].map((textContent) => make('td', { textContent })));
+      const line = make('tr', {}, ...[row.quantity.replaceAll('_', ' '), VERDICTS[row.verdict], ...values, `${figures(100 * row.half_range, 2)} %`, row.verdict === 'firm' ? `${figures(row.sensitivity, 2)} %` : 'jumps'].map((textContent) => make('td', { textContent })));
       line.className = row.verdict.replaceAll(' ', '-');
       return line;
     });
@@ -95,11 +96,11 @@ export class Convergence extends Study {
     return `The same blow solved with more and more ${found.kind}. A figure that does not settle is no property of the blow, but of the number of ${found.kind}.`;
   }
   rows(found) {
-    const head = make('thead', {}, make('tr', {}, ...['', ...found.counts.map((count) => `${count} ${found.kind}`), ''].map((textContent) => make('th', { scope: 'col', textContent }))));
+    const head = make('thead', {}, make('tr', {}, ...['', '', ...found.counts.map((count) => `${count} ${found.kind}`)].map((textContent) => make('th', { scope: 'col', textContent }))));
     const names = STUDIED.filter((name) => name in found.values);
     this.table.replaceChildren(head, make('tbody', {}, ...names.map((name) => {
       const cells = found.values[name].map((value) => shown(value, found.units[name]));
-      const line = make('tr', {}, ...[name.replaceAll('_', ' '), ...cells].map((textContent) => make('td', { textContent })), make('td', { className: 'told', textContent: found.told[name].replace(/^[^:]*: /, '') }));
+      const line = make('tr', {}, make('td', { textContent: name.replaceAll('_', ' ') }), make('td', { className: 'told', textContent: found.told[name].replace(/^[^:]*: /, '') }), ...cells.map((textContent) => make('td', { textContent })));
       line.className = found.order[name] !== null || /the same for all|^contacts: \d/.test(found.told[name]) ? 'firm' : 'loose';
       return line;
     })));

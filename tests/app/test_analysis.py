@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from app.analysis import SHARES, energy_shares
-from app.state import Choices
+from app.beam_frame import main_solution
+from app.state import Choices, chosen_scene
 from solvers import LAWS
 
 BEAM = "figure-8.15"
@@ -29,3 +30,11 @@ def test_the_energy_of_a_beam_is_told_apart_into_motion_and_bending():
     assert {"beam moving", "beam bent"} <= shares.keys()
     assert shares["beam bent"].max() > 30.0  # the impactor is stopped by the beam as a spring
     assert shares["time"][-1] > 1.0  # in milliseconds
+
+
+def test_the_energy_of_a_beam_follows_every_contact():
+    chosen = Choices(**Choices.of_scene(BEAM), scene=BEAM).chosen()
+    time = energy_shares(chosen)["time"]
+    for contact in main_solution(chosen_scene(chosen), chosen)[0].contacts:
+        within = (time >= 1e3 * contact.start * (1.0 - 1e-9)) & (time <= 1e3 * contact.end * (1.0 + 1e-9))
+        assert within.sum() >= 24

@@ -12,6 +12,9 @@ from .test_page import drag, settled
 SCENE = "?scene=figure-8.15"
 STUDIED = "name => strikewave.page.analyses[name].fresh"
 ALL_DRAWN = "() => !strikewave.page.beam.inView.owed.size"
+CUT_OFF = """() => [...strikewave.page.beam.below.querySelectorAll('.key')]
+  .filter((key) => key.getBoundingClientRect().right > innerWidth).map((key) => key.textContent)"""
+STAGE_TOP = "() => strikewave.page.beam.stage.root.getBoundingClientRect().top + scrollY"
 LONG = 120_000  # ms: in a fresh copy the kernels of the studies are compiled first
 
 
@@ -106,9 +109,10 @@ def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
 def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
     page = open_page(SCENE)
     page.tab.wait_for_timeout(1000)  # what the opening still sends
-    frames = dict(page.frames)
+    frames, top = dict(page.frames), page.evaluate(STAGE_TOP)
     page.tab.get_by_role("button", name="Slow motion").click()
     page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
+    assert page.evaluate(STAGE_TOP) == top
     low, high = page.evaluate("() => strikewave.page.beam.view")
     assert low == 0.0 and high < page.header("duration")
     expect(page.tab.locator(".now")).to_contain_text("contact 1 of")
@@ -159,6 +163,14 @@ def test_a_phone_shows_all_of_it(open_page, query):
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
     box = page.tab.get_by_role("button", name="Slow motion").bounding_box()
     assert box["x"] >= 0 and box["x"] + box["width"] <= 390
+    ratio = page.tab.get_by_label("Mass ratio", exact=True)
+    expect(ratio).to_be_visible()
+    assert ratio.bounding_box()["y"] < page.tab.get_by_role("heading", name="Contact force").bounding_box()["y"]
+    page.tab.get_by_role("button", name="All choices").click()
+    expect(page.tab.get_by_label("Theory", exact=True)).to_be_visible()
+    page.tab.get_by_role("button", name="Fewer choices").click()
+    expect(page.tab.get_by_label("Theory", exact=True)).to_be_hidden()
+    assert page.evaluate(CUT_OFF) == []
 
 
 def test_an_address_that_cannot_be_struck_shows_the_scene_and_says_why(open_page):
@@ -195,6 +207,44 @@ def test_choices_that_cannot_be_solved_are_set_back(open_page):
     expect(place).to_have_value("1")
     page.answered(lambda: page.tab.get_by_label("Theory", exact=True).select_option("timoshenko"))
     assert page.header("chosen")["place"] == 1.0
+
+
+def test_a_blow_beside_the_clamp_is_told_as_one_on_a_wall(open_page):
+    page = open_page("?scene=hammer-on-cantilever&place=0.05")
+    story = page.tab.locator(".story:visible")
+    expect(story).to_contain_text("from the clamp, which holds it back almost at once")
+    expect(story).to_contain_text("turns round as on a wall")
+    for false in (
+        "pushes on next to nothing",
+        "before the beam as a whole can answer",
+        "before the struck place can come",
+    ):
+        expect(story).not_to_contain_text(false)
+
+
+def test_doubts_name_the_controls(open_page):
+    page = open_page("?scene=hammer-on-cantilever&modes=40")
+    expect(page.tab.locator(".doubts:visible")).to_contain_text("choose Theory: Timoshenko")
+    told = page.evaluate(
+        """async () => {
+             const modules = [...document.querySelectorAll('link[rel=modulepreload]')];
+             const words = modules.find(({ href }) => href.endsWith('/words.js'));
+             const { plainly } = await import(words.href);
+             return ["use 'modal', or damping = 0", "use 'plastic-power'", "model = 'solid'"].map(plainly);
+           }"""
+    )
+    assert told == ["use modes, or Modal damping: 0", "use Plastic, power (Tabor)", "model = 'solid'"]
+
+
+def test_it_opens_in_the_first_contact_and_says_what_play_does(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    start, end = page.header("contacts")[0][:2]
+    assert start < page.evaluate("() => strikewave.page.player.t") < end
+    now = page.tab.locator(".now")
+    expect(now).to_contain_text("contact 1 of 5")
+    expect(now).to_contain_text("Play")
+    page.tab.get_by_role("button", name="▶ Play").click()
+    expect(now).not_to_contain_text("Play")
 
 
 def test_a_method_without_waves_says_so(open_page):

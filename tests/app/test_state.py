@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.state import Choices, accepts, from_address, refusal, scene_groups
+from app.state import Choices, accepts, acting_choices, from_address, refusal, scene_groups
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e-4, 1e4, 10**40, "1", None, True, [1.0]])
@@ -52,3 +52,10 @@ def test_no_address_breaks_anything_or_is_echoed(arguments):
     for sentence in refused:
         assert "<" not in sentence
         assert "\n" not in sentence
+
+
+def test_of_a_beam_only_the_resolution_that_the_method_goes_by_is_shown():
+    scene = "hammer-on-cantilever"
+    for method, shown in (("balance", ["elements"]), ("fe-nodal", ["elements"]), ("modal", ["modes"]), ("rigid", [])):
+        acting = acting_choices(Choices(scene=scene, **Choices.of_scene(scene) | {"method": method}).chosen())
+        assert [name for name in ("modes", "elements") if name in acting] == shown
