@@ -19,10 +19,14 @@ NEVER_PART = (
     "The bodies are still in contact at the end of the time solved, as no wave comes back from a rod without end: the "
     "force fades and never ends. What is left of it changes the velocities by a millionth."
 )
-CUT_SHORT = (
-    "The solution stopped at its limit of steps before the bodies had parted for good: do not trust its end; a "
-    "shorter duration is solved whole."
-)
+
+
+def cut_short(bound: str) -> str:
+    """Of a solution that ended by itself at a limit of its method, such as "4000000 steps"."""
+    return (
+        f"The solution stopped at its limit of {bound} before the bodies had parted for good: do not trust its end; a "
+        "shorter duration is solved whole."
+    )
 
 
 def bodies_that_bend(scene: Scene) -> list[Any]:

@@ -125,9 +125,12 @@ class Balance(Method):
     def _notes(self, scene: Scene, run: "Run") -> list[str]:
         notes = []
         if run.full:
+            other = "the variant 'event-located'"
+            if self.variant == "event-located":
+                other = "a restitution below 1, which lets the faces stay together"
             notes.append(
-                f"The solution stopped at {MOST_BALANCES} balances or what memory allows, before the bodies had parted "
-                "for good: take fewer elements or modes, or the variant 'event-located'."
+                f"The solution stopped at {run.duration:.3g} s, at its limit of {run.balances.sum()} balances, before "
+                f"the bodies had parted for good: take fewer elements or modes, or {other}."
             )
         if scene.contact.NAME != "rigid":
             notes.append("A balance knows no contact law: of the contact only the restitution counts.")

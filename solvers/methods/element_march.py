@@ -12,7 +12,7 @@ import numpy as np
 from .. import checks
 from ..bodies import Rods
 from ..contact import Linear
-from ..doubts import CUT_SHORT, STILL_TOUCHING, bodies_that_bend, doubts_of_a_front, doubts_of_a_rigid_blow
+from ..doubts import STILL_TOUCHING, bodies_that_bend, cut_short, doubts_of_a_front, doubts_of_a_rigid_blow
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.beam_statics import static_compliance
 from ..scene import Scene, contact_time
@@ -102,10 +102,10 @@ class FiniteElements(Method):
                 "The solution grows without bound and was stopped: the contact status is frozen over each step, which "
                 "feeds a stiff contact. Use status 'implicit', a smaller contact_stiffness or more steps."
             )
+        elif duration is None and not course.parted:
+            notes.append(cut_short(f"{course.steps} steps"))
         elif course.force[-1] > 0.0:
             notes.append(STILL_TOUCHING)
-        elif duration is None and not course.parted:
-            notes.append(CUT_SHORT)
         raw, beam = motion.raw_contacts()[0].size, "beam" in (scene.impactor.kind, scene.target.kind)
         if raw > contacts and not course.diverged:
             remedy = (

@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import checks
 from ..contact import Rigid
-from ..doubts import CUT_SHORT, STILL_TOUCHING, bodies_that_bend, doubts_of_a_front, doubts_of_a_rigid_blow
+from ..doubts import STILL_TOUCHING, bodies_that_bend, cut_short, doubts_of_a_front, doubts_of_a_rigid_blow
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Record, Residual, march
@@ -127,10 +127,10 @@ class Modal(Method):
 
     def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list, raw: int) -> list[str]:
         notes = []
-        if contacts[-1].end >= motion.duration * (1.0 - 1e-12):
+        if not asked and not motion.parted:
+            notes.append(cut_short(f"{motion.steps} steps"))
+        elif contacts[-1].end >= motion.duration * (1.0 - 1e-12):
             notes.append(STILL_TOUCHING)
-        elif not asked and not motion.parted:
-            notes.append(CUT_SHORT)
         period = motion.pair.resolved_time
         notes += [doubt for body in bodies_that_bend(scene) for doubt in body.doubts_of_modes(self.modes)]
         if isinstance(scene.contact, Rigid):

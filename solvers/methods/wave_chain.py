@@ -10,7 +10,7 @@ import numpy as np
 
 from ..bodies import Rod
 from ..contact import Linear, Rigid
-from ..doubts import CUT_SHORT, NEVER_PART, STILL_TOUCHING
+from ..doubts import NEVER_PART, STILL_TOUCHING, cut_short
 from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_network
 from ..numerics.wave_laws import constants_of, law_function, new_work
@@ -35,10 +35,10 @@ UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies betwee
 NO_LAW = Linear(1.0)  # where no law is asked for
 
 
-def end_notes(parted: bool, touching: bool, asked: bool, cut: bool = False) -> list[str]:
-    """What to say of the end of a solution."""
-    if cut or (not parted and not asked):
-        return [CUT_SHORT]
+def end_notes(parted: bool, touching: bool, asked: bool, full: str | None = None) -> list[str]:
+    """What to say of the end of a solution; `full`: the limit that it has come to, beside that of round trips."""
+    if full or (not parted and not asked):
+        return [cut_short(full or f"{MAX_ROUND_TRIPS:.0f} round trips")]
     return [STILL_TOUCHING] if touching else []
 
 
@@ -76,6 +76,7 @@ class ChainHistory:
         self.steps = int(self.record.count.sum())
         self.contacts = self.periods(self.contact)
         self.failed = status == wave_network.FAILED
+        self.full = f"{MAX_STRETCHES} stretches of waves" if status == wave_network.FULL else None
         self.cut = status in (wave_network.FULL, wave_network.FAILED) or (status == wave_network.STOPPED and not asked)
         self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
 
@@ -84,7 +85,7 @@ class ChainHistory:
             return ["The equations of a contact could not be solved beyond this time: try another tolerance."]
         if self.faded and self.touching and not self.cut:
             return [NEVER_PART]
-        return end_notes(True, self.touching, True, self.cut)
+        return end_notes(not self.cut, self.touching, False, self.full)
 
     def _laws(self) -> list[Any]:
         """The scaled law of every node, or None."""

@@ -49,9 +49,9 @@ class RigidHistory(History):
             pieces = min(8 * pieces, cls.MAX_PIECES)
         self.kappa, self.reflection = 2.0 * beta, reflection
         self.contacts, self.reach, self.steps = contacts, float(self.pieces[0][-1]), int(count)
-        cut = status == rigid_waves.FULL
-        self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked, cut)
-        self.complete = status == rigid_waves.PARTED or (asked and not cut)
+        full = f"{cls.MAX_PIECES} pieces of its wave" if status == rigid_waves.FULL else None
+        self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked, full)
+        self.complete = status == rigid_waves.PARTED or (asked and not full)
         return self
 
     def wave(self, t, after=True):
@@ -96,9 +96,10 @@ class SteppedHistory(History):
     def strike(cls, scene: Scene, until: float, steps: int) -> "SteppedHistory":
         self = cls()
         beta, reflection = scene.mass_ratio, 1.0 if scene.target.fixed else -1.0
-        asked = math.isfinite(until)
+        asked, parted = math.isfinite(until), True
         if not asked:
-            until = cls._lasting(beta, reflection) + AFTERGLOW
+            lasting, parted = cls._lasting(beta, reflection)
+            until = lasting + AFTERGLOW
         self.per_trip = max(2, round(steps / until))
         count = max(1, math.ceil(until * self.per_trip - 1e-9))
         found = stepped_waves.strike(beta, reflection, self.per_trip, count, True, 1000)
@@ -107,21 +108,23 @@ class SteppedHistory(History):
         self.totals = np.concatenate(([0.0], np.cumsum(0.5 * (self.after[:-1] + self.before[1:])))) / self.per_trip
         square = (self.after[:-1] ** 2 + self.after[:-1] * self.before[1:] + self.before[1:] ** 2) / 3.0
         self.square_totals = np.concatenate(([0.0], np.cumsum(square))) / self.per_trip
-        self.notes = end_notes(True, bool(self.contacts[-1, 1] >= self.reach), asked)
+        self.notes = end_notes(parted, bool(self.contacts[-1, 1] >= self.reach), asked)
         half = max(1, self.per_trip // 2)
         coarse = stepped_waves.strike(beta, reflection, half, math.ceil(self.reach * half), True, 1000)
         self.difference = abs(float(coarse[3][-1] - self.velocity[-1]))
         return self
 
     @classmethod
-    def _lasting(cls, beta: float, reflection: float) -> float:
-        """When the last contact ends [T], on the coarse grid; with room for few steps first: most blows are short."""
+    def _lasting(cls, beta: float, reflection: float) -> tuple[float, bool]:
+        """When the last contact ends [T], on the coarse grid, and whether the bodies part then; with room for few steps
+        first: most blows are short.
+        """
         limit, most = 1_000, int(min(cls.COARSE * MAX_ROUND_TRIPS, 2_000_000))
         while True:
             limit = min(8 * limit, most)
             contacts, parted = stepped_waves.strike(beta, reflection, cls.COARSE, limit, False, 1000)[4:]
             if parted or limit == most:
-                return float(contacts[-1, 1])
+                return float(contacts[-1, 1]), bool(parted)
 
     def estimated_error(self, residual):
         return max(self.difference, residual, 1e-15)

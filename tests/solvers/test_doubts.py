@@ -1,6 +1,7 @@
 """Doubts about a result: each comes where it belongs, its remedy removes the fault, and a sound neighbour has none."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import pytest
@@ -8,8 +9,10 @@ from pytest import approx
 
 import solvers
 from app.command import main
-from solvers import Scene, Solution
+from solvers import Modal, Scene, Solution
 from solvers.contact import PlasticPower
+from solvers.methods import balance, element_march, modal, wave_chain
+from solvers.methods.wave_histories import RigidHistory
 from tests.catalog import SCENES, contact_table, struck_beam, struck_rod
 
 
@@ -189,3 +192,24 @@ def test_a_contact_law_has_its_limits_whatever_the_method():
 def test_doubts_are_printed(capsys):
     assert main(["solve", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=10"]) == 0
     assert "Note: Missed re-contact: exact waves touch again from 2.125" in capsys.readouterr().out
+
+
+def test_a_method_that_stops_at_a_limit_of_its_own_says_which(monkeypatch):
+    """Of steps, balances, stretches of waves and pieces of one."""
+    lasting = struck_rod(1.0, "free", {"law": "linear", "stiffness": 0.1})
+    monkeypatch.setattr(modal, "MAX_STEPS", 500)
+    assert any("limit of 500 steps" in note for note in solvers.solve(lasting, Modal(modes=4, estimate=False)).notes)
+    monkeypatch.setattr(element_march, "MAX_STEPS", 480)
+    meshed = replace(solvers.METHODS["fe-nodal"].read({"elements": 10}), estimate=False)
+    found = meshed.solve(lasting)
+    assert any(f"limit of {found.motion.course.steps} steps" in note for note in found.notes)
+    monkeypatch.setattr(balance, "MOST_BALANCES", 100)
+    bouncing = replace(solvers.METHODS["balance"].read({"elements": 20}), estimate=False).solve(struck_rod(0.01))
+    assert any("limit of 99 balances" in note and "restitution below 1" in note for note in bouncing.notes)
+    monkeypatch.setattr(wave_chain, "MAX_STRETCHES", 400)
+    rods = [{"length": 0.1 * (1.0 + 0.17 * i), "section": {"radius": 0.01}, "material": "steel"} for i in range(6)]
+    table = {"impactor": {"mass": 0.5, "velocity": 1.0}, "target": {"kind": "rods", "rods": rods, "support": "free"}}
+    chain = solvers.solve(Scene.from_table(table | {"contact": {"law": "rigid"}}))
+    assert any("limit of 400 stretches" in note for note in chain.notes)
+    monkeypatch.setattr(RigidHistory, "MAX_PIECES", 400)
+    assert any("limit of 400 pieces" in note for note in solvers.solve(struck_rod(1e-6)).notes)
