@@ -13,6 +13,7 @@ NAMES = {
     "contact_time": "local contact time / round trip or period",
     "impact_parameter": "speed / speed of first yield",
     "slenderness": "length / depth",
+    "rotation": "share of turning in the blow",
 }
 
 

@@ -23,10 +23,12 @@ from solvers.methods import Modal, QuasiStatic
 from solvers.regime_models import (
     BEAMS,
     LAWS,
+    LOSSES,
     RODS,
     errors,
     family_scene,
     figures,
+    lossy_scene,
     model_errors,
     modes_errors,
     reference,
@@ -42,6 +44,8 @@ ROD_COUNTS = np.array([1, 2, 3, 5, 8, 12, 20, 30, 50, 80, 120])
 BEAM_COUNTS = np.array([1, 2, 3, 5, 8, 12, 20])
 SLENDER_AXES = np.geomspace(2.0, 100.0, 11), np.geomspace(0.01, 10.0, 10)
 SLENDER_MODES = 15
+ROD_LOSSY_AXES = np.geomspace(1e-2, 1e3, 16), np.geomspace(1e-2, 1e2, 17)
+BEAM_LOSSY_AXES = np.geomspace(0.1, 100.0, 7), np.geomspace(0.01, 10.0, 10)
 YIELD_RATIOS = np.geomspace(0.5, 500.0, 61)
 PLASTIC = (YigitChristoforou, PlasticLinear, PlasticPower)
 
@@ -52,6 +56,16 @@ def models_row(task: tuple) -> np.ndarray:
     rows = []
     for relative in times:
         scene = family_scene(family, ratio, relative, law)
+        rows.append(model_errors(scene, figures(reference(scene))))
+    return np.array(rows)
+
+
+def lossy_row(task: tuple) -> np.ndarray:
+    """(times, models, 4) of one mass ratio, law and loss."""
+    family, law, loss, ratio, times = task
+    rows = []
+    for relative in times:
+        scene = lossy_scene(family, ratio, relative, law, loss)
         rows.append(model_errors(scene, figures(reference(scene))))
     return np.array(rows)
 
@@ -115,6 +129,8 @@ def measure() -> dict[str, np.ndarray]:
         "beam_modes_axes_ratio": BEAM_MODES_AXES[0], "beam_modes_axes_time": BEAM_MODES_AXES[1],
         "beam_counts": BEAM_COUNTS, "slender_axes_ratio": SLENDER_AXES[0], "slender_axes_time": SLENDER_AXES[1],
         "yield_ratios": YIELD_RATIOS,
+        "rod_lossy_axes_ratio": ROD_LOSSY_AXES[0], "rod_lossy_axes_time": ROD_LOSSY_AXES[1],
+        "beam_lossy_axes_ratio": BEAM_LOSSY_AXES[0], "beam_lossy_axes_time": BEAM_LOSSY_AXES[1],
     }  # fmt: skip
     seconds, scenes = {}, {}
     context = multiprocessing.get_context("spawn")
@@ -132,6 +148,9 @@ def measure() -> dict[str, np.ndarray]:
             for f in BEAMS
         ]
         sweeps += [(f"{f}/theory", slender_row, [(f, s, SLENDER_AXES[1]) for s in SLENDER_AXES[0]]) for f in BEAMS]
+        for f, (law, losses) in itertools.product((*RODS, *BEAMS), LOSSES.items()):
+            ratios, times = ROD_LOSSY_AXES if f in RODS else BEAM_LOSSY_AXES
+            sweeps += [(f"{f}/{law}/{x:g}", lossy_row, [(f, law, x, r, times) for r in ratios]) for x in losses]
         for name, row, tasks in sweeps:
             begun = time.perf_counter()
             values = swept(pool, row, tasks)

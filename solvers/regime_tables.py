@@ -61,6 +61,12 @@ def models_table(family: str, law: str) -> Table:
 
 
 @cache
+def lossy_table(family: str, law: str, loss: float) -> Table:
+    """The same under a law that loses energy, `regime_models.LOSSES`: errors (ratio, time, models, questions)."""
+    return _table("rod_lossy" if family.endswith("-rod") else "beam_lossy", f"{family}/{law}/{loss:g}")
+
+
+@cache
 def modes_table(family: str) -> tuple[np.ndarray, Table]:
     """Numbers of modes, and errors (ratio, time, counts, questions)."""
     kind = "rod" if family.endswith("-rod") else "beam"

@@ -8,11 +8,13 @@ from typing import Any
 import numpy as np
 
 from . import checks
+from .bodies import in_space
 from .checks import SceneError
 from .methods import METHODS
+from .numerics.impulses import strike
 from .regime_contours import contour
-from .regime_models import FULL_MODES, MODELS, QUESTIONS, contact_duration, family_of
-from .regime_tables import models_table, modes_table, plastic_curve, theory_table
+from .regime_models import FULL_MODES, LOSSES, MODELS, QUESTIONS, contact_duration, family_of, models_of
+from .regime_tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
 from .scene import Scene
 
 LEVELS = (0.01, 0.05, 0.2)  # of error, drawn on the maps
@@ -177,6 +179,13 @@ def _groups(scene: Scene) -> dict[str, float]:
     return {name: float(value) for name, value in found.items()}
 
 
+def scene_rotation(scene: Scene) -> float:
+    """Share of the closing speed that a blow takes away by turning the bodies: 0 of a central one, 1 of spin alone."""
+    bodies = [in_space(body) for body in (scene.impactor, scene.target)]
+    struck = strike(*bodies, np.array(scene.normal), 1.0)
+    return float(1.0 - struck.effective_mass * sum(1.0 / float(body.mass) for body in bodies))
+
+
 def _impact_parameter(scene: Scene) -> float:
     """Speed of approach over that at which yield begins."""
     law = scene.contact
@@ -194,10 +203,26 @@ def _covered(scene: Scene, family: str, groups: dict[str, float]) -> bool:
     target, law = scene.target, scene.contact
     if target.kind == "beam" and abs(target.at - USUAL_PLACES.get(family, 0.5)) > 1e-6:
         return False
-    if law.LOSSY or groups.get("impact_parameter", 0.0) > 1.0:
-        return False
-    table = models_table(family, law_of(scene))
-    return table.covers(groups["mass_ratio"], groups["contact_time"])
+    tables = [(models_table(family, law_of(scene)), False), *_lossy_tables(scene, family, groups)]
+    inside = all(table.covers(groups["mass_ratio"], groups["contact_time"]) for table, _ in tables)
+    return inside and not law.JUMPS and not any(beyond for _, beyond in tables)
+
+
+def _lossy_tables(scene: Scene, family: str, groups: dict[str, float]) -> list[tuple[Table, bool]]:
+    """Of a law that loses energy, those measured with a little less and a little more of it, and whether the scene
+    loses more than any; none for elastic blows.
+    """
+    law = scene.contact
+    if law.PLASTIC and groups["impact_parameter"] > 1.0:
+        name, losses, here = "plastic-linear", LOSSES["plastic-linear"], groups["impact_parameter"]
+    elif law.LOSSY:
+        name = "hunt-crossley"
+        losses, here = [1.0 / e for e in LOSSES[name]], 1.0 / law.delivered(scene.reduced_mass, scene.speed)
+    else:
+        return []
+    after = int(np.searchsorted(losses, here))
+    beside = sorted({max(after - 1, 0), min(after, len(losses) - 1)})
+    return [(lossy_table(family, name, LOSSES[name][k]), here > losses[-1]) for k in beside]
 
 
 # --- candidates -------------------------------------------------------------------------------------------------------
@@ -206,20 +231,16 @@ def _covered(scene: Scene, family: str, groups: dict[str, float]) -> bool:
 def _candidates(scene: Scene, family: str, number: int, groups: dict, tolerance: float) -> Iterator[Candidate]:
     """From the smallest up."""
     table = models_table(family, law_of(scene))
-    errors = table.around(groups["mass_ratio"], groups["contact_time"])[:, number]
+    tables = [table, *(lossy for lossy, _ in _lossy_tables(scene, family, groups))]
+    errors = np.max([each.around(groups["mass_ratio"], groups["contact_time"])[:, number] for each in tables], axis=0)
     yielding = _elastic_error(scene, number, groups)
-    for (name, method), error in zip(MODELS.items(), errors.tolist(), strict=True):
+    for (name, method), error in zip(models_of(scene).items(), errors.tolist(), strict=True):
         own, changes = error, {"method": method.table()}
-        if name == "rigid-impulse" and scene.contact.LOSSY:
-            delivered = scene.contact.delivered(scene.reduced_mass, scene.speed)
-            changes = {"method": {"name": "rigid", "restitution": delivered}}
         if name == "local-quasi-static" and yielding is not None:
             yield Candidate(f"{name}, elastic", changes | _elastic(scene), own + yielding)
             yield Candidate(f"{name}, elastoplastic", changes, own)
             continue
-        if yielding is not None:  # neither an impulse nor the structure alone knows of yield
-            own += yielding
-        yield Candidate(name, changes, own)
+        yield Candidate(name, changes, own)  # neither an impulse nor the structure alone knows of yield: so measured
     if scene.target.kind == "beam":
         yield from _beam_candidates(scene, family, number, groups, tolerance)
         return
@@ -234,21 +255,26 @@ def _beam_candidates(scene: Scene, family: str, number: int, groups: dict, toler
     for name, missed in (("euler-bernoulli", theory), ("timoshenko", 0.0)):
         for elastic in (True, False) if yielding is not None else (False,):
             more = missed + (yielding if elastic else 0.0)
-            count, error = _modes_needed(family, number, groups, max(tolerance - more, 0.0))
+            count, error = _modes_needed(family, number, groups, max(tolerance - more, 0.0), scene.contact.NAME)
             changes = {"target.theory": name, "method": {"name": "modal", "modes": count}}
             law = "" if yielding is None else ", elastic" if elastic else ", elastoplastic"
             label = f"modal, {count} modes, {name}{law}"
             yield Candidate(label, changes | (_elastic(scene) if elastic else {}), error + more)
 
 
-def _modes_needed(family: str, number: int, groups: dict, tolerance: float) -> tuple[int, float]:
-    """The smallest number of modes from which on all are within the tolerance, and its error; else the largest."""
+def _modes_needed(family: str, number: int, groups: dict, tolerance: float, law: str = "linear") -> tuple[int, float]:
+    """The smallest number of modes from which on all are within the tolerance, and its error; else the largest.
+
+    Measured under a linear law: others reach higher modes, and get the next number.
+    """
     counts, table = modes_table(family)
     errors = table.around(groups["mass_ratio"], groups["contact_time"])[:, number]
     errors = np.maximum.accumulate(errors[::-1])[::-1]  # few modes may be right by chance
     good = np.flatnonzero(errors <= tolerance)
-    if good.size:
+    if good.size and law == "linear":
         return int(counts[good[0]]), float(errors[good[0]])
+    if good.size:
+        return int([*counts, FULL_MODES][good[0] + 1]), float(errors[good[0]])
     return max(int(counts[-1]), FULL_MODES), float(errors[-1])
 
 
@@ -326,4 +352,5 @@ def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
         reason = f"No sweep covers {pair}; {name} is the first method that solves it."
     chosen = Candidate(model, changes, error)
     groups = {"mass_ratio": float(scene.mass_ratio)} if math.isfinite(scene.mass_ratio) else {}
+    groups |= {} if scene.normal is None else {"rotation": scene_rotation(scene)}
     return Plan(scene, question, tolerance, groups, chosen, None, [chosen], reason, False, None)
