@@ -255,21 +255,26 @@ def _beam_candidates(scene: Scene, family: str, number: int, groups: dict, toler
     for name, missed in (("euler-bernoulli", theory), ("timoshenko", 0.0)):
         for elastic in (True, False) if yielding is not None else (False,):
             more = missed + (yielding if elastic else 0.0)
-            count, error = _modes_needed(family, number, groups, max(tolerance - more, 0.0))
+            count, error = _modes_needed(family, number, groups, max(tolerance - more, 0.0), scene.contact.NAME)
             changes = {"target.theory": name, "method": {"name": "modal", "modes": count}}
             law = "" if yielding is None else ", elastic" if elastic else ", elastoplastic"
             label = f"modal, {count} modes, {name}{law}"
             yield Candidate(label, changes | (_elastic(scene) if elastic else {}), error + more)
 
 
-def _modes_needed(family: str, number: int, groups: dict, tolerance: float) -> tuple[int, float]:
-    """The smallest number of modes from which on all are within the tolerance, and its error; else the largest."""
+def _modes_needed(family: str, number: int, groups: dict, tolerance: float, law: str = "linear") -> tuple[int, float]:
+    """The smallest number of modes from which on all are within the tolerance, and its error; else the largest.
+
+    Measured under a linear law: others may reach higher modes, and get the next number.
+    """
     counts, table = modes_table(family)
     errors = table.around(groups["mass_ratio"], groups["contact_time"])[:, number]
     errors = np.maximum.accumulate(errors[::-1])[::-1]  # few modes may be right by chance
     good = np.flatnonzero(errors <= tolerance)
-    if good.size:
+    if good.size and law == "linear":
         return int(counts[good[0]]), float(errors[good[0]])
+    if good.size:
+        return int([*counts, FULL_MODES][good[0] + 1]), float(errors[good[0]])
     return max(int(counts[-1]), FULL_MODES), float(errors[-1])
 
 
