@@ -36,8 +36,8 @@ WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 def measure() -> dict[str, object]:
     """Run `python -m bench.automatic` before, if a method has become quicker or slower: it renews costs.json."""
     found = judge("all methods", _scenes(FIRST, SCENES), None)
-    found |= judge("without waves", _scenes(FIRST + 1000, OTHER_SCENES), WITHOUT_WAVES)
-    return found | judge("beams", _scenes(FIRST + 2000, BEAM_SCENES, beams=1.0), None)
+    found |= judge("without waves", _scenes(FIRST + SCENES, OTHER_SCENES), WITHOUT_WAVES)
+    return found | judge("beams", _scenes(FIRST + SCENES + OTHER_SCENES, BEAM_SCENES, beams=1.0), None)
 
 
 def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scene]:
