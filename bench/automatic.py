@@ -23,8 +23,8 @@ from solvers.machine import machine
 from .random_scenes import random_scene
 from .timing import row
 
-FIRST = 90_000  # seed
-SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 200, 60, 16
+FIRST, OTHER_FIRST, BEAM_FIRST = 90_000, 90_500, 90_700  # seeds
+SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 100, 60, 16
 LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
@@ -36,8 +36,8 @@ WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 def measure() -> dict[str, object]:
     """Run `python -m bench.automatic` before, if a method has become quicker or slower: it renews costs.json."""
     found = judge("all methods", _scenes(FIRST, SCENES), None)
-    found |= judge("without waves", _scenes(FIRST + SCENES, OTHER_SCENES), WITHOUT_WAVES)
-    return found | judge("beams", _scenes(FIRST + SCENES + OTHER_SCENES, BEAM_SCENES, beams=1.0), None)
+    found |= judge("without waves", _scenes(OTHER_FIRST, OTHER_SCENES), WITHOUT_WAVES)
+    return found | judge("beams", _scenes(BEAM_FIRST, BEAM_SCENES, beams=1.0), None)
 
 
 def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scene]:

@@ -27,7 +27,7 @@ class Auto(Method):
     by measured constants of cost, with its difference from the proof as its estimated error. `diagnostics.chosen` says
     why. With `budget` [s] the ladder is climbed as long as the time lasts; without `tolerance` the finest is given.
     Error: the estimate; see the README for how often it is right.
-    Cost: the proof, which is some five times the solution.
+    Cost: some five times the proof; at most 10 s of solves, which is said, unless a budget allows more.
     """
 
     tolerance: float | None = None  # relative; 0.01 if there is no budget
