@@ -239,7 +239,8 @@ def _warm(options: argparse.Namespace) -> int:
 
 
 def _scenes(options: argparse.Namespace) -> int:
-    from .state import SCENES, scene_groups
+    from .picker import scene_groups
+    from .state import SCENES
 
     for heading, scenes in scene_groups():
         print(heading)

@@ -19,9 +19,10 @@ from .frames import solve_frame
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
 from .panels import Panels
+from .picker import scene_groups
 from .questions import accepted
 from .runner import COMPILING, POOL, SLOW, Runner, at_once
-from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, refusal, scene_groups
+from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, refusal
 from .trust_view import convergence_data, trust_data
 
 STATIC = Path(__file__).parent / "static"

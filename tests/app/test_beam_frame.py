@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 import solvers
 from app.beam_frame import MS, PLACES, chosen_method, instants, struck_velocity
 from app.frames import read_header, solve_frame
-from app.state import Choices, chosen_scene, scene_groups
+from app.picker import scene_groups
+from app.state import Choices, chosen_scene
 from app.trust_view import convergence_data, trust_data
 from solvers import SceneError
 

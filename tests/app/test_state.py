@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.state import Choices, accepts, acting_choices, from_address, refusal, scene_groups
+from app.picker import scene_groups
+from app.state import Choices, accepts, acting_choices, from_address, refusal
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e-4, 1e4, 10**40, "1", None, True, [1.0]])
