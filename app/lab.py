@@ -13,6 +13,7 @@ import param
 
 from solvers.jit import NotCompiled
 
+from .address import ASKED, PANELS, opened_from_address
 from .analysis import energy_shares, energy_view
 from .beam_choices import free_place
 from .frames import solve_frame
@@ -48,6 +49,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     convergence = param.String(default="", doc="that study, see app.trust_view")
     ratios_shown = param.Boolean(default=False, doc="whether the view over all mass ratios is open")
     spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
+    shared = param.Dict(default={}, doc="what the address says beside the choices, see app.address")
 
     _esm = """
     export async function render(context) {
@@ -59,7 +61,9 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     _priority_changes = [*Choices.CHOSEN, *OPENED, *Panels.ASKED]  # no debounce: the browser waits for each answer
 
     def __init__(self, **choices):
-        super().__init__(spec=_spec(), sizing_mode="stretch_width", margin=0, **choices)
+        super().__init__(
+            spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, sizing_mode="stretch_width", margin=0, **choices
+        )
         self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
         self._runner = Runner(solve_frame, self._show, self._set_back, POOL, partial(self._wait, solve_frame.__name__))
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
@@ -75,6 +79,8 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self.param.watch(self._ask_views, list(self.OPENED))
         self.open_panels()
         self._begin()
+        if self.frame and any(getattr(self, name) for name in PANELS.values()):
+            pn.state.onload(self._follow)  # what the address has opened; for nobody who only fetches the page
 
     def _runner_of(
         self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL, stoppable: bool = False
@@ -121,6 +127,10 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     def _show(self, message: bytes) -> None:
         self._answered = self._runner.current
         self.frame = message
+        self._follow()
+
+    def _follow(self) -> None:
+        """All that is open is asked about what is chosen now."""
         self._ask_views()
         self.ask_panels()
 
@@ -209,7 +219,8 @@ def _spec() -> dict[str, Any]:
 def create() -> pn.Column:
     """One visitor's laboratory, with the choices that the address asks for, and room for analysis below it."""
     choices, refused = from_address(pn.state.session_args)
-    lab = Lab(**choices)
-    if refused:
-        lab.refused = " ".join([*refused, *filter(None, [lab.refused])])
+    opened, refused_too = opened_from_address(pn.state.session_args)
+    lab = Lab(**choices, **opened)
+    if sentences := [*refused, *refused_too, *filter(None, [lab.refused])]:
+        lab.refused = " ".join(sentences)
     return pn.Column(lab, lab.below, sizing_mode="stretch_width", margin=0)

@@ -30,6 +30,7 @@ class Questions(param.Parameterized):
     auto_tolerance = param.Number(default=0.01, bounds=(1e-6, 0.5))
     auto_budget = param.Number(default=0.05, bounds=(1e-4, BUDGET), doc="computing time that may be spent [s]")
     auto_waves = param.Boolean(default=True, doc="whether exact travelling waves may be chosen")
+    auto_follows = param.Boolean(default=False, doc="whether the page shows the method that is chosen")
     auto_running = param.Boolean(default=False, doc="whether it is looked for; the visitor may stop it")
     auto = param.String(default="", doc="what keeps to it, see app.auto_view")
     stability_shown = param.Boolean(default=False, doc="whether the maps of stability are open")
@@ -42,7 +43,7 @@ class Questions(param.Parameterized):
     TRADEOFF = ("tradeoff_shown",)
     STABILITY = ("stability_axis",)
     RUNS = ("tradeoff_running", "stability_running", "auto_running")
-    ASKED = (*PLAN, "auto_shown", *AUTO, *TRADEOFF, *RUNS, "stability_shown", *STABILITY)
+    ASKED = (*PLAN, "auto_shown", "auto_follows", *AUTO, *TRADEOFF, *RUNS, "stability_shown", *STABILITY)
 
 
 def _defaults(*names: str) -> dict[str, Any]:

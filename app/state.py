@@ -19,6 +19,7 @@ from .space import has_length, struck_at, struck_place
 
 SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
 START = next(iter(SCENES))
+LONGEST_TEXT = 80  # of a value in an address
 DEPTH = 1e-5  # [m] at which `force_at_depth` tells how stiff a power law is: its stiffness has no unit of its own
 
 
@@ -240,19 +241,10 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     kept: dict[str, Any] = {}
     refused = []
     for name in (name for name in Choices.CHOSEN if name in arguments):
-        text = arguments[name][-1].decode("utf-8", "replace")[:40]
-        parameter = Choices.param[name]
-        value: Any = text
-        try:
-            if isinstance(parameter, param.Integer):
-                value = int(text)
-            elif isinstance(parameter, param.Number):
-                value = float(text)
-        except ValueError:
-            pass  # and so it stays text, which no number accepts
+        text = text_of(arguments[name])
+        value = value_of(Choices.param[name], text)
         if not accepts(name, value):
-            plain = re.fullmatch(r"[\w.+-]{1,24}", text)  # nothing else from an address is ever shown
-            refused.append(refusal(name, value if plain else "text"))
+            refused.append(refusal(name, told_of(text, value)))
             continue
         if name == "scene":
             kept |= Choices.of_scene(value)
@@ -262,8 +254,30 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     return kept, refused
 
 
-def refusal(name: str, value: object, of: type[param.Parameterized] = Choices) -> str:
-    """One sentence: the key, the value and what is allowed."""
+def text_of(given: list[bytes]) -> str:
+    """What an address says of one key, the last if it says it twice."""
+    return given[-1].decode("utf-8", "replace")[:LONGEST_TEXT]
+
+
+def value_of(parameter: param.Parameter, text: str) -> object:
+    """What the text means to a parameter; the text itself, which it will not accept, where it means nothing."""
+    if isinstance(parameter, param.Boolean):
+        return {"true": True, "false": False}.get(text, text)
+    try:
+        if isinstance(parameter, param.Integer):
+            return int(text)
+        return float(text) if isinstance(parameter, param.Number) else text
+    except ValueError:
+        return text
+
+
+def told_of(text: str, value: object) -> object:
+    """What may be shown of a value from an address: nothing that could be more than a word or a number."""
+    return value if re.fullmatch(r"[\w.+-]{1,24}", text) else "text"
+
+
+def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> str:
+    """One sentence: the key, if it is not called like the parameter, the value and what is allowed."""
     parameter = of.param[name]
     if name == "scene":
         allowed = f"one of the {len(SCENES)} scenes of the picker, as {START}"
@@ -274,4 +288,4 @@ def refusal(name: str, value: object, of: type[param.Parameterized] = Choices) -
     else:
         kind = "a whole number" if isinstance(parameter, param.Integer) else "a number"
         allowed = f"{kind} from {parameter.bounds[0]:g} to {parameter.bounds[1]:g}"
-    return str(SceneError(name, value, allowed))
+    return str(SceneError(key or name, value, allowed))

@@ -86,6 +86,9 @@ class MassRatios {
   toggle() {
     this.page.model.ratios_shown = !this.open;
     this.take(this.page.frame);
+    this.opened();
+  }
+  opened() {
     const { page } = this, there = () => this.mark(page.frame), wanted = () => this.open && !this.button.disabled;
     const scroll = () => reveal(document.scrollingElement.lastElementChild ?? document.body);
     if (this.open) page.waiter.expect('ratios', 'Working out the blow for all mass ratios …', there, wanted, scroll);
@@ -126,6 +129,12 @@ export class Analyses {
     this.panels = [this.needs, this.tolerance, this.tradeoff, this.trust, this.convergence, this.record, this.methods, this.stability].map((view) => view.root);
   }
   take(frame) { for (const view of this.all) view.take(frame); }
+  // Those that are open from the first on.
+  resume() {
+    const open = this.all.filter((view) => view.open);
+    for (const view of open) view.opened?.();
+    if (open.length && open[0].root) reveal(open[0].root);
+  }
   show(t) { for (const view of this.all) view.show(t); }
   draw() { for (const view of this.all) view.draw(); }
 }

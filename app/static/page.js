@@ -85,6 +85,8 @@ class Page {
     model.on('frame', () => this.take());
     model.on('refused', () => { if (model.refused) { this.settle(); this.waiter.clear(); for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true); this.complain(model.refused); } });
     for (const name of this.names) model.on(name, () => { if (!(name in this.waiting)) this.controls.show(name, model[name]); });
+    const { panels, asked } = model.shared;
+    for (const name of [...Object.values(panels), ...Object.values(asked).map(([each]) => each), 'auto_within']) model.on(name, () => { if (this.frame) this.address(this.frame.chosen); });
     for (const { chart } of [...this.charts, ...this.beam.charts]) {
       const drag = (event) => { if (event.buttons & 1) this.player.go(chart.time(event.clientX)); };
       chart.area.onpointerdown = (event) => { chart.area.setPointerCapture(event.pointerId); drag(event); };
@@ -160,9 +162,16 @@ class Page {
       this.dress();
     }
     this.player.load(this.frame);
+    if (!this.resumed) this.resume();
     this.settle();
     this.tell(chosen);
     window.strikewave = { page: this, frames: (window.strikewave?.frames ?? 0) + 1, drawn: performance.now() };
+  }
+  // What the address has opened is gone on with as if it had been opened by hand.
+  resume() {
+    this.resumed = true;
+    if (this.model.energy_shown) this.energyOpened();
+    this.analyses.resume();
   }
   // Words and address follow once the picture is painted, and not more often than they can be read.
   tell(chosen) {
@@ -221,6 +230,9 @@ class Page {
   }
   toggleEnergy() {
     this.model.energy_shown = !this.model.energy_shown;
+    this.energyOpened();
+  }
+  energyOpened() {
     this.energy.setAttribute('aria-pressed', String(this.model.energy_shown));
     this.span = undefined;
     const there = () => { this.energyCursor(this.player.t); return this.span; };
@@ -255,11 +267,14 @@ class Page {
     clearTimeout(this.hush);
     this.hush = setTimeout(() => { this.toast.hidden = true; }, 8000);
   }
-  // The address always says what is shown.
+  // The address always says what is shown, and what is open and asked.
   address(chosen) {
     const query = new URLSearchParams();
     for (const name of this.names) if (name === 'scene' ? chosen.scene !== this.model.spec.scene.default : chosen[name] !== this.model.spec[name].default || chosen.scene !== this.model.spec.scene.default) query.set(name, chosen[name]);
-    const text = query.toString();
+    const { model } = this, { panels, asked } = model.shared, open = Object.keys(panels).filter((name) => model[panels[name]]);
+    if (open.length) query.set('panel', open.join(','));
+    for (const [key, [name, panel, within]] of Object.entries(asked)) if (open.includes(panel) && (!within || model.auto_within === within)) query.set(key, model[name]);
+    const text = query.toString().replaceAll('%2C', ',');
     history.replaceState(null, '', text ? `?${text}` : location.pathname);
   }
   async copyLink() {

@@ -12,7 +12,6 @@ const WITHIN = { tolerance: 'an error', time: 'a computing time' };
 export class Tolerance extends Panel {
   constructor(page) {
     super(page, 'auto', 'Within a tolerance', 'say how near the answer must be, or how long it may take, and the page chooses the method', 'A tolerance or a time instead of a method', ['auto_within', 'auto_quantity', 'auto_tolerance', 'auto_budget', 'auto_waves']);
-    this.follows = false; // whether the page shows what is chosen
     this.quantity = make('select', { ariaLabel: 'Quantity' }, ...Object.entries(QUANTITIES).map(([value, textContent]) => make('option', { value, textContent })));
     this.quantity.onchange = () => this.ask('auto_quantity', this.quantity.value);
     const complain = (sentence) => page.complain(sentence);
@@ -21,7 +20,7 @@ export class Tolerance extends Panel {
     this.tolerance = percentField('within', 1e-6, 0.5, (value) => this.ask('auto_tolerance', value), complain);
     this.budget = msField('within', 1e-4, 6, (value) => this.ask('auto_budget', value), complain);
     this.stop = make('button', { type: 'button', className: 'whole', onclick: () => { this.left = page.model.auto_running; page.model.auto_running = !this.left; this.fill(); } });
-    page.model.on('auto_running', () => this.fill());
+    for (const name of ['auto_running', 'auto_follows']) page.model.on(name, () => this.fill());
     this.waves = make('input', { type: 'checkbox', onchange: () => this.ask('auto_waves', this.waves.checked) });
     this.shows = make('input', { type: 'checkbox', onchange: () => { this.follows = this.shows.checked; this.fill(); } });
     this.said = make('p', { className: 'verdict', role: 'status' });
@@ -31,13 +30,17 @@ export class Tolerance extends Panel {
     this.root.append(make('div', { className: 'record-form' }, make('label', { className: 'part' }, 'Keep to', this.within), this.tolerance.root, this.budget.root, make('label', { className: 'part' }, this.judged = make('span'), this.quantity), make('label', { className: 'part' }, this.waves, 'exact waves may be chosen'), make('label', { className: 'part' }, this.shows, 'show on the page what is chosen'), this.stop), this.said, this.scale, this.why, make('div', { className: 'scroll' }, this.table));
     this.choice();
   }
+  // Whether the page shows what is chosen.
+  get follows() { return this.page.model.auto_follows; }
+  set follows(value) { this.page.model.auto_follows = value; }
   // "By tolerance" among the methods of the page.
   choice() {
     const { input } = this.page.controls.fields.method, pick = input.onchange;
     input.append(make('option', { value: 'auto', textContent: 'Chosen by a tolerance …' }));
     input.onchange = () => {
-      this.follows = input.value === 'auto';
-      if (!this.follows) { pick(); this.fill(); return; }
+      const { value } = input;
+      this.follows = value === 'auto';
+      if (!this.follows) { input.value = value; pick(); this.fill(); return; } // the list names what is shown meanwhile
       if (!this.open) this.toggle();
       else this.fill();
     };

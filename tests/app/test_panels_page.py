@@ -177,3 +177,41 @@ def test_maps_of_stability_over_another_axis(open_page):
     expect(said).not_to_have_text(first)
     expect(said).to_contain_text("grows past reason after")
     expect(said).to_contain_text("Theory allows")
+
+
+def test_a_link_opens_panels_with_their_questions(open_page):
+    page = open_page(
+        "?scene=free-rod&panel=tolerance,needs&quantity=peak-force&tolerance=0.02&waves=false&question=stresses"
+    )
+    panel = page.tab.locator(".auto")
+    expect(panel.locator(".verdict")).to_contain_text("in the peak force", timeout=LONG)
+    expect(panel.get_by_label("within, in percent")).to_have_value("2")
+    expect(page.tab.locator(".needs").get_by_label("Question")).to_have_value("stresses")
+    panel.get_by_label("Quantity").select_option("impulse")
+    page.wait("() => location.search.includes('quantity=impulse')")
+    page.wait(TOLD, "tolerance", timeout=LONG)
+    panel.get_by_label("Keep to").select_option("time")
+    page.wait("() => location.search.includes('budget=0.05') && !location.search.includes('tolerance=')")
+    again = open_page("?" + page.tab.url.split("?")[1])
+    expect(again.tab.locator(".auto").get_by_label("Keep to")).to_have_value("time")
+    expect(again.tab.locator(".auto").get_by_label("Quantity")).to_have_value("impulse")
+    again.wait(TOLD, "tolerance", timeout=LONG)
+    again.tab.get_by_role("button", name="Within a tolerance", exact=True).click()
+    again.wait("() => location.search.includes('panel=needs') && !location.search.includes('quantity')")
+
+
+def test_a_link_works_out_the_stability_it_names(open_page):
+    page = open_page("?panel=stability,energy&axis=speed")
+    expect(page.tab.locator(".stability").get_by_label("Step against")).to_have_value("speed")
+    page.wait("() => strikewave.page.analyses.stability.known?.across.name === 'speed'", timeout=2 * LONG)
+    page.wait("() => Bokeh.documents.map((d) => d.get_model_by_name('energy-cursor')).find(Boolean)", timeout=LONG)
+
+
+def test_a_bad_link_is_told_and_otherwise_ignored(open_page):
+    page = open_page("?panel=needs,weather&tolerance=7&axis=<b>&error=0.1")
+    toast = page.tab.locator(".toast")
+    expect(toast).to_contain_text("panel: got 'weather'; allowed: some of energy,needs")
+    expect(toast).to_contain_text("tolerance: got 7.0; allowed: a number from 1e-06 to 0.5")
+    expect(toast).to_contain_text("axis: got 'text'")
+    expect(page.tab.locator(".needs").get_by_label("Allowed error, in percent")).to_have_value("10")
+    page.wait("() => location.search === '?panel=needs&question=final-velocities&error=0.1'")
