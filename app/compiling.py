@@ -99,6 +99,7 @@ def works() -> dict[str, Callable]:
     from .analysis import energy_shares
     from .auto_view import auto_data
     from .frames import solve_frame
+    from .map_point import choices_at
     from .mass_ratios import ratios_for
     from .methods_table import methods_table
     from .stability_view import stability_kernels
@@ -106,7 +107,7 @@ def works() -> dict[str, Callable]:
     from .trust_view import convergence_data, trust_data
 
     found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data, plan_data)
-    found += (regimes_data, auto_data, stored_data, tradeoff_kernels, stability_kernels)
+    found += (regimes_data, auto_data, stored_data, choices_at, tradeoff_kernels, stability_kernels)
     return {work.__name__: work for work in found}
 
 

@@ -115,6 +115,13 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self.refused = ""
         pn.state.execute(partial(self._runner.want, self.chosen()))
 
+    def choose(self, wanted: dict[str, Any]) -> None:
+        """Set several choices at once, and have their answer."""
+        with self._silence():
+            self.param.update(**wanted)
+        self.refused = ""
+        pn.state.execute(partial(self._runner.want, self.chosen()))
+
     @contextmanager
     def _silence(self):
         """Change parameters, and with them the controls in the browser, without asking for a solve."""

@@ -10,6 +10,7 @@ import param
 from .advice import plan_data, regimes_data
 from .auto_view import auto_data
 from .long_run import LongRun
+from .map_point import choices_at
 from .questions import Questions
 from .runner import SLOW, Runner
 from .stability_view import stability_data, stability_kernels
@@ -24,6 +25,7 @@ class Panels(Questions):
     _runner_of: Callable[..., Runner]
     _refuse: Callable[[str], None]
     _wait: Callable[[str, str], None]
+    choose: Callable[[dict[str, Any]], None]
 
     def open_panels(self) -> None:
         """Make those who answer, and have them asked whenever a question changes."""
@@ -31,6 +33,7 @@ class Panels(Questions):
         self._regimes_runner = self._runner_of(regimes_data, partial(self._tell, "regimes"))
         self._stored_runner = self._runner_of(stored_data, partial(self._tell, "tradeoff"))
         self._auto_runner = self._runner_of(auto_data, partial(self._tell, "auto"), SLOW, stoppable=True)
+        self._point_runner = self._runner_of(choices_at, self.choose)
         self._auto_asked = 0  # times that have not been dealt with
         self._long = {
             "tradeoff": self._long_run("tradeoff", tradeoff_data, tradeoff_kernels),
@@ -38,10 +41,11 @@ class Panels(Questions):
         }
         self._again: set[str] = set()  # long runs that begin anew when they have ended
         self._asked: dict[str, dict[str, Any]] = {}  # last, by name of the answer
-        self.param.watch(self.ask_panels, [name for name in self.ASKED if name not in (*self.RUNS, *self.STABILITY)])
+        self.param.watch(self.ask_panels, list(self.FOLLOWED))
         for name in self._long:
             self.param.watch(partial(self._start_or_stop, name), f"{name}_running")
         self.param.watch(self._stop_or_resume, "auto_running")
+        self.param.watch(self._go_to, "map_point")
         if pn.state.curdoc:
             pn.state.on_session_destroyed(lambda _: self.stop_panels())
 
@@ -76,6 +80,15 @@ class Panels(Questions):
         if self._asked.get(name) != key:
             self._asked[name] = key
             pn.state.execute(partial(runner.want, asked))
+
+    def _go_to(self, event: param.parameterized.Event) -> None:
+        """Have the sliders follow a point of the map; the browser sends the next when this one is cleared."""
+        if event.new:
+            pn.state.execute(partial(self._arrive, self.chosen() | {"map_point": event.new}))
+
+    async def _arrive(self, asked: dict[str, Any]) -> None:
+        await self._point_runner.want(asked)
+        self._tell("map_point", "")
 
     def _want_auto(self, asked: dict[str, Any], key: dict[str, Any]) -> None:
         """As `_want`; the visitor sees that it is under way, and may stop it."""

@@ -19,6 +19,7 @@ class Questions(param.Parameterized):
     plan_shown = param.Boolean(default=False, doc="whether the plan and the map of regimes are open")
     question = param.Selector(default=QUESTIONS[0], objects=list(QUESTIONS))
     plan_tolerance = param.Number(default=0.05, bounds=(1e-4, 0.5))
+    map_point = param.String(default="", regex=r"[0-9.e+ -]{0,40}", doc="where the visitor wants to be, until it is so")
     plan = param.String(default="", doc="the smallest adequate model, see app.advice")
     regimes = param.String(default="", doc="the map in which the scene lies, see app.advice")
     tradeoff_shown = param.Boolean(default=False, doc="whether speed against accuracy is open")
@@ -43,7 +44,8 @@ class Questions(param.Parameterized):
     TRADEOFF = ("tradeoff_shown",)
     STABILITY = ("stability_axis",)
     RUNS = ("tradeoff_running", "stability_running", "auto_running")
-    ASKED = (*PLAN, "auto_shown", "auto_follows", *AUTO, *TRADEOFF, *RUNS, "stability_shown", *STABILITY)
+    FOLLOWED = (*PLAN, "auto_shown", *AUTO, *TRADEOFF)  # what panels answer at once
+    ASKED = (*FOLLOWED, "auto_follows", *RUNS, "stability_shown", *STABILITY, "map_point")
 
 
 def _defaults(*names: str) -> dict[str, Any]:
@@ -54,6 +56,7 @@ QUESTIONS_OF = {  # by work: what it is asked besides the choices, as long as no
     "plan_data": _defaults("question", "plan_tolerance"),
     "regimes_data": _defaults("question", "plan_tolerance"),
     "auto_data": _defaults(*Questions.AUTO),
+    "choices_at": {"map_point": "0.3 1.0"},
     "stability_kernels": _defaults(*Questions.STABILITY),
 }
 

@@ -285,6 +285,8 @@ def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, k
         allowed = ", ".join(parameter.objects)
     elif isinstance(parameter, param.Boolean):
         allowed = "true, false"
+    elif isinstance(parameter, param.String):
+        allowed = "numbers"
     else:
         kind = "a whole number" if isinstance(parameter, param.Integer) else "a number"
         allowed = f"{kind} from {parameter.bounds[0]:g} to {parameter.bounds[1]:g}"

@@ -14,7 +14,8 @@ const MODELS = { 'rigid-impulse': 'rigid impulse', 'local-quasi-static': 'only t
 const COLOURS = ['#cfe3f3', '#d6ead0', '#fbe3b6', '#f3cfc6'];
 const GREY = '#eceff2', LEVELS = [[0.01, '#2e7d4f', '1 %'], [0.05, '#b7791f', '5 %'], [0.2, '#a4243b', '20 %']];
 const FAMILIES = { 'fixed-rod': 'a rod fixed at its far end', 'free-rod': 'a free rod', cantilever: 'a cantilever', 'pinned-pinned': 'a beam pinned at both ends', 'clamped-clamped': 'a beam clamped at both ends', 'free-free': 'a free beam' };
-const FINE = [220, 160], STRIP = 26, TRAIL = 40;
+const FINE = [220, 160], STRIP = 26, TRAIL = 40, AIM = 10 ** 0.1; // a step of the arrow keys
+const inside = (value, [low, high]) => Math.min(Math.max(value, low), high);
 
 // "modal, 5 modes, timoshenko" in the words of the page.
 export function modelName(model) {
@@ -60,10 +61,52 @@ class RegimeMap {
     this.root = make('div', { className: 'regimes' }, this.kinds, this.chart.root, this.about);
     this.trail = [];
     this.image = make('canvas', { width: FINE[0], height: FINE[1] });
-    const { area, value } = this.chart;
-    area.onpointermove = (event) => { value.textContent = this.at(...this.chart.under(event)); };
-    area.onpointerleave = () => { value.textContent = ''; };
+    this.listen();
   }
+  // `go(text)` is given a place that is asked for, "time ratio".
+  listen() {
+    const { area, value } = this.chart, ask = (event) => this.ask(this.aimed(event));
+    area.tabIndex = 0;
+    area.setAttribute('role', 'application');
+    area.setAttribute('aria-label', 'Map over contact time and mass ratio: arrow keys aim, Enter moves the sliders there');
+    area.onpointermove = (event) => {
+      value.textContent = this.at(...this.chart.under(event));
+      if (this.dragged) ask(event);
+    };
+    area.onpointerleave = () => { value.textContent = ''; };
+    area.onpointerdown = (event) => {
+      if (event.pointerType === 'touch' || !(event.buttons & 1)) return; // a finger may want to scroll: it taps
+      area.setPointerCapture(event.pointerId);
+      this.dragged = true;
+      ask(event);
+    };
+    area.onpointerup = area.onpointercancel = () => { this.dragged = false; };
+    area.onclick = (event) => { if (event.pointerType === 'touch') ask(event); };
+    area.onfocus = () => { if (!this.dragged && area.matches(':focus-visible')) this.aim(this.trail.at(-1)); };
+    area.onblur = () => this.aim(null);
+    area.onkeydown = (event) => this.key(event);
+  }
+  key(event) {
+    const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key], { chart } = this;
+    if (event.key === 'Enter' && this.target) this.ask(this.target);
+    if (!way || !this.trail.length) return;
+    event.preventDefault();
+    let [time, ratio] = this.target ?? this.trail.at(-1);
+    if (way[0]) time = time === 0 ? (way[0] > 0 ? chart.x[0] : 0) : way[0] < 0 && time <= chart.x[0] && chart.gap ? 0 : inside(time * AIM ** way[0], chart.x);
+    ratio = inside(ratio * AIM ** way[1], chart.y);
+    this.aim([time, ratio]);
+  }
+  // Contact time and mass ratio under a pointer; beside the map the contact is rigid.
+  aimed(event) {
+    const { chart } = this, [time, ratio, u] = chart.under(event);
+    return [u < 0 && chart.gap ? 0 : inside(time, chart.x), inside(ratio, chart.y)];
+  }
+  aim(target) {
+    this.target = target;
+    if (target) this.chart.value.textContent = `aims at ratio ${figures(target[1], 2)}, ${target[0] === 0 ? 'rigid' : `time ${figures(target[0], 2)}`}`;
+    this.mark();
+  }
+  ask(place) { if (this.map) this.go?.(place.map((value) => value.toPrecision(4)).join(' ')); }
   load(text) {
     if (text === this.text) return;
     this.text = text;
@@ -173,7 +216,7 @@ class RegimeMap {
     if (this.trail.length > TRAIL) this.trail.shift();
   }
   placed([time, ratio]) {
-    const { chart } = this, { box } = chart, inside = (v, [low, high]) => Math.min(Math.max(v, low), high);
+    const { chart } = this, { box } = chart;
     const x = time === 0 && chart.gap ? box.x - STRIP / 2 - 4 : chart.px(inside(time, chart.x));
     return [x, chart.py(inside(ratio, chart.y))];
   }
@@ -190,6 +233,10 @@ class RegimeMap {
     c.strokeStyle = '#fff';
     c.lineWidth = 2;
     c.beginPath(); c.arc(...here, 6.5, 0, 7); c.fill(); c.stroke();
+    if (!this.target) return;
+    const [x, y] = this.placed(this.target);
+    c.strokeStyle = '#1c2733';
+    c.beginPath(); c.moveTo(x - 10, y); c.lineTo(x + 10, y); c.moveTo(x, y - 10); c.lineTo(x, y + 10); c.stroke();
   }
   at(time, ratio, u, w) {
     const { map } = this;
@@ -212,6 +259,8 @@ export class Needs {
     this.reason = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods plan' });
     this.map = new RegimeMap();
+    this.map.go = (point) => { this.point = point; this.go(); };
+    page.model.on('map_point', () => this.go());
     const form = make('div', { className: 'record-form' }, make('label', { className: 'part' }, 'I want to know', this.question), this.tolerance.root);
     const left = make('div', { className: 'plan-told' }, form, this.said, make('div', { className: 'scroll' }, this.table), this.reason);
     this.root = make('section', { className: 'analysis needs', hidden: true }, make('h2', { textContent: 'What this blow needs' }), make('div', { className: 'sides' }, left, this.map.root));
@@ -226,6 +275,14 @@ export class Needs {
   ask(name, value) {
     this.page.model[name] = value;
     this.fill();
+  }
+  // The newest place that was asked for on the map, when the server is done with the one before.
+  go() {
+    const { model } = this.page;
+    if (model.map_point || !this.point) return;
+    const { point } = this;
+    this.point = null;
+    model.map_point = point;
   }
   take() {
     this.button.setAttribute('aria-pressed', String(this.open));
@@ -262,7 +319,7 @@ export class Needs {
     this.map.tolerance = found.chosen.plan_tolerance;
     if (this.map.map) {
       this.map.move(found.groups);
-      this.map.about.textContent = `A compact body strikes ${FAMILIES[this.map.map.family]}${this.map.map.law === 'hertz' ? ', Hertzian contact' : ''}; the dot is this scene, with the time that its contact would last between rigid bodies${found.measured ? '' : '; it lies outside what was measured'}. Each point of the map was solved by the cheap model and in full; error in the ${QUESTIONS[this.map.map.question]}.`;
+      this.map.about.textContent = `A compact body strikes ${FAMILIES[this.map.map.family]}${this.map.map.law === 'hertz' ? ', Hertzian contact' : ''}; the dot is this scene, with the time that its contact would last between rigid bodies${found.measured ? '' : '; it lies outside what was measured'}. Each point of the map was solved by the cheap model and in full; error in the ${QUESTIONS[this.map.map.question]}. Click or drag to move the sliders there.`;
     }
     if (map !== this.map.map || tolerance !== this.map.tolerance || drawn !== this.map.shown) this.map.paint();
     else this.map.mark();

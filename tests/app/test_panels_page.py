@@ -48,6 +48,69 @@ def test_the_dot_on_the_map_follows_the_sliders(open_page):
     assert page.picture() != pixels
 
 
+def map_of(page):
+    """The area of the map of regimes, drawn, and where it is on the screen."""
+    opened(page, "What this blow needs", "needs")
+    page.wait("() => strikewave.page.analyses.needs.map.chart.box && strikewave.page.analyses.needs.map.trail.length")
+    area = page.tab.locator(".regimes").get_by_role("application")
+    area.scroll_into_view_if_needed()
+    return area
+
+
+def lies_at(page, time, ratio):
+    """Wait until the scene that is drawn lies there, within a twentieth."""
+    page.wait(
+        """([time, ratio]) => {
+          const [t, r] = strikewave.page.analyses.needs.map.trail.at(-1), near = (a, b) => Math.abs(Math.log(a / b)) < 0.05;
+          return (time === 0 ? t === 0 : near(t, time)) && near(r, ratio) && near(strikewave.page.frame.chosen.mass_ratio, ratio);
+        }""",
+        [time, ratio],
+    )
+
+
+def test_a_drag_on_the_map_moves_the_sliders(open_page):
+    page = open_page()
+    area = map_of(page)
+    place = """([time, ratio]) => {
+      const { chart } = strikewave.page.analyses.needs.map, from = chart.area.getBoundingClientRect();
+      return [from.left + chart.px(time), from.top + chart.py(ratio)];
+    }"""
+    page.tab.mouse.move(*page.evaluate(place, [1.0, 1.0]))
+    page.tab.mouse.down()
+    for k in range(5):
+        page.tab.mouse.move(*page.evaluate(place, [1.0 + k / 4, 1.0 + k]))
+    page.tab.mouse.up()
+    lies_at(page, 2.0, 5.0)
+    settled(page)
+    expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("linear")
+    expect(page.tab.get_by_role("slider", name="Stiffness", exact=True)).to_be_visible()
+    box = area.bounding_box()
+    page.tab.mouse.click(box["x"] + 60, box["y"] + box["height"] / 2)  # in the strip of rigid contacts
+    expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("rigid")
+
+
+def test_the_keys_aim_on_the_map_and_enter_goes_there(open_page):
+    page = open_page("?law=hertz")
+    area = map_of(page)
+    time, ratio = page.evaluate("() => strikewave.page.analyses.needs.map.trail.at(-1)")
+    area.focus()
+    for key in ("ArrowUp", "ArrowUp", "ArrowRight", "Enter"):
+        area.press(key)
+    lies_at(page, time * 10**0.1, ratio * 10**0.2)
+    settled(page)
+    expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("hertz")
+
+
+def test_a_place_that_is_none_is_refused(open_page):
+    page = open_page()
+    map_of(page)
+    page.evaluate("() => { strikewave.page.model.map_point = '1 -2'; }")
+    expect(page.tab.locator(".toast")).to_contain_text("map_point: got '1 -2'; allowed: a contact time")
+    page.wait("() => strikewave.page.model.map_point === ''")
+    page.evaluate("() => { strikewave.page.model.map_point = '<b>'; }")
+    expect(page.tab.locator(".toast")).to_contain_text("allowed: numbers")
+
+
 def test_what_a_hostile_client_asks_is_refused(open_page):
     page = open_page()
     opened(page, "What this blow needs", "needs")
