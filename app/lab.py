@@ -65,16 +65,17 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, sizing_mode="stretch_width", margin=0, **choices
         )
         self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
-        self._runner = Runner(solve_frame, self._show, self._set_back, POOL, partial(self._wait, solve_frame.__name__))
+        waiting = partial(self._tell, self._wait, solve_frame.__name__)
+        self._runner = Runner(solve_frame, self._take, self._fail, POOL, waiting)
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
         self._views: dict[str, tuple[Any, Any]] = {}  # by name: the stream that feeds it, and its pane
         self._energy_runner = self._runner_of(energy_shares, partial(self._show_view, "energy", energy_view))
         self._ratios_runner = self._runner_of(ratios_for, partial(self._show_view, "ratios", ratios_view))
-        self._methods_runner = self._runner_of(methods_table, partial(self._show_text, "methods"), SLOW)
-        self._trust_runner = self._runner_of(trust_data, partial(self._show_text, "trust"), SLOW)
-        self._convergence_runner = self._runner_of(convergence_data, partial(self._show_text, "convergence"), SLOW)
+        self._methods_runner = self._runner_of(methods_table, partial(setattr, self, "methods"), SLOW)
+        self._trust_runner = self._runner_of(trust_data, partial(setattr, self, "trust"), SLOW)
+        self._convergence_runner = self._runner_of(convergence_data, partial(setattr, self, "convergence"), SLOW)
         self.param.watch(self._changed, list(self.CHOSEN))
         self.param.watch(self._ask_views, list(self.OPENED))
         self.open_panels()
@@ -85,7 +86,23 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     def _runner_of(
         self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL, stoppable: bool = False
     ) -> Runner:
-        return Runner(work, publish, self._refuse, pool, partial(self._wait, work.__name__), stoppable)
+        telling, refusing = partial(self._tell, publish), partial(self._tell, self._refuse)
+        return Runner(work, telling, refusing, pool, partial(self._tell, self._wait, work.__name__), stoppable)
+
+    async def _tell(self, act: Callable, *arguments: Any) -> None:
+        """Change properties with the document locked: of two that change at once, outside the lock, one may get lost.
+
+        All that becomes known while a visitor looks on goes through here.
+        """
+        document = pn.state.curdoc
+
+        async def acting(_: Any) -> None:
+            act(*arguments)
+
+        if document is None or document.session_context is None:
+            act(*arguments)
+        else:
+            await document.session_context.with_locked_document(acting)
 
     def _begin(self) -> None:
         """The first answer goes out with the page, unless it must be compiled first."""
@@ -131,8 +148,14 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         finally:
             self._quiet = False
 
-    def _show(self, message: bytes) -> None:
-        self._answered = self._runner.current
+    async def _take(self, message: bytes) -> None:
+        await self._tell(self._show, self._runner.current, message)
+
+    async def _fail(self, sentence: str) -> None:
+        await self._tell(self._set_back, self._runner.current, sentence)
+
+    def _show(self, answered: dict[str, Any], message: bytes) -> None:
+        self._answered = answered
         self.frame = message
         self._follow()
 
@@ -172,12 +195,9 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self._views[name] = pipe, view(pipe)
         self.below.append(self._views[name][1])
 
-    def _show_text(self, name: str, text: str) -> None:
-        setattr(self, name, text)
-
-    def _set_back(self, sentence: str) -> None:
+    def _set_back(self, failed: dict[str, Any], sentence: str) -> None:
         """Choices that cannot be solved together are not left standing beside the picture of others."""
-        if self._answered and self.chosen() == self._runner.current:
+        if self._answered and self.chosen() == failed:
             with self._silence():
                 self.param.update(**self._answered)
         self._refuse(sentence)

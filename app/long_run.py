@@ -10,7 +10,7 @@ from typing import Any
 from solvers.jit import NotCompiled
 
 from .compiling import COMPILER
-from .runner import COMPILING, SLOW, at_once
+from .runner import COMPILING, SLOW, at_once, said
 
 log = logging.getLogger("strikewave")
 
@@ -35,7 +35,7 @@ class LongRun:
         if self._cancelled is not None:
             self._cancelled.set()
 
-    async def start(self, asked: Any, ended: Callable[[], None]) -> None:
+    async def start(self, asked: Any, ended: Callable[[], Any]) -> None:
         """Do the work, unless some is under way."""
         if self.busy:
             return
@@ -44,24 +44,24 @@ class LongRun:
             await self._compiled(asked)
             await self._run(asked, cancelled)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            self._refuse(str(refusal))
+            await said(self._refuse(str(refusal)))
         except Exception:
             log.exception("a long run failed: %r", asked)
-            self._refuse("This could not be worked out. What is shown is as it was before.")
+            await said(self._refuse("This could not be worked out. What is shown is as it was before."))
         finally:
             self._cancelled = None
-            ended()
+            await said(ended())
 
     async def _compiled(self, asked: Any) -> None:
         loop = asyncio.get_running_loop()
         try:
             await loop.run_in_executor(SLOW, at_once, self._kernels, asked)
         except NotCompiled:
-            self._wait(COMPILING)
+            await said(self._wait(COMPILING))
             try:
                 await COMPILER.ready(self._kernels.__name__, asked)
             finally:
-                self._wait("")
+                await said(self._wait(""))
 
     async def _run(self, asked: Any, cancelled: threading.Event) -> None:
         loop, told = asyncio.get_running_loop(), asyncio.Queue()
@@ -69,5 +69,5 @@ class LongRun:
         work = loop.run_in_executor(SLOW, self._work, asked, cancelled.is_set, tell)
         work.add_done_callback(lambda _: told.put_nowait(None))
         while (part := await told.get()) is not None:
-            self._publish(part)
-        self._publish(await work)
+            await said(self._publish(part))
+        await said(self._publish(await work))

@@ -1,6 +1,6 @@
 """The panels beside the solution: who answers what is asked in them, and when."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from functools import partial
 from typing import Any
 
@@ -25,14 +25,15 @@ class Panels(Questions):
     _runner_of: Callable[..., Runner]
     _refuse: Callable[[str], None]
     _wait: Callable[[str, str], None]
+    _tell: Callable[..., Coroutine]
     choose: Callable[[dict[str, Any]], None]
 
     def open_panels(self) -> None:
         """Make those who answer, and have them asked whenever a question changes."""
-        self._plan_runner = self._runner_of(plan_data, partial(self._tell, "plan"))
-        self._regimes_runner = self._runner_of(regimes_data, partial(self._tell, "regimes"))
-        self._stored_runner = self._runner_of(stored_data, partial(self._tell, "tradeoff"))
-        self._auto_runner = self._runner_of(auto_data, partial(self._tell, "auto"), SLOW, stoppable=True)
+        self._plan_runner = self._runner_of(plan_data, partial(setattr, self, "plan"))
+        self._regimes_runner = self._runner_of(regimes_data, partial(setattr, self, "regimes"))
+        self._stored_runner = self._runner_of(stored_data, partial(setattr, self, "tradeoff"))
+        self._auto_runner = self._runner_of(auto_data, partial(setattr, self, "auto"), SLOW, stoppable=True)
         self._point_runner = self._runner_of(choices_at, self.choose)
         self._auto_asked = 0  # times that have not been dealt with
         self._long = {
@@ -50,11 +51,8 @@ class Panels(Questions):
             pn.state.on_session_destroyed(lambda _: self.stop_panels())
 
     def _long_run(self, name: str, work: Callable, kernels: Callable) -> LongRun:
-        return LongRun(work, kernels, partial(self._tell, name), self._refuse, partial(self._wait, name))
-
-    def _tell(self, name: str, answer: Any) -> None:
-        """Set an answer with the document locked: of two that come at once, outside the lock, one may get lost."""
-        pn.state.execute(partial(setattr, self, name, answer), schedule=True)
+        acts = partial(setattr, self, name), self._refuse, partial(self._wait, name)
+        return LongRun(work, kernels, *(partial(self._tell, act) for act in acts))
 
     def stop_panels(self) -> None:
         """Nobody looks any more."""
@@ -88,7 +86,7 @@ class Panels(Questions):
 
     async def _arrive(self, asked: dict[str, Any]) -> None:
         await self._point_runner.want(asked)
-        self._tell("map_point", "")
+        await self._tell(setattr, self, "map_point", "")
 
     def _want_auto(self, asked: dict[str, Any], key: dict[str, Any]) -> None:
         """As `_want`; the visitor sees that it is under way, and may stop it."""
@@ -102,7 +100,7 @@ class Panels(Questions):
         await self._auto_runner.want(asked)
         self._auto_asked -= 1
         if not self._auto_asked:
-            pn.state.execute(self._auto_over, schedule=True)
+            await self._tell(self._auto_over)
 
     def _auto_over(self) -> None:
         if not self._auto_asked:  # nor was anything asked since
@@ -131,12 +129,12 @@ class Panels(Questions):
         asked = self.chosen() | {key: getattr(self, key) for key in more}
         pn.state.execute(partial(self._long[name].start, asked, partial(self._ended, name, asked)))
 
-    def _ended(self, name: str, asked: dict[str, Any]) -> None:
+    async def _ended(self, name: str, asked: dict[str, Any]) -> None:
         if name in self._again:
             self._again.discard(name)
             self._start(name)
             return
-        self._tell(f"{name}_running", False)
+        await self._tell(setattr, self, f"{name}_running", False)
         if name == "tradeoff":  # what was measured stays, unless the scene has changed meanwhile
             self._asked[name] = _of_any_method(asked)
             self.ask_panels()

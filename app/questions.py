@@ -19,7 +19,9 @@ class Questions(param.Parameterized):
     plan_shown = param.Boolean(default=False, doc="whether the plan and the map of regimes are open")
     question = param.Selector(default=QUESTIONS[0], objects=list(QUESTIONS))
     plan_tolerance = param.Number(default=0.05, bounds=(1e-4, 0.5))
-    map_point = param.String(default="", regex=r"[0-9.e+ -]{0,40}", doc="where the visitor wants to be, until it is so")
+    map_point = param.String(
+        default="", regex=r"^[0-9.e+ -]{0,40}$", doc="where the visitor wants to be, until it is so"
+    )
     plan = param.String(default="", doc="the smallest adequate model, see app.advice")
     regimes = param.String(default="", doc="the map in which the scene lies, see app.advice")
     tradeoff_shown = param.Boolean(default=False, doc="whether speed against accuracy is open")

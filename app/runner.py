@@ -1,6 +1,7 @@
 """Solves off the event loop: at most one per visitor in flight, the newest choices win, nothing queues."""
 
 import asyncio
+import inspect
 import logging
 import os
 import time
@@ -23,6 +24,12 @@ def at_once(work: Callable, *arguments: Any) -> Any:
     """`work(*arguments)` from kernels that are compiled; NotCompiled is raised if one is not."""
     with compiled_only():
         return work(*arguments)
+
+
+async def said(told: Any) -> None:
+    """Wait for who is told something, where that takes time: for the lock of a document."""
+    if inspect.isawaitable(told):
+        await told
 
 
 class Runner:
@@ -72,13 +79,13 @@ class Runner:
                 try:
                     result = await self._solved(self.current)
                 except ValueError as refusal:  # SceneError: the sentence is for the visitor
-                    self._refuse(str(refusal))
+                    await said(self._refuse(str(refusal)))
                 except Exception:
                     log.exception("a solve failed: %r", self.current)
-                    self._refuse("This could not be solved. The choices before it are still shown.")
+                    await said(self._refuse("This could not be solved. The choices before it are still shown."))
                 else:
                     if result is not None:
-                        self._publish(result)
+                        await said(self._publish(result))
         finally:
             self._busy = False
 
@@ -88,7 +95,7 @@ class Runner:
         try:
             return await loop.run_in_executor(self._pool, at_once, self._work, *given)
         except NotCompiled:
-            self._wait(COMPILING)
+            await said(self._wait(COMPILING))
         try:
             compiled = asyncio.ensure_future(COMPILER.ready(self._work.__name__, choices))
             newer = asyncio.ensure_future(self._newer.wait())
@@ -99,4 +106,4 @@ class Runner:
                 return None
             return await loop.run_in_executor(self._pool, self._work, *given)
         finally:
-            self._wait("")
+            await said(self._wait(""))

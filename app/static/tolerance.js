@@ -5,7 +5,7 @@ import { naming } from './charts.js';
 import { percentDecade } from './logplot.js';
 import { make, Panel, QUANTITIES, showMethod, shown } from './panel.js';
 
-const LOWEST = 1e-12, QUICK = 0.25; // s of a solve that a slider can wait for
+const LOWEST = 1e-12, EARLY = 1e-9, QUICK = 0.25; // s of a solve that a slider can wait for
 const LATE = 500; // ms
 const WITHIN = { tolerance: 'an error', time: 'a computing time' };
 
@@ -116,7 +116,7 @@ export class Tolerance extends Panel {
     const ticks = [-12, -9, -6, -4, -2, 0].map((power) => { const tick = make('i', { className: 'tick', textContent: percentDecade(power) }); tick.style.left = place(10 ** power); return tick; });
     const allowed = make('i', { className: 'allowed' });
     if (asked !== null) allowed.style.width = place(asked);
-    this.scale.replaceChildren(...(asked === null ? [] : [allowed]), ...ticks, ...marks.map(([kind, error, word]) => { const mark = make('i', { className: `mark ${kind}`, title: `${word}: ${share(error)}` }, make('span', { textContent: `${word} ${share(error)}` })); mark.style.left = place(error); return mark; }));
+    this.scale.replaceChildren(...(asked === null ? [] : [allowed]), ...ticks, ...marks.map(([kind, error, word]) => { const mark = make('i', { className: `mark ${kind}${error < EARLY ? ' early' : ''}`, title: `${word}: ${share(error)}` }, make('span', { textContent: `${word} ${share(error)}` })); mark.style.left = place(error); return mark; }));
     this.scale.setAttribute('aria-label', marks.map(([, error, word]) => `${word} error ${share(error)}`).join(', '));
   }
   tried(found) {

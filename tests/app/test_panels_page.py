@@ -61,8 +61,9 @@ def lies_at(page, time, ratio):
     """Wait until the scene that is drawn lies there, within a twentieth."""
     page.wait(
         """([time, ratio]) => {
-          const [t, r] = strikewave.page.analyses.needs.map.trail.at(-1), near = (a, b) => Math.abs(Math.log(a / b)) < 0.05;
-          return (time === 0 ? t === 0 : near(t, time)) && near(r, ratio) && near(strikewave.page.frame.chosen.mass_ratio, ratio);
+          const { page } = strikewave, [t, r] = page.analyses.needs.map.trail.at(-1);
+          const near = (a, b) => Math.abs(Math.log(a / b)) < 0.05;
+          return near(t, time) && near(r, ratio) && near(page.frame.chosen.mass_ratio, ratio);
         }""",
         [time, ratio],
     )
