@@ -90,14 +90,19 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         return Runner(work, telling, refusing, pool, partial(self._tell, self._wait, work.__name__), stoppable)
 
     async def _tell(self, act: Callable, *arguments: Any) -> None:
-        """Change properties with the document locked: of two that change at once, outside the lock, one may get lost.
+        """Change properties with the document locked, and have Bokeh send them, each, before the lock is left.
 
-        All that becomes known while a visitor looks on goes through here.
+        Of two that change at once outside the lock, one may get lost. All that becomes known while a visitor looks on
+        goes through here.
         """
         document = pn.state.curdoc
 
         async def acting(_: Any) -> None:
-            act(*arguments)
+            document.hold("collect")
+            try:
+                act(*arguments)
+            finally:
+                document.unhold()
 
         if document is None or document.session_context is None:
             act(*arguments)

@@ -86,7 +86,7 @@ class Page:
         self.tab.on("websocket", self._socket)
         self.tab.goto(f"http://{address}/{query}")
         if drawn:
-            self.wait("() => window.strikewave?.frames > 0")
+            self.laid_out()
 
     def _request(self, url: str, address: str) -> None:
         if address not in url and not url.startswith(("data:", "blob:")):
@@ -107,6 +107,34 @@ class Page:
 
     def wait(self, condition: str, argument=None, timeout: int = PATIENCE):
         return self.tab.wait_for_function(condition, arg=argument, timeout=timeout)
+
+    def laid_out(self) -> None:
+        """Wait until there is a scene, its styles are loaded, and what has a size is drawn."""
+        self.wait(
+            """() => window.strikewave?.frames > 0
+              && [...strikewave.page.root.getRootNode().querySelectorAll('link')].every((link) => link.sheet)"""
+        )
+        self.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def redrawn(self, pixels: list[int]) -> None:
+        """Wait until the picture is another one."""
+        for _ in range(100):
+            if self.picture() != pixels:
+                return
+            self.tab.wait_for_timeout(50)
+        pytest.fail("the picture is as it was")
+
+    def quiet(self) -> dict[str, int]:
+        """Wait until nothing is sent or received any more; what has been by then."""
+        while True:
+            before = dict(self.frames)
+            self.tab.wait_for_timeout(500)
+            if self.frames == before:
+                return before
+
+    def fits(self, width: int) -> None:
+        """Wait until nothing sticks out sideways."""
+        self.wait("width => document.documentElement.scrollWidth <= width", width)
 
     def evaluate(self, code: str, argument=None):
         return self.tab.evaluate(code, argument)

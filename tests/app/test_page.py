@@ -68,7 +68,7 @@ def test_each_slider_changes_what_is_drawn(open_page, label, name, to, query):
     after = page.header("chosen")
     assert after[name] != before[name]
     assert {k: v for k, v in after.items() if k != name} == {k: v for k, v in before.items() if k != name}
-    assert page.picture() != pixels
+    page.redrawn(pixels)
     assert after[name] == page.evaluate("name => strikewave.page.model[name]", name)
 
 
@@ -89,7 +89,7 @@ def test_each_picker_changes_what_is_drawn(open_page, label, option, name):
     page.answered(lambda: page.tab.get_by_label(label, exact=True).select_option(option))
     settled(page)
     assert page.header("chosen")[name] == option
-    assert page.picture() != pixels
+    page.redrawn(pixels)
     stiffness = page.tab.get_by_role("slider", name="Stiffness")
     expect(stiffness).to_have_count(0 if page.header("chosen")["law"] == "rigid" else 1)
 
@@ -122,12 +122,11 @@ def test_restitution_moves_the_ghost_in_every_law_and_the_waves_only_where_it_ac
 
 def test_play_moves_the_picture_and_sends_nothing(open_page):
     page = open_page()
-    page.tab.wait_for_timeout(300)
-    pixels, frames, t = page.picture(), dict(page.frames), page.evaluate("() => strikewave.page.player.t")
+    frames, pixels, t = page.quiet(), page.picture(), page.evaluate("() => strikewave.page.player.t")
     page.tab.get_by_role("button", name="Play").click()
     page.wait("t => strikewave.page.player.t > t + 0.3", t)
     assert page.frames == frames
-    assert page.picture() != pixels
+    page.redrawn(pixels)
     page.tab.get_by_role("button", name="Pause").click()
     stopped = page.evaluate("() => strikewave.page.player.t")
     page.tab.wait_for_timeout(200)
@@ -296,7 +295,7 @@ def test_controls_have_names_and_keys_work(open_page):
 @pytest.mark.parametrize("size", [(1440, 900), (1024, 700), (390, 844)])
 def test_nothing_sticks_out_sideways(open_page, size):
     page = open_page(size=size, has_touch=size[0] < 500)
-    assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0]
+    page.fits(size[0])
     for name in ("Play", "Save data"):
         box = page.tab.get_by_role("button", name=name).bounding_box()
         assert box["x"] >= 0
@@ -308,8 +307,7 @@ def test_energy_over_time_opens_below_and_follows_the_clock_silently(open_page):
     page.tab.get_by_role("button", name="Energy over time").click()
     cursor = "() => Bokeh.documents.map((d) => d.get_model_by_name('energy-cursor')).find(Boolean)"
     page.wait(cursor)
-    page.tab.wait_for_timeout(500)
-    frames = dict(page.frames)
+    frames = page.quiet()
     page.evaluate("() => strikewave.page.player.go(0.7)")
     assert page.evaluate(f"() => ({cursor})().location") == 0.7
     page.tab.wait_for_timeout(300)

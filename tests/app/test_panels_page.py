@@ -45,7 +45,7 @@ def test_the_dot_on_the_map_follows_the_sliders(open_page):
     after = page.evaluate(here)
     assert after[1] == pytest.approx(page.header("chosen")["mass_ratio"], rel=1e-6)
     assert after != before
-    assert page.picture() != pixels
+    page.redrawn(pixels)
 
 
 def map_of(page):
@@ -129,8 +129,8 @@ def test_panels_fit_a_phone(open_page):
     ):
         page.tab.get_by_role("button", name=label, exact=True).click()
         page.wait(TOLD, name, timeout=LONG)
-    page.tab.get_by_role("application").focus()
-    assert page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    page.tab.locator(".tradeoff").get_by_role("application").focus()
+    page.fits(390)
 
 
 def test_speed_against_accuracy(open_page):
@@ -188,7 +188,7 @@ def test_a_tolerance_chooses_the_method(open_page):
     found = page.evaluate("() => strikewave.page.analyses.tolerance.answer")
     assert found["true"] <= 0.01 and found["met"]
     page.wait("method => strikewave.page.frame.chosen.method === method", found["name"])
-    assert page.tab.get_by_label("Method beside the exact one").input_value() == "auto"
+    expect(page.tab.get_by_label("Method beside the exact one")).to_have_value("auto")
     expect(panel.locator(".proof")).to_contain_text("true")
     page.answered(lambda: page.tab.get_by_label("Method beside the exact one").select_option("waves"))
     assert page.header("chosen")["method"] == "waves"
