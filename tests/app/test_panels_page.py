@@ -54,6 +54,13 @@ def map_of(page):
     page.wait("() => strikewave.page.analyses.needs.map.chart.box && strikewave.page.analyses.needs.map.trail.length")
     area = page.tab.locator(".regimes").get_by_role("application")
     area.scroll_into_view_if_needed()
+    page.wait(
+        """async () => {
+          const { area } = strikewave.page.analyses.needs.map.chart, { top } = area.getBoundingClientRect();
+          await new Promise((done) => setTimeout(done, 200));
+          return area.getBoundingClientRect().top === top; // the page has scrolled to it
+        }"""
+    )
     return area
 
 
@@ -66,6 +73,7 @@ def lies_at(page, time, ratio):
           return near(t, time) && near(r, ratio) && near(page.frame.chosen.mass_ratio, ratio);
         }""",
         [time, ratio],
+        timeout=LONG,
     )
 
 
@@ -87,7 +95,7 @@ def test_a_drag_on_the_map_moves_the_sliders(open_page):
     expect(page.tab.get_by_role("slider", name="Stiffness", exact=True)).to_be_visible()
     box = area.bounding_box()
     page.tab.mouse.click(box["x"] + 60, box["y"] + box["height"] / 2)  # in the strip of rigid contacts
-    expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("rigid")
+    expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("rigid", timeout=LONG)
 
 
 def test_the_keys_aim_on_the_map_and_enter_goes_there(open_page):
