@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from solvers import ContactPeriod, Row, Scene, SceneError, Solution
+from solvers.comparison import rebound
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
@@ -74,13 +75,14 @@ def _unit_name(scene: Scene) -> str:
 def comparison(exact: Solution, rows: list[Row]) -> str:
     """A table of plain text: every method against the exact solution, or the one taken for it."""
     scene = exact.scene
+    moving = "impactor leaves at" if exact.impactor_velocity is not None else "target moves on at"
     periods = ", ".join(f"{c.start / scene.time_unit:.4f} to {c.end / scene.time_unit:.4f}" for c in exact.contacts)
     lines = [
         _title(exact),
         f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
         f"  measured by                     {_method_line(exact)}",
         f"  its contacts [T]                {textwrap.shorten(periods, 200, placeholder=' ...')}",
-        f"  its impactor leaves at          {exact.impactor_velocity:+.8g} m/s{_uncertainty(exact)}",
+        f"  its {moving:28}{rebound(exact):+.8g} m/s{_uncertainty(exact)}",
         "",
         f"  {'method':38}{'rebound':>10}{'1st contact':>13}{'true':>7}{'listed':>8}{'raw':>6}"
         f"{'force L2':>10}{'resolved':>10}{'time':>9}",

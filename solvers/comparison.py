@@ -37,7 +37,7 @@ class Row:
 
     method: dict[str, Any]  # name and options, as in a scene file
     reason: str | None = None  # why it cannot solve the scene; then all below is None
-    rebound_error: float | None = None  # of the impactor's final velocity, in approach speeds
+    rebound_error: float | None = None  # of the final velocity that `rebound` gives, in approach speeds
     duration_error: float | None = None  # of the first contact, in units of `scene.time_unit`
     contacts: int | None = None  # that it reports
     true_contacts: int | None = None
@@ -104,7 +104,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
     blow = any(contact.peak_force is None for contact in found.contacts)
     return Row(
         method=method.table(),
-        rebound_error=(found.impactor_velocity - exact.impactor_velocity) / scene.speed,
+        rebound_error=(rebound(found) - rebound(exact)) / scene.speed,
         duration_error=(first - true) / scene.time_unit,
         contacts=len(found.contacts),
         true_contacts=len(exact.contacts),
@@ -115,6 +115,11 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
         resolved_force_error=None if resolved is None else force_error(exact, until, _until_the_end(found, resolved)),
         wall_time=_wall_time(lambda: method.solve(scene), repeats),
     )
+
+
+def rebound(solution: Solution) -> Any:
+    """Final velocity [m/s] of the impactor, or of the target where a prescribed force has pushed it; see `Solution`."""
+    return solution.target_velocity if solution.impactor_velocity is None else solution.impactor_velocity
 
 
 def overlapping(true: Sequence[ContactPeriod], found: Sequence[ContactPeriod]) -> list[bool]:

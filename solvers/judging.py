@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .comparison import FORCE_SAMPLES, overlapping
+from .comparison import FORCE_SAMPLES, overlapping, rebound
 from .scene import Scene
 from .solution import ContactPeriod, Solution
 
@@ -40,7 +40,6 @@ class Answer:
     @classmethod
     def of(cls, solution: Solution, histories: bool = True) -> "Answer":
         """`histories`: whether the force over time is asked for, which may take as long as a quick solve."""
-        pushed = solution.impactor_velocity is None
         until = max((contact.end for contact in solution.contacts), default=0.0)
         times = (np.arange(FORCE_SAMPLES) + 0.5) * until / FORCE_SAMPLES
         motion, force, resolved = solution.motion, None, None
@@ -50,7 +49,7 @@ class Answer:
             averaged = getattr(motion, "resolved_force", None)
             resolved = force if averaged is None else np.asarray(averaged(times), float)
         return cls(
-            velocity=np.atleast_1d(solution.target_velocity if pushed else solution.impactor_velocity),
+            velocity=np.atleast_1d(rebound(solution)),
             impulse=solution.impulse,
             peak_force=solution.peak_force or None,
             contacts=tuple(solution.contacts),

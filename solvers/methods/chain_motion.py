@@ -106,8 +106,8 @@ class ChainMotion:
     def end_velocity(self, time, after=True):
         return self.history.speed * self._face(self.history.contact, True, self._t(time), after)[1]
 
-    def rigid_velocity(self, time):
-        """Mean velocity of the target [m/s], (4.29)."""
+    def rigid_velocity(self, time, after=True):
+        """Mean velocity of the target [m/s], (4.29); as every force is finite, it never jumps."""
         t, target = self._t(time), self.scene.target
         momentum = sum(self._momentum(rod, t) for rod in range(self.history.contact, len(self.history.rods)))
         if target.rods[-1].end_mass:

@@ -165,10 +165,12 @@ def test_a_rigid_blow_on_an_axis_jumps(capsys, tmp_path):
     assert "no duration" in answer(capsys, "solve", "free-rod", "--set", "method.name=rigid")
 
 
-@pytest.mark.parametrize("method", ["waves", "modal"])
-def test_series(capsys, tmp_path, method):
+@pytest.mark.parametrize(
+    "change", ["method.name=waves", "method.name=modal", 'contact={ law = "hertz", stiffness = 1e10 }']
+)
+def test_series(capsys, tmp_path, change):
     path = tmp_path / "histories.csv"
-    found = result(capsys, "fixed-rod", "--set", f"method.name={method}", "--series", str(path))
+    found = result(capsys, "fixed-rod", "--set", change, "--series", str(path))
     with path.open(newline="") as file:
         rows = list(csv.DictReader(file))
     assert list(rows[0]) == SERIES
@@ -179,7 +181,7 @@ def test_series(capsys, tmp_path, method):
     assert times[0] == 0.0 and times[-1] <= found["duration"] * (1.0 + 1e-12)
     assert min(columns["contact_force_N"]) >= 0.0
     assert columns["impactor_velocity_m_per_s"][-1] == approx(found["impactor"]["final_velocity"], rel=1e-11)
-    if method == "waves":
+    if change == "method.name=waves":
         assert max(columns["contact_force_N"]) == approx(found["peak_force"], rel=1e-11)  # 12 digits are written
         assert any(a == b and f != g for a, b, f, g in zip(
             times[:-1], times[1:], columns["contact_force_N"][:-1], columns["contact_force_N"][1:], strict=True
@@ -337,6 +339,13 @@ def test_compare_in_json_for_scripts(capsys):
     assert {row["method"]["name"] for row in found["methods"]} == set(solvers.METHODS)
     exact = found["methods"][0]
     assert exact["method"]["name"] == "waves" and exact["rebound_error"] == 0.0
+
+
+def test_compare_of_a_prescribed_force_tells_how_its_target_moves_on(capsys):
+    said = answer(capsys, "compare", "pressure-bar")
+    moved = solvers.solve(solvers.load("pressure-bar")).target_velocity
+    assert f"its target moves on at          {moved:+.8g} m/s" in said
+    assert "impactor leaves" not in said
 
 
 def test_compare_refuses_what_has_no_exact_solution(capsys):
