@@ -12,6 +12,7 @@ from pytest import approx
 import solvers
 from bench.random_scenes import random_scene
 from solvers import Auto, SceneError, SceneNotSupported
+from solvers.costs import expected_time
 from solvers.judging import Answer, Truth
 from tests.catalog import bronze_rod, contact_table, struck_rod
 
@@ -169,6 +170,14 @@ def test_a_scene_file_may_ask_for_it():
     solution = solvers.solve(again)
     assert solution.diagnostics["chosen"]["tolerance"] == 0.001
     assert Auto.read({"budget": 0.05}).goal is None and Auto.read({}).goal == 0.01
+
+
+def test_a_step_of_waves_costs_the_same_under_any_law():
+    method, steps = {"name": "waves", "tolerance": 1e-9}, 4000
+    laws = (struck_rod(contact=contact_table(law)).contact for law in ("hertz", "power", "hunt-crossley"))
+    times = [expected_time(method, steps, law) for law in laws]
+    assert max(times) < 2.0 * min(times)
+    assert expected_time(method, steps, struck_rod().contact) < 0.2 * min(times)  # rigid faces need no equation solved
 
 
 def test_what_costs_more_than_the_answer_is_not_solved():
