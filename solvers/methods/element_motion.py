@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..motion import SampledMotion, ShapeField, growth, stress_source
+from ..motion import SampledMotion, ShapeField, growth, run_out, stress_source
 from ..numerics.elements import two_sided
 from ..scene import Scene
 from ..solution import ContactPeriod
@@ -84,8 +84,7 @@ class ElementMotion(SampledMotion):
     def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
         """Start and end [s] of every stretch with a contact force, located inside the steps."""
         course = self.course
-        pressing = course.force > 0.0
-        cells = np.flatnonzero(pressing[1:] | pressing[:-1] | (np.diff(course.impulse) > 0.0))
+        cells = np.flatnonzero(np.diff(course.impulse) > 0.0)  # the force at an instant may be of the step before it
         if not cells.size:
             return np.zeros(1), np.zeros(1)
         breaks = np.flatnonzero(np.diff(cells) > 1)
@@ -97,7 +96,11 @@ class ElementMotion(SampledMotion):
             return course.indentation[instants] - np.array([dent(value) for value in deepest[cells].tolist()])
 
         starts = course.step * (firsts + _zero(closed(firsts, firsts), closed(firsts + 1, firsts)))
-        ends = course.step * (lasts + 1.0 - _zero(closed(lasts + 1, lasts), closed(lasts, lasts)))
+        left = closed(lasts + 1, lasts)
+        ends = course.step * (lasts + 1.0 - _zero(left, closed(lasts, lasts)))
+        for k in np.flatnonzero((left > 0.0) & (lasts + 1 < course.steps)):  # damping has used up the force before
+            pushes = np.diff(course.impulse[max(lasts[k] - 3, firsts[k]) : lasts[k] + 1])
+            ends[k] = course.step * (lasts[k] + run_out(*pushes.tolist()))
         return starts, ends
 
     def contacts(self) -> list[ContactPeriod]:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..contact import Linear, Rigid
-from ..motion import growth, stress_source
+from ..motion import growth, run_out, stress_source
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Bank, Record, advance, oscillator_bank, turn
 from ..scene import Scene
@@ -399,23 +399,9 @@ class ModalMotion:
             if soon or 0.0 < opened <= self._opening_told:
                 return self.duration
         if gap > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
-            return self.step * (
-                after - 1 + _run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist())
-            )
+            return self.step * (after - 1 + run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist()))
         later, before = float(depth[min(after + 1, self.steps)]) - dent, float(depth[after - 1]) - dent
         return self.step * (after - _upward_zero(later, gap, before))
-
-
-def _run_out(*forces: float) -> float:
-    """How many steps after three steps with these mean forces the force comes to zero: from 0 to 2."""
-    if len(forces) < 3:
-        return 1.0
-    first, second, third = forces  # in the middle of the steps; the parabola through them, from the last one on
-    slope, bend = 0.5 * (3.0 * third - 4.0 * second + first), 0.5 * (third - 2.0 * second + first)
-    square = slope * slope - 4.0 * bend * third
-    if square <= 0.0 or slope - np.sqrt(square) >= 0.0:
-        return 1.0
-    return float(np.clip(-2.0 * third / (slope - np.sqrt(square)) - 0.5, 0.0, 2.0))
 
 
 def _upward_zero(before: float, x: float, y: float) -> float:

@@ -103,6 +103,15 @@ def test_laws_elastic_lossy_and_with_memory(method, options, law):
     assert found.residual_indentation == approx(scene.contact.dent(found.peak_indentation))
 
 
+@pytest.mark.parametrize("law", ["hertz", "hunt-crossley", "plastic-linear"])
+@pytest.mark.parametrize("method, options", VARIANTS, ids=IDS)
+def test_contacts_end_inside_a_step(method, options, law):
+    scene, steps = struck_rod(contact=contact_table(law)), 1000
+    coarse, fine = (solvers.solve(scene, method, elements=50, steps=n * steps, **options) for n in (1, 8))
+    assert len(coarse.contacts) == len(fine.contacts) == 1
+    assert coarse.contacts[0].end == approx(fine.contacts[0].end, abs=0.1 * coarse.duration / steps)
+
+
 def test_modal_and_nodal_are_one_mesh():
     scene = struck_rod(contact=contact_table("linear"))
     nodal = solvers.solve(scene, "fe-nodal", elements=30, steps=20_000, duration=3.0 * T)
