@@ -6,7 +6,6 @@ from typing import Any
 
 from solvers import METHODS, Auto, Scene, SceneError, Solution, Waves
 from solvers.judging import Answer, Truth
-from solvers.ladders import label
 from solvers.tried import never
 
 from .questions import BUDGET
@@ -36,16 +35,19 @@ def auto_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> s
 
 def _found(solution: Solution, scene: Scene, quantity: str) -> dict[str, Any]:
     found = solution.diagnostics["chosen"]
+    chosen = next(row for row in found["tried"] if row["method"] == solution.method)
+    proof = next((row["label"] for row in found["tried"] if row["method"] == found["proof"]), None)
     return {
-        "label": label(solution.method),
+        "label": chosen["label"],
         "name": solution.method["name"],
         "choices": nearest_choices(solution.method),
-        "cost": next(row["cost"] for row in found["tried"] if row["method"] == solution.method),
+        "cost": chosen["cost"],
         "estimate": found["estimated_error"],
         "true": true_error(solution, scene, quantity),
         "met": found["met"],
         "why": found["why"],
-        "proof": None if found["proof"] is None else label(found["proof"]),
+        "doubts": solution.notes[solution.notes.index(found["why"]) + 1 :],
+        "proof": proof,
         "tried": [{key: row[key] for key in ("label", "cost", "estimated_error")} for row in found["tried"]],
         "wall_time": found["wall_time"],
     }

@@ -9,7 +9,7 @@ from .ladders import Ladder
 from .scene import Scene
 from .solution import Solution
 from .tried import Tried, Wish, difference, remainder
-from .verdict import Outcome, told
+from .verdict import Outcome, share, told
 
 APART = {"modes": 3, "elements": 3, "steps": 2, "tolerance": 2}  # rungs from a solution to the one that proves it
 STEADY = 0.1  # of the error, left by one refinement: then the next is not needed to know it
@@ -74,6 +74,11 @@ class Search:
             if self._climb_ladder(main):
                 self._ask_another(refinable)
                 return
+            if self.wish.tolerance is None and self._may_mislead(main):
+                self._doubts.append(
+                    "Within a time no second method is asked whether this force converges to the true one: where nothing "
+                    "gives way, do not trust the estimate."
+                )
             if self.wish.tolerance is None or main.knob == "tolerance":
                 break  # the time is up, or nothing is better than waves
         finest = {id(tried.ladder): tried for tried in self.tried}
@@ -137,15 +142,16 @@ class Search:
         order = 0.5 + (order if early.error > late.error else 0.0)
         return late.error * max(last / late.size, late.size / last) ** -order > self.wish.tolerance
 
+    def _may_mislead(self, ladder: Ladder) -> bool:
+        """Whether its solutions may agree with each other, and not with the truth."""
+        rigid = self.scene.contact.NAME == "rigid"
+        return rigid and self.wish.quantity in HARSH and ladder.knob != "tolerance"
+
     def _ask_another(self, refinable: list[Ladder]) -> None:
         """Forces where nothing gives way: modes may converge to something else than the truth."""
         proof = self.proof.ladder.rungs[0].NAME
         others = [ladder for ladder in refinable if proof != ladder.rungs[0].NAME and not self.wish.cancelled()]
-        if (
-            self.wish.quantity not in HARSH
-            or self.scene.contact.NAME != "rigid"
-            or self.proof.ladder.knob == "tolerance"
-        ):
+        if not self._may_mislead(self.proof.ladder):
             return
         if not others:
             self._doubts.append("No second method can tell whether this force converges to the true one.")
@@ -153,6 +159,12 @@ class Search:
             return
         other = self._try(others[0], min(self.proof.rung, len(others[0].rungs) - 1))
         other.error = self._difference(other, self.proof)
+        if other.error is not None and other.error > max(self.chosen.error, self.wish.tolerance):
+            self.chosen.error, self._doubted = other.error, True
+            self._doubts.append(
+                f"A second method, '{other.label}', differs from '{self.proof.label}' by {share(other.error)}: nothing "
+                "here tells which of them is right."
+            )
         self.chosen.error = max(self.chosen.error, other.error or 0.0)
 
     def _hold_together(self) -> None:

@@ -60,6 +60,16 @@ def told(found: Outcome) -> Solution:
     return replace(chosen.solution, diagnostics=diagnostics, notes=[*chosen.solution.notes, why, *found.doubts])
 
 
+def share(error: float) -> str:
+    """An error in percent."""
+    return f"{float(f'{100.0 * error:.2g}'):g} %"
+
+
+def _rough(value: float) -> str:
+    """To one figure, 20 rather than 2e+01."""
+    return f"{float(f'{value:.1g}'):g}"
+
+
 def _rebound_error(found: Outcome) -> float | None:
     """Of the very solution returned, relative to the impact speed, whatever was asked for."""
     chosen, proof = found.chosen, found.proof
@@ -74,12 +84,12 @@ def _rebound_error(found: Outcome) -> float | None:
 
 def _why(found: Outcome) -> str:
     chosen, wish, proof = found.chosen, found.wish, found.proof
-    error = "an unknown error" if chosen.error is None else f"an estimated error of {chosen.error:.1e}"
-    said = f"Chosen: '{chosen.label}', {error} in the {wish.quantity}"
+    error = "an unknown error" if chosen.error is None else f"an estimated error of {share(chosen.error)}"
+    said = f"Chosen: '{chosen.label}', {error} in the {wish.quantity.replace('-', ' ')}"
     if proof is not None and proof is not chosen:
         said += f" by comparison with '{proof.label}'"
     if found.met:
-        return f"{said}, the cheapest of {len(found.tried)} solved that keeps to {wish.tolerance:g}."
+        return f"{said}, the cheapest of {len(found.tried)} solved that keeps to {share(wish.tolerance)}."
     if found.met is None and found.cancelled:
         return f"{said}, the finest by then."
     if found.met is None and wish.budget >= found.spent:
@@ -87,9 +97,9 @@ def _why(found: Outcome) -> str:
     if found.met is None:
         return f"{said}: {wish.budget:g} s are not enough, this took {found.spent:.2g} s.{_untold(found)}"
     if chosen.error is not None and chosen.error <= wish.tolerance:
-        said = f"{said}, but nothing proves that it keeps to {wish.tolerance:g}."
+        said = f"{said}, but nothing proves that it keeps to {share(wish.tolerance)}."
     else:
-        said = f"{said}, not {wish.tolerance:g} as asked for: {_needed(found)}"
+        said = f"{said}, not {share(wish.tolerance)} as asked for: {_needed(found)}"
     return said + (f" The search ended at its limit of {found.limit:g} s; a budget allows more." if found.limit else "")
 
 
@@ -114,4 +124,4 @@ def _needed(found: Outcome) -> str:
         return f"more {knob} hardly bring it nearer."
     times = (own[-1].error / found.wish.tolerance) ** (1.0 / order)
     seconds = own[-1].cost * times * max(1.0, times)
-    return f"that would take about {own[-1].size * times:.1g} {knob}, {seconds:.1g} s."
+    return f"that would take about {_rough(own[-1].size * times)} {knob}, {_rough(seconds)} s."
