@@ -76,8 +76,8 @@ class Search:
                 return
             if self.wish.tolerance is None and self._may_mislead(main):
                 self._doubts.append(
-                    "Within a time no second method is asked whether this force converges to the true one: where nothing "
-                    "gives way, do not trust the estimate."
+                    "Within a time no second method is asked whether this force converges to the true one: where "
+                    "nothing gives way, do not trust the estimate."
                 )
             if self.wish.tolerance is None or main.knob == "tolerance":
                 break  # the time is up, or nothing is better than waves
@@ -159,13 +159,17 @@ class Search:
             return
         other = self._try(others[0], min(self.proof.rung, len(others[0].rungs) - 1))
         other.error = self._difference(other, self.proof)
-        if other.error is not None and other.error > max(self.chosen.error, self.wish.tolerance):
-            self.chosen.error, self._doubted = other.error, True
+        if other.error is None:
+            return
+        if other.error > max(self.chosen.error, self.wish.tolerance):
+            self._doubted = True
             self._doubts.append(
                 f"A second method, '{other.label}', differs from '{self.proof.label}' by {share(other.error)}: nothing "
                 "here tells which of them is right."
             )
-        self.chosen.error = max(self.chosen.error, other.error or 0.0)
+        for tried in self.tried:
+            if tried.ladder is self.chosen.ladder and tried.error is not None:
+                tried.error = max(tried.error, other.error)
 
     def _hold_together(self) -> None:
         """Closed forms alone: the most trusted, and how far the nearest other method is from it."""

@@ -97,7 +97,9 @@ def test_a_force_that_modes_do_not_find_is_not_claimed():
 
 
 def test_methods_that_differ_are_both_named_and_no_resolution_is_foretold():
-    solution = solvers.solve(solvers.load("fixed-rod"), "auto", quantity="peak-force", tolerance=0.01, among=["modal", "mode-switch"])
+    solution = solvers.solve(
+        solvers.load("fixed-rod"), "auto", quantity="peak-force", tolerance=0.01, among=["modal", "mode-switch"]
+    )
     chosen = solution.diagnostics["chosen"]
     assert chosen["met"] is False and "what it would take cannot be told" in chosen["why"]
     doubt = next(note for note in solution.notes if note.startswith("A second method, 'modal modes="))
