@@ -23,6 +23,12 @@ export function modelName(model) {
   return [MODELS[first] ?? first, ...rest].join(', ').replace('modes, ', '').replace('timoshenko', 'Timoshenko').replace('euler-bernoulli', 'Euler–Bernoulli');
 }
 
+// Why, with the models named as in the table.
+function reasonOf({ reason, candidates }) {
+  const models = candidates.map(({ model }) => model).sort((a, b) => b.length - a.length);
+  return models.reduce((text, model) => text.replaceAll(`${model} is expected`, `“${modelName(model)}” is expected`).replaceAll(`; ${model} would`, `; “${modelName(model)}” would`), reason);
+}
+
 // Which of the classes of error: within 1, 5, 20 %, or worse.
 const grade = (error) => LEVELS.findIndex(([level]) => error <= level);
 
@@ -311,7 +317,7 @@ export class Needs {
     const { candidates, picked } = found, best = candidates[picked], within = best.error !== null && best.error <= found.chosen.plan_tolerance;
     const expected = best.error === null ? 'by how much it misses nobody has measured' : best.error === 0 ? 'which leaves out nothing' : `expected to miss ${share(best.error)}`;
     this.said.replaceChildren(within ? 'Enough: ' : 'The best there is: ', make('b', { textContent: modelName(best.model) }), `, ${expected}.`);
-    this.reason.textContent = found.reason;
+    this.reason.textContent = reasonOf(found);
     const head = make('thead', {}, make('tr', {}, ...['Model, from the smallest up', 'misses', ''].map((textContent) => make('th', { scope: 'col', textContent }))));
     this.table.replaceChildren(head, make('tbody', {}, ...candidates.map((candidate, k) => this.row(candidate, k === picked))));
     const drawn = this.map.shown, { map, tolerance } = this.map;

@@ -6,6 +6,7 @@ import { Stability } from './stability.js';
 import { Tolerance } from './tolerance.js';
 import { TradeOff } from './tradeoff.js';
 import { Convergence, Trust } from './trust.js';
+import { described } from './words.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -61,7 +62,7 @@ class Methods {
     const { page } = this, shown = page.frame.other?.name === row.name;
     const options = row.label.slice(row.name.length).trim();
     const pick = make('button', { type: 'button', className: 'when', textContent: naming(row.name), onclick: () => page.send('method', row.name) });
-    const name = make('td', {}, row.reason ? naming(row.name) : pick, ...(options ? [make('small', { textContent: options })] : []));
+    const name = make('td', {}, row.reason ? naming(row.name) : pick, ...(options ? [make('small', { textContent: described(row.label) })] : []));
     if (row.reason) return make('tr', { className: 'refused' }, name, make('td', { colSpan: COLUMNS.length - 1, textContent: row.reason }));
     const force = row.force_error === null ? '–' : percent(row.force_error);
     const resolved = row.resolved_force_error === null ? [] : [make('small', { textContent: `${percent(row.resolved_force_error)} averaged` })];

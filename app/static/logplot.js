@@ -2,7 +2,7 @@
 import { Chart, COLORS, ticks } from './plot.js';
 
 const DIGITS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
-const raised = (power) => `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((d) => DIGITS[d]).join('')}`;
+export const raised = (power) => `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((d) => DIGITS[d]).join('')}`;
 export const decade = (power) => (power >= -3 && power <= 3 ? String(Number((10 ** power).toPrecision(1))) : `10${raised(power)}`);
 // A share as a percentage, 10^-2 as "1 %".
 export const percentDecade = (power) => `${decade(power + 2)} %`;

@@ -3,12 +3,13 @@ import { share } from './advice.js';
 import { figures } from './beam_stage.js';
 import { decade, LogChart } from './logplot.js';
 import { make, Panel } from './panel.js';
+import { plainly } from './words.js';
 
 const COLOURS = { ok: '#cfe6d2', slight: '#f5eeb8', error: '#f3c58a', chatter: '#b9d2ea', stopped: '#dfe4e9', lasting: '#b99bd0', failed: '#c64a52', none: '#ffffff' };
 const WORDS = { ok: 'energy kept to 10⁻⁶', slight: 'to 1 %', error: 'wrong by more', chatter: 'chatters', stopped: 'stopped at its bound', lasting: 'never parts', failed: 'grows past reason' };
 
 const AXES = { // in the list, below the maps, and of one value in words
-  contact_stiffness: ['contact stiffness', 'contact stiffness, in element stiffnesses or as the law has it', (v, law) => (law === 'rigid' ? `a contact ${v} times as stiff as an element` : `a contact ${v} times as stiff as its law`)],
+  contact_stiffness: ['contact stiffness', 'contact stiffness ÷ an element’s, or the law’s', (v, law) => (law === 'rigid' ? `a contact ${v} times as stiff as an element` : `a contact ${v} times as stiff as its law`)],
   mass_ratio: ['mass ratio', 'mass ratio, target over impactor', (v) => `a target ${v} times as heavy as what strikes it`],
   modes: ['modes', 'modes kept', (v) => `${v} modes`],
   restitution: ['restitution', 'restitution that the contact delivers', (v) => `a restitution of ${v}`],
@@ -54,7 +55,7 @@ class Small {
     chart.head.querySelector('h2').textContent = map.name === 'modal' ? `${map.label} (the page’s own)` : map.label;
     chart.area.setAttribute('aria-label', `${map.label} over step and ${AXES[across.name][0]}: arrow keys go from one run to the next`);
     const worst = map.worst === null ? '' : ` Energy error of the others at most ${map.worst > 1e-3 ? share(map.worst) : map.worst > 0 ? decade(Math.ceil(Math.log10(map.worst))) : 0}.`;
-    this.whole = map.reason ?? `${map.failures ? `${map.failures} of ${map.count} runs fail` : `None of ${map.count} runs fails`}${map.chattering ? `, ${map.chattering} chatter` : ''}.${worst} Theory: ${map.limit_name}.`;
+    this.whole = map.reason ?? `${map.failures ? `${map.failures} of ${map.count} runs fail` : `None of ${map.count} runs fails`}${map.chattering ? `, ${map.chattering} chatter` : ''}.${worst} Theory: ${plainly(map.limit_name)}.`;
     this.pick(null);
   }
   kind(i, j) { return this.found.kinds[Number(this.map.runs[i][j])]; }
@@ -169,9 +170,14 @@ export class Stability extends Panel {
     this.said.textContent = running ? `Striking with steps from a hundredth to five periods, over the ${AXES[this.page.model.stability_axis][0]} …`
       : away ? 'Bodies in space have no step to choose: their blow takes no time.'
       : !known ? 'Nothing is worked out yet.'
-      : stale ? 'These maps are of the choices before.' : `${known.cancelled ? 'Cancelled: what is white was not run. ' : ''}${known.notes.join(' ').replace('; raise most_steps to see the end', '')} The dot is this scene at the page’s own step.`;
+      : stale ? 'These maps are of the choices before.' : `${known.cancelled ? 'Cancelled: what is white was not run. ' : ''}${plainly(this.names(known))} The dot is this scene at the page’s own step.`;
     this.key.hidden = this.grid.hidden = !known;
     this.draw();
+  }
+  // Its sentences, with the names that stand above the maps.
+  names(found) {
+    const said = found.notes.join(' ').replace('; raise most_steps to see the end', '').replace('Differs: thesis', 'Thesis');
+    return found.maps.reduce((text, { name, label }) => text.replace(new RegExp(`(?<![\\w-])${name}(?=[,:])`, 'g'), label.split(',')[0] + (name === 'newmark-frozen' ? ', frozen' : '')), said);
   }
   load(found) {
     while (this.maps.length < found.maps.length) this.maps.push(new Small());

@@ -188,7 +188,7 @@ export class Story {
       parts.push(make('span', { className: 'key' }, make('i', { className: `chip ${key}` }), `${name} ${percent(share)}`));
     }
     this.energy.replaceChildren(bar, make('p', {}, ...parts));
-    const most = (value) => Math.abs(value).toExponential(0);
+    const most = (value) => (value === 0 ? 'nothing' : plainly(Math.abs(value).toExponential(0)));
     this.doubt([...exact.notes, ...(other?.notes ?? []).filter((note) => !exact.notes.includes(note)).map((note) => `Beside it, ${short(other.name)}: ${note}`)]);
     const words = [`Energy unaccounted for: ${short(exact.name)} ${most(diagnostics.energy_error)}${other ? `, ${short(other.name)} ${most(other.diagnostics.energy_error)}` : ''} of the whole.`];
     const { resolved_time: finest, raw_contacts: touches } = other?.diagnostics ?? {};

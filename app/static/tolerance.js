@@ -1,9 +1,9 @@
 // A tolerance or a computing time instead of a method: what was chosen, why, and how near it really is.
 import { msField, percentField, share } from './advice.js';
 import { figures } from './beam_stage.js';
-import { naming } from './charts.js';
 import { percentDecade } from './logplot.js';
 import { make, Panel, QUANTITIES, showMethod, shown } from './panel.js';
+import { described, plainly } from './words.js';
 
 const LOWEST = 1e-12, EARLY = 1e-9, QUICK = 0.25; // s of a solve that a slider can wait for
 const LATE = 500; // ms
@@ -84,7 +84,7 @@ export class Tolerance extends Panel {
     }
     this.verdict(found);
     this.proof(found);
-    this.why.textContent = found.why;
+    this.why.textContent = plainly([found.why, ...found.doubts].join(' '));
     this.tried(found);
     if (this.follows && found.cost <= QUICK && found.choices && !shown(this.page, { ...found.choices, name: found.choices.method })) showMethod(this.page, { ...found.choices, name: found.choices.method });
   }
@@ -106,7 +106,7 @@ export class Tolerance extends Panel {
     const told = found.estimate === null ? 'an error that nothing here tells' : `an estimated error of ${share(found.estimate)}`;
     const true_ = found.true === null ? 'No exact solution of this scene is known.' : `Against the exact waves it really misses ${share(found.true)}.`;
     const kept = found.met === null ? ` All that was solved on the way took ${figures(1e3 * found.wall_time, 2)} ms; ${figures(1e3 * found.chosen.auto_budget, 3)} ms were allowed.` : found.met ? '' : found.estimate !== null && found.estimate <= found.chosen.auto_tolerance ? ' Nothing finer proves it.' : ` Not ${share(found.chosen.auto_tolerance)} as asked for.`;
-    this.said.replaceChildren(found.cancelled ? 'Cancelled; the best by then: ' : 'Chosen: ', make('b', { textContent: naming(found.name) }), ` (${found.label}), with ${told} in the ${QUANTITIES[found.chosen.auto_quantity]}. ${true_}${kept}`, ...slow, ...show);
+    this.said.replaceChildren(found.cancelled ? 'Cancelled; the best by then: ' : 'Chosen: ', make('b', { textContent: described(found.label) }), `, with ${told} in the ${QUANTITIES[found.chosen.auto_quantity]}. ${true_}${kept}`, ...slow, ...show);
   }
   // What is asked, estimated and true, on one logarithmic line.
   proof(found) {
@@ -122,7 +122,7 @@ export class Tolerance extends Panel {
   tried(found) {
     const head = make('thead', {}, make('tr', {}, ...['Solved on the way', 'costs, ms', 'misses, est.'].map((textContent) => make('th', { scope: 'col', textContent }))));
     const rows = found.tried.map((row) => {
-      const line = make('tr', {}, make('td', { textContent: row.label + (row.label === found.proof ? ' (the proof)' : '') }), make('td', { textContent: figures(1e3 * row.cost, 2) }), make('td', { textContent: row.estimated_error === null ? '–' : share(row.estimated_error) }));
+      const line = make('tr', {}, make('td', { textContent: described(row.label) + (row.label === found.proof ? ' (the proof)' : '') }), make('td', { textContent: figures(1e3 * row.cost, 2) }), make('td', { textContent: row.estimated_error === null ? '–' : share(row.estimated_error) }));
       if (row.label === found.label) line.setAttribute('aria-current', 'true');
       return line;
     });

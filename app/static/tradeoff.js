@@ -4,6 +4,7 @@ import { figures } from './beam_stage.js';
 import { naming } from './charts.js';
 import { LogChart, percentDecade } from './logplot.js';
 import { make, Panel, QUANTITIES, showMethod, shown } from './panel.js';
+import { described, plainly } from './words.js';
 
 const COLOURS = { waves: '#0b4f8a', modal: '#d9730d', 'mode-switch': '#a4243b', 'fe-nodal': '#2e7d4f', 'fe-modal': '#7c9a54', 'quasi-static': '#7a5ea8', balance: '#b08900', rigid: '#6b7785' };
 const NEAR = 16, LEAST = 1e-12, LEFT = 200;
@@ -63,14 +64,21 @@ export class TradeOff extends Panel {
     this.bar.value = Math.min((found?.seconds ?? 0) / (found?.budget ?? 12), 1);
     const other = running && !fresh ? ' What is measured now are the choices of before.' : '';
     this.said.textContent = found?.error ?? (!found ? 'Looking for a table …' : !points.length ? `No table of this scene is known yet. ${running ? 'Measuring …' : 'Measuring it takes some twelve seconds; the page goes on meanwhile.'}` : this.words(found, running) + other);
-    this.remarks.replaceChildren(...(found?.remarks?.length ? [make('summary', { textContent: 'What does not get better, and what was left out' }), ...found.remarks.map((textContent) => make('p', { textContent }))] : []));
+    this.remarks.replaceChildren(...(found?.remarks?.length ? [make('summary', { textContent: 'What does not get better, and what was left out' }), ...found.remarks.map((remark) => make('p', { textContent: this.remark(remark) }))] : []));
     this.chart.root.parentElement.parentElement.hidden = !points.length;
     if (points.length) this.plot();
   }
   words(found, running) {
     const where = found.here ? 'on this machine' : `on ${found.machine.processor} (${found.machine.cores} cores, Python ${found.machine.python}), another machine than this`;
-    const state = running ? `${found.points.length} points so far, ${figures(found.seconds, 2)} s` : found.stopped ? `${found.points.length} points, then ${found.stopped}` : `${found.points.length} points, ${found.date}`;
-    return `Measured ${where}: ${state}. Errors are against the truth, ${found.reference.words}.`;
+    const count = found.points.length, points = `${count} point${count === 1 ? '' : 's'}`;
+    const state = running ? `${points} so far, ${figures(found.seconds, 2)} s` : found.stopped ? `${points}, then ${found.stopped}` : `${points}, ${found.date}`;
+    return `Measured ${where}: ${state}. Errors are against the truth, ${plainly(found.reference.words)}.`;
+  }
+  // "modal: the peak-force does not tend ..." in the words of the page.
+  remark(said) {
+    const [, name, rest] = said.match(/^([a-z-]+(?: \w+=[\w.-]+)*): (.*)$/) ?? ['', '', said];
+    const words = plainly(rest).replace(/\b(peak|resolved)-force\b/g, '$1 force').replace('force-history', QUANTITIES['force-history']).replace('contact-time', QUANTITIES['contact-time']);
+    return name ? `${described(name)}: ${words}` : words;
   }
   // What the chosen quantity makes of the points.
   plot() {
@@ -168,7 +176,7 @@ export class TradeOff extends Panel {
   explain() {
     const p = this.picked;
     if (!p) {
-      const rest = this.rest(), line = (each) => make('tr', shown(this.page, each.method) ? { ariaCurrent: 'true' } : {}, make('td', {}, make('button', { type: 'button', className: 'when', textContent: each.label, onclick: () => showMethod(this.page, each.method) })), make('td', { textContent: ms(each.wall_time) }), make('td', { textContent: signed(each.errors[this.quantity]) }));
+      const rest = this.rest(), line = (each) => make('tr', shown(this.page, each.method) ? { ariaCurrent: 'true' } : {}, make('td', {}, make('button', { type: 'button', className: 'when', textContent: described(each.label), onclick: () => showMethod(this.page, each.method) })), make('td', { textContent: ms(each.wall_time) }), make('td', { textContent: signed(each.errors[this.quantity]) }));
       const rows = [...this.front().map(line), ...(rest.length ? [make('tr', {}, make('th', { scope: 'rowgroup', colSpan: 3, textContent: 'and without the exact waves (dashed)' }))] : []), ...rest.map(line)];
       const head = make('thead', {}, make('tr', {}, ...['Nothing is quicker and nearer', 'one solve', 'error'].map((textContent) => make('th', { scope: 'col', textContent }))));
       this.point.replaceChildren(make('table', { className: 'methods' }, head, make('tbody', {}, ...rows)), make('p', { className: 'help', textContent: 'Point at a dot to read it; a click shows that method and resolution on the page.' }));
@@ -177,6 +185,6 @@ export class TradeOff extends Panel {
     const spread = p.spread ? ` (${ms(p.spread[0])} to ${ms(p.spread[1])})` : '';
     const contacts = `${p.true_contacts_found} of ${p.true_contacts}${p.invented_contacts ? `, and ${p.invented_contacts} that ${p.invented_contacts === 1 ? 'is' : 'are'} none` : ''}`;
     const rows = [['One solve', ms(p.wall_time) + spread], ...Object.entries(QUANTITIES).filter(([name]) => name in p.errors).map(([name, text]) => [`Error in the ${text}`, signed(p.errors[name])]), ['Says of its own rebound', p.estimated_error === null ? '–' : `± ${share(p.estimated_error)}`], ['Contacts found', contacts]];
-    this.point.replaceChildren(make('h3', { textContent: p.label }), make('table', {}, make('tbody', {}, ...rows.map((cells) => make('tr', {}, ...cells.map((textContent) => make('td', { textContent })))))), ...p.notes.slice(0, 2).map((textContent) => make('p', { className: 'help', textContent })));
+    this.point.replaceChildren(make('h3', { textContent: described(p.label) }), make('table', {}, make('tbody', {}, ...rows.map((cells) => make('tr', {}, ...cells.map((textContent) => make('td', { textContent })))))), ...p.notes.slice(0, 2).map((note) => make('p', { className: 'help', textContent: plainly(note) })));
   }
 }

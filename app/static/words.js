@@ -1,5 +1,6 @@
 // What choices and their values are called on the page.
 import { naming } from './charts.js';
+import { raised } from './logplot.js';
 
 export const LABELS = {
   scene: ['Scene', '', {}],
@@ -30,8 +31,34 @@ export const LABELS = {
 
 // A sentence of the library in the words of the page: what scene files call `theory = 'timoshenko'` or 'modal'.
 export function plainly(sentence) {
-  return sentence
+  return powered(sentence
     .replace(/\b(?:use )?([a-z_]+) = '([\w-]+)'/g, (said, name, value) => (LABELS[name]?.[2]?.[value] ? `choose ${LABELS[name][0]}: ${LABELS[name][2][value]}` : said))
     .replace(/\b([a-z_]+) = (-?[\d.]+(?:e[+-]?\d+)?)(?=[\s,;:]|\.?$)/g, (said, name, value) => (LABELS[name] ? `${LABELS[name][0]}: ${value}` : said))
-    .replace(/'([\w-]+)'/g, (said, name) => (name in LABELS.method[2] ? naming(name) : LABELS.law[2][name] ?? said));
+    .replace(/status 'implicit'/g, 'the implicit contact status (from the command line: --set method.status=implicit)')
+    .replace(/'([\w-]+)((?: \w+=[\w.+-]+)*)'/g, (said, name, options) => (name in LABELS.method[2] ? described(name + options) : LABELS.law[2][name] ?? said))
+    .replace(/sqrt\((\w+)\)/g, '√$1')
+    .replace(/sqrt\(([^()]+)\)/g, '√($1)')
+    .replace(/\bomega_(\w+)/g, 'ω_$1')
+    .replace(/\brho\b/g, 'ρ')
+    .replace(/(\d[\d.]*(?:e[+-]\d+)?) s\b/g, (said, value) => (value > 0 && (said.includes('e') || value < 0.1) ? shortTime(Number(value)) : said)));
+}
+// Numbers such as 1.9e+10 as powers of ten.
+const powered = (text) => text.replace(/(\d[\d.]*)e([+-]\d+)/g, (said, digits, power) => `${digits === '1' ? '' : `${digits}·`}10${raised(Number(power))}`);
+
+// A time below a second [s] with the unit that suits it.
+function shortTime(value) {
+  const [times, unit] = value < 1e-6 ? [1e9, 'ns'] : value < 1e-3 ? [1e6, 'µs'] : value < 1 ? [1e3, 'ms'] : [1, 's'];
+  return `${Number((times * value).toPrecision(3))} ${unit}`;
+}
+
+const COUNTS = ['modes', 'elements', 'steps'];
+const COUNTED = { modal: ['modes', 'modes'], 'mode-switch': ['modes', 'switched modes'], 'fe-nodal': ['elements', 'finite elements'] };
+
+// A method with its resolution, "fe-nodal elements=12 scheme=central-difference", in the words of the page.
+export function described(label) {
+  const [name, ...given] = label.split(' '), options = given.map((option) => option.split('='));
+  const [knob, word] = COUNTED[name] ?? [], count = options.find(([key]) => key === knob);
+  const said = ([key, value]) => (!/^\d/.test(value) ? value.replaceAll('-', ' ') : COUNTS.includes(key) ? `${value} ${key}` : `${key.replaceAll('_', ' ')} ${powered(value.replace(/\.0$/, ''))}`);
+  const rest = options.filter((option) => option !== count).map(said);
+  return [count ? `${count[1]} ${word}` : naming(name), ...rest].join(', ');
 }
