@@ -35,7 +35,7 @@ def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, An
     cannot. A budget goes before a tolerance."""
     kept: dict[str, Any] = {}
     refused = []
-    for name in text_of(arguments["panel"]).split(",") if "panel" in arguments else ():
+    for name in filter(None, text_of(arguments["panel"]).split(",") if "panel" in arguments else ()):
         if name in PANELS:
             kept[PANELS[name]] = True
         else:

@@ -26,7 +26,7 @@ export function modelName(model) {
 // Why, with the models named as in the table.
 function reasonOf({ reason, candidates }) {
   const models = candidates.map(({ model }) => model).sort((a, b) => b.length - a.length);
-  return models.reduce((text, model) => text.replaceAll(`${model} is expected`, `“${modelName(model)}” is expected`).replaceAll(`; ${model} would`, `; “${modelName(model)}” would`), reason);
+  return models.reduce((text, model) => text.replace(new RegExp(`(?<![\\w“-])${model}(?= (?:is|would|leaves) )`, 'g'), `“${modelName(model)}”`), reason);
 }
 
 // Which of the classes of error: within 1, 5, 20 %, or worse.

@@ -103,8 +103,8 @@ export class Tolerance extends Panel {
     const { page } = this, method = found.choices && { ...found.choices, name: found.choices.method }, here = method && shown(page, method);
     const show = method && !here ? [' ', make('button', { type: 'button', className: 'when', textContent: 'Show it on the page', onclick: () => showMethod(page, method) })] : here ? [' The page shows it.'] : [' It is finer than the sliders of the page.'];
     const slow = this.follows && found.cost > QUICK && !here ? [` It takes ${figures(found.cost, 2)} s a blow, too long to follow the sliders.`] : [];
-    const told = found.estimate === null ? 'an error that nothing here tells' : `an estimated error of ${share(found.estimate)}`;
-    const true_ = found.true === null ? 'No exact solution of this scene is known.' : `Against the exact waves it really misses ${share(found.true)}.`;
+    const told = found.estimate === null ? 'an error that nothing here tells' : found.estimate === 0 ? 'no estimated error' : `an estimated error of ${share(found.estimate)}`;
+    const true_ = found.true === null ? 'No exact solution of this scene is known.' : found.true === 0 && found.name === 'waves' ? 'These are the exact waves themselves.' : `Against the exact waves it really misses ${share(found.true)}.`;
     const kept = found.met === null ? ` All that was solved on the way took ${figures(1e3 * found.wall_time, 2)} ms; ${figures(1e3 * found.chosen.auto_budget, 3)} ms were allowed.` : found.met ? '' : found.estimate !== null && found.estimate <= found.chosen.auto_tolerance ? ' Nothing finer proves it.' : ` Not ${share(found.chosen.auto_tolerance)} as asked for.`;
     this.said.replaceChildren(found.cancelled ? 'Cancelled; the best by then: ' : 'Chosen: ', make('b', { textContent: described(found.label) }), `, with ${told} in the ${QUANTITIES[found.chosen.auto_quantity]}. ${true_}${kept}`, ...slow, ...show);
   }
@@ -116,7 +116,7 @@ export class Tolerance extends Panel {
     const ticks = [-12, -9, -6, -4, -2, 0].map((power) => { const tick = make('i', { className: 'tick', textContent: percentDecade(power) }); tick.style.left = place(10 ** power); return tick; });
     const allowed = make('i', { className: 'allowed' });
     if (asked !== null) allowed.style.width = place(asked);
-    this.scale.replaceChildren(...(asked === null ? [] : [allowed]), ...ticks, ...marks.map(([kind, error, word]) => { const mark = make('i', { className: `mark ${kind}${error < EARLY ? ' early' : ''}`, title: `${word}: ${share(error)}` }, make('span', { textContent: `${word} ${share(error)}` })); mark.style.left = place(error); return mark; }));
+    this.scale.replaceChildren(...(asked === null ? [] : [allowed]), ...ticks, ...marks.map(([kind, error, word]) => { const mark = make('i', { className: `mark ${kind}${error < EARLY ? ' early' : ''}`, title: `${word}: ${share(error)}` }, make('span', { textContent: `${word} ${error === 0 ? '0 %' : share(error)}` })); mark.style.left = place(error); return mark; }));
     this.scale.setAttribute('aria-label', marks.map(([, error, word]) => `${word} error ${share(error)}`).join(', '));
   }
   tried(found) {

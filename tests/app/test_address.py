@@ -29,6 +29,10 @@ def test_a_question_and_its_panel_are_taken():
     }
 
 
+def test_no_panel_is_open_where_none_is_named():
+    assert read(panel="") == ({}, [])
+
+
 def test_a_budget_is_kept_to_rather_than_a_tolerance():
     kept, _ = read(budget="0.05", tolerance="0.01")
     assert (kept["auto_within"], kept["auto_budget"]) == ("time", 0.05)
