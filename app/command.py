@@ -270,9 +270,9 @@ def parse_changes(changes: list[str]) -> dict[str, object]:
 def _solve(options: argparse.Namespace) -> int:
     scene = _scene(options)
     if options.series is not None:
-        target = Path(options.series)
-        if not options.series.endswith((".csv", ".nc")) or (target.exists() and not target.is_file()):
-            raise SceneError("--series", options.series, "the name of a file that ends in .csv or .nc")
+        from .export import check_name
+
+        check_name(options.series, ".csv", ".nc")
     solution = solvers.solve(scene)
     if options.series is not None:
         from .export import write_series

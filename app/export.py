@@ -1,6 +1,7 @@
 """Results as text: a report to read, a table of histories to plot elsewhere."""
 
 import io
+import os
 import textwrap
 from pathlib import Path
 
@@ -199,6 +200,12 @@ def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
         "struck_end_position": ("m", motion.end_position(time)),
         "target_mean_velocity": ("m_per_s", jumping(motion.rigid_velocity)),
     }
+
+
+def check_name(name: str, *endings: str) -> None:
+    """Raises SceneError for what can be no file of histories, before anything is solved."""
+    if not name.endswith(endings) or (os.path.exists(name) and not os.path.isfile(name)):
+        raise SceneError("--series", name, f"the name of a file that ends in {' or '.join(endings)}")
 
 
 def write_series(solution: Solution, path: Path) -> None:

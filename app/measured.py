@@ -13,13 +13,16 @@ from solvers.inverse import RecoveredWaves, from_one_gauge, from_two_gauges
 from solvers.record_files import load_record
 from solvers.records import Alignment, Record, align, expected
 
+from .export import check_name
+
 LONGEST = 50.0  # time units of the scene that a record is followed beyond the blow
 UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
 
 
 def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
     """Read, compare, recover if asked to, print."""
-    _check_series(options.series)
+    if options.series is not None:
+        check_name(options.series, ".csv")
     places = _places(options)
     records = _records(options, max(len(places), 1))
     if records[0].kind != "force" and not places:
@@ -169,11 +172,6 @@ def _series(
         columns[f"measured_{name}"] = record.values * one.scale
         columns[f"solution_{name}"] = expected(solution, record.kind, record.time + one.shift, x)
     return columns
-
-
-def _check_series(name: str | None) -> None:
-    if name is not None and (not name.endswith(".csv") or (Path(name).exists() and not Path(name).is_file())):
-        raise SceneError("--series", name, "the name of a file that ends in .csv")
 
 
 def _write(name: str, columns: dict[str, np.ndarray]) -> None:

@@ -282,7 +282,12 @@ def test_files_that_cannot_be_read(capsys, tmp_path, content):
 
 @pytest.mark.parametrize(
     "file, said",
-    [("histories.txt", "ends in .csv"), ("no/such/folder/a.csv", "can be written"), (".csv/", "ends in .csv")],
+    [
+        ("histories.txt", "ends in .csv"),
+        ("no/such/folder/a.csv", "can be written"),
+        (".csv/", "ends in .csv"),
+        ("a" * 300 + ".csv", "can be written"),
+    ],
 )
 def test_series_that_cannot_be_written(capsys, tmp_path, file, said):
     line = refusal(capsys, "solve", "fixed-rod", "--series", f"{tmp_path}/{file}")
