@@ -153,13 +153,10 @@ def stability(
     Cost: 40 x 41 runs of six integrators with 20 modes take a few seconds on two cores; 1000 modes take minutes.
     """
     names = [checks.choice("integrators", name, INTEGRATORS) for name in dict.fromkeys(integrators or INTEGRATORS)]
-    refusal = Modal().refusal(scene)
-    if refusal:
-        raise SceneNotSupported("stability", scene.target.kind, refusal)
+    first, second = _read_axes(scene, axes, grid)
     modes = _modes(scene) if modes is None else checks.whole_number("modes", modes, 1, 10_000)
     if most_steps is not None:
         checks.whole_number("most_steps", most_steps, 10, 10_000_000)
-    first, second = _read_axes(scene, axes, grid)
     asked = _Asked(scene, first, second, modes, names, most_steps, cancel or never)
     columns = _columns(asked, workers, progress)
     maps = {name: _map(name, number, first, columns) for number, name in enumerate(names)}
@@ -189,7 +186,10 @@ def _read_axes(scene: Scene, names: Sequence[str], grid: Sequence[int | Sequence
 
 
 def check_axes(scene: Scene, names: Sequence[str]) -> None:
-    """Raises SceneError for axes that do not go together, or with the scene."""
+    """Raises SceneError for a scene that modes cannot solve, and for axes that do not go together, or with it."""
+    refusal = Modal().refusal(scene)
+    if refusal:
+        raise SceneNotSupported("stability", scene.target.kind, refusal)
     if len(names) != 2 or names[0] == names[1]:
         raise SceneError("axes", names, f"two different ones of {', '.join(AXES)}")
     for name in names:

@@ -135,6 +135,8 @@ def test_an_axis_that_the_contact_does_not_know_is_refused_before_anything_runs(
     plastic = asked("fixed-rod", law="plastic-linear", stability_axis="restitution")
     with pytest.raises(ValueError, match=r"axes: got .restitution.; allowed: another axis"):
         stability_kernels(plastic)
+    with pytest.raises(ValueError, match="stability: got 'body'"):
+        stability_kernels(asked("brick-off-centre", stability_axis="speed"))
 
 
 def test_the_gravest_of_what_holds_is_shown():

@@ -123,6 +123,9 @@ def test_a_drag_on_the_map_moves_the_sliders(open_page):
     expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("linear")
     expect(page.tab.get_by_role("slider", name="Stiffness", exact=True)).to_be_visible()
     box = area.bounding_box()
+    page.tab.mouse.move(0, 0)
+    expect(page.tab.locator(".regimes .readout")).to_have_text("")
+    assert area.bounding_box() == box  # the readout has a line of its own
     page.tab.mouse.click(box["x"] + 60, box["y"] + box["height"] / 2)  # in the strip of rigid contacts
     expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("rigid", timeout=LONG)
 
