@@ -21,10 +21,18 @@ NEVER_PART = (
 )
 
 
+ENDS_EARLY = "do not trust its end"  # what every note says of a solution that could not be followed to its end
+
+
+def ended_early(notes: list[str]) -> bool:
+    """Whether a solution ended by itself before all was over: others that end so may agree with it, all wrong."""
+    return any(ENDS_EARLY in note for note in notes)
+
+
 def cut_short(bound: str) -> str:
     """Of a solution that ended by itself at a limit of its method, such as "4000000 steps"."""
     return (
-        f"The solution stopped at its limit of {bound} before the bodies had parted for good: do not trust its end; a "
+        f"The solution stopped at its limit of {bound} before the bodies had parted for good: {ENDS_EARLY}; a "
         "shorter duration is solved whole."
     )
 

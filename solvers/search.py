@@ -4,6 +4,7 @@ import math
 import time
 
 from .costs import expected_time
+from .doubts import ended_early
 from .judging import HISTORIES, Truth
 from .ladders import Ladder
 from .scene import Scene
@@ -79,7 +80,8 @@ class Search:
                     "Within a time no second method is asked whether this force converges to the true one: where "
                     "nothing gives way, do not trust the estimate."
                 )
-            if self.wish.tolerance is None or main.knob == "tolerance":
+            whole = not _ends_early(self.tried[-1])
+            if self.wish.tolerance is None or (main.knob == "tolerance" and whole):
                 break  # the time is up, or nothing is better than waves
         finest = {id(tried.ladder): tried for tried in self.tried}
         self.chosen = min(finest.values(), key=lambda tried: math.inf if tried.error is None else tried.error)
@@ -101,7 +103,7 @@ class Search:
                 return True
             if self._hopeless(own):
                 break
-        if own:
+        if own and not _ends_early(own[-1]):
             own[-1].error = remainder(own, self.wish.quantity)
         return False
 
@@ -118,7 +120,7 @@ class Search:
 
     def _proved(self, own: list[Tried]) -> Tried | None:
         """The coarsest solution that agrees with the finest, as do all between: two alone may agree by chance."""
-        if self.wish.tolerance is None:
+        if self.wish.tolerance is None or _ends_early(own[-1]):
             return None
         found = None
         for tried in reversed(own[:-1]):
@@ -244,6 +246,11 @@ class Search:
             return False
         budget = LONGEST if self.wish.budget is None else self.wish.budget
         return sum(min(tried.wall_time, SLOW * tried.cost) for tried in self.tried) + expected <= budget
+
+
+def _ends_early(tried: Tried) -> bool:
+    """Whether waves could not be followed to the end; other methods know how long to go on from a coarser run."""
+    return tried.ladder.knob == "tolerance" and ended_early(tried.solution.notes)
 
 
 def _halts_a_slender_beam(scene: Scene) -> bool:

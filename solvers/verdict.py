@@ -116,7 +116,7 @@ def _needed(found: Outcome) -> str:
     own = [tried for tried in found.tried if tried.ladder is chosen.ladder and tried.error]
     if not chosen.ladder.converges:
         return "nothing here can be refined."
-    if found.doubted or len(own) < 3:
+    if found.doubted or chosen.error is None or len(own) < 3:
         return "what it would take cannot be told."
     order = math.log(own[0].error / own[-1].error) / math.log(own[-1].size / own[0].size)
     knob = chosen.ladder.knob

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..bodies import Rod
 from ..contact import Linear, Rigid
-from ..doubts import NEVER_PART, STILL_TOUCHING, cut_short
+from ..doubts import ENDS_EARLY, NEVER_PART, STILL_TOUCHING, cut_short
 from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_network
 from ..numerics.wave_laws import constants_of, law_function, new_work
@@ -82,7 +82,9 @@ class ChainHistory:
 
     def notes(self) -> list[str]:
         if self.failed:
-            return ["The equations of a contact could not be solved beyond this time: try another tolerance."]
+            return [
+                f"The equations of a contact could not be solved beyond this time: {ENDS_EARLY}; try another tolerance."
+            ]
         if self.faded and self.touching and not self.cut:
             return [NEVER_PART]
         return end_notes(not self.cut, self.touching, False, self.full)

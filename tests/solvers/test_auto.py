@@ -13,6 +13,7 @@ import solvers
 from bench.random_scenes import random_scene
 from solvers import Auto, SceneError, SceneNotSupported
 from solvers.costs import expected_time
+from solvers.doubts import ended_early
 from solvers.judging import Answer, Truth
 from tests.catalog import bronze_rod, contact_table, struck_rod
 
@@ -288,3 +289,26 @@ def assert_of_this_very_solution(scene, solution, quantity: str):
 
 def named(table: dict):
     return solvers.auto.bare(solvers.read_method({key: value for key, value in table.items() if value is not None})[0])
+
+
+def test_solutions_that_end_early_prove_nothing_by_agreeing():
+    # a hard surface that yields, on a thin rod bonded to a thick one: waves stop in the midst of the blow
+    rods = [
+        {"length": 0.84, "section": {"radius": 0.00396}, "material": "aluminium"},
+        {"length": 1.33, "section": {"radius": 0.0125}, "material": "steel", "joint": "bonded"},
+    ]
+    scene = solvers.Scene.from_table(
+        {
+            "impactor": {"mass": 45.8, "velocity": 0.0289},
+            "target": {"kind": "rods", "rods": rods, "support": "free"},
+            "contact": {"law": "yigit-christoforou", "stiffness": 2.33e14, "yield_indentation": 2.24e-7},
+        }
+    )
+    assert ended_early(solvers.solve(scene, "waves").notes)
+    for method in ("auto", solvers.Auto(among=("waves",))):
+        chosen = solvers.solve(scene, method)
+        if chosen.diagnostics["chosen"]["met"]:
+            true = solvers.solve(scene, "fe-nodal", elements=200).impactor_velocity
+            assert chosen.impactor_velocity == approx(true, abs=0.01 * scene.speed)
+        else:
+            assert chosen.diagnostics["chosen"]["estimated_error"] is None
