@@ -102,7 +102,7 @@ class FiniteElements(Method):
                 "The solution grows without bound and was stopped: the contact status is frozen over each step, which "
                 "feeds a stiff contact. Use status 'implicit', a smaller contact_stiffness or more steps."
             )
-        elif duration is None and not course.parted:
+        elif duration is None and self.steps is None and not course.parted:
             notes.append(cut_short(f"{course.steps} steps"))
         elif course.force[-1] > 0.0:
             notes.append(STILL_TOUCHING)

@@ -127,7 +127,7 @@ class Modal(Method):
 
     def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list, raw: int) -> list[str]:
         notes = []
-        if not asked and not motion.parted:
+        if not asked and self.steps is None and not motion.parted:  # a given number divides a time that is long enough
             notes.append(cut_short(f"{motion.steps} steps"))
         elif contacts[-1].end >= motion.duration * (1.0 - 1e-12):
             notes.append(STILL_TOUCHING)

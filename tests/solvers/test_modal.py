@@ -559,3 +559,9 @@ def test_bad_options_are_refused(options, key):
     with pytest.raises(SceneError) as refused:
         Modal.read(options)
     assert refused.value.key == key
+
+
+@pytest.mark.parametrize("method", ["modal", "fe-nodal", "fe-modal"])
+def test_a_number_of_steps_is_no_limit_that_cuts_a_blow_short(method):
+    solution = solvers.solve(bronze_rod(), method, steps=4000)
+    assert not [note for note in solution.notes if "limit" in note]
