@@ -24,7 +24,7 @@ from .random_scenes import random_scene
 from .timing import row
 
 FIRST, OTHER_FIRST, BEAM_FIRST = 90_000, 90_500, 90_700  # seeds
-SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 100, 60, 16
+SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 100, 60, 24
 LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
