@@ -343,7 +343,8 @@ def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
     error = (0.0 if told else math.inf) if exact else math.nan
     if name == "rigid" and scene.contact.LOSSY:
         changes["method"]["restitution"] = scene.contact.delivered(scene.reduced_mass, scene.speed)
-    pair = f"a {scene.impactor.kind} on a {scene.target.kind}"
+    struck = {"rods": "a chain of rods", "body": "another body"}.get(scene.target.kind, f"a {scene.target.kind}")
+    pair = f"a {scene.impactor.kind} on {struck}"
     if not told:
         reason = f"Nothing gives way between {pair} in rigid contact, so there is no {question}: give a contact law."
     elif compact:

@@ -66,7 +66,7 @@ class Search:
         else:
             self._climb_any(refinable)
         if self.chosen.error is None and self._difference(self.chosen, self.chosen) is None:
-            self._doubts.append(f"No {self.wish.quantity} is told of this blow by '{self.chosen.label}'.")
+            self._doubts.append(f"'{self.chosen.label}' does not tell the {self.wish.quantity} of this blow.")
 
     def _climb_any(self, refinable: list[Ladder]) -> None:
         """One method after the other until a solution is proved; else the nearest of the finest."""
@@ -227,6 +227,9 @@ class Search:
         return expected_time(ladder.rungs[rung].table(), steps, self.scene.contact)
 
     def _try(self, ladder: Ladder, rung: int) -> Tried:
+        for known in self.tried:
+            if known.ladder is ladder and known.rung == rung:
+                return known
         begun = time.perf_counter()
         solution = ladder.rungs[rung].solve(self.scene, self._duration)
         truth = Truth.of(solution, self.wish.quantity in HISTORIES)
@@ -249,8 +252,8 @@ class Search:
 
 
 def _ends_early(tried: Tried) -> bool:
-    """Whether waves could not be followed to the end; other methods know how long to go on from a coarser run."""
-    return tried.ladder.knob == "tolerance" and ended_early(tried.solution.notes)
+    """Whether the blow could not be followed to its end: two that stop at the same instant agree on nothing."""
+    return ended_early(tried.solution.notes)
 
 
 def _halts_a_slender_beam(scene: Scene) -> bool:

@@ -342,6 +342,12 @@ def _notes(found: Stability, own: Problem) -> list[str]:
     for each in found.maps.values():
         if each.reason:
             notes.append(f"{each.integrator}: {each.reason}.")
+    impulsive = found.maps.get("moreau-jean")
+    if impulsive is not None and impulsive.worst_energy_error > 1e-2 and not found.scene.contact.LOSSY:
+        notes.append(
+            f"moreau-jean: up to {100.0 * impulsive.worst_energy_error:.2g} % of the energy is lost, as each impulse "
+            "stops a piece of the struck body at once: the fewer the modes, the heavier that piece."
+        )
     early = [
         each.integrator for each in found.maps.values() if np.any(each.ending[each.limit_share < SURE] == DIVERGED)
     ]

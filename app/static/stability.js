@@ -134,11 +134,12 @@ export class Stability extends Panel {
     this.axis = make('select', { ariaLabel: 'Step against' }, ...Object.entries(AXES).map(([value, [textContent]]) => make('option', { value, textContent })));
     this.axis.onchange = () => this.turn(this.axis.value);
     this.said = make('p', { className: 'help', role: 'status' });
+    this.notes = make('ul', { className: 'help' });
     this.start = make('button', { type: 'button', className: 'whole', onclick: () => this.run() });
     this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: 'Worked out so far' });
     this.key = make('p', { className: 'legend' });
     this.grid = make('div', { className: 'small-maps' });
-    this.root.append(this.said, make('div', { className: 'record-form' }, make('label', { className: 'part' }, 'Step against', this.axis), this.start, this.bar), this.key, this.grid);
+    this.root.append(this.said, make('div', { className: 'record-form' }, make('label', { className: 'part' }, 'Step against', this.axis), this.start, this.bar), this.notes, this.key, this.grid);
     this.maps = [];
     page.model.on('stability_running', () => this.fill());
     this.key.replaceChildren(...Object.entries(WORDS).map(([kind, text]) => { const mark = make('i', { className: 'chip' }); mark.style.background = COLOURS[kind]; return make('span', { className: 'key' }, mark, text); }), make('span', { className: 'key' }, make('i', { className: 'line' }), 'largest stable step by theory'));
@@ -170,13 +171,14 @@ export class Stability extends Panel {
     this.said.textContent = running ? `Striking with steps from a hundredth to five periods, over the ${AXES[this.page.model.stability_axis][0]} …`
       : away ? 'Bodies in space have no step to choose: their blow takes no time.'
       : !known ? 'Nothing is worked out yet.'
-      : stale ? 'These maps are of the choices before.' : `${known.cancelled ? 'Cancelled: what is white was not run. ' : ''}${plainly(this.names(known))} The dot is this scene at the page’s own step.`;
+      : stale ? 'These maps are of the choices before.' : `${known.cancelled ? 'Cancelled: what is white was not run. ' : ''}The dot is this scene at the page’s own step.`;
+    this.notes.replaceChildren(...known && !stale && !running ? known.notes.map((note) => make('li', { textContent: plainly(this.names(known, note)) })) : []);
     this.key.hidden = this.grid.hidden = !known;
     this.draw();
   }
-  // Its sentences, with the names that stand above the maps.
-  names(found) {
-    const said = found.notes.join(' ').replace('; raise most_steps to see the end', '').replace('Differs: thesis', 'Thesis');
+  // A sentence with the names that stand above the maps.
+  names(found, note) {
+    const said = note.replace('; raise most_steps to see the end', '').replace('Differs: thesis', 'Thesis');
     return found.maps.reduce((text, { name, label }) => text.replace(new RegExp(`(?<![\\w-])${name}(?=[,:])`, 'g'), label.split(',')[0] + (name === 'newmark-frozen' ? ', frozen' : '')), said);
   }
   load(found) {
