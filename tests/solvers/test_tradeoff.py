@@ -238,6 +238,14 @@ def test_every_stored_table_belongs_to_a_scene_that_comes_with_the_library():
             }
 
 
+def test_every_scene_that_some_method_can_solve_brings_its_table():
+    for scene, called in blows_of(solvers.scene_names()).values():
+        if ladders(scene):
+            table = stored_tables.shipped(scene)
+            assert table is not None, called
+            assert table["points"] and table["seconds"] < 20.0
+
+
 def test_a_table_is_packed_without_losing_what_is_read(rod_table):
     found, _ = rod_table
     scene = struck_rod(1.0)
