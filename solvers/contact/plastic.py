@@ -12,9 +12,10 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from .. import checks
-from ..jit import inlined_kernel, kernel
+from ..jit import kernel
 from .constants import LENGTH_RANGE, approach_speed, hertz_stiffness, point_limits, yield_indentation
-from .steps import hertz_mean, hertz_spring_step, power_mean, step_force
+from .plastic_steps import plastic_step
+from .steps import hertz_mean, power_mean, step_force
 
 FULL_OVER_FIRST_YIELD = 3200.0 / (1.6 * math.pi) ** 2  # alpha_fp / alpha_Y, (7.26)
 FULL_RANGE = (30.0, 1e5)  # of that ratio: below it no exponent up to Hertz's 3/2 meets both criteria of (7.34)
@@ -148,46 +149,6 @@ class YigitChristoforou(NamedTuple):
 
     def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
         return step_force(self, start, free, compliance, rate, expected, deepest, memory)
-
-
-@kernel
-def force_from(indentation, memory):
-    """On the way back with this memory: dent and stiffness; 0.4 of it by the way from the dent is stored."""
-    depth = indentation - memory[0]
-    return memory[1] * depth * math.sqrt(depth)
-
-
-@inlined_kernel
-def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
-    """`step_force` of a law whose way back is Hertz's from a dent; its `way_back` is that dent and the stiffness of it.
-
-    That way is steeper than the virgin curve: who ends beyond `deepest` on it flows on.
-    """
-    dent, stiffness = memory
-    if start <= dent and free <= dent:
-        return 0.0, free, 0.0, memory
-    top = max(deepest, law.yield_indentation)
-    if start >= top and free - compliance * law.force(start, 0.0, deepest) > start:
-        return flow_step(law, start, free, compliance, rate, expected, deepest, memory)
-    force, end = hertz_spring_step(stiffness, start - dent, free - dent, compliance, expected)
-    if end + dent <= top or start >= top:
-        return force, end + dent, 0.0, memory
-    return step_force(law, start, free, compliance, rate, expected, deepest, memory)
-
-
-@inlined_kernel
-def flow_step(law, start, free, compliance, rate, expected, deepest, memory):
-    """`plastic_step` that begins and stays on the virgin curve beyond yield, whose slope hardly changes within it."""
-    end = max(free - compliance * expected, start)
-    slope = 1.0 + 0.5 * compliance * law.slopes(end, 0.0, 0.0)[0]
-    for _ in range(12):
-        force = law.loading_mean(start, end)
-        miss = free - compliance * force - end
-        end = max(end + miss / slope, start)
-        if abs(miss) <= 4e-16 * (abs(free) + compliance * force):
-            stored, then = 0.4 * force_from(start, memory) * (start - memory[0]), law.way_back(end)
-            return force, end, force * (end - start) - (0.4 * force_from(end, then) * (end - then[0]) - stored), then
-    return step_force(law, start, free, compliance, rate, expected, deepest, memory)
 
 
 @kernel
