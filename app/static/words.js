@@ -36,6 +36,7 @@ export function plainly(sentence) {
     .replace(/\b([a-z_]+) = (-?[\d.]+(?:e[+-]?\d+)?)(?=[\s,;:]|\.?$)/g, (said, name, value) => (LABELS[name] ? `${LABELS[name][0]}: ${value}` : said))
     .replace(/status 'implicit'/g, 'the implicit contact status (from the command line: --set method.status=implicit)')
     .replace(/'([\w-]+)((?: \w+=[\w.+-]+)*)'/g, (said, name, options) => (name in LABELS.method[2] ? described(name + options) : LABELS.law[2][name] ?? said))
+    .replace(/(?<![\w-])([a-z-]+)((?: \w+=[\w+-]+(?:\.\w+)*)+)/g, (said, name, options) => (name in LABELS.method[2] ? described(name + options) : said))
     .replace(/sqrt\((\w+)\)/g, '√$1')
     .replace(/sqrt\(([^()]+)\)/g, '√($1)')
     .replace(/\bomega_(\w+)/g, 'ω_$1')

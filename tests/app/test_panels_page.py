@@ -199,6 +199,11 @@ def test_speed_against_accuracy(open_page):
     assert (page.header("chosen")["method"], page.header("chosen")["modes"]) == ("modal", 25)
 
 
+def test_what_a_table_of_a_beam_is_measured_against_is_said_in_words(open_page):
+    panel = opened(open_page("?scene=hammer-on-cantilever"), "Speed or accuracy", "tradeoff")
+    expect(panel.locator(".help").first).to_contain_text("converged: 3200 modes, compared with 1600 modes")
+
+
 def test_a_measurement_can_be_started_and_stopped(open_page):
     page = open_page("?scene=sphere-on-half-space&speed=1.3")
     panel = opened(page, "Speed or accuracy", "tradeoff")
