@@ -88,13 +88,17 @@ def ratios_view(pipe: Any) -> Any:
         "active_tools": [],
         "xlabel": "mass ratio m₂/m₁",
     }
-    keys = {"legend_position": "right", "legend_opts": {"border_line_alpha": 0.0}}
+    keys = {  # above: beside the picture they would leave a phone none
+        "legend_position": "top",
+        "legend_cols": 2,
+        "legend_opts": {"border_line_alpha": 0.0, "padding": 0, "spacing": 0, "label_text_font_size": "11px"},
+    }
     rebound = (hv.DynamicMap(_rebound, streams=[pipe]) * _cursor("rebound")).opts(
-        title="All mass ratios: how the bodies part", ylabel="in impact speeds", ylim=(-1.05, 1.1), height=230, **look,
+        title="How the bodies part", ylabel="in impact speeds", ylim=(-1.05, 1.1), height=260, **look,
         **keys,
     )  # fmt: skip
     periods = (hv.DynamicMap(_periods, streams=[pipe]) * _cursor("periods")).opts(
-        title="All mass ratios: when they touch", ylabel="time in T", ylim=(EARLIEST, 100.0), logy=True, height=230,
+        title="When they touch", ylabel="time in T", ylim=(EARLIEST, 100.0), logy=True, height=260,
         **look, **keys,
     )  # fmt: skip
     contacts = (hv.DynamicMap(_contacts, streams=[pipe]) * _cursor("contacts")).opts(
