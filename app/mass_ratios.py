@@ -91,6 +91,7 @@ def ratios_view(pipe: Any) -> Any:
     keys = {  # above: beside the picture they would leave a phone none
         "legend_position": "top",
         "legend_cols": 2,
+        "legend_offset": (0, 18),
         "legend_opts": {"border_line_alpha": 0.0, "padding": 0, "spacing": 0, "label_text_font_size": "11px"},
     }
     rebound = (hv.DynamicMap(_rebound, streams=[pipe]) * _cursor("rebound")).opts(
