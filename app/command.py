@@ -231,7 +231,7 @@ def _scene(options: argparse.Namespace) -> solvers.Scene:
 
 
 def _warm(options: argparse.Namespace) -> int:
-    from .compiling import compile_usual
+    from .jobs.compiler import compile_usual
 
     compile_usual()
     print("All kernels are compiled.")
@@ -318,7 +318,7 @@ def _serve(options: argparse.Namespace) -> int:
         host, _, origin_port = origin.strip().partition(":")
         if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
             raise SceneError("--allow-origin", origin, "HOST or HOST:PORT, without scheme, path or star")
-    from .server import serve
+    from .serving.server import serve
 
     return serve(int(port), address, [origin.strip() for origin in origins])
 

@@ -17,12 +17,12 @@ from .address import ASKED, PANELS, opened_from_address
 from .analysis import energy_shares, energy_view
 from .beam_choices import free_place
 from .frames import solve_frame
+from .jobs.runner import COMPILING, POOL, SLOW, Runner, at_once
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
 from .panels import Panels
 from .picker import scene_groups
 from .questions import accepted
-from .runner import COMPILING, POOL, SLOW, Runner, at_once
 from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, refusal
 from .trust_view import convergence_data, trust_data
 

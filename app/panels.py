@@ -9,10 +9,10 @@ import param
 
 from .advice import plan_data, regimes_data
 from .auto_view import auto_data
-from .long_run import LongRun
+from .jobs.long_run import LongRun
+from .jobs.runner import SLOW, Runner
 from .map_point import choices_at
 from .questions import Questions
-from .runner import SLOW, Runner
 from .stability_view import stability_data, stability_kernels
 from .tradeoff_view import stored_data, tradeoff_data, tradeoff_kernels
 

@@ -7,9 +7,10 @@ import threading
 import numpy as np
 import pytest
 
-from app import long_run, stability_view
+from app import stability_view
 from app.auto_view import auto_data, nearest_choices
-from app.long_run import LongRun
+from app.jobs import long_run
+from app.jobs.long_run import LongRun
 from app.questions import QUESTIONS_OF, Questions, accepted
 from app.stability_view import KINDS, kinds_of, stability_data, stability_kernels
 from app.state import Choices

@@ -9,7 +9,7 @@ from typing import Any
 
 from solvers.jit import NotCompiled, all_compiled
 
-from .compiling import COMPILER
+from ..jobs.compiler import COMPILER
 
 log = logging.getLogger("strikewave")
 
@@ -84,8 +84,8 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     """
     import panel as pn
 
+    from ..lab import STATIC, VERSION, create
     from . import guard
-    from .lab import STATIC, VERSION, create
 
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     logging.getLogger("bokeh").setLevel(logging.ERROR)
@@ -119,9 +119,9 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
 
 def _warm() -> None:
     """Have all that the first page needs compiled and loaded."""
-    from .frames import solve_frame
-    from .runner import at_once
-    from .state import Choices
+    from ..frames import solve_frame
+    from ..jobs.runner import at_once
+    from ..state import Choices
 
     first = Choices().chosen()
     try:

@@ -4,9 +4,9 @@ import asyncio
 import threading
 import time
 
-from app.runner import Runner
+from app.jobs.runner import Runner
 
-from .socket_client import run
+from ..socket_client import run
 
 
 def test_while_one_is_solved_only_the_newest_wish_is_kept():
@@ -78,7 +78,7 @@ def test_work_that_can_be_stopped_ends_with_what_it_has():
 
 
 def test_a_newer_wish_ends_what_takes_long(monkeypatch):
-    monkeypatch.setattr("app.runner.PATIENCE", 0.05)
+    monkeypatch.setattr("app.jobs.runner.PATIENCE", 0.05)
     published = []
 
     def work(choices, cancelled):

@@ -11,7 +11,7 @@ from typing import Any
 
 from solvers.jit import NotCompiled, compiled_only
 
-from .compiling import COMPILER
+from .compiler import COMPILER
 
 POOL = ThreadPoolExecutor(max_workers=max(1, min(4, (os.cpu_count() or 1))), thread_name_prefix="solve")
 SLOW = ThreadPoolExecutor(max_workers=1, thread_name_prefix="slow")  # for seconds, while sliders need the other one

@@ -12,7 +12,7 @@ from tornado.websocket import websocket_connect
 from app.lab import Lab
 from app.state import Choices
 
-from .socket_client import SocketClient, run
+from ..socket_client import SocketClient, run
 
 NAN = {"type": "number", "value": "nan"}
 INFINITE = {"type": "number", "value": "+inf"}

@@ -9,15 +9,16 @@ import numba
 import pytest
 from playwright.sync_api import expect
 
-from app import lab, mass_ratios, panels, runner
-from app import server as page_server
-from app.compiling import Compiler, usual, works
-from app.runner import COMPILING, Runner
+from app import lab, mass_ratios, panels
+from app.jobs import runner
+from app.jobs.compiler import Compiler, usual, works
+from app.jobs.runner import COMPILING, Runner
+from app.serving import server as page_server
 from app.state import Choices
 from solvers.jit import NotCompiled, all_compiled
 
-from .conftest import Page, free_port
-from .socket_client import run
+from ..conftest import Page, free_port
+from ..socket_client import run
 
 IN_SPACE = Choices(scene="brick-off-centre").chosen()  # which needs no kernel
 

@@ -7,10 +7,10 @@ import threading
 import panel as pn
 from bokeh.document import Document
 
-from app import server as page_server
+from app.serving import server as page_server
 
-from .conftest import free_port
-from .socket_client import SocketClient, run
+from ..conftest import free_port
+from ..socket_client import SocketClient, run
 
 VISITS = 15
 

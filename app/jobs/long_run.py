@@ -9,7 +9,7 @@ from typing import Any
 
 from solvers.jit import NotCompiled
 
-from .compiling import COMPILER
+from .compiler import COMPILER
 from .runner import COMPILING, SLOW, at_once, said
 
 log = logging.getLogger("strikewave")

@@ -19,11 +19,11 @@ from solvers.jit import NotCompiled
 from solvers.record_files import check_size, read_record
 from solvers.records import Alignment, Record, align, expected
 
-from .compiling import COMPILER
-from .frames import exact_solution
-from .measured import LONGEST, other_sign
-from .runner import POOL, at_once
-from .state import Choices, chosen_scene, from_address, in_space
+from ..frames import exact_solution
+from ..jobs.compiler import COMPILER
+from ..jobs.runner import POOL, at_once
+from ..measured import LONGEST, other_sign
+from ..state import Choices, chosen_scene, from_address, in_space
 
 MOST_POINTS = 2_000  # of each history in an answer
 AT_ONCE = 4  # records that are received or compared

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from app.uploads import AT_ONCE, MOST_POINTS
+from app.serving.uploads import AT_ONCE, MOST_POINTS
 from solvers.record_files import MAX_BYTES
 
-from . import example_record
+from .. import example_record
 
 QUERY = {"scene": "bronze-rod-steel-ball", "kind": "strain", "at": "1.0"}
 GOOD = example_record.FILE.read_bytes()

@@ -3,8 +3,8 @@
 from bokeh.server.connection import ServerConnection
 from bokeh.server.protocol_handler import ProtocolHandler
 
-from app import guard
 from app.lab import Lab
+from app.serving import guard
 
 
 def test_the_guard_is_installed_once_and_around_what_it_needs():

@@ -70,7 +70,7 @@ class Compiler:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 text=True,
-                cwd=Path(__file__).parents[1],
+                cwd=Path(__file__).parents[2],
                 env=os.environ | {"NUMBA_CACHE_DIR": str(numba.config.CACHE_DIR)},
             )
             threading.Thread(target=self._listen, args=(self._process,), name="compiler", daemon=True).start()
@@ -95,16 +95,16 @@ COMPILER = Compiler()
 
 def works() -> dict[str, Callable]:
     """What the page asks for, by name."""
-    from .advice import plan_data, regimes_data
-    from .analysis import energy_shares
-    from .auto_view import auto_data
-    from .frames import solve_frame
-    from .map_point import choices_at
-    from .mass_ratios import ratios_for
-    from .methods_table import methods_table
-    from .stability_view import stability_kernels
-    from .tradeoff_view import stored_data, tradeoff_kernels
-    from .trust_view import convergence_data, trust_data
+    from ..advice import plan_data, regimes_data
+    from ..analysis import energy_shares
+    from ..auto_view import auto_data
+    from ..frames import solve_frame
+    from ..map_point import choices_at
+    from ..mass_ratios import ratios_for
+    from ..methods_table import methods_table
+    from ..stability_view import stability_kernels
+    from ..tradeoff_view import stored_data, tradeoff_kernels
+    from ..trust_view import convergence_data, trust_data
 
     found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data, plan_data)
     found += (regimes_data, auto_data, stored_data, choices_at, tradeoff_kernels, stability_kernels)
@@ -117,8 +117,8 @@ ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  #
 
 def usual() -> Iterator[tuple[str, dict[str, Any]]]:
     """What visitors usually ask for, what most of them ask for first."""
-    from .questions import QUESTIONS_OF
-    from .state import SCENES, Choices, on_beam
+    from ..questions import QUESTIONS_OF
+    from ..state import SCENES, Choices, on_beam
 
     for name in works():
         if name not in ("trust_data", "convergence_data", LAST):
