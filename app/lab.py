@@ -2,22 +2,25 @@
 
 import hashlib
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import panel as pn
 import param
-
-from solvers.jit import NotCompiled
+from holoviews.streams import Pipe
+from panel.io.resources import LOCAL_DIST
 
 from .address import ASKED, PANELS, opened_from_address
 from .analysis import energy_shares, energy_view
 from .beam_choices import free_place
 from .frames import solve_frame
-from .jobs.runner import COMPILING, POOL, SLOW, Runner, at_once
+from .jobs.answers import KEPT
+from .jobs.loops import of_loop
+from .jobs.runner import Runner
+from .jobs.turns import Turnstile
 from .mass_ratios import one_rod_support, ratios_for, ratios_view
 from .methods_table import methods_table
 from .panels import Panels
@@ -27,7 +30,15 @@ from .state import SCENES, Choices, accepts, from_address, in_space, on_beam, re
 from .trust_view import convergence_data, trust_data
 
 STATIC = Path(__file__).parent / "static"
-VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.iterdir()) if f.is_file())).hexdigest()[:10]
+VERSION = hashlib.sha256(b"".join(f.read_bytes() for f in sorted(STATIC.rglob("*")) if f.is_file())).hexdigest()[:10]
+MAX_ANALYSIS_SECONDS = 30.0  # of computing that one answer of an analysis may take
+REST_SECONDS = 0.4  # for which choices must stand before an analysis of many solves follows them
+_LABS: WeakKeyDictionary[Any, "Lab"] = WeakKeyDictionary()  # by document
+
+
+def lab_of(document: Any) -> "Lab | None":
+    """The laboratory in a document."""
+    return _LABS.get(document)
 
 
 class Lab(Choices, Panels, pn.custom.JSComponent):
@@ -39,7 +50,8 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
 
     frame = param.Bytes(default=b"", doc="answer to the choices, see app.frames")
     refused = param.String(default="", doc="why the last change was not taken")
-    waiting = param.String(default="", doc="what is being compiled before the answer can come, or nothing")
+    waiting = param.String(default="", doc="why the answer takes longer, or nothing")
+    disconnected = param.String(default="", doc="why this page is about to be disconnected")
     energy_shown = param.Boolean(default=False, doc="whether the view of energy over time is open")
     methods_shown = param.Boolean(default=False, doc="whether the table of all methods is open")
     methods = param.String(default="", doc="that table, see app.methods_table")
@@ -51,12 +63,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
     shared = param.Dict(default={}, doc="what the address says beside the choices, see app.address")
 
-    _esm = """
-    export async function render(context) {
-      const page = await import(new URL('assets/VERSION/page.js', document.baseURI).href);
-      return page.render(context);
-    }
-    """.replace("VERSION", VERSION)
+    _bundle = STATIC / "page.js"
     OPENED = ("energy_shown", "methods_shown", "ratios_shown", "trust_shown", "convergence_shown")
     _priority_changes = [*Choices.CHOSEN, *OPENED, *Panels.ASKED]  # no debounce: the browser waits for each answer
 
@@ -66,16 +73,22 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         )
         self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
         waiting = partial(self._tell, self._wait, solve_frame.__name__)
-        self._runner = Runner(solve_frame, self._take, self._fail, POOL, waiting)
+        context = pn.state.curdoc.session_context if pn.state.curdoc else None
+        self.visitor = context.id if context else None
+        self._runner = Runner(solve_frame, self._take, self._fail, waiting, visitor=self.visitor)
+        self._runners = [self._runner]
+        self._away = False
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
         self._views: dict[str, tuple[Any, Any]] = {}  # by name: the stream that feeds it, and its pane
         self._energy_runner = self._runner_of(energy_shares, partial(self._show_view, "energy", energy_view))
         self._ratios_runner = self._runner_of(ratios_for, partial(self._show_view, "ratios", ratios_view))
-        self._methods_runner = self._runner_of(methods_table, partial(setattr, self, "methods"), SLOW)
-        self._trust_runner = self._runner_of(trust_data, partial(setattr, self, "trust"), SLOW)
-        self._convergence_runner = self._runner_of(convergence_data, partial(setattr, self, "convergence"), SLOW)
+        self._methods_runner = self._runner_of(methods_table, partial(setattr, self, "methods"), REST_SECONDS)
+        self._trust_runner = self._runner_of(trust_data, partial(setattr, self, "trust"), REST_SECONDS)
+        self._convergence_runner = self._runner_of(
+            convergence_data, partial(setattr, self, "convergence"), REST_SECONDS
+        )
         self.param.watch(self._changed, list(self.CHOSEN))
         self.param.watch(self._ask_views, list(self.OPENED))
         self.open_panels()
@@ -83,11 +96,34 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         if self.frame and any(getattr(self, name) for name in PANELS.values()):
             pn.state.onload(self._follow)  # what the address has opened; for nobody who only fetches the page
 
-    def _runner_of(
-        self, work: Callable, publish: Callable, pool: ThreadPoolExecutor = POOL, stoppable: bool = False
-    ) -> Runner:
-        telling, refusing = partial(self._tell, publish), partial(self._tell, self._refuse)
-        return Runner(work, telling, refusing, pool, partial(self._tell, self._wait, work.__name__), stoppable)
+    @classmethod
+    def _component_resource_path(cls, esm_path: Any, compiled: Any) -> str:
+        return f"assets/{VERSION}/page.js"  # served like all of ours
+
+    def _runner_of(self, work: Callable, publish: Callable, rest: float = 0.0, stoppable: bool = False) -> Runner:
+        acts = publish, self._refuse, partial(self._wait, work.__name__)
+        how = {"visitor": self.visitor, "seconds": MAX_ANALYSIS_SECONDS, "rest": rest, "stoppable": stoppable}
+        self._runners.append(Runner(work, *(partial(self._tell, act) for act in acts), **how))
+        return self._runners[-1]
+
+    @property
+    def choices_model(self) -> str:
+        """Id of the model in the document that holds the choices: all that a browser may set."""
+        return next((model.data.id for model, _ in self._models.values()), "")
+
+    def leave(self) -> None:
+        """The visitor has gone: nothing more is worked out."""
+        self._away = True
+        for runner in self._runners:
+            runner.leave()
+        self.leave_panels()
+
+    def come_back(self) -> None:
+        """The socket is open, perhaps again: then what was given up meanwhile is asked anew."""
+        if self._away:
+            self._away = False
+            pn.state.execute(partial(self._runner.want, self.chosen()))
+            self._follow()
 
     async def _tell(self, act: Callable, *arguments: Any) -> None:
         """Change properties with the document locked, and have Bokeh send them, each, before the lock is left.
@@ -95,14 +131,16 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         Of two that change at once outside the lock, one may get lost. All that becomes known while a visitor looks on
         goes through here.
         """
-        document = pn.state.curdoc
+        document, turnstile = pn.state.curdoc, of_loop(Turnstile)
+        await turnstile.enter(self.visitor)
 
         async def acting(_: Any) -> None:
-            document.hold("collect")
-            try:
-                act(*arguments)
-            finally:
-                document.unhold()
+            with turnstile.pay(self.visitor):
+                document.hold("collect")
+                try:
+                    act(*arguments)
+                finally:
+                    document.unhold()
 
         if document is None or document.session_context is None:
             act(*arguments)
@@ -110,15 +148,12 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             await document.session_context.with_locked_document(acting)
 
     def _begin(self) -> None:
-        """The first answer goes out with the page, unless it must be compiled first."""
-        try:
-            self.frame = at_once(solve_frame, self.chosen())
+        """The first answer goes out with the page if it is known; else it is asked for."""
+        if (known := KEPT.known(solve_frame, self.chosen())) is not None:
+            self.frame = known
             self._answered = self.chosen()
-        except NotCompiled:
-            self.waiting = COMPILING
+        elif self.visitor is not None:
             pn.state.execute(partial(self._runner.want, self.chosen()), schedule=True)
-        except ValueError as refused:  # SceneError: choices in the address that do not go together
-            self._refuse(str(refused))
 
     def _wait(self, name: str, sentence: str) -> None:
         """Tell the visitor why an answer takes longer; an empty sentence when it has come."""
@@ -194,8 +229,6 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         if name in self._views:
             self._views[name][0].send(data)
             return
-        from holoviews.streams import Pipe  # loaded by the first visitor who asks for a view
-
         pipe = Pipe(data=data)
         self._views[name] = pipe, view(pipe)
         self.below.append(self._views[name][1])
@@ -253,6 +286,9 @@ def create() -> pn.Column:
     choices, refused = from_address(pn.state.session_args)
     opened, refused_too = opened_from_address(pn.state.session_args)
     lab = Lab(**choices, **opened)
+    if (document := pn.state.curdoc) is not None:
+        document.template_variables["dist_url"] = LOCAL_DIST  # else styles are fetched from another host
+        _LABS[document] = lab
     if sentences := [*refused, *refused_too, *filter(None, [lab.refused])]:
         lab.refused = " ".join(sentences)
     return pn.Column(lab, lab.below, sizing_mode="stretch_width", margin=0)

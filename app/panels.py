@@ -10,7 +10,7 @@ import param
 from .advice import plan_data, regimes_data
 from .auto_view import auto_data
 from .jobs.long_run import LongRun
-from .jobs.runner import SLOW, Runner
+from .jobs.runner import Runner
 from .map_point import choices_at
 from .questions import Questions
 from .stability_view import stability_data, stability_kernels
@@ -23,6 +23,7 @@ class Panels(Questions):
     # What the laboratory gives
     chosen: Callable[[], dict[str, Any]]
     _runner_of: Callable[..., Runner]
+    visitor: str | None
     _refuse: Callable[[str], None]
     _wait: Callable[[str, str], None]
     _tell: Callable[..., Coroutine]
@@ -33,7 +34,7 @@ class Panels(Questions):
         self._plan_runner = self._runner_of(plan_data, partial(setattr, self, "plan"))
         self._regimes_runner = self._runner_of(regimes_data, partial(setattr, self, "regimes"))
         self._stored_runner = self._runner_of(stored_data, partial(setattr, self, "tradeoff"))
-        self._auto_runner = self._runner_of(auto_data, partial(setattr, self, "auto"), SLOW, stoppable=True)
+        self._auto_runner = self._runner_of(auto_data, partial(setattr, self, "auto"), stoppable=True)
         self._point_runner = self._runner_of(choices_at, self.choose)
         self._auto_asked = 0  # times that have not been dealt with
         self._long = {
@@ -47,18 +48,17 @@ class Panels(Questions):
             self.param.watch(partial(self._start_or_stop, name), f"{name}_running")
         self.param.watch(self._stop_or_resume, "auto_running")
         self.param.watch(self._go_to, "map_point")
-        if pn.state.curdoc:
-            pn.state.on_session_destroyed(lambda _: self.stop_panels())
 
     def _long_run(self, name: str, work: Callable, kernels: Callable) -> LongRun:
         acts = partial(setattr, self, name), self._refuse, partial(self._wait, name)
-        return LongRun(work, kernels, *(partial(self._tell, act) for act in acts))
+        return LongRun(work, kernels, *(partial(self._tell, act) for act in acts), visitor=self.visitor)
 
-    def stop_panels(self) -> None:
-        """Nobody looks any more."""
-        self._auto_runner.stop()
+    def leave_panels(self) -> None:
+        """The visitor has gone; who comes back asks anew."""
+        self._asked.clear()
+        self._again.clear()
         for run in self._long.values():
-            run.stop()
+            run.leave()
 
     def ask_panels(self, *events: param.parameterized.Event) -> None:
         """Have every open panel follow the choices, after the blow itself is answered."""

@@ -1,7 +1,7 @@
 """Every method against the exact solution: the fixed steel rod struck by masses lighter and heavier than itself."""
 
 import solvers
-from app.export import comparison
+from app.command.export import comparison
 
 from .timing import row
 

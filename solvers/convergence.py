@@ -1,10 +1,8 @@
 """What more modes, or more elements, do to each figure of a blow: whether it converges, and how fast."""
 
 import math
-import os
 import time
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -15,6 +13,7 @@ from .checks import SceneError
 from .choosing import read_method
 from .method import Method, SceneNotSupported
 from .methods import METHODS
+from .numerics.processors import all_processors
 from .scene import Scene
 from .solution import Solution
 from .spread import plain
@@ -70,12 +69,9 @@ def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Metho
     if refused:
         raise SceneNotSupported("method.name", chosen.NAME, refused)
     finest = methods[-1].solve(scene, duration)
-    pool = ThreadPoolExecutor(os.cpu_count() or 1, thread_name_prefix="convergence")
-    try:
+    with all_processors() as pool:
         others = list(pool.map(lambda coarse: coarse.solve(scene, finest.duration), methods[:-1]))
         rows = list(pool.map(_figures, [*others, finest]))
-    finally:  # also when interrupted: what has not begun never does
-        pool.shutdown(wait=True, cancel_futures=True)
     numbers = np.array(counts, float)
     values = {name: np.array([row[name] for row in rows]) for name in rows[-1]}
     values = {name: column for name, column in values.items() if np.isfinite(column).all() and column.any()}

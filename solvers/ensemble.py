@@ -1,11 +1,9 @@
 """How far to trust a blow: the same one many times, each with a slightly different mass."""
 
 import math
-import os
 import threading
 import time
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -18,11 +16,12 @@ from .contact import Rigid
 from .method import Method, SceneNotSupported
 from .methods import METHODS, FeModal, FeNodal, Modal
 from .methods.modal import again
+from .numerics.processors import all_processors
 from .scene import Scene
 from .solution import ContactPeriod, Motion, Solution
 from .spread import FIGURES, Band, Spread, band_of, ill_conditioned, plain, spread_table, told
 
-MOST_RUNS = 10_000
+LEAST_RUNS, MOST_RUNS = 10, 10_000
 SPREAD_RANGE = (1e-9, 0.3)
 DECADES = 4.0  # that the perturbations span, downwards from the largest
 SAMPLES = 800  # intervals of the bands
@@ -72,6 +71,7 @@ def ensemble(
     key: str | None = None,
     seed: int = 0,
     progress: Callable[[int, int], None] | None = None,
+    cancel: Callable[[], bool] | None = None,
 ) -> Ensemble:
     """The blow repeated with one number of the scene changed by up to `spread` of itself, either way.
 
@@ -83,12 +83,13 @@ def ensemble(
     `key`: what is changed, by default the impactor's mass, or the length of an impactor that can bend. All runs have
     the duration of the unperturbed one, and its steps where the method marches. `method`: the scene's own by default,
     but finite elements leave the runs to `modal` where that knows the scene. `progress(done, runs)` is called from the
-    threads that solve.
+    threads that solve. `cancel()` true: runs that have not begun are left out, and a note says how many; fewer than
+    10 tell nothing and are refused.
     Error: what changes by less than 1e-5 may be the method's own steps.
     Cost: the solves on all processors; `modal` with a rigid impactor runs its bare kernel.
     """
     begun = time.perf_counter()
-    runs = checks.whole_number("runs", runs, 10, MOST_RUNS)
+    runs = checks.whole_number("runs", runs, LEAST_RUNS, MOST_RUNS)
     spread = checks.number("spread", spread, *SPREAD_RANGE)
     seed = checks.whole_number("seed", seed, 0, 2**32 - 1)
     if scene.normal is not None or scene.impactor.kind == "pulse":
@@ -100,7 +101,12 @@ def ensemble(
     scenes = [scene.replace({key: value * (1.0 + change)}) for change in changes.tolist()]  # all before any is solved
     base = chosen.solve(scene, duration)
     instants = np.linspace(0.0, base.duration, SAMPLES + 1)
-    found = _Runs(base, chosen, instants, _lean(scene, chosen, key)).solve(scenes, progress)
+    found = _Runs(base, chosen, instants, _lean(scene, chosen, key), cancel).solve(scenes, progress)
+    done = [number for number, run in enumerate(found) if run is not None]
+    if len(done) < runs:
+        checks.whole_number("runs", len(done), LEAST_RUNS, runs)
+        notes.append(f"Stopped after {len(done)} of {runs} runs.")
+        runs, changes, found = len(done), changes[done], [found[number] for number in done]
     figures = {name: np.array([row[i] for row, _ in found]) for i, name in enumerate(FIGURES)}
     table = spread_table(_figures(base), figures, changes, _scales(scene, base))
     ill = ill_conditioned(table)
@@ -166,16 +172,22 @@ def _lean(scene: Scene, method: Method, key: str) -> bool:
 class _Runs:
     """All runs of an ensemble, on as many threads as there are processors; kernels run side by side."""
 
-    def __init__(self, base: Solution, method: Method, instants: np.ndarray, lean: bool):
+    def __init__(
+        self, base: Solution, method: Method, instants: np.ndarray, lean: bool, cancel: Callable[[], bool] | None
+    ):
+        self.cancelled = cancel or (lambda: False)
         self.base, self.method, self.instants, self.lean = base, method, instants, lean
         self.own = threading.local()  # of each thread: the record that its runs write over
         self.done = 0
         self.counting = threading.Lock()
 
-    def solve(self, scenes: list[Scene], progress: Callable[[int, int], None] | None) -> list[tuple]:
-        pool = ThreadPoolExecutor(os.cpu_count() or 1, thread_name_prefix="ensemble")
+    def solve(self, scenes: list[Scene], progress: Callable[[int, int], None] | None) -> list[tuple | None]:
+        """Of each scene its figures and histories, or None; large and small changes in turn, until it is cancelled."""
+        order = np.random.default_rng(0).permutation(len(scenes)).tolist()
 
-        def run(scene: Scene) -> tuple:
+        def run(scene: Scene) -> tuple | None:
+            if self.cancelled():
+                return None
             found = self._lean_run(scene) if self.lean else self._run(scene)
             with self.counting:
                 self.done += 1
@@ -183,10 +195,9 @@ class _Runs:
                     progress(self.done, len(scenes))
             return found
 
-        try:
-            return list(pool.map(run, scenes))
-        finally:  # also when interrupted: what has not begun never does
-            pool.shutdown(wait=True, cancel_futures=True)
+        with all_processors() as pool:
+            found = dict(zip(order, pool.map(run, [scenes[number] for number in order]), strict=True))
+        return [found[number] for number in range(len(scenes))]
 
     def _run(self, scene: Scene) -> tuple:
         solution = self.method.solve(scene, self.base.duration)

@@ -4,20 +4,26 @@ A kernel is compiled once per machine and releases the interpreter lock while it
 several threads. `parallel=True` is never used: concurrent parallel regions abort the process.
 """
 
+import atexit
+import logging
 import os
+import pickle
+import shutil
 import tempfile
 import threading
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numba
 import scipy.linalg  # noqa: F401  (Numba wants it for its first kernel: better here than inside the first solve)
-from numba.core import event
+from numba.core import caching, event
 from numba.extending import overload_method
+
+log = logging.getLogger("strikewave")
 
 
 def sources_key() -> str:
@@ -31,18 +37,81 @@ def cache_home() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")) / "strikewave"
 
 
-def _cache_folder() -> str:
+def _cache_folder() -> Path:
     """One folder per state of the sources: Numba alone misses a change in a function called from another file."""
-    folder = cache_home() / (sources_key() + ("-checked" if numba.config.BOUNDSCHECK else ""))
+    given = os.environ.get("NUMBA_CACHE_DIR")
+    return Path(given) if given else cache_home() / (sources_key() + ("-checked" if numba.config.BOUNDSCHECK else ""))
+
+
+def _usable(folder: Path) -> Path:
+    """The folder if files can be kept in it; else a temporary one with what is in it; else it as it is, to read."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder) as trial:
+            trial.write(bytes(2**16))  # a full disk says so only now
+        return folder
+    except OSError as error:
+        reason = error.strerror
+    try:
+        own = Path(tempfile.mkdtemp(prefix="strikewave-"))
+        if folder.is_dir():
+            shutil.copytree(folder, own, dirs_exist_ok=True)
+        atexit.register(shutil.rmtree, own, ignore_errors=True)
     except OSError:
-        return tempfile.mkdtemp(prefix="strikewave-")  # compiled anew each time, but it runs
-    return str(folder) if os.access(folder, os.W_OK) else tempfile.mkdtemp(prefix="strikewave-")
+        own = folder
+        caching._UserProvidedCacheLocator.ensure_cache_path = lambda self: None  # it may be read all the same
+    log.warning("kernels cannot be kept in %s (%s); this process keeps them in %s", folder, reason, own)
+    return own
 
 
-if "NUMBA_CACHE_DIR" not in os.environ:
-    numba.config.CACHE_DIR = _cache_folder()
+class _KernelFile(caching.IndexDataCacheFile):
+    """A file of the cache that, damaged, only has its kernel compiled again: it is put aside, with a line in the log.
+
+    Data has a checksum: machine code that is not what was written would be run all the same. What cannot be written is
+    not kept.
+    """
+
+    _told: ClassVar[set[str]] = set()  # of what this process has said in the log already
+
+    def load(self, key: Any) -> Any:
+        try:
+            return super().load(key)
+        except Exception as error:  # of damaged data pickle raises whatever it comes upon
+            self._put_aside(error)
+            return None
+
+    def save(self, key: Any, data: Any) -> None:
+        try:
+            super().save(key, data)
+        except OSError as error:
+            self._tell("kernels that are compiled cannot be kept (%s)", error.strerror)
+
+    def _load_data(self, name: str) -> Any:
+        content = Path(self._data_path(name)).read_bytes()
+        data = content[DIGEST_BYTES:]
+        if sha256(data).digest() != content[:DIGEST_BYTES]:
+            raise ValueError("checksum")
+        return pickle.loads(data)
+
+    def _save_data(self, name: str, data: Any) -> None:
+        dumped = self._dump(data)
+        with self._open_for_write(self._data_path(name)) as file:
+            file.write(sha256(dumped).digest() + dumped)
+
+    def _put_aside(self, error: Exception) -> None:
+        self._tell("damaged kernels in %s are put aside and compiled again", self._cache_path)
+        with suppress(OSError):
+            os.replace(self._index_path, f"{self._index_path}.damaged")
+
+    def _tell(self, sentence: str, *values: object) -> None:
+        if sentence not in self._told:
+            self._told.add(sentence)
+            log.warning(sentence, *values)
+
+
+DIGEST_BYTES = sha256().digest_size
+caching.IndexDataCacheFile = _KernelFile
+numba.config.CACHE_DIR = str(_usable(_cache_folder()))
 
 
 def all_compiled() -> Path:

@@ -1,9 +1,7 @@
 """Where step-by-step integrators keep the energy, chatter or fail: maps over step, stiffness, masses and more."""
 
 import math
-import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,6 +13,7 @@ from .contact.damping import LEAST_RESTITUTION
 from .method import SceneNotSupported
 from .methods import Modal
 from .numerics.integrators import BOUND, DIVERGED, LASTING, Outcome
+from .numerics.processors import all_processors
 from .scene import Scene
 from .stability_runs import INTEGRATORS, Problem, bound, damped, own_stiffness, problem_of, run
 from .tried import never
@@ -275,11 +274,8 @@ def _columns(asked: _Asked, workers: int | None, progress: Callable[[int, int], 
             progress(done[0], asked.second.values.size)
         return found
 
-    pool = ThreadPoolExecutor(workers or os.cpu_count() or 1, thread_name_prefix="stability")
-    try:
+    with all_processors(workers) as pool:
         return list(pool.map(column, asked.second.values))
-    finally:  # also when interrupted: what has not begun never does
-        pool.shutdown(wait=True, cancel_futures=True)
 
 
 def _column(asked: _Asked, value: float) -> list[_Cell | None]:

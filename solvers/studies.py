@@ -1,9 +1,7 @@
 """Many solves at once: one key of a scene over a range, and all blows of a mass on a rod by their mass ratio."""
 
 import math
-import os
-from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +10,7 @@ from . import checks, read_method, solve
 from .checks import SceneError
 from .jit import kernel
 from .numerics import rigid_waves
+from .numerics.processors import all_processors
 from .scene import Scene
 from .solution import Solution
 
@@ -105,12 +104,18 @@ def spaced(low: float, high: float, count: int = 21, spacing: str | None = None)
     return np.linspace(low, high, count)
 
 
-def sweep(scene: Scene, key: str, values: Sequence[float], workers: int | None = None) -> list[dict[str, object]]:
+def sweep(
+    scene: Scene,
+    key: str,
+    values: Sequence[float],
+    workers: int | None = None,
+    cancel: Callable[[], bool] | None = None,
+) -> list[dict[str, object]]:
     """The scene solved with each of the values for one of its keys, by the method it names.
 
     One row each: value, number of contacts, impulse [N s], peak_force [N], impactor velocity [m/s], restitution,
     energy_error, estimated_error; None where undefined. Keys that take whole numbers get rounded ones, once each.
-    Raises SceneError with the first value that cannot be solved.
+    Raises SceneError with the first value that cannot be solved. `cancel()` true: what has not begun is left out.
     Cost: the solves, shared by `workers` threads (as many as there are processors); kernels run side by side.
     """
     checks.whole_number("number of values", len(values), 1, MOST_VALUES)
@@ -119,11 +124,12 @@ def sweep(scene: Scene, key: str, values: Sequence[float], workers: int | None =
         values = list(dict.fromkeys(round(value) for value in values))
     scenes = [_with(scene, key, value) for value in values]  # all are read before any is solved
     rows = [_row(values[0], solve(scenes[0]))]  # alone: if kernels must be compiled, then once
-    pool = ThreadPoolExecutor(workers or os.cpu_count() or 1, thread_name_prefix="sweep")
-    try:
-        rows += pool.map(lambda value, changed: _row(value, solve(changed)), values[1:], scenes[1:])
-    finally:  # also when interrupted: what has not begun never does
-        pool.shutdown(wait=True, cancel_futures=True)
+
+    def row(value: float, changed: Scene) -> dict[str, object] | None:
+        return None if cancel is not None and cancel() else _row(value, solve(changed))
+
+    with all_processors(workers) as pool:
+        rows += filter(None, pool.map(row, values[1:], scenes[1:]))
     return rows
 
 

@@ -7,12 +7,14 @@ while nobody does, all that they usually ask for.
 
 import asyncio
 import json
+import logging
 import os
 import queue
 import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import suppress
@@ -23,12 +25,16 @@ import numba
 
 from solvers.jit import all_compiled
 
+HANG_SECONDS = 60.0  # without a word while somebody waits: the longest single compilation takes some 15 s
+log = logging.getLogger("strikewave")
+
 
 class Compiler:
     """The process, started when it is first needed, and who waits for it."""
 
     def __init__(self):
         self._process: subprocess.Popen | None = None
+        self._heard = 0.0  # when it last gave a sign of life, or somebody began to wait
         self._waiting: dict[str, Future] = {}
         self._lock = threading.Lock()
 
@@ -51,6 +57,8 @@ class Compiler:
             if line in self._waiting:
                 return self._waiting[line]
             process, future = self._running(), Future()
+            if not self._waiting:
+                self._heard = time.monotonic()
             try:
                 process.stdin.write(line + "\n")
                 process.stdin.flush()
@@ -60,8 +68,19 @@ class Compiler:
             return future
 
     async def ready(self, work: str, choices: dict[str, Any]) -> None:
-        """Wait for the answer; who no longer wants it may leave."""
-        await asyncio.shield(asyncio.wrap_future(self.ask(work, choices)))
+        """Wait for the answer; who no longer wants it may leave. A process that hangs is ended, which answers all."""
+        answer = asyncio.wrap_future(self.ask(work, choices))
+        while not answer.done():
+            await asyncio.wait((answer,), timeout=HANG_SECONDS / 60.0)
+            self.end_if_hanging()
+
+    def end_if_hanging(self) -> None:
+        """End the process if it has said nothing for too long; the next who asks starts another."""
+        with self._lock:
+            if self._waiting and self._process is not None and time.monotonic() - self._heard > HANG_SECONDS:
+                log.error("the compiling process said nothing for %g s and was ended", HANG_SECONDS)
+                self._heard = time.monotonic()
+                self._process.kill()
 
     def _running(self) -> subprocess.Popen:
         if self._process is None or self._process.poll() is not None:
@@ -78,6 +97,7 @@ class Compiler:
 
     def _listen(self, process: subprocess.Popen) -> None:
         for line in process.stdout:
+            self._heard = time.monotonic()
             self._answer([line.strip()])
         with self._lock:
             lost = list(self._waiting) if self._process is process else []
@@ -139,7 +159,8 @@ def compile_usual(between: Callable[[], None] = lambda: None) -> None:
     for name, choices in usual():
         between()
         do[name](choices)
-    all_compiled().touch()
+    with suppress(OSError):  # on a full disk, where they could not be kept either
+        all_compiled().touch()
 
 
 def main() -> None:
@@ -156,6 +177,7 @@ def main() -> None:
         print(line, flush=True)
 
     def serve_all() -> None:
+        print(flush=True)  # a sign of life
         while not wishes.empty():
             serve(wishes.get())
 

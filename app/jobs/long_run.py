@@ -1,17 +1,19 @@
-"""Work of many seconds on the slow pool: what is known comes meanwhile, and the visitor may stop it."""
+"""Work of many seconds: what is known comes meanwhile, and the visitor may stop it."""
 
 import asyncio
 import logging
-import threading
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Hashable
+from contextlib import suppress
 from typing import Any
 
 from solvers.jit import NotCompiled
 
 from .compiler import COMPILER
-from .runner import COMPILING, SLOW, at_once, said
+from .loops import of_loop
+from .runner import COMPILING, said
+from .workers import LONG, QUICK, Job, Workers
 
+MAX_RUN_SECONDS = 60.0  # of computing; what a measurement or a map sets itself is less
 log = logging.getLogger("strikewave")
 
 
@@ -22,40 +24,59 @@ class LongRun:
     first. `ended` is called when nothing is under way any more.
     """
 
-    def __init__(self, work: Callable, kernels: Callable, publish: Callable, refuse: Callable, wait: Callable):
+    def __init__(
+        self,
+        work: Callable,
+        kernels: Callable,
+        publish: Callable,
+        refuse: Callable,
+        wait: Callable,
+        *,
+        visitor: Hashable = None,
+        start: Callable | None = None,
+    ):
         self._work, self._kernels, self._publish, self._refuse, self._wait = work, kernels, publish, refuse, wait
-        self._cancelled: threading.Event | None = None
+        self._visitor, self._begin = visitor, start
+        self._job: Job | None = None
+        self._busy = self._stopped = False
 
     @property
     def busy(self) -> bool:
-        return self._cancelled is not None
+        return self._busy
 
     def stop(self) -> None:
         """What is under way ends soon, and what it has found by then is kept."""
-        if self._cancelled is not None:
-            self._cancelled.set()
+        self._stopped = True
+        if self._job is not None:
+            self._job.end()
+
+    def leave(self) -> None:
+        """Nobody looks on any more: what is under way is abandoned."""
+        self._stopped = True
+        if self._job is not None:
+            self._job.answer.cancel()
 
     async def start(self, asked: Any, ended: Callable[[], Any]) -> None:
         """Do the work, unless some is under way."""
-        if self.busy:
+        if self._busy:
             return
-        cancelled = self._cancelled = threading.Event()
+        self._busy, self._stopped = True, False
         try:
-            await self._compiled(asked)
-            await self._run(asked, cancelled)
+            with suppress(asyncio.CancelledError):
+                await self._compiled(asked)
+                await self._run(asked)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             await said(self._refuse(str(refusal)))
         except Exception:
             log.exception("a long run failed: %r", asked)
             await said(self._refuse("This could not be worked out. What is shown is as it was before."))
         finally:
-            self._cancelled = None
+            self._busy, self._job = False, None
             await said(ended())
 
     async def _compiled(self, asked: Any) -> None:
-        loop = asyncio.get_running_loop()
         try:
-            await loop.run_in_executor(SLOW, at_once, self._kernels, asked)
+            await self._do(self._kernels, asked, level=QUICK)
         except NotCompiled:
             await said(self._wait(COMPILING))
             try:
@@ -63,11 +84,18 @@ class LongRun:
             finally:
                 await said(self._wait(""))
 
-    async def _run(self, asked: Any, cancelled: threading.Event) -> None:
-        loop, told = asyncio.get_running_loop(), asyncio.Queue()
-        tell = partial(loop.call_soon_threadsafe, told.put_nowait)
-        work = loop.run_in_executor(SLOW, self._work, asked, cancelled.is_set, tell)
+    async def _run(self, asked: Any) -> None:
+        told: asyncio.Queue = asyncio.Queue()
+        how = {"level": LONG, "compiled": False, "stoppable": True, "tell": told.put_nowait}
+        work = asyncio.ensure_future(self._do(self._work, asked, **how))
         work.add_done_callback(lambda _: told.put_nowait(None))
         while (part := await told.get()) is not None:
             await said(self._publish(part))
         await said(self._publish(await work))
+
+    async def _do(self, work: Callable, asked: Any, **how: Any) -> Any:
+        begin = self._begin or of_loop(Workers).start
+        self._job = begin(work, asked, visitor=self._visitor, seconds=MAX_RUN_SECONDS, **how)
+        if self._stopped:
+            self._job.end()
+        return await self._job.answer

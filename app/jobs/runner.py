@@ -1,22 +1,25 @@
-"""Solves off the event loop: at most one per visitor in flight, the newest choices win, nothing queues."""
+"""One visitor's answers to the newest choices: at most one is under way, older wishes are dropped, nothing queues."""
 
 import asyncio
 import inspect
 import logging
-import os
 import time
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Hashable
 from typing import Any
 
 from solvers.jit import NotCompiled, compiled_only
 
+from .answers import Answers
 from .compiler import COMPILER
+from .loops import of_loop
+from .workers import LEVELS, MAX_SECONDS, QUICK
 
-POOL = ThreadPoolExecutor(max_workers=max(1, min(4, (os.cpu_count() or 1))), thread_name_prefix="solve")
-SLOW = ThreadPoolExecutor(max_workers=1, thread_name_prefix="slow")  # for seconds, while sliders need the other one
 COMPILING = "Compiling what this needs, once on this machine: some seconds, up to half a minute …"
-PATIENCE = 1.0  # s after which a newer wish ends what is under way, where the work can be stopped
+LONG_AFTER = 1.0  # s after which the visitor is told that it takes long
+LONGER = "This takes longer than most. It is given up after {:g} s of computing; a newer choice ends it at once."
+PATIENCE = 1.0  # s after which a newer wish ends what is under way; sooner, and a drag would never be answered
+END_WITHIN = 3.0  # s in which work that is to end with what it has must do so
+CHECK = 0.1  # s between two looks whether what is under way is still wanted
 log = logging.getLogger("strikewave")
 
 
@@ -33,11 +36,11 @@ async def said(told: Any) -> None:
 
 
 class Runner:
-    """Runs `work(choices)` on a pool and hands the newest result to `publish`, or a sentence to `refuse`.
+    """Has `work(choices)` done by the workers and hands the newest result to `publish`, or a sentence to `refuse`.
 
-    What is not compiled yet is compiled in another process first; `wait` is told so in a sentence, and when it is over
-    by an empty one. Work that is `stoppable` is called `work(choices, cancelled)`, and asks now and then whether it is
-    to end with what it has.
+    `wait` is told in a sentence why an answer takes longer, and by an empty one when that is over: what is not compiled
+    yet is compiled in another process first. `rest` [s]: how long choices must stand before they are asked about.
+    Work that is `stoppable` also takes `cancelled`, and ends with what it has when it is told so.
     """
 
     def __init__(
@@ -45,55 +48,73 @@ class Runner:
         work: Callable,
         publish: Callable,
         refuse: Callable,
-        pool: ThreadPoolExecutor = POOL,
         wait: Callable = lambda sentence: None,
+        *,
+        visitor: Hashable = None,
+        seconds: float = MAX_SECONDS,
+        rest: float = 0.0,
         stoppable: bool = False,
+        start: Callable | None = None,
     ):
-        self._work, self._publish, self._refuse, self._pool, self._wait = work, publish, refuse, pool, wait
-        self._stoppable, self._stopped, self._begun = stoppable, False, 0.0
+        self._work, self._publish, self._refuse, self._wait = work, publish, refuse, wait
+        self._visitor, self._seconds, self._rest, self._stoppable = visitor, seconds, rest, stoppable
+        self._start = start
+        self._level = QUICK  # where the last of these solves ended, as the next of them will
         self.current: Any = None  # the choices that are being answered, or were last
         self._wanted: Any = None
-        self._busy = False
+        self._busy = self._stopped = self._left = False
         self._newer = asyncio.Event()
 
     def stop(self) -> None:
-        """What is under way ends soon, if it can, and what it has found by then is published; nothing follows."""
+        """What is under way ends soon, and what it has found by then is published, if it can; nothing follows."""
         self._stopped, self._wanted = True, None
         self._newer.set()
 
-    def _cancelled(self) -> bool:
-        return self._stopped or (self._wanted is not None and time.monotonic() - self._begun > PATIENCE)
+    def leave(self) -> None:
+        """Nobody waits for an answer any more: what is under way is abandoned."""
+        self._left = True
+        self.stop()
 
     async def want(self, choices: Any) -> None:
         """Ask for a result; while one is being made, only the newest wish is remembered."""
-        self._wanted = choices
+        self._wanted, self._left = choices, False
         self._newer.set()
         if self._busy:
             return
         self._busy = True
         try:
             while self._wanted is not None:
-                self.current, self._wanted = self._wanted, None
-                self._newer.clear()
-                self._stopped, self._begun = False, time.monotonic()
-                try:
-                    result = await self._solved(self.current)
-                except ValueError as refusal:  # SceneError: the sentence is for the visitor
-                    await said(self._refuse(str(refusal)))
-                except Exception:
-                    log.exception("a solve failed: %r", self.current)
-                    await said(self._refuse("This could not be solved. The choices before it are still shown."))
-                else:
-                    if result is not None:
-                        await said(self._publish(result))
+                await self._at_rest()
+                if self._wanted is not None:
+                    await self._answer_newest()
         finally:
             self._busy = False
 
-    async def _solved(self, choices: Any) -> Any:
-        """The result, or None if it had to be compiled first and was no longer wanted meanwhile."""
-        loop, given = asyncio.get_running_loop(), (choices, self._cancelled) if self._stoppable else (choices,)
+    async def _at_rest(self) -> None:
+        asked = None
+        while self._rest and asked is not self._wanted:
+            asked = self._wanted
+            await asyncio.sleep(self._rest)
+
+    async def _answer_newest(self) -> None:
+        self.current, self._wanted = self._wanted, None
+        self._newer.clear()
+        self._stopped = False
         try:
-            return await loop.run_in_executor(self._pool, at_once, self._work, *given)
+            result = await self._solved(self.current)
+        except ValueError as refusal:  # SceneError: the sentence is for the visitor
+            await said(self._refuse(str(refusal)))
+        except Exception:
+            log.exception("a solve failed: %r", self.current)
+            await said(self._refuse("This could not be solved. The choices before it are still shown."))
+        else:
+            if result is not None:
+                await said(self._publish(result))
+
+    async def _solved(self, choices: Any) -> Any:
+        """The result, or None if it was no longer wanted."""
+        try:
+            return await self._done(choices)
         except NotCompiled:
             await said(self._wait(COMPILING))
         try:
@@ -104,6 +125,44 @@ class Runner:
             newer.cancel()
             if self._wanted is not None or self._stopped:
                 return None
-            return await loop.run_in_executor(self._pool, self._work, *given)
+            try:
+                return await self._done(choices)
+            except NotCompiled:  # the other process could not, or could not keep it
+                return await self._done(choices, compiled=False)
         finally:
             await said(self._wait(""))
+
+    async def _done(self, choices: Any, compiled: bool = True) -> Any:
+        start = self._start or of_loop(Answers).start
+        how = {"visitor": self._visitor, "level": self._level, "seconds": self._seconds, "compiled": compiled}
+        asked, ending, told = time.monotonic(), None, False
+        job = start(self._work, choices, **how, stoppable=self._stoppable)
+        try:
+            while not job.answer.done():
+                await asyncio.wait((job.answer,), timeout=CHECK)
+                now = time.monotonic()
+                if job.answer.done() or not self._unwanted(job, now - asked):
+                    pass
+                elif self._stoppable and not self._left and ending is None:
+                    ending = now
+                    job.end()
+                elif ending is None or now - ending > END_WITHIN:
+                    job.answer.cancel()
+                if not told and compiled and now - asked > LONG_AFTER and not job.answer.done():
+                    told = True
+                    await said(self._wait(LONGER.format(self._seconds)))
+            if job.answer.cancelled():
+                return None
+            result = job.answer.result()
+        finally:
+            job.answer.cancel()
+            if told:
+                await said(self._wait(""))
+        took = 0.0 if job.begun is None else time.monotonic() - job.begun
+        self._level = next(number for number, level in enumerate(LEVELS) if took <= level.seconds)
+        return result
+
+    def _unwanted(self, job: Any, seconds: float) -> bool:
+        """Whether it has been stopped, or a newer wish waits behind something that has not begun, or takes long."""
+        newer = self._wanted is not None and (job.begun is None or seconds > PATIENCE)
+        return self._stopped or newer

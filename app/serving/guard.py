@@ -1,91 +1,105 @@
-"""What a client may send, and what it is told. Bokeh's server trusts its clients; ours may be anybody.
+"""What a client may send: the choices of its own laboratory, and nothing else of the document.
 
-Installed once per process, around details of the pinned Bokeh: tests/app/test_guard.py fails if they change.
+Bokeh's server lets a client set any property of any model. Rests on details of the pinned Bokeh and Panel:
+tests/app/serving/test_guard.py fails if they change.
 """
 
-import time
-from typing import Any
+from typing import Any, NamedTuple
 
-from bokeh.server.connection import ServerConnection
-from bokeh.server.protocol_handler import ProtocolHandler
-from tornado.web import RequestHandler
+from ..questions import Questions
+from ..state import Choices
+from .limits import MAX_EVENTS
 
-from .uploads import MeasuredRecord
-
-MAX_MESSAGE = 20_000  # bytes; the longest honest message has some hundreds
-MAX_EVENTS = 32  # in one message
-RATE, BURST = 120.0, 480.0  # messages a second in the long run, and at once
-POLICY = (
-    "default-src 'self'; script-src 'self' 'unsafe-inline' blob:; style-src 'self' 'unsafe-inline'; "
-    "img-src 'self' data: blob:; connect-src 'self' ws: wss: blob:; font-src 'self' data:; "
-    "object-src 'none'; base-uri 'self'; form-action 'none'"
+MAX_PULLS = 3  # of the document by one socket; a page pulls it once
+LONGEST_VALUE = 100  # letters of a text
+SETTABLE = frozenset((*Choices.CHOSEN, *Questions.ASKED))
+# What Bokeh and Panel report by themselves of the browser and of figures; dropped without a word.
+REPORTED = frozenset(
+    (
+        *(
+            "inner_width",
+            "inner_height",
+            "outer_width",
+            "outer_height",
+            "start",
+            "end",
+            "dark_mode",
+            "device_pixel_ratio",
+        ),
+        *("language", "timezone", "timezone_offset", "webdriver", "webgl"),
+    )
 )
 
 
-class Alive(RequestHandler):
-    """Answers as soon as the server serves, which is after all kernels are compiled."""
+class Verdict(NamedTuple):
+    """What becomes of a message."""
 
-    def get(self):
-        self.write({"alive": True})
-
-
-def patterns() -> list[tuple]:
-    return [(r"/liveness", Alive), (r"/record", MeasuredRecord)]
+    reason: str | None  # why it is refused
+    events: list[dict[str, Any]]  # those of it that are taken
 
 
-def install() -> None:
-    """Refuse what no honest page sends, keep stack traces here, set security headers. Idempotent."""
-    if getattr(ProtocolHandler.handle, "guarded", False):
-        return
-    ProtocolHandler.handle = _guarded(ProtocolHandler.handle)
-    ServerConnection.error = _silent(ServerConnection.error)
-    RequestHandler.set_default_headers = _with_headers(RequestHandler.set_default_headers)
+def judge(kind: str, content: Any, own: str, settable: frozenset[str]) -> Verdict:
+    """Of a message of this kind, and its content; `own` is the id of the model that holds the visitor's choices."""
+    if kind == "PULL-DOC-REQ":
+        return Verdict(None, [])
+    events = content.get("events") if isinstance(content, dict) else None
+    if kind != "PATCH-DOC" or not isinstance(events, list) or len(events) > MAX_EVENTS:
+        return Verdict("not allowed", [])
+    taken = []
+    for event in events:
+        if _sets(event, own, settable) or _says_ready(event):
+            taken.append(event)
+        elif not _reports(event):
+            return Verdict("not allowed", [])
+    return Verdict(None, taken)
 
 
-def allowed(event: Any) -> bool:
-    """Whether an honest page may send this event: a plain value for a property, or a plain event of a model."""
-    if not isinstance(event, dict):
+def _sets(event: Any, own: str, settable: frozenset[str]) -> bool:
+    """Whether it sets one of the visitor's choices to a plain value."""
+    return (
+        _is_change(event)
+        and event["model"]["id"] == own
+        and event["attr"] in settable
+        and _plain(event.get("new"))
+        and event.keys() <= {"kind", "model", "attr", "new"}
+    )
+
+
+def _reports(event: Any) -> bool:
+    return _is_change(event) and event["attr"] in REPORTED
+
+
+def _is_change(event: Any) -> bool:
+    return (
+        isinstance(event, dict)
+        and event.get("kind") == "ModelChanged"
+        and isinstance(event.get("model"), dict)
+        and event["model"].keys() == {"id"}
+        and isinstance(event["model"]["id"], str)
+        and isinstance(event.get("attr"), str)
+    )
+
+
+def _plain(value: Any) -> bool:
+    """A number, a truth or a short text, as the browser writes them; the bounds are checked where it is taken."""
+    if isinstance(value, dict):
+        return value.keys() == {"type", "value"} and value["type"] == "number" and isinstance(value["value"], str)
+    if isinstance(value, str):
+        return len(value) <= LONGEST_VALUE
+    return value is None or isinstance(value, bool | int | float)
+
+
+def _says_ready(event: Any) -> bool:
+    """The one event of the document: that the page is drawn."""
+    if not isinstance(event, dict) or event.get("kind") != "MessageSent" or event.get("msg_type") != "bokeh_event":
         return False
-    if event.get("kind") == "ModelChanged":
-        value = event.get("new")
-        return not isinstance(value, (list, dict)) or (isinstance(value, dict) and value.get("type") == "number")
-    return event.get("kind") == "MessageSent" and event.get("msg_type") == "bokeh_event"
+    data = event.get("msg_data")
+    if not isinstance(data, dict) or data.get("type") != "event" or data.get("name") != "document_ready":
+        return False
+    return data.get("values") in ({"type": "map"}, {"type": "map", "entries": []})
 
 
-def _guarded(handle):
-    async def guarded(self, message, connection):
-        now = time.monotonic()
-        tokens, last = getattr(connection, "_tokens", (BURST, now))
-        tokens = min(BURST, tokens + RATE * (now - last))
-        connection._tokens = (tokens - 1.0 if tokens >= 1.0 else tokens, now)
-        if tokens < 1.0:
-            return connection.error(message, "too many messages")
-        if message.msgtype == "PUSH-DOC":
-            return connection.error(message, "not allowed")
-        if message.msgtype == "PATCH-DOC":
-            events = message.content.get("events") if isinstance(message.content, dict) else None
-            if not isinstance(events, list) or len(events) > MAX_EVENTS or not all(map(allowed, events)):
-                return connection.error(message, "not allowed")
-        return await handle(self, message, connection)
-
-    guarded.guarded = True
-    return guarded
-
-
-def _silent(error):
-    def silent(self, message, text):
-        reply = error(self, message, "refused")
-        reply.content["traceback"] = None
-        return reply
-
-    return silent
-
-
-def _with_headers(set_default_headers):
-    def with_headers(self):
-        set_default_headers(self)
-        self.set_header("Content-Security-Policy", POLICY)
-        self.set_header("X-Content-Type-Options", "nosniff")
-        self.set_header("Referrer-Policy", "same-origin")
-
-    return with_headers
+def newest_only(events: list[dict[str, Any]], later: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The events without the choices that a later message sets again."""
+    again = {event["attr"] for event in later if event["kind"] == "ModelChanged"} & set(Choices.CHOSEN)
+    return [event for event in events if event["kind"] != "ModelChanged" or event["attr"] not in again]

@@ -1,63 +1,28 @@
-"""Serve the page: kernels warm, answers safe, nothing else on the port."""
+"""Serve the page: kernels warm, processes ready, answers safe, nothing else on the port."""
 
 import contextlib
 import errno
 import logging
+import secrets
 import signal
 import sys
 from typing import Any
 
 from solvers.jit import NotCompiled, all_compiled
 
-from ..jobs.compiler import COMPILER
+from ..jobs.compiler import COMPILER, HANG_SECONDS
+from ..jobs.loops import forget, of_loop
+from ..jobs.workers import Workers, prepare
 
+CLOSE_SECONDS = 2.0  # for sockets to be closed when the server stops
 log = logging.getLogger("strikewave")
-
-TEMPLATE = """
-{% extends base %}
-{% block title %}Strikewave: one body strikes another{% endblock %}
-{% block postamble %}
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="description" content="See what happens inside a rod when a mass strikes it.">
-<link rel="stylesheet" href="assets/VERSION/page.css">
-<link rel="preload" as="style" href="assets/VERSION/lab.css">
-MODULES
-{% endblock %}
-"""
-MODULES = (
-    "page",
-    "controls",
-    "player",
-    "stage",
-    "charts",
-    "physics",
-    "story",
-    "plot",
-    "bodies",
-    "analyses",
-    "record",
-    "waiting",
-    "beams",
-    "beam_field",
-    "beam_stage",
-    "beam_charts",
-    "beam_story",
-    "in_view",
-    "words",
-    "trust",
-    "logplot",
-    "panel",
-    "advice",
-    "tradeoff",
-    "tolerance",
-    "stability",
-)
 
 
 def serve(port: int, address: str, origins: list[str]) -> int:
     """Serve until interrupted. Prints the address once the page answers at once."""
     if not all_compiled().exists():
         COMPILER.start()  # while this process loads Panel
+    prepare()  # likewise
     try:
         server = build(port, address, origins)
     except OSError as error:
@@ -73,8 +38,20 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()
     COMPILER.stop()
+    stop(server)
     print("Stopped.", flush=True)
     return 0
+
+
+def stop(server: Any) -> None:
+    """End what belongs to a server whose loop has stopped, without waiting for anything."""
+    loop = server.io_loop.asyncio_loop
+
+    async def end() -> None:
+        of_loop(Workers).stop()
+
+    loop.run_until_complete(end())
+    forget(loop)
 
 
 def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10_000) -> Any:
@@ -84,42 +61,58 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     """
     import panel as pn
 
-    from ..lab import STATIC, VERSION, create
-    from . import guard
+    from ..lab import create
+    from . import install
+    from .door import Door
+    from .limits import MAX_BODY, MAX_MESSAGE
+    from .pages import STATIC, VERSION, Alive, Asset
+    from .uploads import MeasuredRecord
 
-    logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
-    logging.getLogger("bokeh").setLevel(logging.ERROR)
-    logging.getLogger("bokeh.server.views.ws").setLevel(logging.CRITICAL)
-    logging.getLogger("tornado.access").setLevel(logging.ERROR)
-    logging.getLogger("bokeh.server.protocol_handler").setLevel(logging.CRITICAL)  # a stack per bad message, else
-    guard.install()
-    _warm()
-    template = _template(VERSION)
-
-    def page():
-        pn.state.curdoc.template = template
-        return create()
-
-    return pn.io.server.get_server(
-        {"/": page},
+    _quiet()
+    install.install()
+    load_views()
+    _first_answer()
+    secret = secrets.token_bytes(32)
+    server = pn.io.server.get_server(
+        {"/": create},
         port=port,
         address=address,
         websocket_origin=origins or [f"{name}:{port}" for name in ("localhost", "127.0.0.1", address)],
         show=False,
         start=False,
         location=False,
-        static_dirs={f"assets/{VERSION}": str(STATIC)},
-        extra_patterns=guard.patterns(),
-        websocket_max_message_size=guard.MAX_MESSAGE,
+        extra_patterns=[
+            (r"/liveness", Alive),
+            (r"/record", MeasuredRecord),
+            (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
+        ],
+        websocket_max_message_size=MAX_MESSAGE,
+        http_server_kwargs={"max_body_size": MAX_BODY, "idle_connection_timeout": 120.0, "body_timeout": 20.0},
         check_unused_sessions_milliseconds=min(2_000, unused_lifetime),
         unused_session_lifetime_milliseconds=unused_lifetime,
+        secret_key=secret,
+        sign_sessions=True,
+        door=Door(secret),
         warm=True,  # makes one page before the port is opened to anybody
     )
+    server.io_loop.add_callback(lambda: of_loop(Workers).fill())
+    return server
 
 
-def _warm() -> None:
-    """Have all that the first page needs compiled and loaded."""
+def _quiet() -> None:
+    """One line for what a reader of the log can act on; nothing for what strangers send."""
+    logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
+    logging.getLogger("bokeh").setLevel(logging.ERROR)
+    for name in ("bokeh.server.views.ws", "bokeh.server.protocol_handler"):  # a stack per bad message, else
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    logging.getLogger("tornado.access").setLevel(logging.ERROR)
+    logging.getLogger("tornado.general").setLevel(logging.ERROR)
+
+
+def _first_answer() -> None:
+    """Have all that the first page needs compiled, and its answer ready."""
     from ..frames import solve_frame
+    from ..jobs.answers import KEPT
     from ..jobs.runner import at_once
     from ..state import Choices
 
@@ -128,12 +121,22 @@ def _warm() -> None:
         at_once(solve_frame, first)
     except NotCompiled:
         print("Compiling for the first page, once, some ten seconds; the rest follows while it serves.", flush=True)
-        COMPILER.ask("solve_frame", first).result()
+        with contextlib.suppress(TimeoutError):
+            COMPILER.ask("solve_frame", first).result(HANG_SECONDS)
         solve_frame(first)
+    KEPT.keep(solve_frame, first, solve_frame(first))  # its time is that of a solve: kernels are loaded
 
 
-def _template(version: str):
-    import jinja2
+def load_views() -> None:
+    """Import what figures are drawn with, and draw one: two imports at once, in threads or on demand, can collide."""
+    import numpy as np
+    from holoviews.streams import Pipe
 
-    links = "\n".join(f'<link rel="modulepreload" href="assets/{version}/{name}.js">' for name in MODULES)
-    return jinja2.Template(TEMPLATE.replace("VERSION", version).replace("MODULES", links))
+    from ..analysis import energy_view
+    from ..mass_ratios import ratios_view
+
+    for view, data in (
+        (energy_view, {"time": np.array([0.0, 1.0]), "impactor": np.array([100.0, 0.0])}),
+        (ratios_view, {"support": None}),
+    ):
+        view(Pipe(data=data)).get_root()

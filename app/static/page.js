@@ -6,6 +6,7 @@ import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts
 import { Controls } from './controls.js';
 import { at, CompactField, decode, ModalField, SampledField, WaveField } from './physics.js';
 import { Player } from './player.js';
+import { Connection } from './shell/connection.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
 import { Waiting } from './waiting.js';
@@ -41,6 +42,7 @@ class Page {
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
     el.append(...['lab.css', 'panels.css'].map((name) => make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href })), this.layout(), this.waiter.root);
+    this.connection = new Connection(model, this.root);
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solvers
-from app.export import report
+from app.command.export import report
 from app.frames import ghost, read_header, solve_frame
 from app.state import Choices, chosen_scene
 from solvers import SceneError

@@ -18,6 +18,7 @@ from app.tradeoff_view import stored_data, tradeoff_data
 from solvers import load, stored_tradeoff
 from solvers.stability import NOT_RUN, Map
 
+from .jobs.threads import start
 from .socket_client import run as in_a_loop
 
 
@@ -155,7 +156,7 @@ def test_the_gravest_of_what_holds_is_shown():
 def ran(work, kernels=lambda asked: None, meanwhile=None):
     """What a long run published, refused and whether it ended."""
     published, refused, ended = [], [], []
-    run = LongRun(work, kernels, published.append, refused.append, lambda sentence: None)
+    run = LongRun(work, kernels, published.append, refused.append, lambda sentence: None, start=start)
 
     async def main():
         started = asyncio.ensure_future(run.start("asked", lambda: ended.append(True)))

@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from app.command import main
+from app.command.main import main
 from solvers import Modal, Scene, Solution
 from solvers.contact import PlasticPower
 from solvers.methods import balance, element_march, modal, wave_chain

@@ -11,6 +11,7 @@ from playwright.sync_api import expect
 
 from app import lab, mass_ratios, panels
 from app.jobs import runner
+from app.jobs.answers import Answers
 from app.jobs.compiler import Compiler, usual, works
 from app.jobs.runner import COMPILING, Runner
 from app.serving import server as page_server
@@ -19,6 +20,7 @@ from solvers.jit import NotCompiled, all_compiled
 
 from ..conftest import Page, free_port
 from ..socket_client import run
+from .threads import start
 
 IN_SPACE = Choices(scene="brick-off-centre").chosen()  # which needs no kernel
 
@@ -93,7 +95,7 @@ def test_newer_choices_do_not_wait_for_what_older_ones_need(monkeypatch):
         return choice
 
     async def visit():
-        visitor = Runner(work, shown.append, shown.append, wait=told.append)
+        visitor = Runner(work, shown.append, shown.append, wait=told.append, start=start)
         first = asyncio.create_task(visitor.want("slow law"))
         while not told:
             await asyncio.sleep(0.01)
@@ -116,6 +118,7 @@ def gated_page(browser, monkeypatch):
     def open_one(query: str, *names: str) -> tuple[Page, Gate]:
         gate, port, ready = Gate(*names), free_port(), threading.Event()
         monkeypatch.setattr(runner, "COMPILER", gate)
+        monkeypatch.setattr(Answers, "start", lambda self, *given, **how: start(*given, **how))
 
         failed = []
 

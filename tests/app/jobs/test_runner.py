@@ -7,6 +7,7 @@ import time
 from app.jobs.runner import Runner
 
 from ..socket_client import run
+from .threads import start
 
 
 def test_while_one_is_solved_only_the_newest_wish_is_kept():
@@ -18,7 +19,7 @@ def test_while_one_is_solved_only_the_newest_wish_is_kept():
         return choice
 
     async def hurry():
-        runner = Runner(work, shown.append, shown.append)
+        runner = Runner(work, shown.append, shown.append, start=start)
         first = asyncio.create_task(runner.want(0))
         await asyncio.sleep(0.05)
         for k in range(1, 50):
@@ -45,7 +46,7 @@ def test_a_failure_becomes_a_sentence_and_the_next_wish_is_served():
         return choice
 
     async def visit():
-        runner = Runner(work, shown.append, refused.append)
+        runner = Runner(work, shown.append, refused.append, start=start)
         for wish in ("bad value", "bug", "good"):
             await runner.want(wish)
 
@@ -66,7 +67,7 @@ def test_work_that_can_be_stopped_ends_with_what_it_has():
         return f"some of {choices}"
 
     async def main():
-        runner = Runner(work, published.append, published.append, stoppable=True)
+        runner = Runner(work, published.append, published.append, stoppable=True, start=start)
         asked = asyncio.ensure_future(runner.want("one"))
         while not started.is_set():
             await asyncio.sleep(0.005)
@@ -87,7 +88,7 @@ def test_a_newer_wish_ends_what_takes_long(monkeypatch):
         return choices
 
     async def main():
-        runner = Runner(work, published.append, published.append, stoppable=True)
+        runner = Runner(work, published.append, published.append, stoppable=True, start=start)
         first = asyncio.ensure_future(runner.want("endless"))
         await asyncio.sleep(0.01)
         await runner.want("newer")

@@ -12,7 +12,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from app.command import main
+from app.command.main import main
 from tests.catalog import T
 
 KEYS = {

@@ -7,7 +7,8 @@ from solvers import SceneError
 from solvers.convergence import Convergence, convergence
 from solvers.ensemble import Ensemble, ensemble
 
-from .sweeps import shown
+from .interrupts import interruptible
+from .sweep import shown
 
 
 def number(option: str, text: str, kind: type = float) -> float:
@@ -22,13 +23,17 @@ def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None
     """Print the spread of every figure as a table, or the whole ensemble in JSON."""
     counts = number("--runs", runs, int), number("--seed", seed, int)
     try:
-        found = ensemble(scene, runs=counts[0], spread=number("--spread", spread), key=key, seed=counts[1])
+        with interruptible() as interrupted:
+            largest = number("--spread", spread)
+            found = ensemble(scene, runs=counts[0], spread=largest, key=key, seed=counts[1], cancel=interrupted)
     except SceneError as refused:
+        if interrupted():
+            raise KeyboardInterrupt from None  # too few runs to tell anything
         if refused.key in ("runs", "spread", "key", "seed"):
             raise SceneError(f"--{refused.key}", refused.value, refused.allowed) from None
         raise
     print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else ensemble_table(scene, found))
-    return 0
+    return 130 if interrupted() else 0
 
 
 def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from app.command import main
+from app.command.main import main
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 def answer(capsys, *arguments: str) -> str:
@@ -78,7 +78,7 @@ def test_it_can_be_interrupted():
     words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--runs", "10000"]  # fmt: skip
     ready = (
-        "import signal, sys, solvers; from app.command import main; "
+        "import signal, sys, solvers; from app.command.main import main; "
         "signal.signal(signal.SIGINT, signal.default_int_handler); "
         "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
         "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"

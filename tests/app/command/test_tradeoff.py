@@ -5,9 +5,9 @@ import json
 import pytest
 
 import solvers
-from app.command import main
-from app.tradeoffs import report
-from tests.app.test_command import answer, refusal
+from app.command.main import main
+from app.command.tradeoff import report
+from tests.app.command.test_main import answer, refusal
 
 QUICK = ("tradeoff", "brick-off-centre")  # one closed form: measured in an instant
 

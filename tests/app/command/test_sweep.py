@@ -11,9 +11,9 @@ import pytest
 from pytest import approx
 
 import solvers
-from tests.app.test_command import answer, refusal
+from tests.app.command.test_main import answer, refusal
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 
 def rows(capsys, *arguments):
@@ -112,7 +112,7 @@ def test_it_can_be_interrupted():
     words = ["sweep", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--vary", "impactor.mass=1..2:2000"]  # fmt: skip
     ready = (
-        "import signal, sys, solvers; from app.command import main; "
+        "import signal, sys, solvers; from app.command.main import main; "
         "signal.signal(signal.SIGINT, signal.default_int_handler); "
         "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
         "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"

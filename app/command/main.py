@@ -122,7 +122,7 @@ def _tradeoff_command(commands: Any) -> None:
     )
 
     def run(options: argparse.Namespace) -> int:
-        from .tradeoffs import print_tradeoff
+        from .tradeoff import print_tradeoff
 
         return print_tradeoff(_scene(options), options.quantity, options.json, options.fresh)
 
@@ -138,7 +138,7 @@ def _sweep_command(commands: Any) -> None:
     )  # fmt: skip
 
     def run(options: argparse.Namespace) -> int:
-        from .sweeps import print_sweep
+        from .sweep import print_sweep
 
         return print_sweep(_scene(options), options.vary, options.json)
 
@@ -190,7 +190,7 @@ def _record_command(commands: Any) -> None:
     parser.add_argument("--series", metavar="FILE", help="write what was compared, or recovered, as .csv")
 
     def run(options: argparse.Namespace) -> int:
-        from .measured import print_record
+        from .record import print_record
 
         return print_record(_scene(options), options)
 
@@ -198,7 +198,7 @@ def _record_command(commands: Any) -> None:
 
 
 def _stability_command(commands: Any) -> None:
-    from .stability_maps import add_arguments, print_stability
+    from .stability import add_arguments, print_stability
 
     parser = commands.add_parser("stability", help="where each integrator keeps the energy, chatters or fails")
     _scene_arguments(parser)
@@ -207,7 +207,7 @@ def _stability_command(commands: Any) -> None:
 
 
 def _plan_command(commands: Any) -> None:
-    from .plans import add_arguments, print_plan
+    from .plan import add_arguments, print_plan
 
     parser = commands.add_parser("plan", help="the smallest model that answers a question, and what it will miss")
     _scene_arguments(parser)
@@ -227,11 +227,13 @@ def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> N
 
 def _scene(options: argparse.Namespace) -> solvers.Scene:
     scene = solvers.load(options.scene)
-    return scene.replace(parse_changes(options.changes)) if options.changes else scene
+    scene = scene.replace(parse_changes(options.changes)) if options.changes else scene
+    solvers.read_method(scene.method, scene.usual_method)  # one that is named must exist, though a study may use others
+    return scene
 
 
 def _warm(options: argparse.Namespace) -> int:
-    from .jobs.compiler import compile_usual
+    from ..jobs.compiler import compile_usual
 
     compile_usual()
     print("All kernels are compiled.")
@@ -239,8 +241,8 @@ def _warm(options: argparse.Namespace) -> int:
 
 
 def _scenes(options: argparse.Namespace) -> int:
-    from .picker import scene_groups
-    from .state import SCENES
+    from ..picker import scene_groups
+    from ..state import SCENES
 
     for heading, scenes in scene_groups():
         print(heading)
@@ -318,10 +320,6 @@ def _serve(options: argparse.Namespace) -> int:
         host, _, origin_port = origin.strip().partition(":")
         if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
             raise SceneError("--allow-origin", origin, "HOST or HOST:PORT, without scheme, path or star")
-    from .serving.server import serve
+    from ..serving.server import serve
 
     return serve(int(port), address, [origin.strip() for origin in origins])
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -5,7 +5,7 @@ import pytest
 from scipy.io import netcdf_file
 
 import solvers
-from app.command import main
+from app.command.main import main
 
 
 def test_a_netcdf_file_holds_histories_and_fields(tmp_path, capsys):

@@ -13,9 +13,9 @@ from solvers.inverse import RecoveredWaves, from_one_gauge, from_two_gauges
 from solvers.record_files import load_record
 from solvers.records import Alignment, Record, align, expected
 
+from ..views.record import MAX_FOLLOWED, other_sign
 from .export import check_name
 
-LONGEST = 50.0  # time units of the scene that a record is followed beyond the blow
 UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
 
 
@@ -68,7 +68,7 @@ def _solution(scene: solvers.Scene, record: Record) -> Solution:
     """The scene solved for as long as the record may tell of it."""
     solution = solvers.solve(scene)
     lag = sum(rod.round_trip_time for rod in getattr(scene.target, "rods", ()))  # beyond any place in them
-    wanted = min(float(np.ptp(record.time)) + lag, solution.duration + LONGEST * scene.time_unit)
+    wanted = min(float(np.ptp(record.time)) + lag, solution.duration + MAX_FOLLOWED * scene.time_unit)
     if "duration" in scene.method or solution.motion is None or wanted <= solution.duration:
         return solution
     return solvers.solve(scene, duration=wanted)
@@ -82,15 +82,6 @@ def _recovered(solution: Solution, records: list[Record], places: list[float]) -
         allowed = "'rod', to recover the contact force by one gauge; or 'rods', with two gauges on the first of them"
         raise SceneError("target.kind", target.kind, allowed)
     return from_two_gauges(*records, target.rods[0], *places)
-
-
-def other_sign(record: Record, solution: Solution, x: float | None, found: Alignment) -> float | None:
-    """The residual with the sign turned, where that lies much better; else None."""
-    try:
-        other = align(record.scaled(-1.0), solution, x).residual.relative
-    except SceneError:  # with the other sign it lies nowhere
-        return None
-    return other if other < 0.7 * found.residual.relative else None
 
 
 def _answer(

@@ -2,12 +2,15 @@
 
 import json
 import re
+import sys
 
 import numpy as np
 
 import solvers
 from solvers import SceneError
 from solvers.studies import spaced, sweep
+
+from .interrupts import interruptible
 
 ALLOWED = "KEY=LOW..HIGH[:COUNT][:log|:linear], such as impactor.mass=0.1..10:50"
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -30,11 +33,14 @@ def parse_range(text: str) -> tuple[str, np.ndarray]:
 
 
 def print_sweep(scene: solvers.Scene, vary: str, as_json: bool) -> int:
-    """Print the sweep as a table, or as a list of tables in JSON."""
+    """Print the sweep as a table, or as a list of tables in JSON; after an interrupt what is solved by then."""
     key, values = parse_range(vary)
-    rows = sweep(scene, key, values)
+    with interruptible() as interrupted:
+        rows = sweep(scene, key, values, cancel=interrupted)
     print(json.dumps(rows, indent=1, allow_nan=False) if as_json else table(key, rows))
-    return 0
+    if interrupted():
+        print(f"impact: stopped after {len(rows)} of at most {len(values)} values", file=sys.stderr)
+    return 130 if interrupted() else 0
 
 
 def table(key: str, rows: list[dict[str, object]]) -> str:

@@ -1,0 +1,1 @@
+"""The command `impact`: one module for each of its larger words."""

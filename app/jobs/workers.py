@@ -1,0 +1,326 @@
+"""Processes that solve, so that no solve holds up the page, and none holds up a quicker one for long.
+
+Work begins among the quick. What takes longer than its level allows moves to the next, which gets less of the
+processors and has fewer seats; where those are taken it is ended, and begun again once one is free. Of the visitors
+who wait, whoever has had least computing time lately comes first. A process can be ended at any time: another is
+forked, in some milliseconds, from one that has everything loaded.
+"""
+
+import asyncio
+import logging
+import math
+import multiprocessing
+import os
+import signal
+import time
+from collections.abc import Callable, Hashable
+from contextlib import suppress
+from multiprocessing import forkserver
+from typing import Any, NamedTuple
+
+import numba
+
+from solvers.jit import NotCompiled
+
+from .fair import Shares
+from .worker import DONE, NOT_COMPILED, REFUSED, TOLD, Task, serve
+
+CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
+MAX_WALL = 12.0  # times its seconds, after which work is taken to hang: not running, it uses up no computing time
+COMPILE_SECONDS = 60.0  # of computing besides, where kernels may have to be compiled first
+IDLE_SECONDS = 10.0  # after which a process that is not among the quick, and has nothing to do, is ended
+BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+PRELOADED = "app.jobs.preload"
+log = logging.getLogger("strikewave")
+
+
+class Level(NamedTuple):
+    seats: int  # processes at once
+    seconds: float  # after which work moves to the next level [s]
+    nice: int  # 0 to 19: the larger, the less of a processor that others want too
+
+
+QUICK, SLOW, LONG = range(3)
+LEVELS = (
+    Level(seats=max(2, CPUS), seconds=0.05, nice=0),
+    Level(seats=max(2, CPUS), seconds=1.0, nice=10),
+    Level(seats=max(1, CPUS // 2), seconds=math.inf, nice=19),
+)
+
+
+class GivenUp(ValueError):
+    """Work took more computing time than it may; the sentence is for the visitor."""
+
+    def __init__(self, seconds: float):
+        super().__init__(
+            f"This was given up after {seconds:g} s of computing, the most that one answer may take here: "
+            "fewer modes or elements, or a mass ratio nearer to 1, take less."
+        )
+
+
+class Lost(RuntimeError):
+    """A process ended in the middle of its work, or did not go on with it."""
+
+
+class Job:
+    """One piece of work. `answer`: its result, once there is one; to cancel it abandons the work at once."""
+
+    def __init__(self, task: Task, visitor: Hashable, level: int, tell: Callable[[Any], None] | None):
+        self.task, self.visitor, self.level, self.tell = task, visitor, level, tell
+        self.answer: asyncio.Future = asyncio.get_running_loop().create_future()
+        self.begun: float | None = None  # while a process works on it, when that began
+        self.worker: _Worker | None = None
+
+    def end(self) -> None:
+        """Have work that is stoppable end soon, with what it has; the answer comes as usual."""
+        if self.worker is None:
+            self.answer.cancel()
+        else:
+            with suppress(OSError):
+                self.worker.connection.send(None)
+
+
+class Workers:
+    """The processes of one event loop."""
+
+    def __init__(self, levels: tuple[Level, ...] = LEVELS):
+        self._levels = levels
+        self._loop = asyncio.get_running_loop()
+        self._workers: list[_Worker] = []
+        self._waiting: list[Job] = []
+        self._forking = [0] * len(levels)
+        self._shares = Shares()
+        self._stopped = False
+
+    def start(
+        self,
+        work: Callable,
+        *arguments: Any,
+        visitor: Hashable = None,
+        level: int = QUICK,
+        seconds: float = MAX_SECONDS,
+        compiled: bool = True,
+        stoppable: bool = False,
+        tell: Callable[[Any], None] | None = None,
+    ) -> Job:
+        """Have `work`, a function of a module, done with these arguments.
+
+        The answer is its result, or raises ValueError with a sentence for the visitor (GivenUp after `seconds` of
+        computing), NotCompiled, or Lost.
+        """
+        if not compiled:
+            level, seconds = LONG, seconds + COMPILE_SECONDS
+        job = Job(Task(work, arguments, seconds, compiled, stoppable, tell is not None), visitor, level, tell)
+        job.answer.add_done_callback(lambda _: self._leave(job))
+        self._waiting.append(job)
+        self.fill()
+        return job
+
+    def fill(self) -> None:
+        """Give work to every process that has none, and fork those that are missing."""
+        for level in range(0 if self._stopped else len(self._levels)):
+            idle = [worker for worker in self._workers if worker.level == level and worker.job is None]
+            while idle and (job := self._next(level)) is not None:
+                self._give(idle.pop(), job)
+            while self._seats_left(level) > 0 and self._wants_more(level):
+                self._forking[level] += 1
+                _keep(self._loop.create_task(self._fork(level)))
+
+    def stop(self) -> None:
+        """End all processes, at once."""
+        self._stopped = True
+        for worker in list(self._workers):
+            self._end(worker)
+        for job in list(self._waiting):
+            job.answer.cancel()
+
+    def _able(self, level: int) -> list[Job]:
+        """Those who wait there and may begin; beyond the quick a visitor has one piece of work at a time."""
+        busy = {worker.job.visitor for worker in self._workers if worker.job is not None and worker.level == level}
+        return [job for job in self._waiting if job.level == level and not (level > QUICK and job.visitor in busy)]
+
+    def _next(self, level: int) -> Job | None:
+        return min(self._able(level), key=lambda job: self._shares.used(job.visitor), default=None)
+
+    def _wants_more(self, level: int) -> bool:
+        """The quick are always there; of the others there are as many as have work."""
+        return level == QUICK or len({job.visitor for job in self._able(level)}) > self._forking[level]
+
+    def _seats_left(self, level: int) -> int:
+        taken = sum(worker.level == level for worker in self._workers)
+        return self._levels[level].seats - taken - self._forking[level]
+
+    async def _fork(self, level: int) -> None:
+        try:
+            worker = await self._loop.run_in_executor(None, _Worker, level)
+        finally:
+            self._forking[level] -= 1
+        worker.sink(level, self._levels[level].nice)
+        self._workers.append(worker)
+        if self._stopped:
+            self._end(worker)
+            return
+        self._loop.add_reader(worker.connection.fileno(), self._read, worker)
+        self._rest(worker)
+
+    def _give(self, worker: "_Worker", job: Job) -> None:
+        self._waiting.remove(job)
+        worker.job, job.worker, job.begun = job, worker, time.monotonic()
+        with suppress(OSError):  # of a process that has just ended, which its reader will see
+            worker.connection.send(job.task)
+        self._watch(worker, job)
+
+    def _watch(self, worker: "_Worker", job: Job) -> None:
+        seconds, late = self._levels[worker.level].seconds, self._move_down
+        if math.isinf(seconds):
+            seconds, late = MAX_WALL * job.task.seconds, self._hangs
+        worker.watch(self._loop.call_later(seconds, late, worker))
+
+    def _move_down(self, worker: "_Worker") -> None:
+        """Work that takes longer than its level allows gives up its seat."""
+        job, level = worker.job, worker.level + 1
+        self._charge(job)
+        if self._seats_left(level) > 0 and job.visitor not in {
+            other.job.visitor for other in self._workers if other.job is not None and other.level == level
+        }:
+            worker.sink(level, self._levels[level].nice)
+            job.level = level
+            self._watch(worker, job)
+        else:
+            worker.job = None
+            self._end(worker)
+            job.level, job.worker, job.begun = level, None, None
+            self._waiting.append(job)
+        self.fill()
+
+    def _hangs(self, worker: "_Worker") -> None:
+        log.error("%s did not go on, and was ended", worker.job.task.work.__qualname__)
+        self._end(worker)
+        self.fill()
+
+    def _read(self, worker: "_Worker") -> None:
+        """Take what a process says; where it says nothing any more it has ended."""
+        try:
+            kind, value = worker.connection.recv()
+        except (EOFError, OSError):
+            self._end(worker, died=True)
+            self.fill()
+            return
+        job = worker.job
+        if job is None:  # its work was abandoned
+            return
+        if kind == TOLD:
+            if not job.answer.done():
+                job.tell(value)
+            return
+        self._charge(job)
+        job.worker = worker.job = None
+        if not job.answer.done():
+            _settle(job, kind, value)
+        self._rest(worker)
+
+    def _rest(self, worker: "_Worker") -> None:
+        """It has nothing to do; what is not among the quick ends if that lasts."""
+        worker.watch(self._loop.call_later(IDLE_SECONDS, self._end, worker) if worker.level > QUICK else None)
+        self.fill()
+
+    def _leave(self, job: Job) -> None:
+        """Who no longer wants an answer makes room at once."""
+        if job in self._waiting:
+            self._waiting.remove(job)
+        if job.worker is not None:
+            self._charge(job)
+            worker, job.worker.job, job.worker = job.worker, None, None
+            self._end(worker)
+            self.fill()
+
+    def _charge(self, job: Job) -> None:
+        self._shares.charge(job.visitor, time.monotonic() - job.begun)
+        job.begun = time.monotonic()
+
+    def _end(self, worker: "_Worker", died: bool = False) -> None:
+        """End a process; work that it had gets the reason for an answer."""
+        if worker not in self._workers:
+            return
+        self._workers.remove(worker)
+        self._loop.remove_reader(worker.connection.fileno())
+        worker.watch(None)
+        code = worker.end(died)
+        job, worker.job = worker.job, None
+        if job is None:
+            return
+        job.worker = None
+        if not job.answer.done():
+            used_up = code == -signal.SIGPROF
+            job.answer.set_exception(GivenUp(job.task.seconds) if used_up else Lost(job.task.work.__qualname__))
+
+
+class _Worker:
+    """A process that solves."""
+
+    def __init__(self, level: int):
+        ours, theirs = forks().Pipe()
+        self.connection, self.level = ours, level
+        self.job: Job | None = None
+        self._timer: asyncio.TimerHandle | None = None
+        self._process = forks().Process(target=serve, args=(theirs,), daemon=True)
+        self._process.start()
+        theirs.close()
+
+    def sink(self, level: int, nice: int) -> None:
+        """To a level that gets less of the processors."""
+        self.level = level
+        if nice:
+            with suppress(OSError):  # it has just ended
+                os.setpriority(os.PRIO_PROCESS, self._process.pid, nice)
+
+    def watch(self, timer: asyncio.TimerHandle | None) -> None:
+        """One timer at a time."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._timer = timer
+
+    def end(self, died: bool) -> int | None:
+        """Kill it, unless it has ended; the exit code as it was before."""
+        self.connection.close()
+        self._process.join(0.5 if died else 0.0)
+        code = self._process.exitcode
+        if code is None:
+            self._process.kill()
+        return code
+
+
+def prepare() -> None:
+    """Start the process that workers are forked from, which loads what they need while this one does other things."""
+    forks()
+    forkserver.ensure_running()
+
+
+def forks() -> Any:
+    """What processes are made by: forked from one that has loaded all they need, and nothing else."""
+    context = multiprocessing.get_context("forkserver")
+    if not _PREPARED:
+        os.environ.setdefault("NUMBA_CACHE_DIR", str(numba.config.CACHE_DIR))
+        for library in BLAS_THREADS:  # one each: there are as many processes as processors
+            os.environ.setdefault(library, "1")
+        context.set_forkserver_preload([PRELOADED])
+        _PREPARED.append(True)
+    return context
+
+
+def _settle(job: Job, kind: str, value: Any) -> None:
+    if kind == DONE:
+        job.answer.set_result(value)
+    else:
+        job.answer.set_exception({REFUSED: ValueError, NOT_COMPILED: NotCompiled}.get(kind, Lost)(value))
+
+
+def _keep(task: asyncio.Task) -> None:
+    """Hold a task until it is done: its loop does not."""
+    _TASKS.add(task)
+    task.add_done_callback(_TASKS.discard)
+
+
+_TASKS: set[asyncio.Task] = set()
+_PREPARED: list[bool] = []

@@ -1,0 +1,95 @@
+"""Who may come in: sessions are issued here, one live socket each, and only so many of them."""
+
+import calendar
+import time
+from collections.abc import Iterable
+from typing import Any
+
+from bokeh.util.token import (
+    check_token_signature,
+    generate_jwt_token,
+    generate_session_id,
+    get_session_id,
+    get_token_payload,
+)
+
+from ..address import ASKED
+from ..jobs.turns import Rate
+from ..state import LONGEST_TEXT, Choices
+from .limits import IDLE_SECONDS, MAX_SESSIONS, SESSIONS_BURST, SESSIONS_RATE
+
+TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
+KNOWN = {*Choices.CHOSEN, *ASKED, "panel"}  # keys of an address; others never reach a session
+FULL = "As many visitors as this server takes are here already. Try again in a minute."
+
+
+class Door:
+    """Issues sessions and says who may open a socket to one.
+
+    A session is known by a token that this process has signed; an address, a header or another page cannot name one.
+    """
+
+    def __init__(self, secret: bytes):
+        self._secret = secret
+        self._live: dict[str, Any] = {}  # by session: its socket
+        self._barred: dict[str, float] = {}  # sessions whose visitors were turned out, and when
+        self._new = Rate(SESSIONS_RATE, SESSIONS_BURST)
+
+    def issue(self, arguments: dict[str, list[bytes]]) -> str:
+        """A token for a new session with these choices; the session itself is made when its socket opens."""
+        kept = {key: [arguments[key][-1][: 4 * LONGEST_TEXT]] for key in arguments if key in KNOWN}
+        return generate_jwt_token(
+            generate_session_id(secret_key=self._secret, signed=True),
+            secret_key=self._secret,
+            signed=True,
+            expiration=TOKEN_SECONDS,
+            extra_payload={"headers": {}, "cookies": {}, "arguments": kept},
+        )
+
+    @property
+    def full(self) -> bool:
+        return len(self._live) >= MAX_SESSIONS and self._idlest() is None
+
+    def refuses(self, token: str | None, sessions: Iterable[str]) -> str | None:
+        """Why this token opens no socket, or None; `sessions` are those that exist."""
+        now = time.monotonic()
+        self._barred = {each: when for each, when in self._barred.items() if now - when < TOKEN_SECONDS}
+        session = self._session_in(token)
+        if session is None:
+            return "This page is out of date: reload it."
+        if session in self._barred:
+            return "This page was disconnected: reload it."
+        if session in self._live:
+            return "This session is open already: reload the page for one of its own."
+        if session in sessions:
+            return None
+        if self.full or not self._new.allows():
+            return FULL
+        return None
+
+    def enter(self, socket: Any) -> None:
+        """Count a socket; if there is no room otherwise, who has been idle for longest goes."""
+        if len(self._live) >= MAX_SESSIONS and (idlest := self._idlest()) is not None:
+            idlest.turn_out("Others needed the room: this page was idle for long. Reload it to go on.")
+        self._live[socket.session_id] = socket
+
+    def leave(self, socket: Any) -> None:
+        if self._live.get(socket.session_id) is socket:
+            del self._live[socket.session_id]
+
+    def bar(self, session: str) -> None:
+        """Let this session be opened no more."""
+        self._barred[session] = time.monotonic()
+
+    def _idlest(self) -> Any:
+        socket = min(self._live.values(), key=lambda each: each.active, default=None)
+        return socket if socket is not None and time.monotonic() - socket.active > IDLE_SECONDS else None
+
+    def _session_in(self, token: str | None) -> str | None:
+        try:
+            if not token or not check_token_signature(token, secret_key=self._secret, signed=True):
+                return None
+            expires = get_token_payload(token).get("session_expiry", 0)
+            return get_session_id(token) if calendar.timegm(time.gmtime()) < expires else None
+        except (ValueError, KeyError, TypeError, IndexError):  # no token at all
+            return None

@@ -1,0 +1,92 @@
+"""What a browser fetches: the page, which is the same for all but for its token, and the files that belong to it."""
+
+import json
+import re
+from hashlib import sha256
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import bokeh.server
+import panel
+from tornado.web import HTTPError, RequestHandler, StaticFileHandler
+
+from ..lab import STATIC, VERSION
+from .door import FULL
+
+LIBRARIES = (  # of the page, in this order: address, and the file there
+    ("static/js/bokeh.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh.min.js"),
+    ("static/js/bokeh-widgets.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-widgets.min.js"),
+    ("static/js/bokeh-tables.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-tables.min.js"),
+    ("static/extensions/panel/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
+)
+FILES = {path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file()}
+POLICY = (
+    "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'self'"
+)  # blob: Panel makes a module of its own code; styles: Bokeh writes them into every shadow root
+
+
+def _shell() -> str:
+    """The page, but for its session."""
+    modules = [name for name in sorted(FILES) if name.endswith(".js") and "/" not in name]
+    preloads = [f'<link rel="modulepreload" href="assets/{VERSION}/{name}">' for name in modules]
+    versions = [sha256(file.read_bytes()).hexdigest()[:16] for _, file in LIBRARIES]
+    scripts = [
+        f'<script src="{address}?v={version}" defer></script>'
+        for (address, _), version in zip(LIBRARIES, versions, strict=True)
+    ]
+    text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8").replace("VERSION", VERSION)
+    return text.replace("MODULES", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
+
+
+SHELL = _shell()
+
+
+class Page(RequestHandler):
+    """GET of the page. Makes no document and solves nothing: that begins with the socket."""
+
+    def initialize(self, **_: Any) -> None:
+        self._door = self.application.settings["door"]
+
+    def get(self) -> None:
+        self.set_header("Cache-Control", "no-store")  # each page has a session of its own
+        if self._door.full:
+            self.set_status(503)
+            self.set_header("Retry-After", "20")
+            self.write(f'<!DOCTYPE html><title>Strikewave</title><meta http-equiv="refresh" content="20"><p>{FULL}</p>')
+            return
+        token = self._door.issue(self.request.query_arguments)
+        self.write(SHELL.replace("SESSION", escape(json.dumps({"token": token}), quote=False)))
+
+
+class Asset(StaticFileHandler):
+    """A file of ours, by its name; there are no others."""
+
+    def validate_absolute_path(self, root: str, absolute_path: str) -> str | None:
+        if self.path.replace("\\", "/") not in FILES:
+            raise HTTPError(404)
+        return super().validate_absolute_path(root, absolute_path)
+
+    def set_extra_headers(self, path: str) -> None:
+        self.set_header("Cache-Control", "public, max-age=31536000, immutable")  # the version is in the address
+
+
+class Alive(RequestHandler):
+    """Answers as soon as the server serves, which is after the first page is ready."""
+
+    def get(self) -> None:
+        self.write({"alive": True})
+
+
+def set_headers(handler: RequestHandler) -> None:
+    """What every answer carries; nothing of it names a version."""
+    host = handler.request.host
+    sockets = f"ws://{host} wss://{host}" if re.fullmatch(r"[\w.:\[\]-]{1,260}", host) else ""
+    handler.set_header("Content-Security-Policy", POLICY.format(sockets=sockets))
+    handler.set_header("X-Content-Type-Options", "nosniff")
+    handler.set_header("X-Frame-Options", "SAMEORIGIN")
+    handler.set_header("Referrer-Policy", "same-origin")
+    handler.set_header("Cross-Origin-Opener-Policy", "same-origin")
+    handler.clear_header("Server")

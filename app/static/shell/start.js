@@ -1,0 +1,11 @@
+// Open the session that came with the page, or say why it cannot be.
+const FULL = 'The page could not be opened: the server is busy, or gone. Try again in a minute.';
+
+const start = async () => {
+  const { token } = JSON.parse(document.getElementById('session').textContent), place = document.getElementById('lab');
+  window.Bokeh.set_log_level('error');
+  await window.Bokeh.embed.embed_items({}, [{ token, elementid: 'lab', roots: {}, root_ids: [], use_for_title: false }]);
+  if (!window.Bokeh.documents.length) place.append(Object.assign(document.createElement('p'), { className: 'closed', textContent: FULL }));
+};
+
+start();

@@ -1,0 +1,1 @@
+"""Views beside the solution: what each shows, worked out from the choices."""

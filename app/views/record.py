@@ -1,0 +1,140 @@
+"""A measured record beside the chosen scene: how it lies on the solution, and the contact force that it tells of."""
+
+import json
+from typing import Any
+
+import numpy as np
+
+from solvers import SceneError, Solution, checks, read_method
+from solvers.inverse import from_one_gauge
+from solvers.record_files import read_record
+from solvers.records import Alignment, Record, align, expected
+
+from ..frames import exact_solution
+from ..state import Choices, chosen_scene, from_address, in_space
+
+MAX_POINTS = 2_000  # of each history in an answer
+MAX_FOLLOWED = 50.0  # time units of the scene that a record is followed beyond the impact
+BEFORE = 1.0  # [T] of a record that are shown ahead of the impact
+
+
+def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
+    """The choices in a query. Raises ValueError with a sentence for each that cannot be."""
+    choices, refused = from_address(arguments)
+    if refused:
+        raise ValueError(" ".join(refused))
+    return Choices(**choices).chosen()
+
+
+def record_answer(content: bytes, arguments: dict[str, list[bytes]]) -> str:
+    """What the page draws of a record, as JSON. Raises SceneError naming what is wrong with file or query.
+
+    `time` [T] and `values` of the record as it lies best on the solution; `computed`: `time` [T] and `model`, what the
+    exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
+    scaled like it, or None; `kind`, `shift` [s], `scale`, `residual`, `notes`. Values in SI units.
+    """
+    chosen = chosen_in(arguments)
+    scene = chosen_scene(chosen)
+    if in_space(scene):
+        raise SceneError("scene", chosen["scene"], "one on an axis: a blow in space has no history")
+    given = {key: arguments.get(key, [b""])[-1].decode("utf-8", "replace")[:40] for key in ("kind", "at", "sign")}
+    sign = int(checks.choice("sign", given["sign"] or "1", ("1", "-1")))
+    record = read_record(content, kind=given["kind"] or None, sign=sign)
+    place = _place(given["at"], record)
+    solution = _solution(scene, record, chosen["restitution"])
+    found = align(record, solution, place)
+    notes = list(solution.notes)
+    if (other := other_sign(record, solution, place, found)) is not None:
+        notes.append(f"With the other sign the record lies better, with a residual of {100 * other:.3g} %.")
+    recovered = None
+    try:
+        recovered = _recovered(record, solution, place, found)
+    except SceneError as refusal:
+        notes.append(f"No contact force is recovered. {refusal}")
+    return _packed(record, solution, place, found, recovered, notes)
+
+
+def _place(text: str, record: Record) -> float | None:
+    """Of the gauge [m]; of a contact force none."""
+    if record.kind == "force":
+        return None
+    try:
+        value: Any = float(text.replace(",", ".", 1))
+    except ValueError:
+        value = text or None
+    if value is None:
+        raise SceneError("at", None, f"where the gauge of {record.kind} sits, in metres from the struck end")
+    return checks.number("at", value, 0.0, 1e6, "m")
+
+
+def _solution(scene: Any, record: Record, restitution: float) -> Solution:
+    """The exact one, for as long as the record may tell of it."""
+    exact, trip = exact_solution(scene, restitution), scene.time_unit
+    lag = sum(rod.round_trip_time for rod in getattr(scene.target, "rods", ()))
+    wanted = min(float(np.ptp(record.time)) + lag, exact.duration + MAX_FOLLOWED * trip)
+    if exact.motion is None or wanted <= exact.duration:
+        return exact
+    given = {key: value for key, value in exact.method.items() if value is not None}
+    return read_method(given)[0].solve(scene, wanted)
+
+
+def _recovered(
+    record: Record, solution: Solution, place: float | None, found: Alignment
+) -> tuple[np.ndarray, np.ndarray]:
+    """Times [s] and contact force [N] from the record alone."""
+    moved = record.shifted(found.shift).scaled(found.scale)
+    if record.kind == "force":
+        return moved.time, moved.values
+    target = solution.scene.target
+    if target.kind != "rod":
+        raise SceneError("target.kind", target.kind, "'rod', to recover the contact force by one gauge")
+    waves = from_one_gauge(moved, target, place)
+    return waves.time, waves.force
+
+
+def _packed(
+    record: Record,
+    solution: Solution,
+    place: float | None,
+    found: Alignment,
+    recovered: tuple[np.ndarray, np.ndarray] | None,
+    notes: list[str],
+) -> str:
+    trip = solution.scene.time_unit
+    ends = min(solution.duration, float(record.time[-1]) + found.shift)
+    computed = np.linspace(0.0, ends, MAX_POINTS)
+    histories = {
+        "record": (record.time + found.shift, record.values * found.scale),
+        "computed": (computed, expected(solution, record.kind, computed, place)),
+    }
+    if recovered is not None:
+        histories["recovered"] = recovered
+    shown = {name: _shown(*history, trip, ends) for name, history in histories.items()}
+    answer = {
+        "kind": record.kind,
+        "time": shown["record"][0],
+        "values": shown["record"][1],
+        "computed": dict(zip(("time", "model"), shown["computed"], strict=True)),
+        "recovered": dict(zip(("time", "force"), shown["recovered"], strict=True)) if recovered else None,
+        "shift": found.shift,
+        "scale": found.scale,
+        "residual": found.residual.relative,
+        "notes": notes,
+    }
+    return json.dumps(answer, allow_nan=False)
+
+
+def _shown(time: np.ndarray, values: np.ndarray, trip: float, ends: float) -> tuple[list[float], list[float]]:
+    """Around the blow, in units of T, and thinned to what can be drawn."""
+    inside = np.flatnonzero((time >= -BEFORE * trip) & (time <= ends * (1.0 + 1e-12)) & np.isfinite(values))
+    rows = inside[np.linspace(0, inside.size - 1, min(inside.size, MAX_POINTS)).round().astype(int)]
+    return (time[rows] / trip).tolist(), values[rows].tolist()
+
+
+def other_sign(record: Record, solution: Solution, x: float | None, found: Alignment) -> float | None:
+    """The residual with the sign turned, where that lies much better; else None."""
+    try:
+        other = align(record.scaled(-1.0), solution, x).residual.relative
+    except SceneError:  # with the other sign it lies nowhere
+        return None
+    return other if other < 0.7 * found.residual.relative else None

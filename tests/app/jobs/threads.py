@@ -1,0 +1,35 @@
+"""In place of the processes: the same, on threads, for work that is a function of a test."""
+
+import asyncio
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
+
+from solvers.jit import compiled_only
+
+POOL = ThreadPoolExecutor(8)
+
+
+class ThreadJob:
+    level = 0
+
+    def __init__(self, work, arguments, compiled, stoppable, tell):
+        self.begun = time.monotonic()
+        self._ended = threading.Event()
+        loop = asyncio.get_running_loop()
+        more = (self._ended.is_set,) if stoppable else ()
+        more += (lambda part: loop.call_soon_threadsafe(tell, part),) if tell else ()
+
+        def run():
+            with compiled_only() if compiled else nullcontext():
+                return work(*arguments, *more)
+
+        self.answer = asyncio.ensure_future(loop.run_in_executor(POOL, run))
+
+    def end(self):
+        self._ended.set()
+
+
+def start(work, *arguments, visitor=None, level=0, seconds=0.0, compiled=True, stoppable=False, tell=None):
+    return ThreadJob(work, arguments, compiled, stoppable, tell)
