@@ -59,6 +59,13 @@ class Socket(WSHandler):
 
     async def on_message(self, fragment: str | bytes) -> None:
         """Take a part of a message; who sends more than their share is not read from until it is their turn."""
+        try:
+            await self._take(fragment)
+        except Exception as error:  # nobody above could do anything about it
+            log.error("a message could not be taken: %r", error)
+            self.close(LIMIT, "This message could not be read.")
+
+    async def _take(self, fragment: str | bytes) -> None:
         if not await self._in_turn() or self.connection is None:
             return
         message = await self._receive(fragment)
@@ -105,21 +112,23 @@ class Socket(WSHandler):
 
     async def _post(self, message: Message, events: list[dict[str, Any]]) -> None:
         """Have it handled in turn; what it sets anew is dropped from those that still wait."""
-        kept = deque()
+        kept, dropped = deque(), []
         for earlier, before in self._mail:
-            left = guard.newest_only(before, events) if before else before
+            left = guard.newest_only(before, events)
             if before and not left:
-                await self._answer(self.connection.ok(earlier))
+                dropped.append(earlier)
             else:
                 kept.append((earlier, left))
         self._mail = kept
-        if len(kept) >= MAX_WAITING:
+        if len(kept) < MAX_WAITING:
+            kept.append((message, events))
+            if not self._delivering:
+                self._delivering = True
+                asyncio.ensure_future(self._deliver()).add_done_callback(_seen)
+        else:
             await self._refuse(message, "too many messages")
-            return
-        kept.append((message, events))
-        if not self._delivering:
-            self._delivering = True
-            asyncio.ensure_future(self._deliver()).add_done_callback(_seen)
+        for earlier in dropped:
+            await self._answer(self.connection.ok(earlier))
 
     async def _deliver(self) -> None:
         turnstile = of_loop(Turnstile)

@@ -1,45 +1,92 @@
-"""The guard rests on details of Bokeh; these tests notice when they change."""
+"""What of a document a client may change; the guard rests on details of Bokeh, and notices when they change."""
 
-from bokeh.server.connection import ServerConnection
-from bokeh.server.protocol_handler import ProtocolHandler
+import inspect
+
+import pytest
+from panel.reactive import Syncable
 
 from app.lab import Lab
+from app.questions import Questions
 from app.serving import guard
+from app.serving.sockets import SETTABLE
+from app.state import Choices
+
+OWN = "p1"
+CHANGE = {"kind": "ModelChanged", "model": {"id": OWN}, "attr": "speed", "new": 2.0}
+READY = {"type": "event", "name": "document_ready", "values": {"type": "map"}}
+SAID = {"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": READY}
 
 
-def test_the_guard_is_installed_once_and_around_what_it_needs():
-    guard.install()
-    first = ProtocolHandler.handle, ServerConnection.error
-    guard.install()
-    assert (ProtocolHandler.handle, ServerConnection.error) == first
-    assert ProtocolHandler.handle.guarded
+def taken(*events, kind="PATCH-DOC"):
+    verdict = guard.judge(kind, {"events": list(events)}, OWN, SETTABLE)
+    return None if verdict.reason else verdict.events
 
 
-def test_only_plain_values_and_events_pass():
-    change = {"kind": "ModelChanged", "model": {"id": "p1"}, "attr": "speed", "new": 2.0}
-    assert guard.allowed(change)
-    assert guard.allowed(change | {"new": {"type": "number", "value": "nan"}})
-    assert guard.allowed({"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": {}})
-    for event in (
-        {"kind": "RootAdded"},
+def test_choices_and_what_is_opened_and_asked_are_taken_and_nothing_else_of_the_same_model():
+    for name in (*Choices.CHOSEN, *Lab.OPENED, *Questions.ASKED):
+        assert taken(CHANGE | {"attr": name}) == [CHANGE | {"attr": name}]
+    for name in set(Lab.param) - SETTABLE:
+        assert taken(CHANGE | {"attr": name}) is None, name
+
+
+@pytest.mark.parametrize(
+    "event",
+    [
+        CHANGE | {"model": {"id": "p2"}},
+        CHANGE | {"model": {"id": OWN, "type": "object"}},
+        CHANGE | {"model": OWN},
+        CHANGE | {"attr": ["speed"]},
+        CHANGE | {"new": {"type": "object", "name": "Div"}},
+        CHANGE | {"new": {"type": "number", "value": {"a": 1}}},
+        CHANGE | {"new": [1.0]},
+        CHANGE | {"new": "x" * (guard.LONGEST_VALUE + 1)},
+        CHANGE | {"hint": 1},
+        {"kind": "RootAdded", "model": {"type": "object", "name": "Div", "id": "p9"}},
+        {"kind": "RootRemoved", "model": {"id": OWN}},
         {"kind": "TitleChanged", "title": "x"},
-        change | {"new": {"type": "object", "name": "Div"}},
-        change | {"new": [{"type": "object"}]},
-        {"kind": "ColumnDataChanged"},
+        {"kind": "ColumnDataChanged", "model": {"id": OWN}, "attr": "data", "data": {}},
         {"kind": ["ModelChanged"]},
+        SAID | {"msg_type": "custom"},
+        SAID | {"msg_data": READY | {"name": "button_click"}},
+        SAID | {"msg_data": READY | {"values": {"type": "map", "entries": [["model", {"id": OWN}]]}}},
         {},
         None,
         7,
-    ):
-        assert not guard.allowed(event)
+    ],
+    ids=str,
+)
+def test_no_other_event_is_taken(event):
+    assert taken(event) is None
+    assert taken(CHANGE, event) is None  # nor anything in the same message
+
+
+def test_plain_values_and_the_one_event_are_taken():
+    for value in (1.0, 7, True, None, "waves", "x" * guard.LONGEST_VALUE, {"type": "number", "value": "nan"}):
+        assert taken(CHANGE | {"new": value})
+    assert taken(SAID) == [SAID]
+    assert taken(*[CHANGE] * guard.MAX_EVENTS) and taken(*[CHANGE] * (guard.MAX_EVENTS + 1)) is None
+
+
+def test_what_figures_and_panel_report_by_themselves_is_dropped_without_a_word():
+    reported = CHANGE | {"model": {"id": "p77"}, "attr": "inner_width", "new": 300}
+    assert taken(reported) == [] and taken(CHANGE, reported) == [CHANGE]
+    assert not guard.REPORTED & set(Lab.param)
+
+
+@pytest.mark.parametrize("kind", ["PUSH-DOC", "SERVER-INFO-REQ", "ACK", "OK", "nonsense"])
+def test_no_other_message_is_taken(kind):
+    assert guard.judge(kind, {"events": []}, OWN, SETTABLE).reason
+    assert guard.judge("PATCH-DOC", [], OWN, SETTABLE).reason
+
+
+def test_of_choices_that_are_set_again_only_the_newest_is_kept():
+    first, other = CHANGE | {"new": 1.0}, CHANGE | {"attr": "law"}
+    run = CHANGE | {"attr": "tradeoff_running", "new": True}
+    assert guard.newest_only([first, other, run, SAID], [CHANGE, run]) == [other, run, SAID]
 
 
 def test_the_sliders_wait_for_no_debounce():
     """Panel holds a change back for 50 ms unless its name is on this list of its own."""
     assert set(Lab._priority_changes) >= set(Lab.CHOSEN)
     assert "_priority_changes" in vars(Lab)
-    import inspect
-
-    from panel.reactive import Syncable
-
     assert "_priority_changes" in inspect.getsource(Syncable._server_change)

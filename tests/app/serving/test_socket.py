@@ -9,7 +9,7 @@ import pytest
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
 
-from app.lab import Lab
+from app.lab import VERSION
 from app.state import Choices
 
 from ..socket_client import SocketClient, run
@@ -158,7 +158,7 @@ def test_headers_and_paths_are_safe(server):
         assert "unsafe-eval" not in page.headers["Content-Security-Policy"]
         assert page.headers["X-Content-Type-Options"] == "nosniff"
     assert json.load(urllib.request.urlopen(f"http://{server}/liveness?endpoint=/")) == {"alive": True}
-    version = Lab._esm.split("assets/")[1].split("/")[0]
+    version = VERSION
     for path in (f"assets/{version}/../lab.py", f"assets/{version}/%2e%2e/lab.py", "admin", "rest/session_info"):
         with pytest.raises(urllib.error.HTTPError) as refused:
             urllib.request.urlopen(f"http://{server}/{path}")

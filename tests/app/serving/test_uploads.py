@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from pytest import approx
 
-from app.serving.uploads import AT_ONCE, MOST_POINTS
+from app.serving.uploads import MAX_RECEIVED
+from app.views.record import MAX_POINTS
 from solvers.record_files import MAX_BYTES
 
 from .. import example_record
@@ -49,7 +50,7 @@ def test_a_record_is_compared_and_tells_of_the_force(server):
     assert answer["scale"] == approx(1.0, abs=5e-3)
     assert answer["residual"] < 0.02  # noise of 0.003 of the peak, in a record that is quiet for half of the time
     for history in (answer["time"], answer["computed"]["time"], answer["recovered"]["time"]):
-        assert 100 < len(history) <= MOST_POINTS and np.all(np.diff(history) > 0.0)
+        assert 100 < len(history) <= MAX_POINTS and np.all(np.diff(history) > 0.0)
     assert max(answer["recovered"]["force"]) == approx(PEAK, rel=0.01)
     measured = np.interp(answer["computed"]["time"], answer["time"], answer["values"])
     told = np.array(answer["computed"]["model"])
@@ -139,7 +140,7 @@ def test_other_pages_may_not_send_records(server, origin):
 def test_only_so_many_at_once_and_who_leaves_makes_room(server):
     host, port = server.split(":")
     head = f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nContent-Length: 1000\r\n\r\n"
-    waiting = [socket.create_connection((host, int(port)), timeout=20) for _ in range(AT_ONCE)]
+    waiting = [socket.create_connection((host, int(port)), timeout=20) for _ in range(MAX_RECEIVED)]
     for wire in waiting:
         wire.sendall(head.encode())
     time.sleep(0.5)  # until all are accepted: whoever comes first is served first
