@@ -24,6 +24,7 @@ from . import (
     sweep,
     tradeoffs,
     transverse,
+    visitors,
     waves,
 )
 
@@ -45,6 +46,7 @@ PARTS = {
     "waves": waves,
     "peers": peers,
     "page": page,
+    "visitors": visitors,
 }
 
 IF_ASKED = ("regime-sweep",)  # a minute of all cores

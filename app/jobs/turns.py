@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from .fair import Shares
 
 LOOP_SHARE, LOOP_BURST = 0.8, 0.3  # of the event loop's time for messages and answers, and seconds of it at once
-MAX_CHARGED = 0.05  # s that one turn is charged at most: more of it was spent waiting
+MAX_CHARGED = 0.05  # s that one turn is charged at most: the rest others did while it waited
 
 
 class Rate:
@@ -44,6 +44,7 @@ class Turnstile:
     def __init__(self, share: float = LOOP_SHARE, burst: float = LOOP_BURST):
         self._rate, self._share = Rate(share, burst), share
         self._shares = Shares()
+        self._usual = 0.002  # s that a turn takes, on the average of the last
         self._waiting: list[tuple[Hashable, asyncio.Future]] = []
 
     async def enter(self, who: Hashable) -> None:
@@ -56,26 +57,37 @@ class Turnstile:
             self._wait()
         await turn
 
+    @property
+    def waiting(self) -> int:
+        return len(self._waiting)
+
+    def charge(self, who: Hashable, seconds: float) -> None:
+        """Let somebody pay for what was done for them."""
+        self._rate.take(seconds)
+        self._shares.charge(who, seconds)
+
     @contextmanager
     def pay(self, who: Hashable) -> Iterator[None]:
-        """What is done in this context is paid by its time."""
-        begun = time.perf_counter()
+        """What is done in this context is paid by its computing time."""
+        begun = time.thread_time()
         try:
             yield
         finally:
-            seconds = min(time.perf_counter() - begun, MAX_CHARGED)
-            self._rate.take(seconds)
-            self._shares.charge(who, seconds)
+            seconds = min(time.thread_time() - begun, MAX_CHARGED)
+            self.charge(who, seconds)
+            self._usual += 0.1 * (seconds - self._usual)
 
     def _wait(self) -> None:
         asyncio.get_running_loop().call_later(max(0.001, -self._rate.left / self._share), self._admit)
 
     def _admit(self) -> None:
-        """One at a time: what it costs is known only after it."""
+        """As many as there is time for, by what a turn usually takes; each then pays what it really took."""
         self._waiting = [each for each in self._waiting if not each[1].done()]
-        if self._waiting and self._rate.left > 0.0:
+        left = self._rate.left
+        while self._waiting and left > 0.0:
             first = min(self._waiting, key=lambda each: self._shares.used(each[0]))
             self._waiting.remove(first)
             first[1].set_result(None)
+            left -= self._usual
         if self._waiting:
             self._wait()

@@ -12,6 +12,7 @@ PARTS_RATE, PARTS_BURST = (
 MAX_OVER_SECONDS = 5.0  # for which a socket may send all it can; then it is closed
 MAX_REFUSED = 200  # messages of one socket that are not allowed, before it is closed
 MAX_WAITING = 64  # messages of one socket that wait; an honest page sends none before the last is answered
+MAX_PAGES_WAITING = 300  # requests for the page, and messages, that wait for the event loop
 MAX_SESSIONS = 150  # 0.3 MB each, and a document; more than a class
 SESSIONS_RATE, SESSIONS_BURST = 10.0, 60.0  # new ones a second, and at once: a class that opens one link
 IDLE_SECONDS = 900.0  # after which a session that does nothing makes room, if the server is full

@@ -66,7 +66,7 @@ class Socket(WSHandler):
             self.close(LIMIT, "This message could not be read.")
 
     async def _take(self, fragment: str | bytes) -> None:
-        if not await self._in_turn() or self.connection is None:
+        if not await self._in_turn() or self._gone:
             return
         message = await self._receive(fragment)
         if message is None:
@@ -80,6 +80,11 @@ class Socket(WSHandler):
             await self._answer(self.connection.ok(message))
         else:
             await self._post(message, verdict.events)
+
+    @property
+    def _gone(self) -> bool:
+        """Whether there is no session yet, or no more."""
+        return self.connection is None or self.connection._session is None
 
     async def _in_turn(self) -> bool:
         wait = self._parts.take()
@@ -133,9 +138,9 @@ class Socket(WSHandler):
     async def _deliver(self) -> None:
         turnstile = of_loop(Turnstile)
         try:
-            while self._mail and self.connection is not None:
+            while self._mail and not self._gone:
                 await turnstile.enter(self.session_id)
-                if not self._mail:
+                if not self._mail or self._gone:
                     return
                 message, events = self._mail.popleft()
                 if message.msgtype == "PATCH-DOC":
@@ -161,7 +166,7 @@ class Socket(WSHandler):
 
     async def _tell_and_close(self, sentence: str) -> None:
         try:
-            if self.connection is not None:
+            if not self._gone:
                 session = self.connection.session
                 if (lab := lab_of(session.document)) is not None:
                     telling = session.with_document_locked(setattr, lab, "disconnected", sentence)
@@ -176,7 +181,7 @@ class Socket(WSHandler):
             return
         self._door.leave(self)
         self._mail.clear()
-        if self.connection is not None and (lab := lab_of(self.connection.session.document)) is not None:
+        if not self._gone and (lab := lab_of(self.connection.session.document)) is not None:
             lab.leave()
         super().on_close()
 

@@ -1,0 +1,146 @@
+"""Visitors beside each other on one server: what costly, flooding and many others leave to five who move a slider.
+
+The others are a process of their own, which yields to the rest: their machines would not be the server's.
+"""
+
+import asyncio
+import itertools
+import os
+import random
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from tornado.httpclient import AsyncHTTPClient, HTTPRequest
+
+from tests.app.socket_client import SocketClient, run
+
+from .serving import served_page
+from .timing import row
+
+HONEST, PERIOD = 5, 0.4  # visitors, and seconds between two changes of each
+SECONDS = 10.0  # of each measurement
+COSTLY = {"method": "mode-switch", "modes": 200}  # at mass ratios near 1/1000: 7 s of computing each
+SCENES = ("", "?law=hertz", "?scene=stepped-rod", "?scene=hammer-on-cantilever")
+
+
+async def honest(address: str, seconds: float, query: str = "") -> list[float | None]:
+    """Times [s] until each change was answered, None where a newer one was made first."""
+    client = await SocketClient(address).open(query)
+    await client.changes(1.0)
+    found: list[float | None] = []
+    await asyncio.sleep(random.random() * PERIOD)
+    end = time.monotonic() + seconds
+    while (begun := time.monotonic()) < end:
+        await client.set("mass_ratio", 0.4 + 2.0 * random.random())
+        took = None
+        with suppress(TimeoutError):
+            await asyncio.wait_for(client.answer(), PERIOD * 25)
+            took = time.monotonic() - begun
+        found.append(took)
+        await asyncio.sleep(max(0.0, begun + PERIOD - time.monotonic()))
+    client.close()
+    return found
+
+
+async def costly(address: str, number: int) -> None:
+    """Drags a slider where every answer takes seconds."""
+    client = await SocketClient(address).open()
+    for name, value in COSTLY.items():
+        await client.set(name, value)
+    for k in itertools.count():
+        await client.set("mass_ratio", 0.001 + 1e-5 * (number + 10 * k))
+        await client.changes(0.5)
+
+
+async def flooding(address: str, number: int) -> None:
+    """Sends all that it can, and opens anew when it is turned out."""
+    while True:
+        with suppress(OSError, ConnectionError, AttributeError, asyncio.TimeoutError):
+            client = await SocketClient(address).open()
+            for k in itertools.count():
+                await client.set("mass_ratio", 1.0 + (k % 1000) / 1000.0 + number * 1e-6)
+                if k % 20 == 0:
+                    await asyncio.sleep(0)
+        await asyncio.sleep(1.0)
+
+
+async def fetching(address: str, number: int) -> None:
+    """Fetches the page, and nothing more, as quickly as it can."""
+    client = AsyncHTTPClient(force_instance=True)
+    while True:
+        with suppress(OSError):
+            await client.fetch(HTTPRequest(f"http://{address}/", request_timeout=60))
+
+
+KINDS = {"costly": costly, "flooding": flooding, "fetching": fetching}
+
+
+@contextmanager
+def crowd(address: str, kind: str, count: int) -> Iterator[None]:
+    """So many visitors of a kind, as long as this context lasts."""
+    if not count:
+        yield
+        return
+    others = subprocess.Popen([sys.executable, "-m", __name__, address, kind, str(count)])
+    try:
+        time.sleep(4.0)
+        yield
+    finally:
+        others.kill()
+        others.wait()
+
+
+async def together(address: str, kind: str, count: int) -> None:
+    await asyncio.gather(*(KINDS[kind](address, number) for number in range(count)))
+
+
+async def five(address: str) -> list[float | None]:
+    return list(itertools.chain(*await asyncio.gather(*(honest(address, SECONDS) for _ in range(HONEST)))))
+
+
+def measure() -> dict[str, object]:
+    rows = []
+    with served_page() as (address, _):
+        alone: list[float] = []
+        for kind, count in (("costly", 0), ("costly", 2), ("costly", 4), ("flooding", 20), ("fetching", 20)):
+            with crowd(address, kind, count):
+                times = sorted(each for each in run(five(address)) if each is not None)
+            alone, name = alone or times, f"{count} {kind}" if count else "nobody"
+            middle, late = (1e3 * times[int(share * len(times))] for share in (0.5, 0.95))
+            rows.append(row(f"answers to five beside {name}", len(times) / len(alone), "of alone", ">= 0.6"))
+            rows.append(row(f"an answer beside {name}, p50", middle, "ms"))
+            rows.append(row(f"an answer beside {name}, p95", late, "ms"))
+            rows.append(row(f"p95 beside {name}", late / (1e3 * alone[int(0.95 * len(alone))]), "of alone", "<= 3"))
+    return dict(rows) | _classes()
+
+
+def _classes() -> dict[str, object]:
+    """A whole class, each visitor with two changes a second, scenes mixed."""
+    rows = []
+    for sessions in (10, 25, 50):
+        with served_page() as (address, _):
+
+            async def visit(address: str = address, sessions: int = sessions) -> list[list[float | None]]:
+                begun = time.monotonic()
+                opened = await asyncio.gather(*(SocketClient(address).open() for _ in range(sessions)))
+                rows.append(row(f"{sessions} visitors open at once", time.monotonic() - begun, "s"))
+                for client in opened:
+                    client.close()
+                queries = [SCENES[k % len(SCENES)] for k in range(sessions)]
+                return await asyncio.gather(*(honest(address, SECONDS, query) for query in queries))
+
+            found = list(itertools.chain(*run(visit())))
+            times = sorted(each for each in found if each is not None)
+            rows.append(row(f"{sessions} visitors: answers", len(times) / SECONDS, "/s"))
+            rows.append(row(f"{sessions} visitors: p50", 1e3 * statistics.median(times), "ms"))
+            rows.append(row(f"{sessions} visitors: p95", 1e3 * times[int(0.95 * len(times))], "ms"))
+    return dict(rows)
+
+
+if __name__ == "__main__":
+    os.nice(10)
+    asyncio.run(together(sys.argv[1], sys.argv[2], int(sys.argv[3])))
