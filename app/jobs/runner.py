@@ -12,7 +12,7 @@ from solvers.jit import NotCompiled, compiled_only
 from .answers import Answers
 from .compiler import COMPILER
 from .loops import of_loop
-from .workers import LEVELS, MAX_SECONDS, QUICK
+from .workers import MAX_SECONDS, QUICK, level_after
 
 COMPILING = "Compiling what this needs, once on this machine: some seconds, up to half a minute …"
 LONG_AFTER = 1.0  # s after which the visitor is told that it takes long
@@ -159,7 +159,7 @@ class Runner:
             if told:
                 await said(self._wait(""))
         took = 0.0 if job.begun is None else time.monotonic() - job.begun
-        self._level = next(number for number, level in enumerate(LEVELS) if took <= level.seconds)
+        self._level = level_after(took, self._level)
         return result
 
     def _unwanted(self, job: Any, seconds: float) -> bool:

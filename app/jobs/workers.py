@@ -29,6 +29,7 @@ CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.
 MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
 MAX_WALL = 12.0  # times its seconds, after which work is taken to hang: not running, it uses up no computing time
 COMPILE_SECONDS = 60.0  # of computing besides, where kernels may have to be compiled first
+SETTLED = 0.6  # share of a level's seconds below which work comes back to it: else it would be moved down in turns
 IDLE_SECONDS = 10.0  # after which a process that is not among the quick, and has nothing to do, is ended
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 PRELOADED = "app.jobs.preload"
@@ -137,8 +138,12 @@ class Workers:
 
     def _able(self, level: int) -> list[Job]:
         """Those who wait there and may begin; beyond the quick a visitor has one piece of work at a time."""
-        busy = {worker.job.visitor for worker in self._workers if worker.job is not None and worker.level == level}
+        busy = self._busy(level)
         return [job for job in self._waiting if job.level == level and not (level > QUICK and job.visitor in busy)]
+
+    def _busy(self, level: int) -> set[Hashable]:
+        """Visitors for whom something is done there."""
+        return {worker.job.visitor for worker in self._workers if worker.job is not None and worker.level == level}
 
     def _next(self, level: int) -> Job | None:
         return min(self._able(level), key=lambda job: self._shares.used(job.visitor), default=None)
@@ -181,9 +186,10 @@ class Workers:
         """Work that takes longer than its level allows gives up its seat."""
         job, level = worker.job, worker.level + 1
         self._charge(job)
-        if self._seats_left(level) > 0 and job.visitor not in {
-            other.job.visitor for other in self._workers if other.job is not None and other.level == level
-        }:
+        idle = [other for other in self._workers if other.level == level and other.job is None]
+        if job.visitor not in self._busy(level) and (self._seats_left(level) > 0 or idle):
+            for other in idle[: 1 - self._seats_left(level)]:
+                self._end(other)
             worker.sink(level, self._levels[level].nice)
             job.level = level
             self._watch(worker, job)
@@ -289,6 +295,13 @@ class _Worker:
         if code is None:
             self._process.kill()
         return code
+
+
+def level_after(seconds: float, level: int) -> int:
+    """Where work should begin that took so long last time: one step up only if it would stay there."""
+    fits = next(number for number, each in enumerate(LEVELS) if seconds <= each.seconds)
+    settles = next(number for number, each in enumerate(LEVELS) if seconds <= SETTLED * each.seconds)
+    return settles if fits < level else fits
 
 
 def prepare() -> None:

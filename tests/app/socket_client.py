@@ -33,7 +33,11 @@ class SocketClient:
     async def open(self, query: str = "") -> "SocketClient":
         page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=120)
         self.html = page.body.decode()
-        token = re.search(r'"token":\s*"([^"]+)"', self.html).group(1)
+        return await self.connect(re.search(r'"token":\s*"([^"]+)"', self.html).group(1))
+
+    async def connect(self, token: str) -> "SocketClient":
+        """Open the socket of the session that a token names."""
+        self.token = token
         request = HTTPRequest(f"ws://{self.address}/ws", request_timeout=120)
         self._socket = await websocket_connect(request, subprotocols=["bokeh", token], max_message_size=2**24)
         self._socket.protocol.set_nodelay(True)
@@ -43,6 +47,7 @@ class SocketClient:
         while "doc" not in content:
             _, content = await self.receive()
         await self.patch({"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": READY})
+        self.document = content["doc"]
         self.lab = self._find(content["doc"])
         return self
 
