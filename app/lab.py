@@ -148,12 +148,15 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             await document.session_context.with_locked_document(acting)
 
     def _begin(self) -> None:
-        """The first answer goes out with the page if it is known; else it is asked for."""
+        """The first answer goes out with the page if it is known; else it is asked for when the page is there.
+
+        What is told between the making of a document and the word that it is drawn may be held back, and lost.
+        """
         if (known := KEPT.known(solve_frame, self.chosen())) is not None:
             self.frame = known
             self._answered = self.chosen()
         elif self.visitor is not None:
-            pn.state.execute(partial(self._runner.want, self.chosen()), schedule=True)
+            pn.state.onload(partial(self._runner.want, self.chosen()))
 
     def _wait(self, name: str, sentence: str) -> None:
         """Tell the visitor why an answer takes longer; an empty sentence when it has come."""

@@ -59,7 +59,7 @@ def _usable(folder: Path) -> Path:
         atexit.register(shutil.rmtree, own, ignore_errors=True)
     except OSError:
         own = folder
-        caching._UserProvidedCacheLocator.ensure_cache_path = lambda self: None  # it may be read all the same
+        caching.UserProvidedCacheLocator.ensure_cache_path = lambda self: None  # it may be read all the same
     log.warning("kernels cannot be kept in %s (%s); this process keeps them in %s", folder, reason, own)
     return own
 

@@ -27,6 +27,10 @@ class Wanted:
     def level(self) -> int:
         return self._job.level if self._job else QUICK
 
+    @property
+    def computed(self) -> float:
+        return self._job.computed if self._job else 0.0
+
 
 class Kept:
     """The newest answers; only texts and messages are kept."""

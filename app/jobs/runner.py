@@ -158,8 +158,7 @@ class Runner:
             job.answer.cancel()
             if told:
                 await said(self._wait(""))
-        took = 0.0 if job.begun is None else time.monotonic() - job.begun
-        self._level = level_after(took, self._level)
+        self._level = level_after(job.computed, job.level)
         return result
 
     def _unwanted(self, job: Any, seconds: float) -> bool:

@@ -27,9 +27,11 @@ from .worker import DONE, NOT_COMPILED, REFUSED, TOLD, Task, serve
 
 CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
+WALL_FACTOR = 10.0  # times its seconds of computing, in which work leaves a level: it waits for a processor, or hangs
 MAX_WALL = 12.0  # times its seconds, after which work is taken to hang: not running, it uses up no computing time
 COMPILE_SECONDS = 60.0  # of computing besides, where kernels may have to be compiled first
 SETTLED = 0.6  # share of a level's seconds below which work comes back to it: else it would be moved down in turns
+MAX_FORK_PAUSE = 5.0  # [s] before another is forked in place of one that ended by itself
 IDLE_SECONDS = 10.0  # after which a process that is not among the quick, and has nothing to do, is ended
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 PRELOADED = "app.jobs.preload"
@@ -38,14 +40,14 @@ log = logging.getLogger("strikewave")
 
 class Level(NamedTuple):
     seats: int  # processes at once
-    seconds: float  # after which work moves to the next level [s]
+    seconds: float  # of computing after which work moves to the next level [s]
     nice: int  # 0 to 19: the larger, the less of a processor that others want too
 
 
 QUICK, SLOW, LONG = range(3)
 LEVELS = (
     Level(seats=max(2, CPUS), seconds=0.05, nice=0),
-    Level(seats=max(2, CPUS), seconds=1.0, nice=10),
+    Level(seats=max(2, CPUS), seconds=3.0, nice=10),
     Level(seats=max(1, CPUS // 2), seconds=math.inf, nice=19),
 )
 
@@ -71,6 +73,7 @@ class Job:
         self.task, self.visitor, self.level, self.tell = task, visitor, level, tell
         self.answer: asyncio.Future = asyncio.get_running_loop().create_future()
         self.begun: float | None = None  # while a process works on it, when that began
+        self.computed = 0.0  # [s] of computing, as it was last looked at
         self.worker: _Worker | None = None
 
     def end(self) -> None:
@@ -93,6 +96,7 @@ class Workers:
         self._forking = [0] * len(levels)
         self._shares = Shares()
         self._stopped = False
+        self._deaths = 0  # of processes that ended by themselves, since one answered
 
     def start(
         self,
@@ -136,6 +140,12 @@ class Workers:
         for job in list(self._waiting):
             job.answer.cancel()
 
+    async def close(self) -> None:
+        """End all processes, also those that are just being forked."""
+        self.stop()
+        if forking := [task for task in _TASKS if task.get_loop() is self._loop]:
+            await asyncio.wait(forking, timeout=1.0)
+
     def _able(self, level: int) -> list[Job]:
         """Those who wait there and may begin; beyond the quick a visitor has one piece of work at a time."""
         busy = self._busy(level)
@@ -171,16 +181,27 @@ class Workers:
 
     def _give(self, worker: "_Worker", job: Job) -> None:
         self._waiting.remove(job)
-        worker.job, job.worker, job.begun = job, worker, time.monotonic()
+        worker.job, job.worker, job.begun, job.computed = job, worker, time.monotonic(), 0.0
+        worker.begin()
         with suppress(OSError):  # of a process that has just ended, which its reader will see
             worker.connection.send(job.task)
         self._watch(worker, job)
 
     def _watch(self, worker: "_Worker", job: Job) -> None:
-        seconds, late = self._levels[worker.level].seconds, self._move_down
+        seconds = self._levels[worker.level].seconds
         if math.isinf(seconds):
-            seconds, late = MAX_WALL * job.task.seconds, self._hangs
-        worker.watch(self._loop.call_later(seconds, late, worker))
+            worker.watch(self._loop.call_later(MAX_WALL * job.task.seconds, self._hangs, worker))
+        else:
+            worker.watch(self._loop.call_later(seconds, self._look, worker))
+
+    def _look(self, worker: "_Worker") -> None:
+        """Whether work has had the computing that its level allows; on a busy machine that takes longer than that."""
+        seconds = self._levels[worker.level].seconds
+        left = seconds - worker.computed
+        if left <= 0.0 or time.monotonic() - worker.job.begun > WALL_FACTOR * seconds:
+            self._move_down(worker)
+        else:
+            worker.watch(self._loop.call_later(max(left, 0.005), self._look, worker))
 
     def _move_down(self, worker: "_Worker") -> None:
         """Work that takes longer than its level allows gives up its seat."""
@@ -211,8 +232,10 @@ class Workers:
             kind, value = worker.connection.recv()
         except (EOFError, OSError):
             self._end(worker, died=True)
-            self.fill()
+            self._deaths += 1
+            self._loop.call_later(min(0.01 * 2**self._deaths, MAX_FORK_PAUSE), self.fill)  # not without end
             return
+        self._deaths = 0
         job = worker.job
         if job is None:  # its work was abandoned
             return
@@ -242,8 +265,9 @@ class Workers:
             self.fill()
 
     def _charge(self, job: Job) -> None:
-        self._shares.charge(job.visitor, time.monotonic() - job.begun)
-        job.begun = time.monotonic()
+        computed = job.worker.computed
+        self._shares.charge(job.visitor, computed - job.computed)
+        job.computed = computed
 
     def _end(self, worker: "_Worker", died: bool = False) -> None:
         """End a process; work that it had gets the reason for an answer."""
@@ -270,6 +294,7 @@ class _Worker:
         self.connection, self.level = ours, level
         self.job: Job | None = None
         self._timer: asyncio.TimerHandle | None = None
+        self._since = 0.0
         self._process = forks().Process(target=serve, args=(theirs,), daemon=True)
         self._process.start()
         theirs.close()
@@ -280,6 +305,21 @@ class _Worker:
         if nice:
             with suppress(OSError):  # it has just ended
                 os.setpriority(os.PRIO_PROCESS, self._process.pid, nice)
+
+    def begin(self) -> None:
+        """From now on its computing counts."""
+        self._since = self._clock()
+
+    @property
+    def computed(self) -> float:
+        """Seconds of computing since then."""
+        return self._clock() - self._since
+
+    def _clock(self) -> float:
+        try:
+            return time.clock_gettime(~self._process.pid << 3 | 2)  # as clock_getcpuclockid() makes it, on Linux
+        except OSError:  # elsewhere, or it has just ended
+            return time.monotonic()
 
     def watch(self, timer: asyncio.TimerHandle | None) -> None:
         """One timer at a time."""

@@ -48,7 +48,7 @@ def stop(server: Any) -> None:
     loop = server.io_loop.asyncio_loop
 
     async def end() -> None:
-        of_loop(Workers).stop()
+        await of_loop(Workers).close()
 
     loop.run_until_complete(end())
     forget(loop)

@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 TRY = """
 import numpy as np
@@ -31,3 +33,94 @@ def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
 
     assert answers() == ["value", "7.0"]
     assert answers() == ["7.0"]
+
+
+# --- a cache that is damaged, full or cannot be written ---------------------------------------------------------------
+
+FOUND = """
+import numpy as np
+from solvers.numerics.polynomials import value
+print(value(np.array([1.0, 2.0]), 1, 3.0))
+"""
+
+
+def ran(code: str, cache: Path, **more: str) -> subprocess.CompletedProcess:
+    where = os.environ | {"NUMBA_CACHE_DIR": str(cache)} | more
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, env=where, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def cut(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[:40])
+
+
+def flipped(path: Path) -> None:
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 0xFF
+    path.write_bytes(content)
+
+
+@pytest.mark.parametrize(
+    "ending, damage",
+    [
+        ("nbi", lambda path: path.write_bytes(b"garbage")),
+        ("nbi", cut),
+        ("nbc", lambda path: path.write_bytes(b"")),
+        ("nbc", cut),
+        ("nbc", flipped),
+    ],
+    ids=["index of garbage", "index cut", "kernel empty", "kernel cut", "kernel changed"],
+)
+def test_a_damaged_kernel_is_put_aside_with_one_line_and_compiled_again(tmp_path, ending, damage):
+    assert ran(FOUND, tmp_path).stderr == ""
+    for path in tmp_path.rglob(f"*.{ending}"):
+        damage(path)
+    found = ran(FOUND, tmp_path)
+    assert found.stdout.split() == ["7.0"]
+    assert found.stderr.count("\n") == 1 and "put aside" in found.stderr
+    assert ran(TRY, tmp_path).stdout.split() == ["7.0"]  # and it is in the cache again
+
+
+NOWHERE = """
+import solvers.jit as jit, tempfile, numba
+from pathlib import Path
+
+import pytest
+def refuse(*given, **more):
+    raise OSError(28, "No space left on device")
+tempfile.TemporaryFile = refuse
+{more}
+print(jit._usable(Path({cache!r})))
+"""
+
+
+def test_a_full_disk_is_seen_before_anything_is_kept_there(tmp_path):
+    """What is in the cache is taken along to where there is room; if there is none, it is read where it is."""
+    ran(FOUND, tmp_path)
+    kept = len(list(tmp_path.rglob("*.nbc")))
+    counted = "\nprint(len(list(Path(jit._usable(Path({cache!r}))).rglob('*.nbc'))))"
+    found = ran((NOWHERE + counted).format(more="", cache=str(tmp_path)), tmp_path / "other")
+    elsewhere, number = found.stdout.split()
+    assert elsewhere != str(tmp_path) and int(number) == kept
+    assert "No space left" in found.stderr
+    assert not Path(elsewhere).exists()  # nor is anything left behind
+    nowhere = NOWHERE.format(more="tempfile.mkdtemp = refuse", cache=str(tmp_path))
+    assert ran(nowhere, tmp_path / "other").stdout.split() == [str(tmp_path)]
+
+
+FULL = """
+import numba.core.caching as caching
+def refuse(*given):
+    raise OSError(28, "No space left on device")
+import solvers.jit
+caching.IndexDataCacheFile._save_index = refuse
+"""
+
+
+def test_a_kernel_that_cannot_be_kept_is_used_all_the_same(tmp_path):
+    found = ran(FULL + FOUND, tmp_path)
+    assert found.stdout.split() == ["7.0"]
+    assert found.stderr.count("\n") == 1 and "cannot be kept" in found.stderr

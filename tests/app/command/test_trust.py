@@ -74,9 +74,9 @@ def test_bodies_in_space_are_refused(capsys):
     assert "two bodies that meet on an axis" in refusal(capsys, "ensemble", "brick-off-centre")
 
 
-def test_it_can_be_interrupted():
+def test_an_interrupt_keeps_the_runs_that_are_done():
     words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
-             "method.steps=100000", "--runs", "10000"]  # fmt: skip
+             "method.steps=100000", "--runs", "10000", "--json"]  # fmt: skip
     ready = (
         "import signal, sys, solvers; from app.command.main import main; "
         "signal.signal(signal.SIGINT, signal.default_int_handler); "
@@ -90,7 +90,11 @@ def test_it_can_be_interrupted():
     time.sleep(3.0)  # minutes of work: it is under way
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
-    assert (process.returncode, out, err) == (130, "", "impact: stopped\n")
+    found = json.loads(out)
+    runs = len(found["perturbations"])
+    assert process.returncode == 130 and 10 <= runs < 10_000 and err == ""
+    assert f"Stopped after {runs} of 10000 runs." in found["notes"]
+    assert min(found["perturbations"]) < 0.0 < max(found["perturbations"])  # not only one end of the changes
 
 
 def test_convergence_has_the_promised_keys(capsys):

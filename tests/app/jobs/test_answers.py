@@ -17,7 +17,7 @@ class Jobs:
         self.started = []
 
     def start(self, work, choices, **how):
-        job = type("Job", (), {"begun": None, "level": 0})()
+        job = type("Job", (), {"begun": None, "level": 0, "computed": 0.0})()
         job.answer = asyncio.get_running_loop().create_future()
         self.started.append(job)
         return job

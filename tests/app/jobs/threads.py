@@ -12,7 +12,7 @@ POOL = ThreadPoolExecutor(8)
 
 
 class ThreadJob:
-    level = 0
+    level, computed = 0, 0.0
 
     def __init__(self, work, arguments, compiled, stoppable, tell):
         self.begun = time.monotonic()

@@ -19,6 +19,7 @@ from pathlib import Path
 
 import pytest
 from bokeh.util.token import generate_jwt_token, get_session_id
+from playwright.sync_api import expect
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
@@ -451,3 +452,35 @@ def test_tokens_are_not_bombs(server):
         assert (await closed(await with_token(server, body.rstrip("="))))[0] == 1008
 
     run(attack())
+
+
+def test_a_page_that_is_turned_out_says_why_and_offers_the_way_back(browser, server):
+    page = Page(browser, server)
+    page.evaluate(
+        """async () => {
+          const { model } = strikewave.page;
+          for (let k = 0; k < 9000; k++) {
+            model.mass_ratio = 1 + k / 9000;
+            if (k % 100 === 0) await new Promise((done) => setTimeout(done, 20));
+          }
+        }"""
+    )
+    notice = page.tab.get_by_role("alert")
+    expect(notice).to_contain_text("Too much came from this page at once: it was disconnected.")
+    expect(notice).to_be_in_viewport()
+    page.evaluate("() => { strikewave.page.player.toggle(); }")  # what is shown still plays
+    before = page.evaluate("() => strikewave.page.painted")
+    page.wait("before => strikewave.page.painted > before + 5", before)
+    notice.get_by_role("button", name="Reload").click()
+    page.laid_out()
+    expect(page.tab.get_by_role("alert")).to_be_hidden()
+    page.context.close()
+
+
+def test_a_page_for_which_there_is_no_room_says_so(browser, server):
+    context = browser.new_context()
+    tab = context.new_page()
+    tab.add_init_script("window.WebSocket = class { constructor() { setTimeout(() => this.onerror?.(), 50); } }")
+    tab.goto(f"http://{server}/")
+    expect(tab.get_by_text("The page could not be opened")).to_be_visible()
+    context.close()
