@@ -3,9 +3,11 @@
 import contextlib
 import errno
 import logging
+import os
 import secrets
 import signal
 import sys
+import tempfile
 from typing import Any
 
 from solvers.jit import NotCompiled, all_compiled
@@ -20,6 +22,12 @@ log = logging.getLogger("strikewave")
 
 def serve(port: int, address: str, origins: list[str]) -> int:
     """Serve until interrupted. Prints the address once the page answers at once."""
+    try:
+        tempfile.gettempdir()
+    except FileNotFoundError:
+        wanted = "a folder that can be written, such as a tmpfs at /tmp"
+        print(f"impact: TMPDIR: got {os.environ.get('TMPDIR')!r}; allowed: {wanted}", file=sys.stderr)
+        return 2
     if not all_compiled().exists():
         COMPILER.start()  # while this process loads Panel
     prepare()  # likewise

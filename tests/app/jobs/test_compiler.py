@@ -1,6 +1,7 @@
 """Kernels are compiled in another process; the page waits for them with a word, and for nothing else."""
 
 import asyncio
+import signal
 import threading
 import time
 from functools import wraps
@@ -198,3 +199,28 @@ def test_an_answer_that_takes_long_is_announced(gated_page):
     gate.opened.set()
     page.wait("() => strikewave.page.frame.chosen.law === 'linear'", timeout=60_000)
     expect(sign).to_be_hidden()
+
+
+def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler, monkeypatch, caplog):
+    compiler.ask("solve_frame", IN_SPACE).result(60)
+    hanging = compiler._process
+    hanging.send_signal(signal.SIGSTOP)
+    monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 1.5)
+
+    async def wait():
+        begun = time.monotonic()
+        await compiler.ready("solve_frame", {**IN_SPACE, "speed": 2.0})
+        return time.monotonic() - begun
+
+    assert 1.0 < run(wait(), 30.0) < 20.0
+    assert hanging.wait(5) == -signal.SIGKILL and "was ended" in caplog.text
+    monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 60.0)
+    compiler.ask("solve_frame", IN_SPACE).result(60)  # the next one is served by another
+    assert compiler._process is not hanging
+
+
+def test_one_that_is_busy_but_says_so_is_left_alone(compiler, monkeypatch):
+    compiler.ask("solve_frame", IN_SPACE).result(60)
+    monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 5.0)
+    compiler.end_if_hanging()  # nobody waits
+    assert compiler._process.poll() is None

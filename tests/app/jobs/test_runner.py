@@ -96,3 +96,85 @@ def test_a_newer_wish_ends_what_takes_long(monkeypatch):
 
     run(main())
     assert published == ["endless", "newer"]
+
+
+def test_choices_are_asked_about_when_they_rest():
+    done = []
+
+    async def drag():
+        runner = Runner(lambda choice: done.append(choice), done.append, done.append, rest=0.2, start=start)
+        asked = [asyncio.ensure_future(runner.want(0))]
+        for k in range(1, 10):
+            await asyncio.sleep(0.02)
+            asked.append(asyncio.ensure_future(runner.want(k)))
+        await asyncio.gather(*asked)
+
+    run(drag())
+    assert done == [9]
+
+
+class Waiting:
+    """A job that no process has begun."""
+
+    begun, level, computed = None, 0, 0.0
+
+    def __init__(self):
+        self.answer = asyncio.get_running_loop().create_future()
+
+
+def test_a_newer_wish_takes_the_place_of_one_that_still_waits():
+    jobs = []
+
+    async def main():
+        def begin(work, choices, **how):
+            jobs.append(Waiting())
+            return jobs[-1]
+
+        shown = []
+        runner = Runner(print, shown.append, shown.append, start=begin)
+        first = asyncio.ensure_future(runner.want("old"))
+        await asyncio.sleep(0.05)
+        await runner.want("new")
+        while len(jobs) < 2:
+            await asyncio.sleep(0.02)
+        jobs[1].answer.set_result("answer to the new")
+        await first
+        assert jobs[0].answer.cancelled() and shown == ["answer to the new"]
+
+    run(main(), 10.0)
+
+
+def test_what_nobody_waits_for_is_abandoned_and_who_comes_back_is_answered():
+    jobs, shown = [], []
+
+    async def main():
+        def begin(work, choices, **how):
+            jobs.append(Waiting())
+            jobs[-1].begun = time.monotonic()
+            return jobs[-1]
+
+        runner = Runner(print, shown.append, shown.append, start=begin)
+        first = asyncio.ensure_future(runner.want("one"))
+        await asyncio.sleep(0.05)
+        runner.leave()
+        await asyncio.wait_for(first, 5.0)
+        assert jobs[0].answer.cancelled() and shown == []
+        again = asyncio.ensure_future(runner.want("two"))
+        await asyncio.sleep(0.05)
+        jobs[1].answer.set_result("two is answered")
+        await again
+
+    run(main(), 10.0)
+    assert shown == ["two is answered"]
+
+
+def test_who_waits_long_is_told_how_long_at_most(monkeypatch):
+    monkeypatch.setattr("app.jobs.runner.LONG_AFTER", 0.1)
+    told = []
+
+    async def main():
+        runner = Runner(lambda choice: time.sleep(0.5), told.append, told.append, told.append, seconds=7.0, start=start)
+        await runner.want("slow")
+
+    run(main())
+    assert "given up after 7 s of computing" in told[0] and told[-1] == ""
