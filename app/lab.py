@@ -255,6 +255,10 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
 
     def _process_events(self, events: dict[str, Any]) -> None:
         """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
+        with of_loop(Turnstile).pay(self.visitor):
+            self._take_changes(events)
+
+    def _take_changes(self, events: dict[str, Any]) -> None:
         for name, value in events.items():
             if name in self.OPENED and isinstance(value, bool):
                 super()._process_events({name: value})

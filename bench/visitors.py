@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
+from tornado.websocket import WebSocketClosedError
 
 from tests.app.socket_client import SocketClient, run
 
@@ -59,7 +60,7 @@ async def costly(address: str, number: int) -> None:
 async def flooding(address: str, number: int) -> None:
     """Sends all that it can, and opens anew when it is turned out."""
     while True:
-        with suppress(OSError, ConnectionError, AttributeError, asyncio.TimeoutError):
+        with suppress(OSError, ConnectionError, AttributeError, asyncio.TimeoutError, WebSocketClosedError):
             client = await SocketClient(address).open()
             for k in itertools.count():
                 await client.set("mass_ratio", 1.0 + (k % 1000) / 1000.0 + number * 1e-6)

@@ -41,12 +41,12 @@ log = logging.getLogger("strikewave")
 class Level(NamedTuple):
     seats: int  # processes at once
     seconds: float  # of computing after which work moves to the next level [s]
-    nice: int  # 0 to 19: the larger, the less of a processor that others want too
+    nice: int  # 1 to 19, and the server 0: the larger, the less of a processor that others want too
 
 
 QUICK, SLOW, LONG = range(3)
 LEVELS = (
-    Level(seats=max(2, CPUS), seconds=0.05, nice=0),
+    Level(seats=max(2, CPUS), seconds=0.05, nice=5),
     Level(seats=max(2, CPUS), seconds=3.0, nice=10),
     Level(seats=max(1, CPUS // 2), seconds=math.inf, nice=19),
 )
@@ -135,10 +135,10 @@ class Workers:
     def stop(self) -> None:
         """End all processes, at once."""
         self._stopped = True
+        for job in [*self._waiting, *(worker.job for worker in self._workers if worker.job is not None)]:
+            job.answer.cancel()
         for worker in list(self._workers):
             self._end(worker)
-        for job in list(self._waiting):
-            job.answer.cancel()
 
     async def close(self) -> None:
         """End all processes, also those that are just being forked."""

@@ -14,9 +14,10 @@ from bokeh.util.token import (
 )
 
 from ..address import ASKED
+from ..jobs.fair import Shares
 from ..jobs.turns import Rate
 from ..state import LONGEST_TEXT, Choices
-from .limits import IDLE_SECONDS, MAX_SESSIONS, SESSIONS_BURST, SESSIONS_RATE
+from .limits import IDLE_SECONDS, MAX_REOPEN_PAUSE, MAX_SESSIONS, REOPEN_PAUSE, SESSIONS_BURST, SESSIONS_RATE
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
 KNOWN = {*Choices.CHOSEN, *ASKED, "panel"}  # keys of an address; others never reach a session
@@ -33,6 +34,7 @@ class Door:
         self._secret = secret
         self._live: dict[str, Any] = {}  # by session: its socket
         self._barred: dict[str, float] = {}  # sessions whose visitors were turned out, and when
+        self._turned_out = Shares()  # by address, how many lately
         self._new = Rate(SESSIONS_RATE, SESSIONS_BURST)
 
     def issue(self, arguments: dict[str, list[bytes]]) -> str:
@@ -77,9 +79,14 @@ class Door:
         if self._live.get(socket.session_id) is socket:
             del self._live[socket.session_id]
 
-    def bar(self, session: str) -> None:
-        """Let this session be opened no more."""
+    def bar(self, session: str, address: str = "") -> None:
+        """Let this session be opened no more, and others from there only after a while."""
         self._barred[session] = time.monotonic()
+        self._turned_out.charge(address, 1.0)
+
+    def pause(self, address: str) -> float:
+        """How long [s] a new session from this address waits: a class may be behind one with somebody who floods."""
+        return min(REOPEN_PAUSE * self._turned_out.used(address), MAX_REOPEN_PAUSE)
 
     def _idlest(self) -> Any:
         socket = min(self._live.values(), key=lambda each: each.active, default=None)

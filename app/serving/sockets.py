@@ -15,8 +15,17 @@ from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..lab import Lab, lab_of
 from . import guard
-from .limits import MAX_OVER_SECONDS, MAX_REFUSED, MAX_WAITING, PARTS_BURST, PARTS_RATE
+from .limits import (
+    MAX_OVER_SECONDS,
+    MAX_REFUSED,
+    MAX_WAITING,
+    OVER_PAUSE,
+    PART_SECONDS,
+    PARTS_BURST,
+    PARTS_RATE,
+)
 
+CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
 TOO_MANY = "Too much came from this page at once: it was disconnected. Reload it to go on."
 SETTABLE = guard.SETTABLE | frozenset(Lab.OPENED)
@@ -35,6 +44,7 @@ class Socket(WSHandler):
         self._mail: deque[tuple[Message, list[dict[str, Any]]]] = deque()
         self._delivering = False
         self._refused = self._pulls = 0
+        self._out = False
         reason = "Not the page's protocol."
         if self.selected_subprotocol == "bokeh":
             reason = self._door.refuses(self._token, self.application_context._sessions)
@@ -51,6 +61,7 @@ class Socket(WSHandler):
 
     async def _async_open(self, token: str) -> None:
         turnstile = of_loop(Turnstile)
+        await asyncio.sleep(self._door.pause(self.request.remote_ip))
         await turnstile.enter(self.session_id)
         with turnstile.pay(self.session_id):
             await super()._async_open(token)
@@ -66,7 +77,7 @@ class Socket(WSHandler):
             self.close(LIMIT, "This message could not be read.")
 
     async def _take(self, fragment: str | bytes) -> None:
-        if not await self._in_turn() or self._gone:
+        if self._out or not await self._in_turn() or self._gone or self._out:
             return
         message = await self._receive(fragment)
         if message is None:
@@ -87,6 +98,8 @@ class Socket(WSHandler):
         return self.connection is None or self.connection._session is None
 
     async def _in_turn(self) -> bool:
+        """Wait until this socket may be read from; False if it is closed instead."""
+        of_loop(Turnstile).charge(self.session_id, PART_SECONDS)
         wait = self._parts.take()
         if not wait:
             if self._parts.left > PARTS_BURST / 2:
@@ -97,7 +110,7 @@ class Socket(WSHandler):
         if now - self._over_since > MAX_OVER_SECONDS:
             self.turn_out(TOO_MANY)
             return False
-        await asyncio.sleep(wait)
+        await asyncio.sleep(max(wait, OVER_PAUSE))
         return True
 
     @property
@@ -159,8 +172,11 @@ class Socket(WSHandler):
         await self.send_message(reply)
 
     def turn_out(self, sentence: str) -> None:
-        """Tell the visitor why, and close the socket for good."""
-        self._door.bar(self.session_id)
+        """Tell the visitor why, and close the socket for good; what still comes is not looked at."""
+        if self._out:
+            return
+        self._out = True
+        self._door.bar(self.session_id, self.request.remote_ip)
         self._mail.clear()
         asyncio.ensure_future(self._tell_and_close(sentence)).add_done_callback(_seen)
 
@@ -175,13 +191,21 @@ class Socket(WSHandler):
             pass
         finally:
             self.close(LIMIT, sentence[:120])
+            asyncio.get_running_loop().call_later(CLOSE_SECONDS, self._abort)
+
+    def _abort(self) -> None:
+        """Who goes on sending does not answer that the socket is closed."""
+        if self.ws_connection is not None:
+            self.ws_connection._abort()
 
     def on_close(self) -> None:
         if not self.session_id:
             return
         self._door.leave(self)
         self._mail.clear()
-        if not self._gone and (lab := lab_of(self.connection.session.document)) is not None:
+        if self._gone:
+            return
+        if (lab := lab_of(self.connection.session.document)) is not None:
             lab.leave()
         super().on_close()
 
