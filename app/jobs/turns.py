@@ -61,6 +61,10 @@ class Turnstile:
     def waiting(self) -> int:
         return len(self._waiting)
 
+    def note(self, who: Hashable, seconds: float) -> None:
+        """Remember that somebody has had time, which is no reason for the others to wait longer."""
+        self._shares.charge(who, seconds)
+
     def charge(self, who: Hashable, seconds: float) -> None:
         """Let somebody pay for what was done for them."""
         self._rate.take(seconds)
