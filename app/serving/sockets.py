@@ -100,6 +100,7 @@ class Socket(WSHandler):
     async def _in_turn(self) -> bool:
         """Wait until this socket may be read from; False if it is closed instead."""
         of_loop(Turnstile).note(self.session_id, PART_SECONDS)
+        await asyncio.sleep(0)  # what has come already would be read in one go, while all others wait
         wait = self._parts.take()
         if not wait:
             if self._parts.left > PARTS_BURST / 2:
