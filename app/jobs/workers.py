@@ -12,6 +12,7 @@ import math
 import multiprocessing
 import os
 import signal
+import sys
 import time
 from collections.abc import Callable, Hashable
 from contextlib import suppress
@@ -169,6 +170,10 @@ class Workers:
     async def _fork(self, level: int) -> None:
         try:
             worker = await self._loop.run_in_executor(None, _Worker, level)
+        except OSError as error:
+            log.error("no process could be forked (%s)", error)
+            self._loop.call_later(MAX_FORK_PAUSE, self.fill)
+            return
         finally:
             self._forking[level] -= 1
         worker.sink(level, self._levels[level].nice)
@@ -281,8 +286,10 @@ class Workers:
         if job is None:
             return
         job.worker = None
+        used_up = code == -signal.SIGPROF
+        if used_up:
+            self._shares.charge(job.visitor, job.task.seconds - job.computed)
         if not job.answer.done():
-            used_up = code == -signal.SIGPROF
             job.answer.set_exception(GivenUp(job.task.seconds) if used_up else Lost(job.task.work.__qualname__))
 
 
@@ -316,10 +323,12 @@ class _Worker:
         return self._clock() - self._since
 
     def _clock(self) -> float:
-        try:
-            return time.clock_gettime(~self._process.pid << 3 | 2)  # as clock_getcpuclockid() makes it, on Linux
-        except OSError:  # elsewhere, or it has just ended
+        if sys.platform != "linux":
             return time.monotonic()
+        try:
+            return time.clock_gettime(~self._process.pid << 3 | 2)  # as clock_getcpuclockid() makes it
+        except OSError:  # it has just ended
+            return self._since
 
     def watch(self, timer: asyncio.TimerHandle | None) -> None:
         """One timer at a time."""
