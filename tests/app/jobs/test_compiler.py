@@ -212,8 +212,8 @@ def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler,
         await compiler.ready("solve_frame", {**IN_SPACE, "speed": 2.0})
         return time.monotonic() - begun
 
-    assert 1.0 < run(wait(), 30.0) < 20.0
-    assert hanging.wait(5) == -signal.SIGKILL and "was ended" in caplog.text
+    assert 1.0 < run(wait(), 120.0) < 60.0
+    assert hanging.wait(30) == -signal.SIGKILL and "was ended" in caplog.text
     monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 60.0)
     compiler.ask("solve_frame", IN_SPACE).result(60)  # the next one is served by another
     assert compiler._process is not hanging

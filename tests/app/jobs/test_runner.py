@@ -141,7 +141,7 @@ def test_a_newer_wish_takes_the_place_of_one_that_still_waits():
         await first
         assert jobs[0].answer.cancelled() and shown == ["answer to the new"]
 
-    run(main(), 10.0)
+    run(main(), 60.0)
 
 
 def test_what_nobody_waits_for_is_abandoned_and_who_comes_back_is_answered():
@@ -164,7 +164,7 @@ def test_what_nobody_waits_for_is_abandoned_and_who_comes_back_is_answered():
         jobs[1].answer.set_result("two is answered")
         await again
 
-    run(main(), 10.0)
+    run(main(), 60.0)
     assert shown == ["two is answered"]
 
 
