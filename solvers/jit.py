@@ -8,12 +8,14 @@ import atexit
 import logging
 import os
 import pickle
+import re
 import shutil
 import tempfile
 import threading
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
+from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, ClassVar
@@ -24,12 +26,51 @@ from numba.core import caching, event
 from numba.extending import overload_method
 
 log = logging.getLogger("strikewave")
+LIBRARY = Path(__file__).resolve().parent
+IMPORTED = re.compile(r"^from (\.+)([\w.]*) import (\([^)]*\)|.*)", re.MULTILINE)
 
 
+@lru_cache
 def sources_key() -> str:
     """Twelve letters that change with any source of the library."""
-    sources = sorted(Path(__file__).parent.rglob("*.py"))
-    return sha256(b"".join(source.read_bytes() for source in sources)).hexdigest()[:12]
+    return _key_of(LIBRARY.rglob("*.py"))
+
+
+def _key_of(sources: Iterable[Path]) -> str:
+    return sha256(b"".join(source.read_bytes() for source in sorted(sources))).hexdigest()[:12]
+
+
+@lru_cache
+def kernels_key(source: Path) -> str:
+    """Twelve letters that change with anything that the machine code of this file's kernels may come from.
+
+    Numba looks at the file alone. Kernels also hold what they call from files that are imported, and what is done with
+    the tuples they are given: of contact laws, and of files that import theirs.
+    """
+    laws = LIBRARY.glob("contact/*.py")
+    users = (each for each in LIBRARY.glob("numerics/*.py") if source in _imports(each))
+    return _key_of(_closure(source).union(*map(_closure, (*laws, *users))))
+
+
+def _closure(source: Path) -> set[Path]:
+    found, ahead = set(), [source]
+    while ahead:
+        each = ahead.pop()
+        if each not in found:
+            found.add(each)
+            ahead += _imports(each)
+    return found
+
+
+@lru_cache
+def _imports(source: Path) -> frozenset[Path]:
+    """Files of the library that this one imports by name; not what a package collects in its `__init__`."""
+    found = set()
+    for dots, module, names in IMPORTED.findall(source.read_text(encoding="utf-8")):
+        folder = source.parents[len(dots) - 1].joinpath(*module.split("."))
+        found |= {folder.with_suffix(".py")} if module else set()
+        found |= {folder / f"{name}.py" for name in re.findall(r"\w+", names)}
+    return frozenset(each for each in found if each.is_file())
 
 
 def cache_home() -> Path:
@@ -38,9 +79,8 @@ def cache_home() -> Path:
 
 
 def _cache_folder() -> Path:
-    """One folder per state of the sources: Numba alone misses a change in a function called from another file."""
     given = os.environ.get("NUMBA_CACHE_DIR")
-    return Path(given) if given else cache_home() / (sources_key() + ("-checked" if numba.config.BOUNDSCHECK else ""))
+    return Path(given) if given else cache_home() / ("checked-kernels" if numba.config.BOUNDSCHECK else "kernels")
 
 
 def _usable(folder: Path) -> Path:
@@ -111,6 +151,7 @@ class _KernelFile(caching.IndexDataCacheFile):
 
 DIGEST_BYTES = sha256().digest_size
 caching.IndexDataCacheFile = _KernelFile
+caching.UserProvidedCacheLocator.get_source_stamp = lambda self: kernels_key(Path(self._py_file).resolve())
 numba.config.CACHE_DIR = str(_usable(_cache_folder()))
 
 

@@ -1,11 +1,14 @@
 """Kernels in the cache, and who must not compile one."""
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from solvers import jit
 
 ROOT = Path(__file__).parents[2]
 TRY = """
@@ -33,6 +36,35 @@ def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
 
     assert answers() == ["value", "7.0"]
     assert answers() == ["7.0"]
+
+
+@pytest.mark.parametrize(
+    "changed, again",
+    [
+        ("numerics/wave_nodes.py", True),
+        ("numerics/wave_record.py", True),  # called by what is called
+        ("contact/elastic.py", True),  # whose methods are compiled into it
+        ("jit.py", True),
+        ("numerics/rigid_waves.py", False),
+        ("methods/waves.py", False),
+        ("checks.py", True),  # which the laws import
+    ],
+)
+def test_a_kernel_is_compiled_again_when_a_source_of_its_code_has_changed(tmp_path, monkeypatch, changed, again):
+    library = tmp_path / "solvers"
+    shutil.copytree(ROOT / "solvers", library, ignore=shutil.ignore_patterns("__pycache__"))
+    monkeypatch.setattr(jit, "LIBRARY", library)
+
+    def key() -> str:
+        jit.kernels_key.cache_clear()
+        jit._imports.cache_clear()
+        return jit.kernels_key(library / "numerics/wave_network.py")
+
+    before = key()
+    with open(library / changed, "a", encoding="utf-8") as source:
+        source.write("# changed\n")
+    assert (key() != before) is again
+    jit.kernels_key.cache_clear()
 
 
 # --- a cache that is damaged, full or cannot be written ---------------------------------------------------------------
@@ -88,7 +120,6 @@ NOWHERE = """
 import solvers.jit as jit, tempfile, numba
 from pathlib import Path
 
-import pytest
 def refuse(*given, **more):
     raise OSError(28, "No space left on device")
 tempfile.TemporaryFile = refuse
