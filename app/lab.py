@@ -1,6 +1,7 @@
 """The laboratory: the one component of the page. Python holds the choices and solves; the browser draws and plays."""
 
 import hashlib
+import time
 from collections.abc import Callable
 from contextlib import contextmanager
 from functools import partial
@@ -78,6 +79,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self._runner = Runner(solve_frame, self._take, self._fail, waiting, visitor=self.visitor)
         self._runners = [self._runner]
         self._away = False
+        self.answered = 0.0  # when the visitor was last told what comes of the choices
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.below = pn.Column(sizing_mode="stretch_width", margin=0)  # where analysis views appear
@@ -198,6 +200,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         await self._tell(self._set_back, self._runner.current, sentence)
 
     def _show(self, answered: dict[str, Any], message: bytes) -> None:
+        self.answered = time.monotonic()
         self._answered = answered
         self.frame = message
         self._follow()
@@ -244,6 +247,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self._refuse(sentence)
 
     def _refuse(self, sentence: str) -> None:
+        self.answered = time.monotonic()
         self.refused = ""
         self.refused = sentence
         before = self.chosen()

@@ -2,13 +2,13 @@
 
 import asyncio
 import time
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Coroutine, Generator, Hashable, Iterator
 from contextlib import contextmanager
+from typing import Any, Generic, TypeVar
 
 from .fair import Shares
 
-LOOP_SHARE, LOOP_BURST = 0.8, 0.3  # of the event loop's time for messages and answers, and seconds of it at once
-MAX_CHARGED = 0.05  # s that one turn is charged at most: the rest others did while it waited
+Result = TypeVar("Result")
 
 
 class Rate:
@@ -38,60 +38,88 @@ class Rate:
         return True
 
 
-class Turnstile:
-    """Shares the time of the event loop: while there is enough all pass, else first who has used least lately."""
+class _Timed(Generic[Result]):
+    """Awaits a coroutine and adds up the time of the thread that its own steps take."""
 
-    def __init__(self, share: float = LOOP_SHARE, burst: float = LOOP_BURST):
-        self._rate, self._share = Rate(share, burst), share
+    def __init__(self, doing: Coroutine[Any, Any, Result]):
+        self._doing, self.seconds = doing, 0.0
+
+    def __await__(self) -> Generator[Any, Any, Result]:
+        step, value = self._doing.send, None
+        while True:
+            begun = time.perf_counter()
+            try:
+                waits_for = step(value)
+            except StopIteration as end:
+                return end.value
+            finally:
+                self.seconds += time.perf_counter() - begun
+            try:
+                step, value = self._doing.send, (yield waits_for)
+            except BaseException as error:  # it is cancelled, or what it waits for failed
+                step, value = self._doing.throw, error
+
+
+class Turnstile:
+    """Shares the time of the event loop: so many pass in each of its rounds, first who has used least lately.
+
+    Between two rounds the loop does all else that is ready, so that nobody waits for more than a few turns of others,
+    and none of the loop's time is left unused while somebody waits.
+    """
+
+    def __init__(self, at_once: int = 1):
+        self._at_once = self._free = at_once
         self._shares = Shares()
-        self._usual = 0.002  # s that a turn takes, on the average of the last
         self._waiting: list[tuple[Hashable, asyncio.Future]] = []
+        self._next_round = False  # whether it is under way
 
     async def enter(self, who: Hashable) -> None:
         """Wait for one's turn."""
-        if not self._waiting and self._rate.left > 0.0:
+        loop = asyncio.get_running_loop()
+        if not self._next_round:
+            self._next_round = True
+            loop.call_soon(self._begin_round)
+        if self._free and not self._waiting:
+            self._free -= 1
             return
-        turn = asyncio.get_running_loop().create_future()
+        turn = loop.create_future()
         self._waiting.append((who, turn))
-        if len(self._waiting) == 1:
-            self._wait()
         await turn
 
     @property
     def waiting(self) -> int:
         return len(self._waiting)
 
-    def note(self, who: Hashable, seconds: float) -> None:
-        """Remember that somebody has had time, which is no reason for the others to wait longer."""
-        self._shares.charge(who, seconds)
-
     def charge(self, who: Hashable, seconds: float) -> None:
-        """Let somebody pay for what was done for them."""
-        self._rate.take(seconds)
+        """Remember that somebody has had so much time."""
         self._shares.charge(who, seconds)
 
     @contextmanager
     def pay(self, who: Hashable) -> Iterator[None]:
-        """What is done in this context is paid by its computing time."""
-        begun = time.thread_time()
+        """What is done in this context, which must not wait for anything, is paid by the time that it takes."""
+        begun = time.perf_counter()
         try:
             yield
         finally:
-            seconds = min(time.thread_time() - begun, MAX_CHARGED)
-            self.charge(who, seconds)
-            self._usual += 0.1 * (seconds - self._usual)
+            self.charge(who, time.perf_counter() - begun)
 
-    def _wait(self) -> None:
-        asyncio.get_running_loop().call_later(max(0.001, -self._rate.left / self._share), self._admit)
+    async def paid(self, who: Hashable, doing: Coroutine[Any, Any, Result]) -> Result:
+        """Have it done and paid by the time that it takes, but for what others do while it waits."""
+        timed = _Timed(doing)
+        try:
+            return await timed
+        finally:
+            self.charge(who, timed.seconds)
 
-    def _admit(self) -> None:
-        """As many as there is time for, by what a turn usually takes; each then pays what it really took."""
+    def _begin_round(self) -> None:
         self._waiting = [each for each in self._waiting if not each[1].done()]
-        left = self._rate.left
-        while self._waiting and left > 0.0:
+        self._free = self._at_once
+        self._next_round = bool(self._waiting)
+        if not self._waiting:
+            return
+        for _ in range(min(self._free, len(self._waiting))):
             first = min(self._waiting, key=lambda each: self._shares.used(each[0]))
             self._waiting.remove(first)
             first[1].set_result(None)
-            left -= self._usual
-        if self._waiting:
-            self._wait()
+            self._free -= 1
+        asyncio.get_running_loop().call_soon(self._begin_round)

@@ -123,6 +123,10 @@ class Workers:
         self.fill()
         return job
 
+    def charge(self, visitor: Hashable, seconds: float) -> None:
+        """Let others come before this visitor, as if they had had so much computing."""
+        self._shares.charge(visitor, seconds)
+
     def fill(self) -> None:
         """Give work to every process that has none, and fork those that are missing."""
         for level in range(0 if self._stopped else len(self._levels)):

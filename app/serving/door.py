@@ -35,6 +35,7 @@ class Door:
         self._live: dict[str, Any] = {}  # by session: its socket
         self._barred: dict[str, float] = {}  # sessions whose visitors were turned out, and when
         self._turned_out = Shares()  # by address, how many lately
+        self._next: dict[str, float] = {}  # by address, when the next new session from there may begin
         self._new = Rate(SESSIONS_RATE, SESSIONS_BURST)
 
     def issue(self, arguments: dict[str, list[bytes]]) -> str:
@@ -85,8 +86,20 @@ class Door:
         self._turned_out.charge(address, 1.0)
 
     def pause(self, address: str) -> float:
-        """How long [s] a new session from this address waits: a class may be behind one with somebody who floods."""
-        return min(REOPEN_PAUSE * self._turned_out.used(address), MAX_REOPEN_PAUSE)
+        """How long [s] a new session from this address waits, one after the other where visitors were turned out.
+
+        A class may be behind one address with somebody who floods.
+        """
+        now = time.monotonic()
+        self._next = {each: when for each, when in self._next.items() if when > now}
+        begins = self._next.get(address, now)
+        if (between := min(REOPEN_PAUSE * self._turned_out.used(address), MAX_REOPEN_PAUSE)) > 0.0:
+            self._next[address] = begins + between
+        return begins - now
+
+    def debt(self, address: str) -> float:
+        """Seconds of the event loop that a new session from there counts as having had: others go first."""
+        return self._turned_out.used(address)
 
     def _idlest(self) -> Any:
         socket = min(self._live.values(), key=lambda each: each.active, default=None)

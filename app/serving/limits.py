@@ -3,15 +3,21 @@
 MAX_MESSAGE = 20_000  # bytes of one part of a message; the longest honest one has some hundreds
 MAX_EVENTS = 32  # in one message; an honest page sends one to ten
 # Parts of messages of one socket, three to a message: a page that is quick sends 60 messages a second.
-PARTS_RATE, PARTS_BURST = 240.0, 240.0
+PARTS_RATE, PARTS_BURST = 240.0, 120.0
 PART_SECONDS = 3e-4  # of the event loop that reading a part takes; measured 0.1 to 0.3 ms
-OVER_PAUSE = 0.25  # s between two parts that are read of a socket which sends more than that
-MAX_OVER_SECONDS = 3.0  # for which a socket may send all it can; then it is closed
+READ_AT_ONCE = 8  # parts of messages that are read in one round of the event loop: 2 ms
+OVER_PAUSE = 0.5  # s between two parts that are read of a socket which sends more than it may
+ANSWER_SECONDS = 2.0  # for which a page waits for an answer, before it sets the same choice again; it waits 2.5
+HASTY_SECONDS = 3.0  # for which there is a pause before each part that is read from who does not wait
+HASTE_RATE, HASTE_BURST = 0.05, 4.0  # times a second, and at once, that this may begin; then the socket is closed
+HASTE = 0.05  # s of the server's time that such a message counts as, when it is asked who has had least
+MAX_OVER_SECONDS = 2.0  # for which a socket may send all it can; then it is closed
 MAX_REFUSED = 200  # messages of one socket that are not allowed, before it is closed
 MAX_WAITING = 64  # messages of one socket that wait; an honest page sends none before the last is answered
 MAX_PAGES_WAITING = 300  # requests for the page, and messages, that wait for the event loop
 MAX_SESSIONS = 150  # 0.3 MB each, and a document; more than a class
 SESSIONS_RATE, SESSIONS_BURST = 10.0, 60.0  # new ones a second, and at once: a class that opens one link
-REOPEN_PAUSE, MAX_REOPEN_PAUSE = 0.5, 5.0  # s that a new session waits for each lately turned out at its address
+REOPEN_PAUSE, MAX_REOPEN_PAUSE = 2.0, 5.0  # s between two new sessions for each lately turned out at their address
+MAX_REOPEN_WAIT = 30.0  # s that a new session may have to wait for that; who comes then is refused
 IDLE_SECONDS = 900.0  # after which a session that does nothing makes room, if the server is full
 MAX_BODY = 100_000  # bytes of a request, other than a record

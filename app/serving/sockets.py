@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import random
 import time
 from collections import deque
 from typing import Any
@@ -13,23 +14,41 @@ from tornado.websocket import WebSocketClosedError
 
 from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
+from ..jobs.workers import Workers
 from ..lab import Lab, lab_of
+from ..state import Choices
 from . import guard
+from .door import FULL
 from .limits import (
+    ANSWER_SECONDS,
+    HASTE,
+    HASTE_BURST,
+    HASTE_RATE,
+    HASTY_SECONDS,
     MAX_OVER_SECONDS,
     MAX_REFUSED,
+    MAX_REOPEN_WAIT,
     MAX_WAITING,
     OVER_PAUSE,
     PART_SECONDS,
     PARTS_BURST,
     PARTS_RATE,
+    READ_AT_ONCE,
 )
 
 CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
 TOO_MANY = "Too much came from this page at once: it was disconnected. Reload it to go on."
+CHOSEN = frozenset(Choices.CHOSEN)
 SETTABLE = guard.SETTABLE | frozenset(Lab.OPENED)
 log = logging.getLogger("strikewave")
+
+
+class Reading(Turnstile):
+    """Turns of those whose messages are read: many that send all they can get little, others none less."""
+
+    def __init__(self):
+        super().__init__(READ_AT_ONCE)
 
 
 class Socket(WSHandler):
@@ -41,6 +60,8 @@ class Socket(WSHandler):
         self.active = time.monotonic()
         self._parts = Rate(PARTS_RATE, PARTS_BURST)
         self._over_since: float | None = None
+        self._asked: dict[str, float] = {}  # when each choice was set last
+        self._haste, self._hasty_until = Rate(HASTE_RATE, HASTE_BURST), 0.0
         self._mail: deque[tuple[Message, list[dict[str, Any]]]] = deque()
         self._delivering = False
         self._refused = self._pulls = 0
@@ -60,11 +81,16 @@ class Socket(WSHandler):
         return self.application.settings["door"]
 
     async def _async_open(self, token: str) -> None:
-        turnstile = of_loop(Turnstile)
-        await asyncio.sleep(self._door.pause(self.request.remote_ip))
+        turnstile, address = of_loop(Turnstile), self.request.remote_ip
+        if (pause := self._door.pause(address)) > MAX_REOPEN_WAIT:
+            self.close(LIMIT, FULL)
+            return
+        await asyncio.sleep(pause)
+        self._blame(self._door.debt(address))
         await turnstile.enter(self.session_id)
-        with turnstile.pay(self.session_id):
-            await super()._async_open(token)
+        if self._out or self.ws_connection is None:
+            return
+        await turnstile.paid(self.session_id, super()._async_open(token))
         if (lab := lab_of(self.connection.session.document)) is not None:
             lab.come_back()
 
@@ -77,7 +103,12 @@ class Socket(WSHandler):
             self.close(LIMIT, "This message could not be read.")
 
     async def _take(self, fragment: str | bytes) -> None:
-        if self._out or not await self._in_turn() or self._gone or self._out:
+        if self._out:
+            return
+        if self.connection is None:  # a page sends nothing before it is told that its session has begun
+            self.turn_out(TOO_MANY)
+            return
+        if not await self._in_turn() or self._gone or self._out:
             return
         message = await self._receive(fragment)
         if message is None:
@@ -99,8 +130,13 @@ class Socket(WSHandler):
 
     async def _in_turn(self) -> bool:
         """Wait until this socket may be read from; False if it is closed instead."""
-        of_loop(Turnstile).note(self.session_id, PART_SECONDS)
+        reading = of_loop(Reading)
+        await reading.enter(self.session_id)
+        reading.charge(self.session_id, PART_SECONDS)
+        of_loop(Turnstile).charge(self.session_id, PART_SECONDS)
         await asyncio.sleep(0)  # what has come already would be read in one go, while all others wait
+        if time.monotonic() < self._hasty_until:
+            await asyncio.sleep(OVER_PAUSE * (0.5 + random.random()))  # not all at the same moment
         wait = self._parts.take()
         if not wait:
             if self._parts.left > PARTS_BURST / 2:
@@ -111,6 +147,7 @@ class Socket(WSHandler):
         if now - self._over_since > MAX_OVER_SECONDS:
             self.turn_out(TOO_MANY)
             return False
+        self._blame(OVER_PAUSE)
         await asyncio.sleep(max(wait, OVER_PAUSE))
         return True
 
@@ -131,6 +168,9 @@ class Socket(WSHandler):
 
     async def _post(self, message: Message, events: list[dict[str, Any]]) -> None:
         """Have it handled in turn; what it sets anew is dropped from those that still wait."""
+        self._see_haste(events)
+        if self._out:
+            return
         kept, dropped = deque(), []
         for earlier, before in self._mail:
             left = guard.newest_only(before, events)
@@ -149,22 +189,42 @@ class Socket(WSHandler):
         for earlier in dropped:
             await self._answer(self.connection.ok(earlier))
 
+    def _see_haste(self, events: list[dict[str, Any]]) -> None:
+        """A page sets a choice again when it has its answer; who does not wait for it is read slowly for a while."""
+        now, lab = time.monotonic(), lab_of(self.connection.session.document)
+        for name in CHOSEN.intersection(event.get("attr") for event in events):
+            if max(now - ANSWER_SECONDS, lab.answered if lab is not None else now) < self._asked.get(name, 0.0):
+                if now > self._hasty_until and not self._haste.allows():
+                    self.turn_out(TOO_MANY)
+                self._hasty_until = now + HASTY_SECONDS
+                self._blame(HASTE)
+            self._asked[name] = now
+
+    def _blame(self, seconds: float) -> None:
+        """Who sends more than can be answered comes after the others, as if they had had so much time."""
+        for shared in (of_loop(Turnstile), of_loop(Reading), of_loop(Workers)):
+            shared.charge(self.session_id, seconds)
+
     async def _deliver(self) -> None:
         turnstile = of_loop(Turnstile)
         try:
             while self._mail and not self._gone:
+                while self._parts.left < 0.0 and not self._out:  # of what comes too quickly nothing is done at once
+                    await asyncio.sleep(OVER_PAUSE)
                 await turnstile.enter(self.session_id)
                 if not self._mail or self._gone:
                     return
                 message, events = self._mail.popleft()
                 if message.msgtype == "PATCH-DOC":
                     message.content["events"] = events
-                with turnstile.pay(self.session_id):
-                    reply = await self._handle(message)
-                    if reply is not None:
-                        await self._answer(reply)
+                await turnstile.paid(self.session_id, self._handle_and_answer(message))
         finally:
             self._delivering = False
+
+    async def _handle_and_answer(self, message: Message) -> None:
+        reply = await self._handle(message)
+        if reply is not None:
+            await self._answer(reply)
 
     async def _answer(self, reply: Message) -> None:
         if reply.msgtype == "ERROR":

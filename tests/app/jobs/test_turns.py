@@ -3,6 +3,8 @@
 import asyncio
 import time
 
+import pytest
+
 from app.jobs.fair import HALF_LIFE, Shares
 from app.jobs.turns import Rate, Turnstile
 
@@ -39,22 +41,57 @@ def test_a_rate_gives_its_burst_and_then_so_many_a_second():
     assert [rate.allows() for _ in range(6)] == [True] * 5 + [False]
 
 
-def test_while_there_is_time_nobody_waits():
+def test_in_a_round_of_the_loop_so_many_pass_and_the_rest_is_done_between():
+    async def main():
+        turns, rounds, passed = Turnstile(at_once=3), 0, []
+
+        async def pass_through(who):
+            await turns.enter(who)
+            passed.append(rounds)
+
+        tasks = [asyncio.ensure_future(pass_through(who)) for who in range(9)]
+        while not all(task.done() for task in tasks):
+            await asyncio.sleep(0)
+            rounds += 1
+        assert max(passed.count(each) for each in passed) == 3 and rounds < 12
+        await asyncio.sleep(0.01)
+        await turns.enter("alone")  # and where nobody waits one passes at once
+        assert turns.waiting == 0
+
+    run(main())
+
+
+def test_what_is_done_is_paid_by_its_own_time_and_not_by_that_of_others():
     async def main():
         turns = Turnstile()
-        begun = time.monotonic()
-        for number in range(20):
-            await turns.enter(number % 3)
-            with turns.pay(number % 3):
-                pass
-        assert time.monotonic() - begun < 1.0
+
+        async def waits():
+            time.sleep(0.02)
+            await asyncio.sleep(0.1)
+            time.sleep(0.02)
+            return "done"
+
+        async def fails():
+            await asyncio.sleep(0)
+            raise ValueError("as it must")
+
+        assert await turns.paid("one", waits()) == "done"
+        assert 0.04 <= turns._shares.used("one") < 0.09
+        with pytest.raises(ValueError, match="as it must"):
+            await turns.paid("two", fails())
+        task = asyncio.ensure_future(turns.paid("three", waits()))
+        await asyncio.sleep(0.05)
+        task.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+        assert 0.02 <= turns._shares.used("three") < 0.05
 
     run(main())
 
 
 def test_when_time_is_short_who_has_used_least_passes_first():
     async def main():
-        turns, order = Turnstile(share=2.0, burst=0.01), []
+        turns, order = Turnstile(), []
         turns.charge("flood", 0.2)
 
         async def pass_through(who):
@@ -63,19 +100,18 @@ def test_when_time_is_short_who_has_used_least_passes_first():
             turns.charge(who, 0.01)
 
         tasks = [asyncio.ensure_future(pass_through("flood")) for _ in range(20)]
-        await asyncio.sleep(0)
         tasks += [asyncio.ensure_future(pass_through(f"honest {k}")) for k in range(5)]
         await asyncio.wait_for(asyncio.gather(*tasks), 10.0)
-        assert all(who.startswith("honest") for who in order[:5]) and len(order) == 25
+        assert order[0] == "flood"  # nobody else was there
+        assert all(who.startswith("honest") for who in order[1:6]) and len(order) == 25
 
     run(main())
 
 
 def test_who_leaves_while_waiting_is_passed_over():
     async def main():
-        turns = Turnstile(share=2.0, burst=0.01)
-        turns.charge("all", 0.1)
-        gone, stays = (asyncio.ensure_future(turns.enter(who)) for who in ("gone", "stays"))
+        turns = Turnstile()
+        _, gone, stays = (asyncio.ensure_future(turns.enter(who)) for who in ("first", "gone", "stays"))
         await asyncio.sleep(0)
         gone.cancel()
         await asyncio.wait_for(stays, 5.0)
