@@ -7,7 +7,7 @@ solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 from .auto import Auto
 from .bodies import Beam, Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
 from .checks import SceneError
-from .choosing import read_method
+from .choosing import read_method, solve
 from .comparison import Row, compare, reference
 from .contact import LAWS
 from .contact_times import ContactTimes, compare_with_half_space, contact_times
@@ -29,6 +29,7 @@ from .regimes import Plan, RegimeMap, plan, regime_map
 from .scene import Scene, load, scene_names
 from .solution import ContactPeriod, Solution
 from .stability import Stability, stability
+from .studies import Figures, solve_many, sweep
 from .tradeoff import stored_tradeoff, tradeoff
 from .tradeoff_table import Point as TradeOffPoint
 from .tradeoff_table import TradeOff
@@ -46,6 +47,7 @@ __all__ = [
     "Ensemble",
     "FeModal",
     "FeNodal",
+    "Figures",
     "Material",
     "Method",
     "Modal",
@@ -80,28 +82,9 @@ __all__ = [
     "regime_map",
     "scene_names",
     "solve",
+    "solve_many",
     "stability",
     "stored_tradeoff",
+    "sweep",
     "tradeoff",
 ]
-
-
-def solve(scene: Scene, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
-    """Solve a scene by the method it names, or by another one.
-
-    `options` are those of the method (`modes`, `steps`, `tolerance`). Duration in seconds; without one, until the
-    bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
-    method cannot solve the scene.
-    """
-    table, usual = dict(scene.method), scene.usual_method
-    if duration is None:
-        duration = table.pop("duration", None)
-    table.pop("duration", None)
-    if isinstance(method, Method):
-        if options:
-            raise SceneError("method", options, "no options beside a method object; give them to the object")
-        return method.solve(scene, duration)
-    if method is not None and method != table.get("name", usual):
-        table = {"name": method}
-    chosen, _ = read_method(table | options, usual)
-    return chosen.solve(scene, duration)

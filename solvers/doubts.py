@@ -79,9 +79,11 @@ def doubts_of_a_front(scene: Scene, period: float, count: int, kind: str) -> lis
     ]
 
 
-def general_doubts(solution: Solution, whole: bool, remedy: str | None, knob: str | None) -> list[str]:
-    """What holds for every method. `whole`: solved until the bodies part; `remedy`: against contacts that it counts
-    falsely, None where it cannot; `knob`: the option that makes it finer.
+def general_doubts(
+    solution: Solution, notes: list[str], whole: bool, remedy: str | None, knob: str | None
+) -> list[str]:
+    """What holds for every method. `notes`: what its own says; `whole`: solved until the bodies part; `remedy`: against
+    contacts that it counts falsely, None where it cannot; `knob`: the option that makes it finer.
     """
     scene = solution.scene
     found = [doubt for body in bodies_that_bend(scene) for doubt in body.doubts()]
@@ -90,7 +92,7 @@ def general_doubts(solution: Solution, whole: bool, remedy: str | None, knob: st
     if remedy is not None:
         found += doubts_of_the_count(solution, whole, remedy)
     error = solution.diagnostics.get("estimated_error")
-    trusted = not any("o not trust" in note for note in solution.notes)  # which says more, or that it was cut short
+    trusted = not any("o not trust" in note for note in notes)  # which says more, or that it was cut short
     if error is not None and error >= COARSE and knob is not None and trusted:
         found.append(
             f"By its own estimate the final velocity is off by {100.0 * error:.2g} % of the speed of approach, too "

@@ -9,7 +9,7 @@ from .scene import Scene
 from .solution import ContactPeriod
 
 NEAR = 0.03  # relative change of the mass that counts as little
-PIECES, TERMS = 400, 40  # of a history; blows that need more are far from simple, and not asked
+PIECES, TERMS = (64, 400), 40  # of a history; blows that need more are far from simple, and not asked
 HALVINGS = 40
 TOO_SOON = 0.05  # round trips before the end of the time solved in which a contact is not missed
 SLIGHT = 1e-4  # of the impulse: what is no contact worth a word
@@ -77,8 +77,11 @@ def one_front(scene: Scene) -> bool:
 
 def _contacts(beta: float, reflection: float) -> np.ndarray | None:
     """Of each contact start, end, velocity before and after, and more; None if the blow is far from simple."""
-    status, *_, contacts = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, PIECES, TERMS, PIECES)
-    return contacts if status == rigid_waves.PARTED else None
+    for pieces in PIECES:
+        status, *_, contacts = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, pieces, TERMS, pieces)
+        if status == rigid_waves.PARTED:
+            return contacts
+    return None
 
 
 def _count(beta: float, reflection: float) -> int | None:

@@ -67,8 +67,10 @@ class Method(ABC):
             shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
         solution = self._solve(scene, duration)
-        doubts = general_doubts(solution, duration is None, self._recount(), self._knob(scene))
-        solution.notes.extend(doubt for doubt in doubts if doubt not in solution.notes)
+        whole = duration is None
+        solution.add_notes(
+            lambda solved, own: general_doubts(solved, own, whole, self._recount(), self._knob(solved.scene))
+        )
         return solution
 
     def _recount(self) -> str | None:

@@ -1,6 +1,8 @@
 """What happened: one type of result for every method."""
 
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
+from functools import cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -41,6 +43,40 @@ class Motion(Protocol):
     def energies(self, time: np.ndarray) -> dict[str, np.ndarray]: ...
 
 
+SUMMARY = ("impulse", "impactor_velocity", "target_velocity", "restitution", "energy", "diagnostics")
+
+
+class Later:
+    """A figure of a solution that is worked out from it when it is first read: in a study most never are."""
+
+    def __init__(self, work: Callable[["Solution"], Any]):
+        self.work = work
+
+
+def later(work: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """The figures of `summary`, worked out together when the first of them is read."""
+    found = cache(work)
+    return {name: Later(lambda _, name=name: found()[name]) for name in SUMMARY}
+
+
+class _Figure:
+    """A field of a solution that may come later."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = f"_{name}"
+
+    def __get__(self, solution: Any, owner: type | None = None) -> Any:
+        if solution is None:
+            raise AttributeError(self._name)  # for the dataclass: there is no default
+        value = solution.__dict__[self._name]
+        if isinstance(value, Later):
+            value = solution.__dict__[self._name] = value.work(solution)
+        return value
+
+    def __set__(self, solution: Any, value: Any) -> None:
+        solution.__dict__[self._name] = value
+
+
 @dataclass(frozen=True)
 class Solution:
     """The answer to a scene, SI units, time zero at first touch, velocities positive the way the impactor came.
@@ -55,20 +91,30 @@ class Solution:
     contacts: list[ContactPeriod]
     duration: float
     motion: Motion | None
-    impulse: float
+    impulse: float = _Figure()
+    impactor_velocity: float | tuple[float, float, float] | None = _Figure()  # None: a prescribed force has none
+    target_velocity: float | tuple[float, float, float] = _Figure()
+    restitution: dict[str, float | None] = _Figure()
+    energy: dict[str, float] = _Figure()
+    diagnostics: dict[str, Any] = _Figure()
+    notes: list[str] = _Figure()
     peak_force: float | None
     peak_indentation: float | None
     residual_indentation: float | None
-    impactor_velocity: float | tuple[float, float, float] | None  # None: a prescribed force has none
-    target_velocity: float | tuple[float, float, float]
-    restitution: dict[str, float | None]
-    energy: dict[str, float]
-    diagnostics: dict[str, Any]
-    notes: list[str] = field(default_factory=list)
     effective_mass: float | None = None  # of the contact [kg], where the blow is one impulse
     impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
     target_spin: tuple[float, float, float] | None = None
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
+
+    def add_notes(self, more: Callable[["Solution", list[str]], list[str]]) -> None:
+        """Have notes added, given the solution and those that it has, when they are first read."""
+        before = self.__dict__["_notes"]
+
+        def work(solution: "Solution") -> list[str]:
+            own = before.work(solution) if isinstance(before, Later) else before
+            return [*own, *(note for note in more(solution, own) if note not in own)]
+
+        self.__dict__["_notes"] = Later(work)
 
     def table(self) -> dict[str, object]:
         """The result as plain tables, with the keys that scripts rely on."""
@@ -106,30 +152,52 @@ def summary(
     """What follows from any motion alone: velocities, `solvers.restitution`, energies and residuals."""
     if scene.impactor.kind == "pulse":
         return _summary_of_a_push(scene, motion, duration, wall_time)
-    m1, m2, speed = scene.impactor.mass, scene.target.mass, scene.speed
     end = np.array([duration])
-    final = float(motion.impactor_velocity(end)[0])
     impulse = float(motion.impulse(end)[0])
-    held = scene.target.held
     target_final = _swing(scene.target, impulse) if scene.target.swings else 0.0
-    if not held:
+    if not scene.target.held:
         target_final = float(motion.rigid_velocity(end)[0])
-    energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
+    return balanced(
+        scene,
+        float(motion.impactor_velocity(end)[0]),
+        target_final,
+        impulse,
+        {name: float(value[0]) for name, value in motion.energies(end).items()},
+        None if touching(contacts, duration) else restitution(scene, motion, contacts[-1].end, duration),
+        wall_time,
+    )
+
+
+def touching(contacts: list[ContactPeriod], duration: float) -> bool:
+    """Whether the bodies are together at the end of the time solved: nothing is restored yet."""
+    return contacts[-1].end >= duration * (1.0 - 1e-12)
+
+
+def balanced(
+    scene: Scene,
+    final: float,
+    target_final: float,
+    impulse: float,
+    energies: dict[str, float],
+    restored: dict[str, float | None] | None,
+    wall_time: float,
+) -> dict[str, Any]:
+    """The figures of `summary` from the last velocities, the impulse and the energies, with what they are off by."""
+    m1, m2 = scene.impactor.mass, scene.target.mass
     initial = scene.initial_energy
     lost = m1 * (scene.impactor.velocity - final)
-    mismatches = [lost - impulse] if held else [lost - impulse, m2 * (target_final - scene.target.velocity) - lost]
-    touching = contacts[-1].end >= duration * (1.0 - 1e-12)  # then nothing is restored yet
+    mismatches = [lost - impulse]
+    if not scene.target.held:
+        mismatches.append(m2 * (target_final - scene.target.velocity) - lost)
     return {
         "impulse": impulse,
         "impactor_velocity": final,
         "target_velocity": target_final,
-        "restitution": {"newton": None, "poisson": None, "newton_at_contact": None}
-        if touching
-        else restitution(scene, motion, contacts[-1].end, duration),
+        "restitution": restored or {"newton": None, "poisson": None, "newton_at_contact": None},
         "energy": {"initial": initial} | energies,
         "diagnostics": {
             "energy_error": (sum(energies.values()) - initial) / initial,
-            "momentum_error": max(mismatches, key=abs) / (m1 * speed),
+            "momentum_error": max(mismatches, key=abs) / (m1 * scene.speed),
             "steps": 0,
             "wall_time": wall_time,
             "estimated_error": None,

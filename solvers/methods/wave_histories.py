@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS
-from ..numerics import rigid_waves, stepped_waves
+from ..numerics import rigid_figures, rigid_waves, stepped_waves
 from ..scene import Scene
 from .wave_chain import UNKNOWN, end_notes
 
@@ -34,14 +34,14 @@ class History:
 
 
 class RigidHistory(History):
-    MAX_PIECES = 200_000
+    FIRST_PIECES, MAX_PIECES = 64, 200_000  # most blows have a dozen; room for more takes longer than they
 
     @classmethod
     def strike(cls, scene: Scene, until: float) -> "RigidHistory":
         self = cls()
         beta, reflection = scene.mass_ratio, 1.0 if scene.target.fixed else -1.0
         asked, limit = math.isfinite(until), min(until, MAX_ROUND_TRIPS)
-        pieces = 400
+        pieces = cls.FIRST_PIECES
         while True:
             status, count, *self.pieces, contacts = rigid_waves.strike(beta, reflection, limit, pieces, 40, pieces)
             if status != rigid_waves.FULL or pieces >= cls.MAX_PIECES:
@@ -83,6 +83,12 @@ class RigidHistory(History):
             following = self.contacts[row + 1, 0] if row + 1 < len(self.contacts) else math.inf
             if not math.isnan(place):
                 yield (t >= end) & (t <= following), end, speed, place
+
+    def figures(self, time: float) -> np.ndarray:
+        """See `rigid_figures.figures`."""
+        out = np.empty(rigid_figures.FIGURES)
+        rigid_figures.figures(time, 0.5 * self.kappa, self.reflection, *self.pieces, self.contacts, out)
+        return out
 
     def squares(self, begin, end):
         start, coefficients, degrees, _ = self.pieces

@@ -4,6 +4,7 @@ import math
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from ..contact import Rigid
 from ..grazing import one_front
 from ..method import AFTERGLOW, Method
 from ..scene import Scene
-from ..solution import ContactPeriod, Solution, summary
+from ..solution import ContactPeriod, Solution, balanced, later, summary, touching
 from .chain_motion import ChainMotion
 from .wave_chain import UNKNOWN, ChainHistory
 from .wave_histories import History, RigidHistory, SteppedHistory
@@ -84,11 +85,19 @@ class Waves(Method):
             )
             for start, end, before, after, peak, *_ in history.contacts.tolist()
         ]
-        found = summary(scene, motion, contacts, trip * shown, wall_time)
-        found["diagnostics"]["steps"] = history.steps
-        found["diagnostics"]["estimated_error"] = history.estimated_error(
-            abs(found["diagnostics"]["energy_error"]) + abs(found["diagnostics"]["momentum_error"])
-        )
+
+        def figures() -> dict[str, Any]:
+            if self.steps is None:
+                found = _figures(scene, history, shown, touching(contacts, trip * shown), wall_time)
+            else:
+                found = summary(scene, motion, contacts, trip * shown, wall_time)
+            diagnostics = found["diagnostics"]
+            diagnostics["steps"] = history.steps
+            diagnostics["estimated_error"] = history.estimated_error(
+                abs(diagnostics["energy_error"]) + abs(diagnostics["momentum_error"])
+            )
+            return found
+
         return Solution(
             scene=scene,
             method=self.table(),
@@ -99,7 +108,7 @@ class Waves(Method):
             peak_indentation=None,
             residual_indentation=None,
             notes=history.notes,
-            **found,
+            **later(figures),
         )
 
     def _recount(self) -> str:
@@ -136,6 +145,37 @@ class Waves(Method):
             notes=history.notes(),
             **found,
         )
+
+
+def _figures(scene: Scene, history: RigidHistory, shown: float, touching: bool, wall_time: float) -> dict[str, Any]:
+    """As `summary` gives them, from the pieces of the exact wave up to the time `shown` [T]."""
+    rod, speed, last = scene.target, scene.impactor.velocity, history.contacts[-1]
+    impulse, target, compressing, energy = history.figures(shown).tolist()
+    force, trip = rod.impedance * speed, rod.round_trip_time
+    target = 0.0 if rod.held else speed * target
+    rigid = 0.0 if rod.held else 0.5 * rod.mass * target**2
+    final = speed * float(last[3])
+    return balanced(
+        scene,
+        final,
+        target,
+        force * trip * impulse,
+        {
+            "impactor": 0.5 * scene.impactor.mass * final**2,
+            "target_rigid": rigid,
+            "target_vibration": force * speed * trip * energy - rigid,
+            "local": 0.0,
+            "dissipated": 0.0,
+        },
+        None
+        if touching
+        else {
+            "newton": (target - final) / speed,
+            "poisson": impulse / compressing - 1.0 if compressing > 0.0 else None,
+            "newton_at_contact": float(last[6] - last[3]),
+        },
+        wall_time,
+    )
 
 
 class WaveMotion:

@@ -257,30 +257,47 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
 
 
 @kernel
+def _piece(t, after, start, count):
+    """Which piece of s holds at t > 0; at a jump the one after it, or before it if not `after`."""
+    low, high = 0, count
+    while high - low > 1:
+        middle = (low + high) // 2
+        if start[middle] < t or (after and start[middle] == t):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@kernel
+def wave_at(t, after, kappa, start, coefficients, degrees):
+    """s(t); at a jump the value after it, or before it if not `after`."""
+    if t < 0.0 or (t == 0.0 and not after):
+        return 0.0
+    n = _piece(t, after, start, degrees.size)
+    x = kappa * (t - start[n])
+    return np.exp(-x) * value(coefficients[n], degrees[n], x)
+
+
+@kernel
+def total_at(t, kappa, start, coefficients, degrees, integral):
+    """Integral of s from 0 to t."""
+    if t < 0.0:
+        return 0.0
+    n = _piece(t, True, start, degrees.size)
+    return integral[n] + decaying_integral(coefficients[n], degrees[n], 0.0, kappa * (t - start[n])) / kappa
+
+
+@kernel
 def sample(times, after, kappa, start, coefficients, degrees, integral, wave, total):
     """Write s(t) and its integral from 0 for `times`; at a jump the value after it, or before it if not `after`.
 
     An empty `total` asks for s alone.
     """
-    n = degrees.size
     for i in range(times.size):
-        t = times[i]
-        if t < 0.0 or (t == 0.0 and not after):
-            wave[i] = 0.0
-            if total.size:
-                total[i] = 0.0
-            continue
-        low, high = 0, n
-        while high - low > 1:
-            middle = (low + high) // 2
-            if start[middle] < t or (after and start[middle] == t):
-                low = middle
-            else:
-                high = middle
-        x = kappa * (t - start[low])
-        wave[i] = np.exp(-x) * value(coefficients[low], degrees[low], x)
+        wave[i] = wave_at(times[i], after, kappa, start, coefficients, degrees)
         if total.size:
-            total[i] = integral[low] + decaying_integral(coefficients[low], degrees[low], 0.0, x) / kappa
+            total[i] = total_at(times[i], kappa, start, coefficients, degrees, integral)
 
 
 @kernel
