@@ -14,6 +14,7 @@ from .jit import kernel
 from .method import AFTERGLOW, Method
 from .methods import Waves
 from .numerics import rigid_figures, rigid_waves
+from .numerics.arrays import copy_to
 from .numerics.processors import all_processors
 from .scene import Scene
 from .solution import Solution
@@ -61,7 +62,7 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
         got = float(wrong[0]) if wrong.size else None
         raise SceneError("ratios", got, f"a list of mass ratios from {low:g} to {high:g}")
     for pieces in PIECES:
-        complete, count, contacts = _blows(reflection, ratios, pieces)
+        complete, count, contacts = _blows(reflection, ratios, pieces, TERMS, MOST_CONTACTS)
         if complete:
             break
     last = np.take_along_axis(contacts, (count - 1)[:, None, None], axis=1)[:, 0]
@@ -80,16 +81,17 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
 
 
 @kernel
-def _blows(reflection, ratios, pieces):
+def _blows(reflection, ratios, pieces, terms, most):
     """Every blow until the bodies part for good: whether all were followed so far, and their contacts, NaN-padded."""
     count = np.zeros(ratios.size, np.int64)
-    contacts = np.full((ratios.size, MOST_CONTACTS, 7), np.nan)
+    contacts = np.full((ratios.size, most, 7), np.nan)
     complete = True
     for i in range(ratios.size):
-        found = rigid_waves.strike(ratios[i], reflection, rigid_waves.FOREVER, pieces, TERMS, MOST_CONTACTS)
+        found = rigid_waves.strike(ratios[i], reflection, rigid_waves.FOREVER, pieces, terms, most)
         complete = complete and found[0] == rigid_waves.PARTED
         count[i] = found[6].shape[0]
-        contacts[i, : count[i]] = found[6]
+        for n in range(count[i]):
+            copy_to(contacts[i, n], found[6][n])
     return complete, count, contacts
 
 

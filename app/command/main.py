@@ -233,9 +233,9 @@ def _scene(options: argparse.Namespace) -> solvers.Scene:
 
 
 def _warm(options: argparse.Namespace) -> int:
-    from ..jobs.compiler import compile_usual
+    from ..jobs.compiler import compile_at_once
 
-    compile_usual()
+    compile_at_once(os.cpu_count() or 1)
     print("All kernels are compiled.")
     return 0
 

@@ -16,8 +16,9 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future
+from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import suppress
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -131,11 +132,15 @@ def works() -> dict[str, Callable]:
     return {work.__name__: work for work in found}
 
 
-LAST = "stability_kernels"  # which take longest
+LAST = "stability_kernels"  # which few ask for
+APART = (LAST, "methods_table")  # which share few kernels with the others
 ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  # works that know a beam
 
 
-def usual() -> Iterator[tuple[str, dict[str, Any]]]:
+Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is asked with
+
+
+def usual() -> Iterator[Piece]:
     """What visitors usually ask for, what most of them ask for first."""
     from ..questions import QUESTIONS_OF
     from ..state import SCENES, Choices, on_beam
@@ -161,6 +166,24 @@ def compile_usual(between: Callable[[], None] = lambda: None) -> None:
         do[name](choices)
     with suppress(OSError):  # on a full disk, where they could not be kept either
         all_compiled().touch()
+
+
+def compile_at_once(processes: int) -> None:
+    """The same by several processes; a law's kernels are one task, so that two of them compile little twice."""
+    tasks: dict[str, list[Piece]] = {}
+    for name, choices in usual():
+        simple = choices.get("law", "rigid") == "rigid"
+        tasks.setdefault((name if name in APART else "") if simple else choices["law"], []).append((name, choices))
+    with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
+        list(pool.map(_compile, tasks.values()))
+    with suppress(OSError):
+        all_compiled().touch()
+
+
+def _compile(pieces: list[Piece]) -> None:
+    do = works()
+    for name, choices in pieces:
+        do[name](choices)
 
 
 def main() -> None:

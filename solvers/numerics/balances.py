@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit import kernel
+from .arrays import copy_to
 from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 
 
@@ -67,7 +68,8 @@ def _apart(bank, p):
 def _write(events, count, time, impulse, lost, stuck, q, p):
     events.time[count], events.impulse[count], events.lost[count] = time, impulse, lost
     events.stuck[count] = stuck
-    events.coordinates[count], events.rates[count] = q, p
+    copy_to(events.coordinates[count], q)
+    copy_to(events.rates[count], p)
 
 
 @kernel
@@ -119,14 +121,16 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
     while time < end and count < events.time.size:
         if time - events.time[count - 1] > patience and _apart(bank, p):
             break
-        q1[:], p1[:] = q, p
+        copy_to(q1, q)
+        copy_to(p1, p)
         turn = Turn(turns.stay[level], turns.go[level], turns.back[level])
         overlap, rate = step_on(turn, bank.closing, q1, p1)
         if overlap > tolerance >= before and level + 1 < levels:
             level += 1
             part *= 0.5
             continue
-        q[:], p[:] = q1, p1
+        copy_to(q, q1)
+        copy_to(p, p1)
         time += part
         before = overlap
         level, part = 0, step
@@ -143,7 +147,8 @@ def _fly(bank, turn, step, q, p, q1, p1, longest):
 
     In every step the cubic through overlap and rate at both ends tells whether they met and parted again within it.
     """
-    q1[:], p1[:] = q, p
+    copy_to(q1, q)
+    copy_to(p1, p)
     overlap, rate = 0.0, (bank.closing * p).sum()
     steps, elapsed = 0, 0.0
     while elapsed < longest:
@@ -212,7 +217,8 @@ def _stick(joined, step, q, p, longest):
             parted = True
             break
         elapsed += step
-    q[:], p[:] = basis @ own, basis @ own_rate
+    copy_to(q, basis @ own)
+    copy_to(p, basis @ own_rate)
     return elapsed, parted
 
 
@@ -249,7 +255,8 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
         if elapsed < 0.0:
             break
         time += elapsed
-        q[:], p[:] = q1, p1
+        copy_to(q, q1)
+        copy_to(p, p1)
     return count, time
 
 

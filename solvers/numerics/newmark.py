@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit import kernel
+from .arrays import add_to, copy_to
 from .bands import Factors, factorised, solve, substitute, widened
 from .elements import Line, Wholes
 
@@ -71,8 +72,8 @@ def _write(record, k, stride, force, impulse, indentation, deepest, lost, u, v, 
     if other >= 0:
         record.second[k], record.second_velocity[k] = u[other], v[other]
     if k % stride == 0:
-        record.displacement[k // stride] = u
-        record.velocity[k // stride] = v
+        copy_to(record.displacement[k // stride], u)
+        copy_to(record.velocity[k // stride], v)
 
 
 @kernel
@@ -171,8 +172,8 @@ def march_implicit(law, line, step, u, v, drift, stride, begin, end, record):
             record.second_velocity[k + 1] += _sum(drift, at_other, 1)
         if (k + 1) % stride == 0:
             for m in range(anchors.size):
-                record.displacement[(k + 1) // stride] += drift[0, m] * shapes[m]
-                record.velocity[(k + 1) // stride] += drift[1, m] * shapes[m]
+                add_to(record.displacement[(k + 1) // stride], drift[0, m], shapes[m])
+                add_to(record.velocity[(k + 1) // stride], drift[1, m], shapes[m])
 
 
 @kernel
@@ -271,7 +272,7 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
     """
     front, other = line.front, line.other
     ends = other >= 0
-    gain, spring = line.gain, line.spring
+    gain, spring, half_gain = line.gain, line.spring, 0.5 * line.gain
     mobility = gain[front] + (gain[other] if ends else 0.0)
     indentation, deepest = record.indentation[begin], record.deepest[begin]
     impulse, work = record.impulse[begin], record.lost[begin]
@@ -304,10 +305,10 @@ def march_explicit(law, lossy, line, step, u, v, stride, begin, end, record):
             record.second_velocity[k + 1] = v[other] + 0.5 * (a2 + gain[other] * force)
         if (k + 1) % stride == 0:
             row = (k + 1) // stride
-            record.displacement[row] = u
+            copy_to(record.displacement[row], u)
             halfway = record.velocity[row]
-            halfway[:] = v
-            _kick(0.5 * gain, spring, u, halfway)
+            copy_to(halfway, v)
+            _kick(half_gain, spring, u, halfway)
             halfway[front] = record.first_velocity[k + 1]
             if ends:
                 halfway[other] = record.second_velocity[k + 1]

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit import kernel, summing_kernel
+from .arrays import copy_to, largest
 
 
 class Bank(NamedTuple):
@@ -145,7 +146,7 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     x, v = record.position[begin], record.velocity[begin]
     rigid_x, rigid_v = record.rigid_position[begin], record.rigid_velocity[begin]
     indentation, lost, spring = record.indentation[begin], record.lost[begin], record.spring_force[begin]
-    deepest = max(record.indentation[: begin + 1].max(), 0.0)
+    deepest = max(largest(record.indentation, begin + 1), 0.0)
     memory, usual = law.way_back(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
     bending = q.sum()
@@ -201,7 +202,8 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
         record.position[k + 1], record.velocity[k + 1] = x, v
         record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
         record.spring_force[k + 1], record.lost[k + 1] = spring, lost
-    displacement[:], velocity[:] = q, p
+    copy_to(displacement, q)
+    copy_to(velocity, p)
 
 
 @kernel

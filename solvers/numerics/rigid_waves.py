@@ -156,7 +156,7 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
     incoming, outgoing, pressure = np.zeros(terms + 1), np.zeros(terms + 1), np.zeros(terms + 1)
     slope, scratch, found = np.zeros(terms + 1), np.zeros(terms + 1), np.zeros(terms + 2)
     t, v1, gap, x1 = 0.0, 1.0, 0.0, 0.0
-    touching, opened, first = True, False, True
+    touching, opened, first = True, gap < 0.0, True  # no literal: it would be compiled twice
     j, n, count = -1, 0, 0
     contacts[0, 2] = 1.0
     count, start[0] = 1, 0.0

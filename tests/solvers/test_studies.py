@@ -7,7 +7,7 @@ from pytest import approx
 import solvers
 from solvers import SceneError
 from solvers.solution import Later
-from solvers.studies import PIECES, RATIO_RANGE, _blows, mass_ratio_sweep, spaced, sweep
+from solvers.studies import MOST_CONTACTS, PIECES, RATIO_RANGE, TERMS, _blows, mass_ratio_sweep, spaced, sweep
 from tests.catalog import ROD, SUPPORTS, T, struck_rod
 
 
@@ -70,7 +70,7 @@ def test_extreme_ratios(support):
 @pytest.mark.parametrize("reflection", [1.0, -1.0])
 def test_every_blow_is_followed_to_its_end(reflection):
     ratios = np.geomspace(*RATIO_RANGE, 500)
-    complete, count, _ = _blows(reflection, ratios, PIECES[-1])
+    complete, count, _ = _blows(reflection, ratios, PIECES[-1], TERMS, MOST_CONTACTS)
     assert complete and count.max() <= 2
 
 

@@ -1,0 +1,30 @@
+"""Arrays in kernels, value by value.
+
+Assigned as a whole, or asked for their largest value, Numba compiles the texts of errors with them: seconds, for a
+message that nobody will see.
+"""
+
+from ..jit import kernel
+
+
+@kernel
+def copy_to(target, source):
+    """Write the values of `source` (n,) into `target` (n,)."""
+    for i in range(source.size):
+        target[i] = source[i]
+
+
+@kernel
+def add_to(target, factor, source):
+    """Add `factor` times the values of `source` (n,) to `target` (n,)."""
+    for i in range(source.size):
+        target[i] += factor * source[i]
+
+
+@kernel
+def largest(values, count):
+    """The largest of the first `count` values."""
+    found = values[0]
+    for i in range(1, count):
+        found = max(found, values[i])
+    return found
