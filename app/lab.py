@@ -13,6 +13,7 @@ import panel as pn
 import param
 from holoviews.streams import Pipe
 from panel.io.resources import LOCAL_DIST
+from param.parameterized import _syncing
 
 from .address import ASKED, PANELS, opened_from_address
 from .analysis import energy_shares, energy_view
@@ -265,15 +266,27 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     def _take_changes(self, events: dict[str, Any]) -> None:
         for name, value in events.items():
             if name in self.OPENED and isinstance(value, bool):
-                super()._process_events({name: value})
+                self._set(name, value)
             if name not in self.CHOSEN and name not in self.ASKED:
                 continue
             if accepts(name, value) if name in self.CHOSEN else accepted(name, value):
-                super()._process_events({name: value})
+                self._set(name, value)
             else:
                 self._refuse(refusal(name, value, type(self)))
                 with self._silence():
                     self.param.trigger(name)
+
+    def _set(self, name: str, value: Any) -> None:
+        """As Panel does with what the browser has set, but for what no choice needs and takes 3 ms: telling all who
+        wait that it is busy, and making every read-only parameter writable for a while.
+        """
+        document = pn.state.curdoc
+        self._in_process__events[document] = {name: value}
+        try:
+            with _syncing(self, [name]):  # the browser has it already
+                self.param.update(**{name: value})
+        finally:
+            self._in_process__events.pop(document, None)
 
 
 def _spec() -> dict[str, Any]:
