@@ -83,7 +83,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
                 state, node, remembers, loses, dent, corner, span, step, located, attempt, work
             )
         elif with_law or chain.kind[node] == RIGID_FACES:
-            ends, step, located = face_events(state, node, dent, NO_PULL * peak, step, located, work)
+            ends, step, located = face_events(state, node, rods, dent, NO_PULL * peak, step, located, work)
         else:
             ends = SMOOTH
         if ends != RETRIES:
