@@ -15,7 +15,8 @@ from ..method import AFTERGLOW, Method
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, balanced, later, summary, touching
 from .chain_motion import ChainMotion
-from .wave_chain import UNKNOWN, ChainHistory
+from .chain_solve import follow
+from .wave_chain import UNKNOWN
 from .wave_histories import History, RigidHistory, SteppedHistory
 
 FORCE_SAMPLES = 200  # per round trip, in `force_history`
@@ -120,7 +121,7 @@ class Waves(Method):
         rigid = all(law is None or isinstance(law, Rigid) for law in laws)
         rigid = rigid and len(scene.target.rods) <= FEW_RODS
         tolerance = min(self.tolerance, RIGID_TOLERANCE) if rigid else self.tolerance
-        history = ChainHistory(scene, until, tolerance if rigid else 0.1 * tolerance)  # errors of some steps add up
+        history = follow(scene, until, tolerance if rigid else 0.1 * tolerance)  # errors of some steps add up
         trip = history.trip
         shown = min(until, history.reach)
         if not math.isfinite(until):
@@ -131,7 +132,7 @@ class Waves(Method):
         diagnostics = found["diagnostics"]
         residual = abs(diagnostics["energy_error"]) + abs(diagnostics["momentum_error"])
         diagnostics["steps"] = history.steps
-        diagnostics["estimated_error"] = UNKNOWN if history.cut else max(residual, tolerance)
+        diagnostics["estimated_error"] = UNKNOWN if history.cut else max(residual, tolerance, history.error)
         return Solution(
             scene=scene,
             method=self.table(),

@@ -74,6 +74,8 @@ class State(NamedTuple):
     breaks: np.ndarray  # (nodes, many): times at which jumps arrive, ascending
     break_count: np.ndarray
     next_break: np.ndarray
+    changed: np.ndarray  # whether the next stretch may begin with a jump
+    parting: np.ndarray  # (1,): since when the impactor is apart; infinite while it touches
 
 
 def new_state(chain: Chain, capacity: int) -> State:
@@ -97,6 +99,8 @@ def new_state(chain: Chain, capacity: int) -> State:
         breaks=np.zeros((nodes, capacity)),
         break_count=np.zeros(nodes, np.int64),
         next_break=np.zeros(nodes, np.int64),
+        changed=np.ones(nodes, np.bool_),
+        parting=np.full(1, np.inf),
     )
 
 
