@@ -11,14 +11,25 @@ import numpy as np
 
 from ..bodies import Rod
 from ..contact import Linear, Rigid
+from ..doubts import NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
+from ..method import MAX_ROUND_TRIPS
 from ..numerics.wave_laws import constants_of
 from ..numerics.wave_nodes import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
-from ..numerics.wave_record import DEPTH, OUT_LEFT, OUT_RIGHT, TOTAL_LEFT, TOTAL_RIGHT
+from ..numerics.wave_record import DEPTH, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ..scene import Scene
 from ..solution import ContactPeriod
 
 NO_LAW = Linear(1.0)  # where no law is asked for
+MILLIONTH = 1e-6  # of v: on a rod without end, where a force fades for ever, less is left to be
+UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
 ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
+
+
+def end_notes(parted: bool, touching: bool, asked: bool, full: str | None = None) -> list[str]:
+    """What to say of the end of a solution; `full`: the limit that it has come to, beside that of round trips."""
+    if full or (not parted and not asked):
+        return [cut_short(full or f"{MAX_ROUND_TRIPS:.0f} round trips")]
+    return [STILL_TOUCHING] if touching else []
 
 
 class ChainScene:
@@ -129,11 +140,22 @@ class ChainHistory(ABC):
     error: float
     contacts: list[ContactPeriod]
     touching: bool
+    faded: bool  # before a rod without end: nothing is left to come
 
     def __init__(self, given: ChainScene):
         self.given, self.scene, self.chain = given, given.scene, given.chain
         self.trip, self.speed, self.force_unit = given.trip, given.speed, given.force_unit
         self.rods, self.contact, self.laws = given.rods, given.contact, given.laws
+
+    def estimated_error(self, residual: float, unbalanced: float, tolerance: float) -> float:
+        """Of the final velocity of the impactor [v]; residual: what energies and momenta miss, unbalanced: momenta."""
+        return UNKNOWN if self.cut else max(residual, self.error, tolerance)
+
+    def end_notes(self) -> list[str]:
+        """What to say of the end of the solution."""
+        if self.faded:
+            return [NEVER_PART if self.touching else TOUCH_ON]
+        return end_notes(not self.cut, self.touching, False)
 
     @abstractmethod
     def notes(self) -> list[str]:
@@ -186,6 +208,16 @@ class ChainHistory(ABC):
         held = [sum(self.squares(node, sent, max(now - lag, 0.0), now) for node, sent, _ in ends) for now in t.tolist()]
         inside = [self.sampled(node, total, t) - self.sampled(node, total, t - lag) for node, _, total in ends]
         return 0.5 * z * lag * drift**2 + drift * (inside[0] - inside[1]) + np.array(held) / z
+
+    def energy_left(self, t: float) -> float:
+        """Share of the energy at first that is still in bodies, rods and contacts at a time [T]."""
+        now, energy = np.array([t]), 0.0
+        for node, mass in enumerate(self.chain.mass_left + self.chain.mass_right):
+            if 0.0 < mass < math.inf:
+                energy += 0.5 * mass * float(self.sampled(node, SPEED, now)[0]) ** 2
+        energy += sum(float(self.rod_energy(rod, now)[0]) for rod in range(len(self.rods)))
+        unit = self.force_unit * self.speed * self.trip
+        return (energy + float(self.stored(now)[0])) * unit / self.scene.initial_energy
 
     def stored(self, t: np.ndarray) -> np.ndarray:
         """Energy stored in the contact laws [Z v^2 T]."""

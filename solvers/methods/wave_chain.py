@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 
-from ..doubts import NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
 from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_network
 from ..numerics.wave_events import NO_PULL
@@ -23,19 +22,10 @@ from ..numerics.wave_record import (
     square_integral,
 )
 from ..solution import ContactPeriod
-from .chain_scene import ROUNDING, ChainHistory, ChainScene
+from .chain_scene import MILLIONTH, ROUNDING, ChainHistory, ChainScene
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
-UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
-MILLIONTH = 1e-6  # of v: on a rod without end, where a force fades for ever, less is left to be
-
-
-def end_notes(parted: bool, touching: bool, asked: bool, full: str | None = None) -> list[str]:
-    """What to say of the end of a solution; `full`: the limit that it has come to, beside that of round trips."""
-    if full or (not parted and not asked):
-        return [cut_short(full or f"{MAX_ROUND_TRIPS:.0f} round trips")]
-    return [STILL_TOUCHING] if touching else []
 
 
 class ExactHistory(ChainHistory):
@@ -66,13 +56,8 @@ class ExactHistory(ChainHistory):
         endless = not self.asked and self.rods[-1].support == "anechoic"
         wait = math.inf if self.asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
         struck, joints, constants = self.given.kernel_laws()
-        laws = (
-            law_function(struck),
-            law_function(joints),
-            constants,
-            self.given.told("PLASTIC"),
-            self.given.told("LOSSY"),
-        )
+        memory = self.given.told("PLASTIC"), self.given.told("LOSSY")
+        laws = law_function(struck), law_function(joints), constants, *memory
         ends = wait, MILLIONTH if endless else NO_PULL
         rooms, stop = (self.record, self.state, new_work()), self._fading() if endless else limit
         while True:
@@ -82,8 +67,9 @@ class ExactHistory(ChainHistory):
             )
             if not endless or status in (wave_network.FULL, wave_network.FAILED):
                 return status
-            self.faded = not self._apart() if status == wave_network.PARTED else self._left() < MILLIONTH**2
-            if self.faded or status == wave_network.PARTED or stop >= limit:
+            parted = status == wave_network.PARTED
+            self.faded = not self._apart() if parted else self._nothing_left()
+            if self.faded or parted or stop >= limit:
                 return status
             stop *= 1.5
 
@@ -92,24 +78,16 @@ class ExactHistory(ChainHistory):
         slowest = min(rod.impedance for rod in self.scene.target.rods)
         return 2.0 * len(self.rods) + 14.0 * self.scene.impactor.mass / slowest / self.trip
 
+    def _nothing_left(self) -> bool:
+        return self.energy_left(float(self.state.time.min())) < MILLIONTH**2
+
     def _apart(self) -> bool:
         """Whether no part will ever catch up with the one before it, however slowly."""
         through = np.array([pushed(self.record, node) for node in range(len(self.laws))])
         return wave_network.separate(self.chain, self.given.masses, through, NO_PULL)
 
-    def _left(self) -> float:
-        """Share of the energy at first that is still in bodies, rods and contacts."""
-        t = np.array([self.state.time.min()])
-        masses = np.where(np.isinf(self.chain.mass_right), 0.0, self.chain.mass_right) + self.chain.mass_left
-        moving = float((0.5 * masses * self.state.speed**2).sum())
-        energy = moving + sum(float(self.rod_energy(rod, t)[0]) for rod in range(len(self.rods)))
-        unit = self.force_unit * self.speed * self.trip
-        return (energy + float(self.stored(t)[0])) * unit / self.scene.initial_energy
-
     def notes(self) -> list[str]:
-        if self.faded:
-            return [NEVER_PART if self.touching else TOUCH_ON]
-        return end_notes(not self.cut, self.touching, self.asked)
+        return self.end_notes()
 
     def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
         t = np.asarray(t, float)

@@ -16,7 +16,6 @@ from ..scene import Scene
 from ..solution import ContactPeriod, Solution, balanced, later, summary, touching
 from .chain_motion import ChainMotion
 from .chain_solve import follow
-from .wave_chain import UNKNOWN
 from .wave_histories import History, RigidHistory, SteppedHistory
 
 FORCE_SAMPLES = 200  # per round trip, in `force_history`
@@ -132,7 +131,9 @@ class Waves(Method):
         diagnostics = found["diagnostics"]
         residual = abs(diagnostics["energy_error"]) + abs(diagnostics["momentum_error"])
         diagnostics["steps"] = history.steps
-        diagnostics["estimated_error"] = UNKNOWN if history.cut else max(residual, tolerance, history.error)
+        diagnostics["estimated_error"] = history.estimated_error(
+            residual, abs(diagnostics["momentum_error"]), tolerance
+        )
         return Solution(
             scene=scene,
             method=self.table(),
