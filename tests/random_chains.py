@@ -9,9 +9,8 @@ import numpy as np
 
 import solvers
 from bench.random_scenes import random_contact
-from solvers import Scene, Solution
+from solvers import Scene
 from solvers.bodies.rods import MAX_RODS
-from solvers.doubts import ended_early
 
 TRIPS = 20.0
 MATERIALS = ("steel", "aluminium", "bronze")
@@ -42,7 +41,11 @@ def random_chain(number: int) -> tuple[Scene, float]:
     impactor: dict[str, object] = {"mass": between(chance, 0.03, 30.0) * weight, "velocity": speed}
     if chance.random() < 0.2:
         impactor = {"kind": "rod", "velocity": speed} | _rod(chance)
-    table = {"impactor": impactor, "target": target, "contact": _law(chance, str(chance.choice([*solvers.LAWS])), speed)}
+    table = {
+        "impactor": impactor,
+        "target": target,
+        "contact": _law(chance, str(chance.choice([*solvers.LAWS])), speed),
+    }
     scene = Scene.from_table(table)
     return scene, TRIPS * max(rod.round_trip_time for rod in scene.target.rods)
 

@@ -8,7 +8,7 @@ from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_grid
 from ..numerics.wave_events import NO_PULL
 from ..numerics.wave_network import separate
-from ..numerics.wave_nodes import ABSORBING, Chain
+from ..numerics.wave_parts import ABSORBING, Chain
 from ..numerics.wave_record import (
     DEPTH,
     FORCE,
@@ -37,13 +37,13 @@ class GridHistory(ChainHistory):
     end of a step; of the numbers of steps that are affordable the one is taken for which this is least. Mass is kept.
     """
 
-    def __init__(self, given: ChainScene, until: float, horizon: float, share: float = 1.0):
+    def __init__(self, given: ChainScene, until: float, horizon: float, share: float = 1.0, trials: int = TRIALS):
         """Solve up to `until` [T] or, if that is infinite, until the impactor has parted for good.
 
-        horizon [T]: how far to look for that at first; share: of the steps that are affordable.
+        horizon [T]: how far to look for that at first; share: of the steps that are affordable; trials: see `TRIALS`.
         """
         super().__init__(given)
-        self.asked, self.share = math.isfinite(until), share
+        self.asked, self.share, self.trials = math.isfinite(until), share, trials
         limit = min(until, MAX_ROUND_TRIPS)
         self.reach, self.parted, self.faded = min(limit, horizon), False, False
         while True:
@@ -58,7 +58,8 @@ class GridHistory(ChainHistory):
 
     def _march(self) -> None:
         self._integrals: dict[tuple[int, int], np.ndarray] = {}
-        count, lags = best_steps(self.given.chain, self.reach, int(self.share * NODE_STEPS) // len(self.laws))
+        affordable = int(self.share * NODE_STEPS) // len(self.laws)
+        count, lags = best_steps(self.given.chain, self.reach, affordable, self.trials)
         self.step, self.chain = self.reach / count, rounded(self.given.chain, lags, self.reach / count)
         nodes = len(self.laws)
         self.left, self.right, self.force = (np.zeros((nodes, count)) for _ in range(3))
@@ -116,12 +117,22 @@ class GridHistory(ChainHistory):
         """Without what energies miss: that is first order in the step, and does not come back to the velocities."""
         return UNKNOWN if self.cut else max(unbalanced, self.error, tolerance)
 
+    def compare(self, coarse: "GridHistory", difference: float) -> None:
+        """Take the error from what a coarser solve differs by [v]: of it is left, of second order, what the steps leave
+        and, of first order, what the lengths of the rods do.
+        """
+        lengths = self.change() / coarse.change() if coarse.change() > 0.0 else 0.0
+        self.error = max(self.error, difference * min(1.0, max(2.0 * COARSER**2, 4.0 * lengths)))
+
+    def change(self) -> float:
+        """Of the lengths of the rods, the largest share."""
+        return float(np.abs(self.chain.transit / self.given.chain.transit - 1.0)[lengths_matter(self.chain)].max())
+
     def notes(self) -> list[str]:
-        lengths = zip(self.rods, self.chain.transit, self.given.chain.transit, lengths_matter(self.chain), strict=True)
-        change = max(abs(rod.length * (new / old - 1.0)) for rod, new, old, matters in lengths if matters)
         found = [
             "The echoes in this chain multiply beyond what is affordable one by one: its waves were stepped on a grid "
-            f"of {self.force.shape[1]} times, on which its rods are up to {change:.2g} m longer or shorter."
+            f"of {self.force.shape[1]} times, on which its rods are longer or shorter by up to {self.change():.1g} of "
+            "their length."
         ]
         return found + self.end_notes()
 
@@ -219,11 +230,11 @@ def _sum(values: np.ndarray) -> np.ndarray:
     return np.concatenate(([0.0], np.cumsum(values)))
 
 
-def best_steps(chain: Chain, reach: float, most: int) -> tuple[int, np.ndarray]:
+def best_steps(chain: Chain, reach: float, most: int, trials: int = TRIALS) -> tuple[int, np.ndarray]:
     """The number of steps up to `reach`, at most `most`, on which the rods change their lengths least; transit times
     in these steps (rods,).
     """
-    counts = np.unique(np.linspace(0.7 * most, most, TRIALS).astype(int))
+    counts = np.unique(np.linspace(most, 0.7 * most, trials).astype(int))
     matters = lengths_matter(chain)
     exact = np.outer(counts, chain.transit[matters]) / reach
     change = np.abs(np.maximum(np.rint(exact), 1.0) / exact - 1.0)

@@ -14,7 +14,7 @@ from ..contact import Linear, Rigid
 from ..doubts import NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
 from ..method import MAX_ROUND_TRIPS
 from ..numerics.wave_laws import constants_of
-from ..numerics.wave_nodes import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
+from ..numerics.wave_parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
 from ..numerics.wave_record import DEPTH, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ..scene import Scene
 from ..solution import ContactPeriod

@@ -31,9 +31,13 @@ MAX_STRETCHES = 200_000  # of all nodes together
 class ExactHistory(ChainHistory):
     """Every node followed from event to event."""
 
-    def __init__(self, given: ChainScene, until: float, tolerance: float):
-        """Solve up to `until` [T], or until the impactor has parted for good if that is infinite."""
+    def __init__(self, given: ChainScene, until: float, tolerance: float, instead_of: float | None = None):
+        """Solve up to `until` [T], or until the impactor has parted for good if that is infinite.
+
+        instead_of: the tolerance that was wanted, where it is not affordable.
+        """
         super().__init__(given)
+        self.tolerances = tolerance, instead_of
         self.asked, self.faded = math.isfinite(until), False
         most = MAX_STRETCHES // len(self.laws)
         capacity = min(STRETCHES, most)
@@ -87,7 +91,14 @@ class ExactHistory(ChainHistory):
         return wave_network.separate(self.chain, self.given.masses, through, NO_PULL)
 
     def notes(self) -> list[str]:
-        return self.end_notes()
+        followed, wanted = self.tolerances
+        if wanted is None:
+            return self.end_notes()
+        return [
+            "The echoes in this chain multiply beyond what is affordable one by one: its waves were followed to a "
+            f"tolerance of {followed:g} per step instead of {wanted:g}.",
+            *self.end_notes(),
+        ]
 
     def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
         t = np.asarray(t, float)

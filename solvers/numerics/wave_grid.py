@@ -3,10 +3,10 @@
 Nodes and rods are those of `wave_network`; the transit time of every rod is a whole number of steps. What is kept of a
 step is its mean: of the waves sent, and of the force. A wave arrives as it was sent, so that fronts stay sharp, and
 what a node does to means conserves momentum and energy to rounding: a mass moves by the midpoint rule, a contact law
-answers with the mean force whose work is what it takes up. Only within the step in which faces meet is energy lost, as
+answers with the mean force whose work is what it takes up. Only where rigid faces meet within a step is energy lost, as
 the mean of a force that sets in within it holds less than the force.
 
-Error: second order in the step, but for fronts that faces part on: they are known to a step.
+Error: second order in the step, of velocities and impulses; first order, of the energy that such fronts hold.
 """
 
 from collections.abc import Callable
@@ -15,10 +15,11 @@ from functools import lru_cache
 from numba import types
 
 from ..jit import address, kernel
-from .wave_nodes import ABSORBING, BONDED, LAW, PRESSED, RIGID_FACES, mobility
+from .wave_parts import ABSORBING, BONDED, LAW, PRESSED, RIGID_FACES, mobility
 
 SIGNATURE = types.float64(types.Array(types.float64, 1, "C"), *[types.float64] * 6, types.Array(types.float64, 1, "C"))
 MEMORY = 5  # room of a node for what its law answers: end, energy lost, two numbers of its way back; largest force
+FAINT = 1e-3  # of a front: less of it in a step is rather a bend
 
 
 @lru_cache
@@ -58,6 +59,38 @@ def _free_closing(chain, node, from_left, from_right, speed):
 
 
 @kernel
+def _arriving(lags, left, right, node, n):
+    """Means of the waves that arrive at a node in step n."""
+    from_left = from_right = 0.0
+    if node > 0 and n >= lags[node - 1]:
+        from_left = right[node - 1, n - lags[node - 1]]
+    if node < lags.size and n >= lags[node]:
+        from_right = left[node + 1, n - lags[node]]
+    return from_left, from_right
+
+
+@kernel
+def _parting_front(chain, lags, left, right, force, node, n, speed, give, mean):
+    """Mean force of rigid faces that a front of tension parts within step n, told by the steps before and after it.
+
+    `mean`: of the force that would hold them together: part of the step the force of the step before, then that of the
+    step after, which pulls. Where no front comes, the mean itself if it pushes.
+    """
+    plain = max(mean, 0.0)
+    near = lags.size == 0 or (node > 0 and lags[node - 1] < 2) or (node < lags.size and lags[node] < 2)
+    if near or n < 2 or n + 1 >= force.shape[1]:
+        return plain
+    from_left, from_right = _arriving(lags, left, right, node, n + 1)
+    after = _free_closing(chain, node, from_left, from_right, speed) / give
+    before, bend = force[node, n - 1], force[node, n - 1] - force[node, n - 2]
+    pressed = before + bend  # as it would go on
+    drop = pressed - after
+    if not (after < 0.0 and after < mean < pressed - FAINT * drop) or abs(bend) > 0.1 * drop:
+        return plain
+    return pressed * (mean - after) / drop
+
+
+@kernel
 def march(
     chain, lags, step, first, last, contact, joint, constants, pulse, speed, deepest, memory, left, right, force, depth,
     lost,
@@ -72,11 +105,7 @@ def march(
     nodes = chain.kind.size
     for n in range(first, last):
         for node in range(nodes):
-            from_left = from_right = 0.0
-            if node > 0 and n >= lags[node - 1]:
-                from_left = right[node - 1, n - lags[node - 1]]
-            if node < nodes - 1 and n >= lags[node]:
-                from_right = left[node + 1, n - lags[node]]
+            from_left, from_right = _arriving(lags, left, right, node, n)
             kind, start = chain.kind[node], depth[node, n]
             rods, masses = mobility(chain, node)
             give = rods + 0.5 * step * masses
@@ -89,8 +118,11 @@ def march(
             elif kind == BONDED:
                 push, end = closing / give, start
             elif kind == RIGID_FACES:
-                if end > 0.0:
-                    push, end = end / (step * give), 0.0
+                push = max(end, 0.0) / (step * give)
+                if start == 0.0:
+                    push = _parting_front(chain, lags, left, right, force, node, n, speed[node], give, closing / give)
+                held = step * give * push
+                end = end - held if end < held * (1.0 - 1e-12) else 0.0
             elif kind == LAW:
                 law = contact if node == chain.contact else joint
                 before = force[node, n - 1] if n > 0 else 0.0

@@ -21,20 +21,8 @@ from ..jit import kernel
 from .collocation import STAGES
 from .wave_events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
 from .wave_laws import CORNER, DENT, PRESS, STORED
-from .wave_nodes import (
-    BONDED,
-    LAW,
-    PRESSED,
-    RIGID_FACES,
-    add_break,
-    finish,
-    mobility,
-    prepare,
-    seen,
-    share_of_error,
-    simple_forces,
-    tiny,
-)
+from .wave_nodes import add_break, finish, prepare, seen, share_of_error, simple_forces, tiny
+from .wave_parts import BONDED, LAW, PRESSED, RIGID_FACES, mobility
 from .wave_record import FORCE, jumped, pushed
 
 LEAST_STEP = 1e-13  # tried next, as a share of the time: below it rounding is taken for detail
