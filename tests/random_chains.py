@@ -66,3 +66,26 @@ def _rod(chance: np.random.Generator) -> dict[str, object]:
 def _law(chance: np.random.Generator, name: str, speed: float) -> dict[str, object]:
     """Of a rod of middling size: 0.2 m, 1e-3 m2, of steel."""
     return random_contact(chance, name, 1e9 / between(chance, 0.1, 30.0), 8e-5 * speed)
+
+
+def wrong_with(solution: Solution, scene: Scene, duration: float) -> list[str]:
+    """What a solution of a random chain must not be, in words; nothing if all is well."""
+    found, done = [], solution.diagnostics
+    if ended_early(solution.notes) or solution.duration < duration * (1.0 - 1e-12):
+        found.append(f"ends at {solution.duration:.4g} s of {duration:.4g} s: {solution.notes}")
+    error = done["estimated_error"]
+    if not error < 0.1:
+        found.append(f"error {error:.2g} v")
+    if not abs(done["momentum_error"]) <= max(1e-9, error):
+        found.append(f"momentum is off by {done['momentum_error']:.2g}, error {error:.2g}")
+    stepped = any("on a grid" in note for note in solution.notes)  # where meeting faces lose some energy
+    if not abs(done["energy_error"]) <= (0.02 if stepped else max(1e-8, 10.0 * error)):
+        found.append(f"energy is off by {done['energy_error']:.2g}, error {error:.2g}")
+    if solution.energy["dissipated"] < -1e-6 * solution.energy["initial"]:
+        found.append(f"laws give energy: {solution.energy['dissipated']:.2g} J")
+    for number, periods in enumerate((solution.contacts, *solution.joints)):
+        if any(period.end > solution.duration * (1.0 + 1e-12) for period in periods):
+            found.append(f"a contact at joint {number} ends after the end")
+        if any(period.impulse < -1e-9 * scene.impactor.mass * scene.speed for period in periods):
+            found.append(f"faces pull on each other at joint {number}")
+    return found

@@ -117,13 +117,6 @@ class GridHistory(ChainHistory):
         """Without what energies miss: that is first order in the step, and does not come back to the velocities."""
         return UNKNOWN if self.cut else max(unbalanced, self.error, tolerance)
 
-    def compare(self, coarse: "GridHistory", difference: float) -> None:
-        """Take the error from what a coarser solve differs by [v]: of it is left, of second order, what the steps leave
-        and, of first order, what the lengths of the rods do.
-        """
-        lengths = self.change() / coarse.change() if coarse.change() > 0.0 else 0.0
-        self.error = max(self.error, difference * min(1.0, max(2.0 * COARSER**2, 4.0 * lengths)))
-
     def change(self) -> float:
         """Of the lengths of the rods, the largest share."""
         return float(np.abs(self.chain.transit / self.given.chain.transit - 1.0)[lengths_matter(self.chain)].max())
