@@ -1,4 +1,4 @@
-"""Waves in 1000 random chains of rods over 20 round trips of the longest: how, how long, how exactly, and what fails."""
+"""Waves in 1000 random chains of rods over 20 round trips of the longest: how, how fast, how exactly, what fails."""
 
 from time import perf_counter
 

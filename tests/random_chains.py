@@ -9,8 +9,9 @@ import numpy as np
 
 import solvers
 from bench.random_scenes import random_contact
-from solvers import Scene
+from solvers import Scene, Solution
 from solvers.bodies.rods import MAX_RODS
+from solvers.doubts import ended_early
 
 TRIPS = 20.0
 MATERIALS = ("steel", "aluminium", "bronze")
