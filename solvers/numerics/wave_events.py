@@ -46,8 +46,8 @@ def face_events(state, node, rods, dent, pull, step, located, work):
             return RETRIES, step, 0
         ending = PARTS
     else:
-        closing = min(work.rate[0], interpolate(work.rate, min(at_start, 1.0)))
-        if not state.opened[node] and work.depth[0] >= dent - pull and closing > rods * pull:
+        near = not state.opened[node] and work.depth[0] >= dent - pull and work.rate[0] > rods * pull
+        if near and interpolate(work.rate, min(at_start, 1.0)) > rods * pull:
             state.closed[node] = True
             state.depth[node] = max(dent, state.depth[node])
             return RETRIES, step, located
