@@ -18,6 +18,7 @@ from . import (
     methods,
     page,
     peers,
+    random_chains,
     regime_sweep,
     regimes,
     startup,
@@ -44,12 +45,13 @@ PARTS = {
     "tradeoffs": tradeoffs,
     "automatic": automatic,
     "waves": waves,
+    "random": random_chains,
     "peers": peers,
     "page": page,
     "visitors": visitors,
 }
 
-IF_ASKED = ("regime-sweep",)  # a minute of all cores
+IF_ASKED = ("regime-sweep", "random")  # a minute of all cores; half an hour of one
 RESULTS = Path(__file__).parent / "results.json"
 
 

@@ -20,6 +20,11 @@ NEVER_PART = (
     "force fades and never ends. What is left of it changes the velocities by a millionth."
 )
 
+TOUCH_ON = (
+    "The bodies touch again and again, ever more weakly, as no wave comes back from a rod without end. What is left "
+    "changes the velocities by a millionth."
+)
+
 
 ENDS_EARLY = "do not trust its end"  # what every note says of a solution that could not be followed to its end
 

@@ -1,9 +1,8 @@
-"""Fields, histories and energies of a chain of rods from the waves that `wave_chain` has found."""
+"""Fields, histories and energies of a chain of rods from the waves that its history knows."""
 
 import numpy as np
 
 from ..numerics.wave_record import (
-    DEPTH,
     FORCE,
     IMPULSE,
     LOST,
@@ -13,9 +12,8 @@ from ..numerics.wave_record import (
     SPEED,
     TOTAL_LEFT,
     TOTAL_RIGHT,
-    square_integral,
 )
-from .wave_chain import ChainHistory
+from .chain_scene import ChainHistory
 
 
 class ChainMotion:
@@ -126,58 +124,40 @@ class ChainMotion:
         unit = self.history.force_unit * self.history.trip / self.history.speed
         return (body.mass - body.end_mass) * self.history.chain.drift[rod] + unit * (inside[0] - inside[1])
 
-    def _energy(self, rod: int, t: np.ndarray) -> np.ndarray:
-        """Kinetic and strain energy of a rod [Z v^2 T], without what is fixed to its end."""
-        chain, record, lag = self.history.chain, self.history.record, self.history.chain.transit[rod]
-        z, drift = chain.impedance[rod], chain.drift[rod]
-        squares = np.array(
-            [
-                sum(
-                    square_integral(record, node, quantity, max(now - lag, 0.0), now)
-                    for node, quantity in ((rod, OUT_RIGHT), (rod + 1, OUT_LEFT))
-                )
-                for now in t.tolist()
-            ]
-        )
-        inside = [self.sent_total(rod, way, t) - self.sent_total(rod, way, t - lag) for way in (True, False)]
-        return 0.5 * z * lag * drift**2 + drift * (inside[0] - inside[1]) + squares / z
-
     def energies(self, time):
         """Energy split [J] at each time; that of the rods is what their waves hold, summed from the field."""
         history, scene = self.history, self.scene
         t = np.atleast_1d(self._t(time))
         unit = history.force_unit * history.speed * history.trip
-        target = unit * sum(self._energy(rod, t) for rod in range(history.contact, len(history.rods)))
+        target = unit * sum(history.rod_energy(rod, t) for rod in range(history.contact, len(history.rods)))
         last, end = len(history.rods) - 1, scene.target.rods[-1]
         if end.end_mass:
             target = target + 0.5 * end.end_mass * (history.speed * self._end_mass_velocity(t)) ** 2
         if end.support == "anechoic":
             gone = [
-                square_integral(history.record, last, OUT_RIGHT, 0.0, max(now - history.chain.transit[last], 0.0))
-                for now in t.tolist()
+                history.squares(last, OUT_RIGHT, 0.0, max(now - history.chain.transit[last], 0.0)) for now in t.tolist()
             ]
             target = target + unit * np.array(gone) / history.chain.impedance[last]
         rigid = self._as_wholes(t)
         impactor = np.zeros_like(t)
         if history.contact:
-            impactor = unit * self._energy(0, t)
+            impactor = unit * history.rod_energy(0, t)
         elif scene.impactor.kind != "pulse":
             impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
-        local, lost = self._local(t)
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
-            "local": unit * local,
-            "dissipated": unit * lost,
+            "local": unit * history.stored(t),
+            "dissipated": unit * self._lost(t),
         }
 
     def work(self, time: float) -> float:
         """What the contact force has done to the target [J]: the integral of force times velocity of its face."""
         history, rod = self.history, self.history.contact
         t, lag, z = min(time / history.trip, history.reach), history.chain.transit[rod], history.chain.impedance[rod]
-        out = square_integral(history.record, rod, OUT_RIGHT, 0.0, t)
-        back = square_integral(history.record, rod + 1, OUT_LEFT, 0.0, max(t - lag, 0.0))
+        out = history.squares(rod, OUT_RIGHT, 0.0, t)
+        back = history.squares(rod + 1, OUT_LEFT, 0.0, max(t - lag, 0.0))
         pushed = float(history.sampled(rod, IMPULSE, np.array([t]))[0])
         unit = history.force_unit * history.speed * history.trip
         return float(unit * ((out - back) / z + history.chain.drift[rod] * pushed))
@@ -198,30 +178,14 @@ class ChainMotion:
                 momentum, mass = np.zeros_like(t), 0.0
         return energy
 
-    def _local(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Energy stored in the contact laws, and lost by them [Z v^2 T]."""
-        stored, lost = np.zeros_like(t), np.zeros_like(t)
-        for node, law in enumerate(self.history.laws):
-            if law is None:
-                continue
-            depth = self.history.sampled(node, DEPTH, t)
-            count = int(self.history.record.count[node])
-            ends = self.history.record.values[node, :count, DEPTH, -1]
-            before = np.concatenate(([0.0], np.maximum.accumulate(np.maximum(ends, 0.0))))
-            cells = np.clip(np.searchsorted(self.history.record.start[node, 1:count], t, "right"), 0, count)
-            deepest = np.maximum(before[cells], depth)
-            stored += [law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)]
-            lost += self.history.sampled(node, LOST, t)
-        return stored, lost
+    def _lost(self, t: np.ndarray) -> np.ndarray:
+        """Energy that the contact laws have lost [Z v^2 T]."""
+        nodes = (node for node, law in enumerate(self.history.laws) if law is not None)
+        return sum((self.history.sampled(node, LOST, t) for node in nodes), np.zeros_like(t))
 
     def jumps(self, rod: int, right_going: bool, until: float) -> np.ndarray:
         """Times [T] at which a wave jumps as it is sent."""
-        node, quantity = (rod, OUT_RIGHT) if right_going else (rod + 1, OUT_LEFT)
-        count = int(self.history.record.count[node])
-        values, start = self.history.record.values[node, :count, quantity], self.history.record.start[node, :count]
-        jumped = np.abs(values[1:, 0] - values[:-1, -1]) > 1e-6
-        first = start[:1] if abs(values[0, 0]) > 1e-6 else start[:0]
-        jumps = np.concatenate([first, start[1:][jumped]])
+        jumps = self.history.sent_jumps(*((rod, OUT_RIGHT) if right_going else (rod + 1, OUT_LEFT)))
         return jumps[jumps <= until]
 
     # --- fields -------------------------------------------------------------------------------------------------------

@@ -1,20 +1,14 @@
-"""Scenes of rods for the kernel `numerics.wave_network`, and what it found; `chain_motion` makes a motion of it.
-
-Units inside: time in the scene's T, velocity in the speed of approach v, force in Z v of the struck rod, length in v T.
-"""
+"""Exact waves in a chain of rods, by the kernel `numerics.wave_network`."""
 
 import math
-from typing import Any
 
 import numpy as np
 
-from ..bodies import Rod
-from ..contact import Linear, Rigid
-from ..doubts import ENDS_EARLY, NEVER_PART, STILL_TOUCHING, cut_short
 from ..method import MAX_ROUND_TRIPS
 from ..numerics import wave_network
-from ..numerics.wave_laws import constants_of, law_function, new_work
-from ..numerics.wave_nodes import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain, new_state
+from ..numerics.wave_events import NO_PULL
+from ..numerics.wave_laws import law_function, new_work
+from ..numerics.wave_nodes import new_state
 from ..numerics.wave_record import (
     DEPTH,
     FORCE,
@@ -23,164 +17,97 @@ from ..numerics.wave_record import (
     OUT_RIGHT,
     highest,
     new_record,
+    pushed,
     sample,
+    square_integral,
 )
-from ..scene import Scene
 from ..solution import ContactPeriod
+from .chain_scene import MILLIONTH, ROUNDING, ChainHistory, ChainScene
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
-ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
-UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
-NO_LAW = Linear(1.0)  # where no law is asked for
 
 
-def end_notes(parted: bool, touching: bool, asked: bool, full: str | None = None) -> list[str]:
-    """What to say of the end of a solution; `full`: the limit that it has come to, beside that of round trips."""
-    if full or (not parted and not asked):
-        return [cut_short(full or f"{MAX_ROUND_TRIPS:.0f} round trips")]
-    return [STILL_TOUCHING] if touching else []
+class ExactHistory(ChainHistory):
+    """Every node followed from event to event."""
 
+    def __init__(self, given: ChainScene, until: float, tolerance: float, instead_of: float | None = None):
+        """Solve up to `until` [T], or until the impactor has parted for good if that is infinite.
 
-class ChainHistory:
-    """What the kernel returned for a scene."""
-
-    def __init__(self, scene: Scene, until: float, tolerance: float):
-        """Solve up to `until` [T], or until the impactor has parted for good if that is infinite."""
-        self.scene = scene
-        self.trip, self.speed = scene.time_unit, scene.speed
-        self.force_unit = scene.target.impedance * self.speed
-        self.rods: list[Rod] = ([scene.impactor] if scene.impactor.kind == "rod" else []) + list(scene.target.rods)
-        self.contact = len(self.rods) - len(scene.target.rods)
-        self.faded = False
-        self.laws = self._laws()
-        self.chain = self._chain()
-        if scene.impactor.kind == "pulse":
-            until = min(until, scene.impactor.end / self.trip + 2.0)
-        elif self.rods[-1].support == "anechoic":
-            faded = self._faded()
-            self.faded, until = faded <= until, min(until, faded)
-        asked, limit = math.isfinite(until), min(until, MAX_ROUND_TRIPS)
-        wait = math.inf if asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
-        capacity = min(STRETCHES, MAX_STRETCHES // len(self.laws))
+        instead_of: the tolerance that was wanted, where it is not affordable.
+        """
+        super().__init__(given)
+        self.tolerances = tolerance, instead_of
+        self.asked, self.faded = math.isfinite(until), False
+        most = MAX_STRETCHES // len(self.laws)
+        capacity = min(STRETCHES, most)
         while True:
             self.record, self.state = new_record(len(self.laws), capacity), new_state(self.chain, capacity)
-            rooms = self.record, self.state, new_work()
-            status = wave_network.solve(
-                self.chain, *rooms, *self._kernel_laws(), self._pulse(), self._masses(), wait, limit, tolerance
-            )
-            if status != wave_network.FULL or capacity >= MAX_STRETCHES // len(self.laws):
+            status = self._follow(min(until, MAX_ROUND_TRIPS), tolerance)
+            if status != wave_network.FULL or capacity >= most:
                 break
-            capacity = min(8 * capacity, MAX_STRETCHES // len(self.laws))
+            capacity = min(8 * capacity, most)
         self.reach = float(self.state.time.min())
         self.steps = int(self.record.count.sum())
         self.contacts = self.periods(self.contact)
-        self.failed = status == wave_network.FAILED
-        self.full = f"{MAX_STRETCHES} stretches of waves" if status == wave_network.FULL else None
-        self.cut = status in (wave_network.FULL, wave_network.FAILED) or (status == wave_network.STOPPED and not asked)
+        self.gave_up = status in (wave_network.FULL, wave_network.FAILED)
+        self.cut = self.gave_up or (status == wave_network.STOPPED and not self.asked and not self.faded)
+        self.error = max(tolerance, MILLIONTH if self.faded else 0.0)
         self.touching = bool(self.contacts[-1].end >= self.reach * self.trip * (1.0 - 1e-12))
 
-    def notes(self) -> list[str]:
-        if self.failed:
-            return [
-                f"The equations of a contact could not be solved beyond this time: {ENDS_EARLY}; try another tolerance."
-            ]
-        if self.faded and self.touching and not self.cut:
-            return [NEVER_PART]
-        return end_notes(not self.cut, self.touching, False, self.full)
+    def _follow(self, limit: float, tolerance: float) -> int:
+        """Run the kernel; how it ended. Before a rod without end, look now and then whether anything is left."""
+        endless = not self.asked and self.rods[-1].support == "anechoic"
+        wait = math.inf if self.asked else 2.0 * sum(rod.round_trip_time for rod in self.rods) / self.trip
+        struck, joints, constants = self.given.kernel_laws()
+        memory = self.given.told("PLASTIC"), self.given.told("LOSSY")
+        laws = law_function(struck), law_function(joints), constants, *memory
+        ends = wait, MILLIONTH if endless else NO_PULL
+        rooms, stop = (self.record, self.state, new_work()), self._fading() if endless else limit
+        while True:
+            stop = min(stop, limit)
+            status = wave_network.solve(
+                self.chain, *rooms, *laws, self.given.pulse, self.given.masses, *ends, stop, tolerance
+            )
+            if not endless or status in (wave_network.FULL, wave_network.FAILED):
+                return status
+            parted = status == wave_network.PARTED
+            self.faded = not self._apart() if parted else self._nothing_left()
+            if self.faded or parted or stop >= limit:
+                return status
+            stop *= 1.5
 
-    def _laws(self) -> list[Any]:
-        """The scaled law of every node, or None."""
-        laws: list[Any] = [None] * (len(self.rods) + 1)
-        laws[self.contact] = self.scene.contact
-        for number, law in enumerate(self.scene.joint_laws, self.contact + 1):
-            laws[number] = law
-        units = self.speed * self.trip, self.speed, self.force_unit
-        return [None if law is None or isinstance(law, Rigid) else law.scaled(*units) for law in laws]
-
-    def _kernel_laws(self) -> tuple[Any, Any, np.ndarray, np.ndarray, np.ndarray]:
-        """Law of the contact, law of the joints; constants of each node's, and whether it remembers, and loses."""
-        laws = [law or NO_LAW for law in self.laws]
-        joints = [law for node, law in enumerate(self.laws) if law is not None and node != self.contact]
-        return (
-            law_function(type(laws[self.contact])),
-            law_function(type(joints[0] if joints else NO_LAW)),
-            constants_of(laws),
-            np.array([law.PLASTIC for law in laws]),
-            np.array([law.LOSSY for law in laws]),
-        )
-
-    def _chain(self) -> Chain:
-        """The scene as nodes and rods."""
-        scene, nodes = self.scene, len(self.rods) + 1
-        kind, gap = np.full(nodes, BONDED), np.zeros(nodes)
-        mass_left, mass_right, mass_drift = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
-        mass_unit = self.force_unit * self.trip / self.speed
-        if scene.impactor.kind == "rod":
-            kind[0] = FREE
-        elif scene.impactor.kind != "pulse":
-            mass_left[0], mass_drift[0] = scene.impactor.mass / mass_unit, scene.impactor.velocity / self.speed
-        for number, joint in enumerate(scene.target.joints, self.contact + 1):
-            gap[number] = joint.gap / (self.speed * self.trip)
-            if not joint.bonded:
-                kind[number] = RIGID_FACES if self.laws[number] is None else LAW
-        kind[self.contact] = RIGID_FACES if self.laws[self.contact] is None else LAW
-        if scene.impactor.kind == "pulse":
-            kind[0] = PRESSED
-        last = self.rods[-1]
-        if last.support == "free":
-            kind[-1], mass_right[-1] = (BONDED, last.end_mass / mass_unit) if last.end_mass else (FREE, 0.0)
-            mass_drift[-1] = last.velocity / self.speed
-        elif last.support == "fixed":
-            mass_right[-1] = math.inf
-        else:
-            kind[-1] = ABSORBING
-        return Chain(
-            np.array([rod.impedance for rod in self.rods]) / scene.target.impedance,
-            np.array([0.5 * rod.round_trip_time for rod in self.rods]) / self.trip,
-            np.array([rod.velocity for rod in self.rods]) / self.speed,
-            kind,
-            mass_left,
-            mass_right,
-            mass_drift,
-            gap,
-            self.contact,
-        )
-
-    def _faded(self) -> float:
-        """Time [T] by which a mass on rods without an end has given off all its speed but a millionth."""
+    def _fading(self) -> float:
+        """Time [T] by which a mass on one rod without an end has given off all its speed but a millionth."""
         slowest = min(rod.impedance for rod in self.scene.target.rods)
         return 2.0 * len(self.rods) + 14.0 * self.scene.impactor.mass / slowest / self.trip
 
-    def _pulse(self) -> np.ndarray:
-        """Times and values of a prescribed force."""
-        pulse = self.scene.impactor
-        if pulse.kind != "pulse":
-            return np.zeros((2, 1))
-        return np.array([pulse.times, pulse.forces]) / np.array([[self.trip], [self.force_unit]])
+    def _nothing_left(self) -> bool:
+        return self.energy_left(float(self.state.time.min())) < MILLIONTH**2
 
-    def _masses(self) -> np.ndarray:
-        """Of the part to the right of every joint that can open, the contact being one; of the impactor at last."""
-        unit = self.force_unit * self.trip / self.speed
-        masses = np.full(len(self.laws) + 1, math.inf)
-        target, part = self.scene.target, self.contact
-        masses[part] = 0.0
-        for number, rod in enumerate(target.rods):
-            if number and not target.joints[number - 1].bonded:
-                part = self.contact + number
-                masses[part] = 0.0
-            masses[part] += rod.mass / unit
-        if target.held:
-            masses[part] = math.inf
-        masses[-1] = self.scene.impactor.mass / unit
-        return masses
+    def _apart(self) -> bool:
+        """Whether no part will ever catch up with the one before it, however slowly."""
+        through = np.array([pushed(self.record, node) for node in range(len(self.laws))])
+        return wave_network.separate(self.chain, self.given.masses, through, NO_PULL)
+
+    def notes(self) -> list[str]:
+        followed, wanted = self.tolerances
+        if wanted is None:
+            return self.end_notes()
+        return [
+            "The echoes in this chain multiply beyond what is affordable one by one: its waves were followed to a "
+            f"tolerance of {followed:g} per step instead of {wanted:g}.",
+            *self.end_notes(),
+        ]
 
     def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
-        """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
         t = np.asarray(t, float)
         out = np.empty(t.size)
         sample(self.record, node, quantity, np.ascontiguousarray(t.ravel()), after, out)
         return out.reshape(t.shape)
+
+    def squares(self, node: int, quantity: int, begin: float, end: float) -> float:
+        return square_integral(self.record, node, quantity, begin, end)
 
     def periods(self, node: int) -> list[ContactPeriod]:
         """Stretches of time in which the faces at a node press on each other.
@@ -221,29 +148,32 @@ class ChainHistory:
         deepest, where = np.unique(np.maximum.accumulate(np.maximum(ends, 0.0)), return_inverse=True)
         return np.array([law.dent(depth) for depth in deepest.tolist()])[where]
 
-    def deepest(self) -> float | None:
-        """Largest indentation of the contact [m]; None for rigid faces."""
-        if self.laws[self.contact] is None:
-            return None
+    def deepest_at(self, node: int, t: np.ndarray) -> np.ndarray:
+        count = int(self.record.count[node])
+        ends = self.record.values[node, :count, DEPTH, -1]
+        before = np.concatenate(([0.0], np.maximum.accumulate(np.maximum(ends, 0.0))))
+        cells = np.clip(np.searchsorted(self.record.start[node, 1:count], t, "right"), 0, count)
+        return np.maximum(before[cells], self.sampled(node, DEPTH, t))
+
+    def largest_depth(self) -> float:
         count = int(self.record.count[self.contact])
         t = self.record.start[self.contact, : count + 1]
         fine = np.unique((t[:-1, None] + np.diff(t)[:, None] * np.linspace(0.0, 1.0, 9)).ravel())
         depth = self.sampled(self.contact, DEPTH, fine)
         k = int(np.argmax(depth))
         near = np.linspace(fine[max(k - 1, 0)], fine[min(k + 1, fine.size - 1)], 201)
-        return self.speed * self.trip * float(self.sampled(self.contact, DEPTH, near).max())
-
-    def dent(self) -> float | None:
-        """Indentation left behind [m]."""
-        law = self.laws[self.contact]
-        if law is None:
-            return None
-        return self.speed * self.trip * float(law.dent(float(self.state.deepest[self.contact])))
+        return float(self.sampled(self.contact, DEPTH, near).max())
 
     def jumps(self) -> np.ndarray:
-        """Times [T] at which the contact force may jump or bend."""
         count = int(self.record.count[self.contact])
         breaks = self.state.breaks[self.contact, : int(self.state.break_count[self.contact])]
         closed = self.record.closed[self.contact, :count]
         events = self.record.start[self.contact, 1:count][closed[1:] != closed[:-1]]
         return np.unique(np.concatenate(([0.0], events, breaks[breaks <= self.reach])))
+
+    def sent_jumps(self, node: int, quantity: int) -> np.ndarray:
+        count = int(self.record.count[node])
+        values, start = self.record.values[node, :count, quantity], self.record.start[node, :count]
+        jumped = np.abs(values[1:, 0] - values[:-1, -1]) > 1e-6
+        first = start[:1] if abs(values[0, 0]) > 1e-6 else start[:0]
+        return np.concatenate([first, start[1:][jumped]])

@@ -10,7 +10,7 @@ import numpy as np
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS
 from ..numerics import rigid_figures, rigid_waves, stepped_waves
 from ..scene import Scene
-from .wave_chain import UNKNOWN, end_notes
+from .chain_scene import UNKNOWN, end_notes
 
 
 class History:
@@ -50,6 +50,9 @@ class RigidHistory(History):
         self.kappa, self.reflection = 2.0 * beta, reflection
         self.contacts, self.reach, self.steps = contacts, float(self.pieces[0][-1]), int(count)
         full = f"{cls.MAX_PIECES} pieces of its wave" if status == rigid_waves.FULL else None
+        if full and asked:
+            trip = scene.time_unit
+            full += f", reached at {self.reach * trip:.4g} s of the {until * trip:.4g} s asked for,"
         self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked, full)
         self.complete = status == rigid_waves.PARTED or (asked and not full)
         return self

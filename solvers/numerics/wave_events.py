@@ -30,20 +30,31 @@ def _first_crossing(values, level, upward):
 
 
 @kernel
-def face_events(state, node, dent, pull, step, located, work):
-    """What happens within a step at rigid faces, or at any faces that are apart: how it ends, step, looks taken."""
+def face_events(state, node, rods, dent, pull, step, located, work):
+    """What happens within a step at rigid faces, or at any faces that are apart: how it ends, step, looks taken.
+
+    What rounding puts at the start of the step happens there: no step is short enough to end with it.
+    """
+    at_start = 4e-15 * (state.time[node] + 1e-3) / step
     if state.closed[node]:
         if work.forces[0] < -pull:  # a front of tension parts them at once
             state.closed[node], state.opened[node] = False, False
             return RETRIES, step, located
         place = _first_crossing(work.forces, -pull, False)
+        if place < at_start:
+            state.closed[node], state.opened[node] = False, False
+            return RETRIES, step, 0
         ending = PARTS
     else:
-        if not state.opened[node] and work.depth[0] >= dent - pull and work.rate[0] > 1e-13:
+        near = not state.opened[node] and work.depth[0] >= dent - pull and work.rate[0] > rods * pull
+        if near and interpolate(work.rate, min(at_start, 1.0)) > rods * pull:
             state.closed[node] = True
             state.depth[node] = max(dent, state.depth[node])
             return RETRIES, step, located
         place = _first_crossing(work.depth, dent if state.opened[node] else dent + NO_PULL, True)
+        if place < at_start:
+            state.closed[node], state.depth[node] = True, dent
+            return RETRIES, step, 0
         ending = TOUCHES
     if place <= 1.0 - 1e-9 and located < 3:
         return RETRIES, step * place, located + 1

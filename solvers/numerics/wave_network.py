@@ -21,21 +21,11 @@ from ..jit import kernel
 from .collocation import STAGES
 from .wave_events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
 from .wave_laws import CORNER, DENT, PRESS, STORED
-from .wave_nodes import (
-    BONDED,
-    LAW,
-    PRESSED,
-    RIGID_FACES,
-    add_break,
-    finish,
-    mobility,
-    prepare,
-    seen,
-    share_of_error,
-    simple_forces,
-    tiny,
-)
+from .wave_nodes import add_break, finish, prepare, seen, share_of_error, simple_forces, tiny
+from .wave_parts import BONDED, LAW, PRESSED, RIGID_FACES, mobility
 from .wave_record import FORCE, jumped, pushed
+
+LEAST_STEP = 1e-13  # tried next, as a share of the time: below it rounding is taken for detail
 
 # how a solve ended
 PARTED, STOPPED, FULL, FAILED = range(4)
@@ -70,7 +60,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
             step, located = 0.25 * step, 0
             continue
         error, peak = share_of_error(state, tolerance, step, pressing, work)
-        if error > 1.0 and step > 1e-13 and (located == 0 or attempt < 60):
+        if error > 1.0 and step > LEAST_STEP and (located == 0 or attempt < 60):
             step, located = step * max(0.1, 0.8 * error ** (-1.0 / STAGES)), 0
             continue
         if pressing:
@@ -83,7 +73,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
                 state, node, remembers, loses, dent, corner, span, step, located, attempt, work
             )
         elif with_law or chain.kind[node] == RIGID_FACES:
-            ends, step, located = face_events(state, node, dent, NO_PULL * peak, step, located, work)
+            ends, step, located = face_events(state, node, rods, dent, NO_PULL * peak, step, located, work)
         else:
             ends = SMOOTH
         if ends != RETRIES:
@@ -91,7 +81,9 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
     if ends == RETRIES:
         return FAILS
     grown = step * min(4.0, 0.8 * max(error, 1e-9) ** (-1.0 / STAGES))
-    state.step[node] = max(grown, state.step[node]) if step == span or ends != SMOOTH else grown
+    if step == span or ends != SMOOTH:
+        grown = max(grown, state.step[node])
+    state.step[node] = max(grown, LEAST_STEP * max(state.time[node], 1.0))
     counts_loss = with_law and state.closed[node] and (remembers or loses)
     if counts_loss:
         law(STORED, constants, 0.0, 0.0, state.depth[node], deepest, 0.0, 0.0, work.rows)
@@ -138,48 +130,56 @@ def _announce(chain, state, record, node, t, limit, changed, tolerance):
 
 
 @kernel
-def _parted(chain, state, record, masses, parting, wait):
-    """Whether the impactor has been apart for a while, and no part of the chain can catch up with the one before it.
+def separate(chain, masses, pushed, creep):
+    """Whether no part of the chain can catch up with the one before it, the impactor being the first.
 
-    Parts lie between joints that can open; `masses` (nodes,): of the part to the right of such a joint, infinite if it
-    is held, and of the impactor at last.
+    Parts lie between joints that can open; `masses` (nodes + 1,): of the part to the right of such a joint, infinite if
+    it is held, and of the impactor at last; `pushed` (nodes,): impulse through every node so far; `creep`: a speed with
+    which none comes closer in any time that matters.
     """
     node = chain.contact
-    if state.time[node] < parting + wait:
-        return False
-    through = pushed(record, node)
-    slower = (chain.drift[node - 1] if node > 0 else chain.mass_drift[node]) - through / masses[-1]
+    slower = (chain.drift[node - 1] if node > 0 else chain.mass_drift[node]) - pushed[node] / masses[-1]
     while node < chain.kind.size - 1:
         following = node + 1
         while following < chain.kind.size - 1 and chain.kind[following] == BONDED:
             following += 1
         opens = chain.kind[following] == RIGID_FACES or chain.kind[following] == LAW
-        passed = pushed(record, following) if opens else 0.0
-        moving = chain.drift[node] + (through - passed) / masses[node]
-        if moving < slower - NO_PULL:
+        passed = pushed[following] if opens else 0.0
+        moving = chain.drift[node] + (pushed[node] - passed) / masses[node]
+        if moving < slower - creep:
             return False
-        slower, through, node = moving, passed, following
+        slower, node = moving, following
     return True
 
 
 @kernel
+def _parted(chain, state, record, masses, wait, creep):
+    """Whether the impactor has been apart for a while, and for good."""
+    if state.time[chain.contact] < state.parting[0] + wait:
+        return False
+    through = np.empty(chain.kind.size)
+    for node in range(through.size):
+        through[node] = pushed(record, node)
+    return separate(chain, masses, through, creep)
+
+
+@kernel
 def solve(
-    chain, record, state, work, contact, joint, constants, remembers, loses, pulse, masses, wait, until, tolerance
-):
+    chain, record, state, work, contact, joint, constants, remembers, loses, pulse, masses, wait, creep, until,
+    tolerance,
+):  # fmt: skip
     """Follow every node to `until`, or until the impactor has parted from the target for good; returns the status.
 
-    record, state, work: new ones, which are filled. contact, joint: their laws, see `wave_laws.law_function`; of that
-    of every node the constants (nodes, CONSTANTS), and whether it remembers, and loses (nodes,). pulse (2, points):
-    times and values of the force on a PRESSED node. masses (nodes + 1,): of the parts of the chain, see `_parted`.
-    wait: how long after parting no touch may come.
+    record, state: new ones, which are filled, or those of a solve that stopped, to go on. contact, joint: their laws,
+    see `wave_laws.law_function`; of that of every node the constants (nodes, CONSTANTS), and whether it remembers, and
+    loses (nodes,). pulse (2, points): times and values of the force on a PRESSED node. masses (nodes + 1,), creep: see
+    `separate`. wait: how long after parting no touch may come.
     """
     nodes, capacity = chain.kind.size, record.closed.shape[1]
     for node in range(nodes):
-        if chain.kind[node] == PRESSED:
+        if chain.kind[node] == PRESSED and record.count[node] == 0:
             for t in pulse[0]:
                 add_break(state, node, t)
-    changed = np.ones(nodes, np.bool_)  # whether the next stretch may begin with a jump
-    parting = np.inf
     while True:
         node, limit, fresh = _next_node(chain, state, until)
         t, was_closed = state.time[node], state.closed[node]
@@ -194,14 +194,14 @@ def solve(
         )  # fmt: skip
         if ends == FAILS:
             return FAILED
-        fresh = fresh or changed[node] or was_closed != record.closed[node, record.count[node] - 1]
+        fresh = fresh or state.changed[node] or was_closed != record.closed[node, record.count[node] - 1]
         if not _announce(chain, state, record, node, t, limit, fresh, tolerance):
             return FULL
-        changed[node] = ends != SMOOTH
+        state.changed[node] = ends != SMOOTH
         if node == chain.contact:
             if state.closed[node]:
-                parting = np.inf
-            elif parting == np.inf:
-                parting = t
-            elif _parted(chain, state, record, masses, parting, wait):
+                state.parting[0] = np.inf
+            elif state.parting[0] == np.inf:
+                state.parting[0] = t
+            elif _parted(chain, state, record, masses, wait, creep):
                 return PARTED

@@ -17,6 +17,7 @@ from .collocation import (
 )
 from .wave_events import BENDS, NO_PULL, PARTS, TOUCHES, TURNS
 from .wave_laws import follow
+from .wave_parts import ABSORBING, FREE, LAW, PRESSED, RIGID_FACES, Chain
 from .wave_record import (
     DEPTH,
     FORCE,
@@ -31,29 +32,8 @@ from .wave_record import (
     TOTAL_RIGHT,
 )  # fmt: skip
 
-# what holds at a node
-FREE, ABSORBING, PRESSED, BONDED, RIGID_FACES, LAW = range(6)
 LONG_STEP = 1e-2
 LOOK_AHEAD = 5  # stretches of a neighbour that one step may cover
-
-
-class Chain(NamedTuple):
-    """Nodes 0 to n joined by n rods, rod i between nodes i and i + 1.
-
-    impedance, transit, drift (rods,): Z, L / c and the velocity before the blow; kind (nodes,); mass_left, mass_right
-    (nodes,): a rigid body beside the node, 0 for none, infinite for a wall; mass_drift (nodes,), its first velocity;
-    gap (nodes,): between the faces before the blow; contact: the node that the impactor strikes.
-    """
-
-    impedance: np.ndarray
-    transit: np.ndarray
-    drift: np.ndarray
-    kind: np.ndarray
-    mass_left: np.ndarray
-    mass_right: np.ndarray
-    mass_drift: np.ndarray
-    gap: np.ndarray
-    contact: int
 
 
 class State(NamedTuple):
@@ -74,6 +54,8 @@ class State(NamedTuple):
     breaks: np.ndarray  # (nodes, many): times at which jumps arrive, ascending
     break_count: np.ndarray
     next_break: np.ndarray
+    changed: np.ndarray  # whether the next stretch may begin with a jump
+    parting: np.ndarray  # (1,): since when the impactor is apart; infinite while it touches
 
 
 def new_state(chain: Chain, capacity: int) -> State:
@@ -97,6 +79,8 @@ def new_state(chain: Chain, capacity: int) -> State:
         breaks=np.zeros((nodes, capacity)),
         break_count=np.zeros(nodes, np.int64),
         next_break=np.zeros(nodes, np.int64),
+        changed=np.ones(nodes, np.bool_),
+        parting=np.full(1, np.inf),
     )
 
 
@@ -151,20 +135,6 @@ def _arrivals(record, sender, quantity, delay, t, step, seek, arriving):
             0.0 if s < -near else interpolate(record.values[sender, look, quantity], min(max(place, 0.0), 1.0))
         )
     return seek
-
-
-@kernel
-def mobility(chain, node):
-    """Of the bodies beside a node: 1 / Z summed over its rods, 1 / m over its masses."""
-    rods, masses = 0.0, 0.0
-    if node > 0:
-        rods += 1.0 / chain.impedance[node - 1]
-    if node < chain.kind.size - 1:
-        rods += 1.0 / chain.impedance[node]
-    for mass in (chain.mass_left[node], chain.mass_right[node]):
-        if mass > 0.0:
-            masses += 1.0 / mass
-    return rods, masses
 
 
 @kernel
