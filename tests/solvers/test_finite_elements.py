@@ -45,6 +45,33 @@ def test_accounts_balance(method, options, support):
     json.dumps(solution.table())
 
 
+SLIM_BRONZE = {
+    "length": 0.5,
+    "section": {"radius": 0.012},
+    "material": {"young": 98e9, "density": 8800.0, "poisson": 0.34},
+}
+STOCKY_STEEL = {key: STEEL_ROD[key] for key in ("length", "section", "material")}
+
+
+@pytest.mark.parametrize(
+    "method, options",
+    [*VARIANTS, ("fe-nodal", {"status": "frozen"})],
+    ids=[*IDS, "frozen"],
+)
+def test_it_does_not_matter_who_strikes(method, options):
+    """Peak 20 311 against 15 590 N when the local stiffness of a rigid contact was that of the target's element."""
+
+    def strike(first, second):
+        impactor, target = first | {"kind": "rod", "velocity": 1.0}, second | {"kind": "rod", "support": "free"}
+        scene = Scene.from_table({"impactor": impactor, "target": target})
+        return solvers.solve(scene, quick(method, elements=40, **options), duration=1e-3)
+
+    one, other = strike(SLIM_BRONZE, STOCKY_STEEL), strike(STOCKY_STEEL, SLIM_BRONZE)
+    assert one.peak_force == approx(other.peak_force, rel=1e-9)
+    assert one.impulse == approx(other.impulse, rel=1e-9)
+    assert one.contacts[0].end == approx(other.contacts[0].end, rel=1e-9)
+
+
 def quick(method: str, **options):
     """The method without its estimate of the error, which costs as much again."""
     return replace(solvers.METHODS[method].read(options), estimate=False)
