@@ -194,8 +194,8 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
     if massless:  # without its own inertia the face goes along with the node behind it
         full = np.hstack((vectors[:, :1], vectors)) if kept else np.zeros((0, mesh.size))
 
-    def fields(field: Callable) -> Callable:
-        return lambda x: full @ field(x)
+    def fields(field: Callable, rows: np.ndarray = full) -> Callable:
+        return lambda x: rows @ field(x)
 
     bent = carried(mesh, full, -(frequencies[:, None] ** 2) * full) if mesh.bends else {}
     return Modes(
@@ -206,6 +206,7 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
         shapes=fields(mesh.shapes),
         slopes=fields(mesh.slopes),
         means=full @ mesh.weights / mesh.total_mass,
+        static_shapes=fields(mesh.shapes, _static(mesh, body)),
         **bent,
         **_static_fields(mesh),
         **({} if whole is None else {"rigid_shape": lambda x: whole @ mesh.shapes(x)}),
@@ -278,6 +279,14 @@ def _unit_load(mesh: Mesh) -> np.ndarray:
     load = np.zeros(mesh.size)
     load[mesh.struck] = 1.0
     return load
+
+
+def _static(mesh: Mesh, body: Mesh) -> np.ndarray:
+    """Displacements (unknowns,) under a steady unit force; `body`: the mesh, or it without mass on its struck node."""
+    bent = _bent(body, _unit_load(body), body.free) if body.size else np.zeros(0)
+    if body is mesh:
+        return bent
+    return np.append((bent[0] if bent.size else 0.0) + 1.0 / mesh.neighbour, bent)
 
 
 def _static_fields(mesh: Mesh) -> dict[str, Callable]:

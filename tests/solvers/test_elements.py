@@ -56,6 +56,10 @@ def test_modes_kept_and_left_out_make_the_whole_compliance(support, massless):
     # L / E A, or for a free rod relative to its motion as a whole L / 3 E A
     whole = 1.0 / rod.stiffness if support == "fixed" else 1.0 / (3.0 * rod.stiffness)
     assert kept[0] + every.residual_compliance == approx(whole, rel=2.0 / 30.0)
+    # along the rod they move as the rest of the modes do under a steady force, and a massless face by its own spring
+    rest = (every.at_contact / every.frequencies**2)[8:] @ every.shapes(mesh.place)[8:]
+    rest[0] += every.residual_compliance
+    assert few.left_out("shapes", mesh.place) == approx(rest, abs=1e-9 * whole)
 
 
 def test_modes_are_orthonormal_and_the_face_stands_where_it_is_struck():

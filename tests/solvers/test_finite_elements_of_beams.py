@@ -53,8 +53,8 @@ def test_accounts_balance(method, options, law, beam):
     assert min(solution.energy.values()) > -1e-9 * scene.initial_energy
     at_rows = solution.motion.course.step * solution.motion.course.stride * np.arange(0, 900, 100)
     face = solution.motion.displacement(at_rows, np.array([scene.target.place]))[:, 0]
-    if method == "fe-nodal":  # else the modes left out bend beside the field
-        assert face == approx(solution.motion.end_position(at_rows), abs=1e-12)
+    # off by the rounding of a static solution of 1e-7 m/N under 1e5 N and less
+    assert face == approx(solution.motion.end_position(at_rows), abs=1e-12 if method == "fe-nodal" else 1e-10)
     json.dumps(solution.table())
 
 
