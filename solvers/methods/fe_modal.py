@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import checks
 from ..contact import Linear
-from ..motion import ShapeField, growth
+from ..motion import ShapeField, given_up, growth
 from ..numerics.elements import AVERAGED, CONSISTENT, mesh_modes
 from ..numerics.modes import Modes, front_time
 from ..numerics.oscillators import Record, Residual, march, oscillator_bank
@@ -177,7 +177,10 @@ class FeModal(FiniteElements):
         push, depth = record.contact_force[:steps], record.indentation[instants]
         force = 0.5 * (np.append(push[:1], push) + np.append(push, push[-1:]))
         deepest = np.maximum(np.maximum.accumulate(depth), 0.0)
-        stored = [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
+        stored = np.array(
+            [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
+        )
+        lost = given_up(law, stored, np.arange(steps + 1)[rows], push)
         energies = [side.energies() for side in sides]
         gained = np.append(0.0, np.cumsum(push)) * plan.step
         spring = record.spring_force[rows]
@@ -208,8 +211,8 @@ class FeModal(FiniteElements):
                 "impactor": energies[0].sum(1),
                 "target_rigid": energies[1][:, : sides[1].wholes].sum(1),
                 "target_vibration": energies[1][:, sides[1].wholes :].sum(1),
-                "local": np.array(stored) + 0.5 * residual * record.spring_force[rows] ** 2,
-                "dissipated": record.lost[rows],
+                "local": stored - lost + 0.5 * residual * record.spring_force[rows] ** 2,
+                "dissipated": record.lost[rows] + lost,
             },
             momenta=tuple(body.mass * float(v[-1]) if v[-1] else 0.0 for body, v in zip(bodies, momenta, strict=True)),
             resolved_time=max(self._resolved_time(scene, m, body) for m, body in ringing),

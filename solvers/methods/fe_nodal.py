@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .. import checks
-from ..motion import ShapeField
+from ..motion import ShapeField, given_up
 from ..numerics import newmark
 from ..numerics.bands import times
 from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line, with_accelerations
@@ -135,6 +135,8 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
     instants = slice(0, steps + 1)
     force = record.contact_force[instants]
     depth, deepest = (values[instants][:: plan.stride].tolist() for values in (record.indentation, record.deepest))
+    stored = np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)])
+    lost = given_up(law, stored, plan.stride * np.arange(rows), force[1:])
     travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
     free = scene.impactor.velocity * plan.step * np.arange(steps + 1)
     centre = free - 0.5 * plan.step * travelled / scene.impactor.mass
@@ -153,8 +155,8 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
             "impactor": own,
             "target_rigid": rigid,
             "target_vibration": other - rigid,
-            "local": np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)]),
-            "dissipated": record.lost[instants][:: plan.stride],
+            "local": stored - lost,
+            "dissipated": record.lost[instants][:: plan.stride] + lost,
         },
         momenta=(float(v[-1, parts[0]] @ meshes[0].weights), float(pushed[-1])),
         resolved_time=max(mesh.resolved_time for mesh in meshes),

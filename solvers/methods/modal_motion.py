@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..contact import Linear, Rigid
-from ..motion import growth, run_out, stress_source
+from ..motion import given_up, growth, run_out, stress_source
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Bank, Record, advance, oscillator_bank, turn
 from ..scene import Scene
@@ -289,6 +289,8 @@ class ModalMotion:
         pairs = zip(self.record.indentation[nearest].tolist(), self.deepest[nearest].tolist(), strict=True)
         impactor, target = self.scene.impactor, self.scene.target
         damped = self._received[nearest] - ringing.sum(axis=1) if self.pair.damping.any() else 0.0
+        stored = np.array([law.stored(a, most) for a, most in pairs])
+        lost = given_up(law, stored, nearest, self.record.contact_force)
         return {
             "impactor": self.pair.impactor.moving_energy(
                 impactor.mass, impactor.velocity, self.record.velocity[nearest]
@@ -298,9 +300,8 @@ class ModalMotion:
                 target.mass, target.velocity, self.record.rigid_velocity[nearest]
             ),
             "target_vibration": ringing[:, split:].sum(axis=1),
-            "local": np.array([law.stored(a, most) for a, most in pairs])
-            + 0.5 * residual * self.record.spring_force[nearest] ** 2,
-            "dissipated": self.record.lost[nearest] + damped,
+            "local": stored - lost + 0.5 * residual * self.record.spring_force[nearest] ** 2,
+            "dissipated": self.record.lost[nearest] + lost + damped,
         }
 
     @cached_property
