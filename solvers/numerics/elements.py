@@ -262,8 +262,10 @@ def _bent(mesh: Mesh, load: np.ndarray, kept: np.ndarray) -> np.ndarray:
 
     inertia = bands.times(mesh.mass, kept)
     gram = inertia @ kept.T
-    stiffness = mesh.stiffness.copy()
+    stiffness = mesh.stiffness[: mesh.size].copy()
     free = mesh.free.shape[0]  # a free body is held anywhere: the load is in balance with its inertia
+    if free == mesh.size:  # and so few nodes do not bend
+        return np.zeros(mesh.size)
     stiffness[0, :free] += stiffness[0, :free]
     found = solveh_banded(stiffness, load - np.linalg.solve(gram, kept @ load) @ inertia, lower=True)
     return found - np.linalg.solve(gram, inertia @ found) @ kept
@@ -277,13 +279,13 @@ def _left_out(mesh: Mesh, modes: np.ndarray) -> float:
 def _unit_load(mesh: Mesh) -> np.ndarray:
     """1 N where the body is struck, (unknowns,)."""
     load = np.zeros(mesh.size)
-    load[mesh.struck] = 1.0
+    load[mesh.struck : mesh.struck + 1] = 1.0  # a single element without mass in front leaves no unknown
     return load
 
 
 def _static(mesh: Mesh, body: Mesh) -> np.ndarray:
     """Displacements (unknowns,) under a steady unit force; `body`: the mesh, or it without mass on its struck node."""
-    bent = _bent(body, _unit_load(body), body.free) if body.size else np.zeros(0)
+    bent = _bent(body, _unit_load(body), body.free)
     if body is mesh:
         return bent
     return np.append((bent[0] if bent.size else 0.0) + 1.0 / mesh.neighbour, bent)
