@@ -18,6 +18,7 @@ from . import (
     methods,
     page,
     peers,
+    random_estimates,
     regime_sweep,
     regimes,
     startup,
@@ -43,13 +44,14 @@ PARTS = {
     "regime-sweep": regime_sweep,
     "tradeoffs": tradeoffs,
     "automatic": automatic,
+    "random-estimates": random_estimates,
     "waves": waves,
     "peers": peers,
     "page": page,
     "visitors": visitors,
 }
 
-IF_ASKED = ("regime-sweep",)  # a minute of all cores
+IF_ASKED = ("regime-sweep", "random-estimates")  # a minute of all cores, half an hour of one
 RESULTS = Path(__file__).parent / "results.json"
 
 
