@@ -19,6 +19,7 @@ from . import (
     page,
     peers,
     random_chains,
+    random_estimates,
     regime_sweep,
     regimes,
     startup,
@@ -44,6 +45,7 @@ PARTS = {
     "regime-sweep": regime_sweep,
     "tradeoffs": tradeoffs,
     "automatic": automatic,
+    "random-estimates": random_estimates,
     "waves": waves,
     "random": random_chains,
     "peers": peers,
@@ -51,7 +53,7 @@ PARTS = {
     "visitors": visitors,
 }
 
-IF_ASKED = ("regime-sweep", "random")  # a minute of all cores; half an hour of one
+IF_ASKED = ("regime-sweep", "random", "random-estimates")  # a minute of all cores; half an hour of one, each
 RESULTS = Path(__file__).parent / "results.json"
 
 

@@ -75,6 +75,19 @@ class ShapeField:
         return self._at(time, self._coordinates) @ self._shears(np.asarray(x, float))
 
 
+def given_up(law: Any, stored: np.ndarray, instants: np.ndarray, force: np.ndarray) -> np.ndarray:
+    """What of the energy `stored` in a contact, at `instants`, no force will ever give back [J].
+
+    A dashpot may use up the force before the surfaces have come back: what they still hold when they part is lost to
+    it. force (steps,) over each step, or at the end of each.
+    """
+    pressed = np.flatnonzero(force > 0.0)
+    parted = pressed[-1] + 1 if pressed.size else 0
+    if not law.LOSSY or parted >= force.size:
+        return np.zeros_like(stored)
+    return np.where(instants >= parted, stored, 0.0)
+
+
 def growth(time: np.ndarray, instants: np.ndarray, total: np.ndarray, width: float) -> np.ndarray:
     """Mean rate at which a history grows over a window of this width about each time, as far as it is known."""
     first = np.maximum(np.asarray(time, float) - 0.5 * width, instants[0])

@@ -93,9 +93,11 @@ class FiniteElements(Method):
     ) -> list[str]:
         course, notes = motion.course, []
         if scene.contact.NAME == "rigid" and self._needs_stiffness(scene):
+            both = scene.impactor.time_unit is not None and scene.target.time_unit is not None
+            whose = "both neighbouring elements in series" if both else "the neighbouring element"
             notes.append(
-                f"A rigid contact of a mesh needs a local stiffness: {self.contact_stiffness:g} times that of the "
-                f"neighbouring element, {self._stiffness(scene):.4g} N/m, as the thesis takes it."
+                f"A rigid contact of a mesh needs a local stiffness: {self.contact_stiffness:g} times that of {whose}, "
+                f"{self._stiffness(scene):.4g} N/m, as the thesis takes it."
             )
         if course.diverged:
             notes.append(
@@ -138,7 +140,19 @@ class FiniteElements(Method):
         estimated = left_of(*(float(course.impulse[-1] - other) / scale for other in others), rigid)
         if rigid and scene.blow < self._told_down_to(scene, course):
             return max(estimated, 1.0)  # shorter than the mesh can tell: all meshes are wrong alike
-        return estimated
+        return estimated if rigid or bodies_that_bend(scene) else max(estimated, self._unfelt(scene, course))
+
+    def _unfelt(self, scene: Scene, course: Course) -> float:
+        """What a blow under a law on a rod is off by, of the speed of approach, where all meshes are wrong alike.
+
+        A mass so light that it is stopped before a wave has left the struck node, and a contact so short, meet that
+        node as a mass, where a rod would give way at F / Z; that takes pi^2 / 2 m / (Z t) of the speed from a spring.
+        Measured at mass ratios of 60 to 1000, 6 to 200 elements: 0.3 to 1.6 times what is returned.
+        """
+        shortest, touch = course.shortest_period, contact_time(self._law(scene), scene.reduced_mass, scene.speed)
+        if scene.blow >= shortest:
+            return 0.0
+        return min(3.0 * scene.blow / touch, 1.0) * min(0.6 * shortest / touch, 1.0) ** 2
 
     def _told_down_to(self, scene: Scene, course: Course) -> float:
         """The shortest period of the mesh [s], or half a swing of what strikes a beam on the local stiffness."""
@@ -150,9 +164,12 @@ class FiniteElements(Method):
         return replace(self, elements=max(1, self.elements // parts), steps=None)
 
     def _stiffness(self, scene: Scene) -> float:
-        """Local stiffness of a rigid contact [N/m]: from the element next to it, the target's if it has any."""
-        neighbours = [body.mesh(self.elements).neighbour for body in (scene.target, scene.impactor)]
-        return self.contact_stiffness * next(stiffness for stiffness in neighbours if stiffness)
+        """Local stiffness of a rigid contact [N/m]: of the elements next to it, in series if both bodies have one.
+
+        So it does not matter who strikes.
+        """
+        neighbours = [body.mesh(self.elements).neighbour for body in (scene.impactor, scene.target)]
+        return self.contact_stiffness / sum(1.0 / stiffness for stiffness in neighbours if stiffness)
 
     def _law(self, scene: Scene) -> Any:
         return Linear(self._stiffness(scene)) if scene.contact.NAME == "rigid" else scene.contact
@@ -208,7 +225,7 @@ class Plan:
         trips = [body.time_unit for body in ringing]
         touch = contact_time(law, scene.reduced_mass, scene.speed)
         reduced = scene.reduced_mass
-        expected = 3.0 * (sum(trips) + touch + math.pi * math.sqrt(reduced * _softness(ringing[0])))
+        expected = 3.0 * (sum(trips) + touch + math.pi * math.sqrt(reduced * sum(map(_softness, ringing))))
         fine = min(max(min(fine, touch / STEPS_PER_CONTACT), expected / EXPECTED_STEPS), LIMIT_SHARE * limit)
         count = given
         if duration is not None:

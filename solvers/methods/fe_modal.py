@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import checks
 from ..contact import Linear
-from ..motion import ShapeField, growth
+from ..motion import ShapeField, given_up, growth
 from ..numerics.elements import AVERAGED, CONSISTENT, mesh_modes
 from ..numerics.modes import Modes, front_time
 from ..numerics.oscillators import Record, Residual, march, oscillator_bank
@@ -177,10 +177,16 @@ class FeModal(FiniteElements):
         push, depth = record.contact_force[:steps], record.indentation[instants]
         force = 0.5 * (np.append(push[:1], push) + np.append(push, push[-1:]))
         deepest = np.maximum(np.maximum.accumulate(depth), 0.0)
-        stored = [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
+        stored = np.array(
+            [law.stored(a, most) for a, most in zip(depth[rows].tolist(), deepest[rows].tolist(), strict=True)]
+        )
+        lost = given_up(law, stored, np.arange(steps + 1)[rows], push)
         energies = [side.energies() for side in sides]
         gained = np.append(0.0, np.cumsum(push)) * plan.step
-        field = self._field(scene, modes, sides, force[rows], gained, times[rows])
+        spring = record.spring_force[rows]
+        if self._face_goes_along(scene):  # all the depth is in it
+            spring = np.maximum(depth[rows], 0.0) / sum(known.residual_compliance for known in modes)
+        field = self._field(scene, modes, sides, spring, force[rows], gained, times[rows])
         closing = np.minimum(depth, 0.0) if self._face_goes_along(scene) else depth
         if scene.impactor.time_unit is None:
             face = record.position[instants] - closing
@@ -205,8 +211,8 @@ class FeModal(FiniteElements):
                 "impactor": energies[0].sum(1),
                 "target_rigid": energies[1][:, : sides[1].wholes].sum(1),
                 "target_vibration": energies[1][:, sides[1].wholes :].sum(1),
-                "local": np.array(stored) + 0.5 * residual * record.spring_force[rows] ** 2,
-                "dissipated": record.lost[rows],
+                "local": stored - lost + 0.5 * residual * record.spring_force[rows] ** 2,
+                "dissipated": record.lost[rows] + lost,
             },
             momenta=tuple(body.mass * float(v[-1]) if v[-1] else 0.0 for body, v in zip(bodies, momenta, strict=True)),
             resolved_time=max(self._resolved_time(scene, m, body) for m, body in ringing),
@@ -221,19 +227,27 @@ class FeModal(FiniteElements):
         order = 4 if self._massless(scene) else 2  # of the dispersion of averaged and of consistent mass
         return front_time(modes.frequencies.size, modes.shortest_period, order)
 
-    def _field(self, scene: Scene, modes, sides: tuple["_Side", "_Side"], force, gained, times) -> ShapeField:
-        """Sums of the modes, and what the force leaves beside them: strain in a massless first element of a rod, and
-        what the modes left out of a beam carry, as if it were steady; force (rows,), impulse `gained` at all instants.
+    def _field(self, scene: Scene, modes, sides: tuple["_Side", "_Side"], spring, force, gained, times) -> ShapeField:
+        """Sums of the modes, and what the force leaves beside them, as if it were steady: how far the modes left out
+        and a massless first element give way, how that is strained, and what the modes left out of a beam carry.
+
+        spring, force (rows,) [N]: in the modes left out, and of the contact; impulse `gained` at all instants.
         """
         parts, bodies = [], (scene.impactor, scene.target)
         for body, known, side, sign in zip(bodies, modes, sides, (-1.0, 1.0), strict=True):
+            first = self._massless(scene) and body.time_unit is not None and body.kind != "beam"
+            moving = np.gradient(spring, times[1]) if first else np.zeros_like(spring)
+            side = side.beside(sign * spring, sign * moving, {"shapes": partial(known.left_out, "shapes")})
             if body.kind == "beam":
+                slow = sign * self._slow_force(scene, modes, gained, times)
                 fields = {name: partial(known.left_out, name) for name in ("moments", "shears")}
-                side = side.beside(sign * self._slow_force(scene, modes, gained, times), times, fields)
-            elif self._massless(scene) and body.time_unit is not None:
+                side = side.beside(slow, np.zeros_like(slow), fields)
+            elif first:
                 mesh = body.mesh(self.elements, AVERAGED)
-                fields = {"shapes": _first(mesh.shapes), "slopes": _first(mesh.slopes)}
-                side = side.beside(sign * force / mesh.neighbour, times, fields)
+                strained = sign * force / mesh.neighbour
+                side = side.beside(
+                    strained, np.zeros_like(strained), {"slopes": lambda x, mesh=mesh: mesh.slopes(x)[0]}
+                )
             parts.append(side)
         coordinates, rates = np.hstack([p.coordinates for p in parts]), np.hstack([p.rates for p in parts])
         return shape_field(scene, times, coordinates, rates, parts)
@@ -264,12 +278,12 @@ class _Side(NamedTuple):
         """Of each coordinate, (rows, all) [J]."""
         return 0.5 * (self.rates**2 + (self.frequencies * self.coordinates) ** 2)
 
-    def beside(self, coordinate: np.ndarray, times: np.ndarray, fields: Mapping[str, Callable]) -> "_Side":
+    def beside(self, coordinate: np.ndarray, rate: np.ndarray, fields: Mapping[str, Callable]) -> "_Side":
         """With one more coordinate (rows,) and the fields (x,) per 1 of it."""
         names = [name for name in ("shapes", "slopes", "moments", "shears") if getattr(self, name) is not None]
         return self._replace(
             coordinates=np.column_stack((self.coordinates, coordinate)),
-            rates=np.column_stack((self.rates, np.gradient(coordinate, times[1]))),
+            rates=np.column_stack((self.rates, rate)),
             **{name: _below(getattr(self, name), fields.get(name)) for name in names},
         )
 
@@ -306,11 +320,6 @@ def _in_front(field: Callable, moves: bool, modes: Modes, root: float) -> Callab
 def _mean(struck: np.ndarray, untouched: np.ndarray | float, modes: Modes) -> np.ndarray:
     """Of a body as a whole, from the place where it is struck, and from where it would be untouched."""
     return struck if modes.rigid_mean == 1.0 else untouched + modes.rigid_mean * (struck - untouched)
-
-
-def _first(nodes: Callable) -> Callable:
-    """A field of the struck node alone."""
-    return lambda x: nodes(x)[0]
 
 
 def _below(field: Callable, row: Callable | None) -> Callable:

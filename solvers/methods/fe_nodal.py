@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from .. import checks
+from ..motion import ShapeField, given_up
 from ..numerics import newmark
 from ..numerics.bands import times
-from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line
+from ..numerics.elements import CONSISTENT, LUMPED, Line, highest_frequency, line, with_accelerations
 from ..scene import Scene, steepest_stiffness
 from .element_march import FiniteElements, Plan, end, follow, read_common
 from .element_motion import Course, shape_field
@@ -27,8 +28,8 @@ class FeNodal(FiniteElements):
     its limit with the contact spring. Where `status` is
     "implicit" the contact force of a step does exactly the law's work, stable at any stiffness; "frozen" is the
     thesis's, decided at the start of the step, which diverges with stiff contacts.
-    A rigid contact gets the stiffness of the neighbouring element, E A / l of a rod and E I / l^3 of a beam, times
-    `contact_stiffness`. Beams know no central differences.
+    A rigid contact gets the stiffness of the neighbouring element, E A / l of a rod and E I / l^3 of a beam, of two in
+    series, times `contact_stiffness`. Beams know no central differences.
     Error: second order in the step, central differences first if a law's force jumps at first touch; in elements of a
     rod second, 4/3 if it jumps, first if rigid, 2/3 where the front parts rigid faces (free rod); of a beam as for
     'fe-modal'. In beams rounding changes the energy by some 1e-13 elements^2. Cost: steps * nodes.
@@ -132,27 +133,30 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
     pushed = v[:, parts[1]] @ meshes[1].weights
     rigid = meshes[1].rigid_energy(v[:, parts[1]])
     instants = slice(0, steps + 1)
+    force = record.contact_force[instants]
     depth, deepest = (values[instants][:: plan.stride].tolist() for values in (record.indentation, record.deepest))
+    stored = np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)])
+    lost = given_up(law, stored, plan.stride * np.arange(rows), force[1:])
     travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
     free = scene.impactor.velocity * plan.step * np.arange(steps + 1)
     centre = free - 0.5 * plan.step * travelled / scene.impactor.mass
     return Course(
         step=plan.step,
         stride=plan.stride,
-        force=record.contact_force[instants],
+        force=force,
         impulse=record.impulse[instants],
         indentation=record.indentation[instants],
         position=centre if meshes[0].rings else record.first[instants],
         end_position=record.second[instants],
         end_velocity=record.second_velocity[instants],
         target_velocity=pushed / scene.target.mass,
-        field=shape_field(scene, plan.step * plan.stride * np.arange(rows), u, v, meshes),
+        field=_field(scene, meshes, whole, plan.step * plan.stride * np.arange(rows), u, v, force[:: plan.stride]),
         energies={
             "impactor": own,
             "target_rigid": rigid,
             "target_vibration": other - rigid,
-            "local": np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)]),
-            "dissipated": record.lost[instants][:: plan.stride],
+            "local": stored - lost,
+            "dissipated": record.lost[instants][:: plan.stride] + lost,
         },
         momenta=(float(v[-1, parts[0]] @ meshes[0].weights), float(pushed[-1])),
         resolved_time=max(mesh.resolved_time for mesh in meshes),
@@ -160,3 +164,17 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
         parted=parted,
         diverged=diverged,
     )
+
+
+def _field(scene, meshes, whole: Line, times, u, v, force) -> ShapeField:
+    """Of both bodies at the snapshots; that of a beam by its accelerations too, with which its shear force balances."""
+    if not any(mesh.bends for mesh in meshes):
+        return shape_field(scene, times, u, v, meshes)
+    accelerations = whole.accelerations(u, force)
+    coordinates, rates = [], []
+    for mesh, part in zip(meshes, (slice(whole.split), slice(whole.split, None)), strict=True):
+        behind = accelerations[:, part] if mesh.bends else np.zeros((times.size, 0))
+        coordinates += [u[:, part], behind]
+        rates += [v[:, part], np.zeros_like(behind)]
+    sides = [with_accelerations(mesh) for mesh in meshes]
+    return shape_field(scene, times, np.hstack(coordinates), np.hstack(rates), sides)

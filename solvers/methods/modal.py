@@ -183,7 +183,12 @@ class Modal(Method):
         if self.frame != "mean-axis":
             pair[1] = scene.target.attached_modes(self.modes, self.frame == "attached")
         if not self.residual:
-            nothing = {"residual_compliance": 0.0, "static_moments": None, "static_shears": None}
+            nothing: dict = {
+                "residual_compliance": 0.0,
+                "static_shapes": None,
+                "static_moments": None,
+                "static_shears": None,
+            }
             pair = [replace(modes, **nothing) for modes in pair]
         truncated = tuple(body.time_unit is not None for body in bodies)
         return Pair(*pair, truncated, tuple(getattr(body, "damping", 0.0) for body in bodies))

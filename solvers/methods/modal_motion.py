@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..contact import Linear, Rigid
-from ..motion import growth, run_out, stress_source
+from ..motion import given_up, growth, run_out, stress_source
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Bank, Record, advance, oscillator_bank, turn
 from ..scene import Scene
@@ -70,9 +70,9 @@ class Pair:
 class ModalMotion:
     """Fields and histories rebuilt from the force on the oscillators; between instants they move exactly too.
 
-    Displacements are sums of the kept modes alone. Struck faces give way by the residual compliance besides, so that
-    `end_position` is not `displacement` where it is struck: it lies deeper by compliance times force. To moments and
-    shear forces of a beam the modes left out add what they carry of the present force, as if it were steady.
+    The modes left out follow the contact force as if it were steady: displacements have their share, by which a struck
+    face gives way, and moments and shear forces of a beam what they carry of it. Velocities and stresses along a rod
+    are sums of the kept modes alone.
     An impactor that can bend is where x is negative; its position and velocity are those of its centre of mass.
     A beam that turns as it moves has one coordinate for both, the place where it is struck: the record holds that.
     """
@@ -164,11 +164,16 @@ class ModalMotion:
         if self.pair.split == 0:
             # while they touch in rigid contact the struck face goes with the mass
             return self._at(time, self.record.position - (np.minimum(depth, 0.0) if rigid else depth))
-        give = self.pair.target.residual_compliance * self.record.spring_force
-        if rigid:
-            give = self.pair.target.residual_compliance / self.pair.residual_compliance * np.maximum(depth, 0.0)
+        give = self.pair.target.residual_compliance * self._spring
         bent = self.amplitudes(time)[0][:, self.pair.split :].sum(axis=1)
         return self._at(time, self.record.rigid_position + give) + bent
+
+    @cached_property
+    def _spring(self) -> np.ndarray:
+        """Force in the spring of the modes left out at every instant [N]; of a rigid contact all the depth is in it."""
+        if not isinstance(self.scene.contact, Rigid):
+            return self.record.spring_force
+        return np.maximum(self.record.indentation, 0.0) / self.pair.residual_compliance
 
     def end_velocity(self, time, after=True):
         return self._at(time, self.record.rigid_velocity) + self._rates(time)[:, self.pair.split :].sum(axis=1)
@@ -207,7 +212,9 @@ class ModalMotion:
         time, record = np.asarray(time, float), self.record
         drifts = self.scene.impactor.velocity * time, self.scene.target.velocity * time
         struck = self._at(time, record.position), self._at(time, record.rigid_position)
-        return self._field(time, x, self.amplitudes(time)[0], tuple(zip(struck, drifts, strict=True)))
+        found = self._field(time, x, self.amplitudes(time)[0], tuple(zip(struck, drifts, strict=True)))
+        side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)
+        return found + np.multiply.outer(self._at(time, self._spring), side * self._row_left_out(x, "shapes"))
 
     def velocity(self, time, x):
         time, record = np.asarray(time, float), self.record
@@ -239,12 +246,17 @@ class ModalMotion:
 
         Source: the mode-acceleration method; what is left out is then of the order of (T_kept / T_force)^2.
         """
-        x = np.asarray(x, float)
-        row, carries = np.zeros(x.size), name in ("moments", "shears")
-        for modes, here in ((self.pair.impactor, x < 0.0), (self.pair.target, x >= 0.0)):
-            if carries and here.any():
-                row[here] = modes.left_out(name, np.abs(x[here]))
+        row = self._row_left_out(x, name) if name in ("moments", "shears") else np.zeros(np.size(x))
         return np.multiply.outer(self.smoothed_force(time) if row.any() else np.zeros(np.size(time)), row)
+
+    def _row_left_out(self, x, name):
+        """That field of the modes left out of both bodies under 1 N, (x,)."""
+        x = np.asarray(x, float)
+        row = np.zeros(x.size)
+        for modes, here in ((self.pair.impactor, x < 0.0), (self.pair.target, x >= 0.0)):
+            if here.any():
+                row[here] = modes.left_out(name, np.abs(x[here]))
+        return row
 
     @cached_property
     def smoothing(self) -> float:
@@ -277,6 +289,8 @@ class ModalMotion:
         pairs = zip(self.record.indentation[nearest].tolist(), self.deepest[nearest].tolist(), strict=True)
         impactor, target = self.scene.impactor, self.scene.target
         damped = self._received[nearest] - ringing.sum(axis=1) if self.pair.damping.any() else 0.0
+        stored = np.array([law.stored(a, most) for a, most in pairs])
+        lost = given_up(law, stored, nearest, self.record.contact_force)
         return {
             "impactor": self.pair.impactor.moving_energy(
                 impactor.mass, impactor.velocity, self.record.velocity[nearest]
@@ -286,9 +300,8 @@ class ModalMotion:
                 target.mass, target.velocity, self.record.rigid_velocity[nearest]
             ),
             "target_vibration": ringing[:, split:].sum(axis=1),
-            "local": np.array([law.stored(a, most) for a, most in pairs])
-            + 0.5 * residual * self.record.spring_force[nearest] ** 2,
-            "dissipated": self.record.lost[nearest] + damped,
+            "local": stored - lost + 0.5 * residual * self.record.spring_force[nearest] ** 2,
+            "dissipated": self.record.lost[nearest] + lost + damped,
         }
 
     @cached_property

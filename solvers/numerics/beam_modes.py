@@ -120,6 +120,7 @@ def _in_si_units(
         rigid_mean=float(rigid.shape(0.5 * line.length)),
         moments=seen(field.moment, stiffness),
         shears=seen(field.shear_force, stiffness / line.length),
+        static_shapes=static.deflections,
         static_moments=static.moments,
         static_shears=static.shears,
     )

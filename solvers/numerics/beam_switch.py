@@ -108,8 +108,7 @@ class SwitchedBeam(Phases):
         turn = exact_turn(frequencies, step)
         weights = self.mass * frequencies**2 * self.together.at_contact
         peak = _pushes(Bank(frequencies, weights), turn, step, stride, phase.displacement, phase.rate, forces)
-        impulse = self.mass * float(phase.rate @ self.together.at_contact + phase.rigid_velocity)
-        impulse -= self.mass * float(self._mass_in(phase, np.array([longest]))[1][0])
+        impulse = self.mass * (phase.mass_velocity - float(self._mass_in(phase, np.array([longest]))[1][0]))
         return Contact(phase.start, end, impulse, peak, np.linspace(phase.start, end, forces.size), forces)
 
 

@@ -18,7 +18,8 @@ class Mesh(NamedTuple):
 
     Unknowns are displacements, for beams also rotations. `mass` and `stiffness` are `bands` (1 + half, unknowns);
     shapes(x), slopes(x) (unknowns, x) are displacement and its slope at x [m] for 1 at each unknown alone, moments(x)
-    and shears(x) those of a beam.
+    and shears(x) those of a beam at rest, to which inertial_moments(x) and inertial_shears(x) add what an acceleration
+    of 1 does.
     """
 
     place: np.ndarray  # of every node at rest, that held too [m]
@@ -35,6 +36,8 @@ class Mesh(NamedTuple):
     neighbour: float = 0.0  # stiffness of the element at the struck node [N/m]; 0 where there is none
     transit: float = np.inf  # shortest that a wave takes through an element [s]
     shortest_period: float = 0.0  # of an element on its own [s], just below that of the whole mesh
+    inertial_moments: Callable[[np.ndarray], np.ndarray] | None = None
+    inertial_shears: Callable[[np.ndarray], np.ndarray] | None = None
 
     @property
     def rings(self) -> bool:
@@ -191,9 +194,10 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
     if massless:  # without its own inertia the face goes along with the node behind it
         full = np.hstack((vectors[:, :1], vectors)) if kept else np.zeros((0, mesh.size))
 
-    def fields(field: Callable | None, rows: np.ndarray = full) -> Callable | None:
-        return None if field is None else lambda x: rows @ field(x)
+    def fields(field: Callable, rows: np.ndarray = full) -> Callable:
+        return lambda x: rows @ field(x)
 
+    bent = carried(mesh, full, -(frequencies[:, None] ** 2) * full) if mesh.bends else {}
     return Modes(
         frequencies=frequencies,
         at_contact=at_contact,
@@ -202,9 +206,9 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
         shapes=fields(mesh.shapes),
         slopes=fields(mesh.slopes),
         means=full @ mesh.weights / mesh.total_mass,
-        moments=fields(mesh.moments),
-        shears=fields(mesh.shears),
-        **_static_fields(mesh, fields),
+        static_shapes=fields(mesh.shapes, _static(mesh, body)),
+        **bent,
+        **_static_fields(mesh),
         **({} if whole is None else {"rigid_shape": lambda x: whole @ mesh.shapes(x)}),
         rigid_mean=1.0 if whole is None else float(whole @ mesh.weights / mesh.total_mass),
     )
@@ -258,8 +262,10 @@ def _bent(mesh: Mesh, load: np.ndarray, kept: np.ndarray) -> np.ndarray:
 
     inertia = bands.times(mesh.mass, kept)
     gram = inertia @ kept.T
-    stiffness = mesh.stiffness.copy()
+    stiffness = mesh.stiffness[: mesh.size].copy()
     free = mesh.free.shape[0]  # a free body is held anywhere: the load is in balance with its inertia
+    if free == mesh.size:  # and so few nodes do not bend
+        return np.zeros(mesh.size)
     stiffness[0, :free] += stiffness[0, :free]
     found = solveh_banded(stiffness, load - np.linalg.solve(gram, kept @ load) @ inertia, lower=True)
     return found - np.linalg.solve(gram, inertia @ found) @ kept
@@ -273,16 +279,53 @@ def _left_out(mesh: Mesh, modes: np.ndarray) -> float:
 def _unit_load(mesh: Mesh) -> np.ndarray:
     """1 N where the body is struck, (unknowns,)."""
     load = np.zeros(mesh.size)
-    load[mesh.struck] = 1.0
+    load[mesh.struck : mesh.struck + 1] = 1.0  # a single element without mass in front leaves no unknown
     return load
 
 
-def _static_fields(mesh: Mesh, fields: Callable) -> dict[str, Callable]:
+def _static(mesh: Mesh, body: Mesh) -> np.ndarray:
+    """Displacements (unknowns,) under a steady unit force; `body`: the mesh, or it without mass on its struck node."""
+    bent = _bent(body, _unit_load(body), body.free)
+    if body is mesh:
+        return bent
+    return np.append((bent[0] if bent.size else 0.0) + 1.0 / mesh.neighbour, bent)
+
+
+def _static_fields(mesh: Mesh) -> dict[str, Callable]:
     """Of a beam under a steady force of 1 N where it is struck, as `Modes` has them."""
     if not mesh.bends:
         return {}
-    bent = _bent(mesh, _unit_load(mesh), mesh.free)
-    return {"static_moments": fields(mesh.moments, bent), "static_shears": fields(mesh.shears, bent)}
+    load, free = _unit_load(mesh), mesh.free
+    sped_up = np.linalg.solve(bands.times(mesh.mass, free) @ free.T, free @ load) @ free
+    found = carried(mesh, _bent(mesh, load, free), sped_up)
+    return {f"static_{name}": field for name, field in found.items()}
+
+
+def carried(mesh: Mesh, displacement: np.ndarray, acceleration: np.ndarray) -> dict[str, Callable]:
+    """Moments and shear forces of a beam, (..., x), from both (..., unknowns), in balance with its inertia."""
+    return {
+        "moments": lambda x: displacement @ mesh.moments(x) + acceleration @ mesh.inertial_moments(x),
+        "shears": lambda x: displacement @ mesh.shears(x) + acceleration @ mesh.inertial_shears(x),
+    }
+
+
+def with_accelerations(mesh: Mesh) -> Mesh:
+    """The fields of a beam by its unknowns and, behind them, their accelerations, of which the first two know nothing.
+
+    Any other body as it is.
+    """
+    if not mesh.bends:
+        return mesh
+
+    def behind(field: Callable, other: Callable | None = None) -> Callable:
+        return lambda x: np.vstack((field(x), np.zeros((mesh.size, np.size(x))) if other is None else other(x)))
+
+    return mesh._replace(
+        shapes=behind(mesh.shapes),
+        slopes=behind(mesh.slopes),
+        moments=behind(mesh.moments, mesh.inertial_moments),
+        shears=behind(mesh.shears, mesh.inertial_shears),
+    )
 
 
 def two_sided(first: Callable, second: Callable, sign: float) -> Callable:
@@ -311,8 +354,21 @@ class Line(NamedTuple):
 
     def strain_energy(self, displacement: np.ndarray) -> np.ndarray:
         """Of every unknown's share (rows, unknowns) [J]; without the digits that motions as a whole would take."""
-        bent = displacement - displacement[:, self.wholes.anchors] @ self.wholes.shapes
+        bent = self._bent(displacement)
         return 0.5 * bent * bands.times(self.stiffness, bent)
+
+    def accelerations(self, displacement: np.ndarray, force: np.ndarray) -> np.ndarray:
+        """Of every unknown (rows, unknowns) under a contact force (rows,) [N]."""
+        from scipy.linalg import solveh_banded
+
+        load = -bands.times(self.stiffness, self._bent(displacement))
+        load[:, self.front] -= force
+        if self.other >= 0:
+            load[:, self.other] += force
+        return solveh_banded(self.mass, load.T, lower=True, overwrite_b=True).T
+
+    def _bent(self, displacement: np.ndarray) -> np.ndarray:
+        return displacement - displacement[:, self.wholes.anchors] @ self.wholes.shapes
 
 
 class Wholes(NamedTuple):

@@ -109,9 +109,9 @@ class SwitchedModes(RodPhases):
         times, forces = np.concatenate(times), np.concatenate(forces)
         kept = times < since
         times, forces = np.append(times[kept], since), np.append(forces[kept], max(forces[kept][-1], 0.0))
-        before, after = (self._mass_in(phase, np.array([t]))[1][0] for t in (0.0, since))
+        impulse = phase.mass_velocity - self._mass_in(phase, np.array([since]))[1][0]
         self.contacts.append(
-            Contact(phase.start, phase.start + since, before - after, forces.max(), phase.start + times, forces)
+            Contact(phase.start, phase.start + since, impulse, forces.max(), phase.start + times, forces)
         )
         return phase.start + since
 

@@ -27,8 +27,8 @@ class Modes:
     means (modes,) [kg^-1/2] and rigid_mean, averages of the shapes over the mass of the body; None: all zero;
     moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
     unit of the modal coordinate [kg^1/2 m];
-    static_moments(x) [m] and static_shears(x) [-], (x,), of a beam by all modes under a steady force of 1 N where it is
-    struck, held by its inertia if it is free.
+    static_shapes(x) [m/N] and, of a beam, static_moments(x) [m] and static_shears(x) [-], (x,), by all modes under a
+    steady force of 1 N where the body is struck, held by its inertia if it is free.
     """
 
     frequencies: np.ndarray
@@ -42,14 +42,16 @@ class Modes:
     rigid_mean: float = 1.0
     moments: Callable[[np.ndarray], np.ndarray] | None = None
     shears: Callable[[np.ndarray], np.ndarray] | None = None
+    static_shapes: Callable[[np.ndarray], np.ndarray] | None = None
     static_moments: Callable[[np.ndarray], np.ndarray] | None = None
     static_shears: Callable[[np.ndarray], np.ndarray] | None = None
 
     def left_out(self, field: str, x: np.ndarray) -> np.ndarray:
-        """That field, "moments" or "shears", of all modes left out under a steady force of 1 N, (x,).
+        """That field, "shapes", "moments" or "shears", of all modes left out under a steady force of 1 N, (x,).
 
-        They follow a force slower than themselves as springs do: what they carry of a support reaction is lost without
-        it, while they hardly move the beam. Zero where no static field is known.
+        They follow a force slower than themselves as springs do: where the body is struck it gives way by
+        `residual_compliance` more, and what they carry of a support reaction is lost without it. Zero where no static
+        field is known.
         """
         static, own = getattr(self, f"static_{field}"), getattr(self, field)
         if static is None or own is None:
@@ -145,7 +147,21 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
         means=amplitude * np.sinc(halves) if fixed else None,
         shapes=lambda x: amplitude * np.cos(np.multiply.outer(wavenumbers, x)),
         slopes=lambda x: -amplitude * wavenumbers[:, None] * np.sin(np.multiply.outer(wavenumbers, x)),
+        static_shapes=static_rod_shape(length, length**2 / (mass * wave_speed**2), fixed),
     )
+
+
+def static_rod_shape(length: float, compliance: float, fixed: bool) -> Callable[[np.ndarray], np.ndarray]:
+    """Displacement (x,) [m/N] of a rod of compliance L / (E A) under a steady force on its end, fixed at the other.
+
+    Of a free rod, while the force accelerates it, less the motion of its centre of mass.
+    """
+
+    def shape(x: np.ndarray) -> np.ndarray:
+        place = np.asarray(x, float) / length
+        return compliance * (1.0 - place if fixed else 1.0 / 3.0 - place + 0.5 * place**2)
+
+    return shape
 
 
 def composite_rod_modes(
@@ -218,7 +234,8 @@ def attached_rod_modes(length: float, mass: float, wave_speed: float, count: int
         return vectors.T @ ((wavenumbers if struck_end else -wavenumbers)[:, None] * cosine)
 
     frequencies, at_contact = np.sqrt(squares), shapes(np.zeros(1))[:, 0]
-    whole = length**2 / (3.0 * mass * wave_speed**2)  # L / (3 E A), against the rod's own inertia
+    static = static_rod_shape(length, length**2 / (mass * wave_speed**2), False)
+    whole = float(static(0.0))  # L / (3 E A), against the rod's own inertia
     return Modes(
         frequencies=frequencies,
         at_contact=at_contact,
@@ -226,6 +243,7 @@ def attached_rod_modes(length: float, mass: float, wave_speed: float, count: int
         residual_compliance=float(max(whole - np.sum((at_contact / frequencies) ** 2), 0.0)),
         shapes=shapes,
         slopes=slopes,
+        static_shapes=static,
     )
 
 

@@ -21,7 +21,7 @@ class Phase(NamedTuple):
     rigid_position: float  # of the free body as a whole, where it is struck; 0 if fixed
     rigid_velocity: float
     mass_position: float
-    mass_velocity: float
+    mass_velocity: float  # as it came here: a phase of contact begins with a jump to the velocity of its modes
     lost: float  # energy lost by truncation and projection up to here
     sent: float = 0.0  # displacement that has left a rod's end as a wave so far, in units of velocity times time
     arrived: float = 0.0
@@ -30,7 +30,7 @@ class Phase(NamedTuple):
 class Contact(NamedTuple):
     start: float
     end: float
-    impulse: float
+    impulse: float  # of the force and of the change of modes that the contact begins with
     peak: float
     times: np.ndarray
     forces: np.ndarray

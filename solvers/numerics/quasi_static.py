@@ -12,6 +12,7 @@ import numpy as np
 from numpy.polynomial import Legendre
 
 CELLS = 200  # of each stretch of the path on which the law has one formula
+WIDEST = 100.0  # last over first indentation of such a stretch: over more, a power is no polynomial in each cell
 STAGES = 6  # of the quadrature in each cell
 SUBSTEPS = 6  # kept of each step of a differential equation
 
@@ -160,13 +161,13 @@ def _loading(law: Any, energy: float) -> tuple[float, list[tuple[float, float]]]
     from scipy.optimize import brentq
 
     def work(low, high):
-        return _integral(lambda a: law.force(a, 0.0, 0.0), low, high, low == 0.0)
+        return (high - low) * law.mean(low, high, 0.0, 0.0)[0]
 
     low, done, stretches = 0.0, 0.0, []
     while True:
-        high = law.corner(low, 0.0)
+        high = min(law.corner(low, 0.0), WIDEST * low if low > 0.0 else math.inf)
         if not math.isfinite(high):
-            high = 2.0 * low if low > 0.0 else 1e-9
+            high = 1e-9
             while done + work(low, high) < energy:
                 high *= 2.0
         more = work(low, high)
@@ -177,18 +178,6 @@ def _loading(law: Any, energy: float) -> tuple[float, list[tuple[float, float]]]
             return deepest, [*stretches, (low, deepest)]
         stretches.append((low, high))
         low, done = high, done + more
-
-
-def _integral(force, low: float, high: float, from_nothing: bool) -> float:
-    """Of the force over [low, high], where it may start as any power of the indentation."""
-    s, weights = _NODES, _WEIGHTS
-    total = 0.0
-    for cell in range(4):
-        u = (cell + s) / 4.0
-        place, slope = (u**3, 3.0 * u**2) if from_nothing else (u, np.ones_like(u))
-        values = np.array([force(low + (high - low) * p) for p in place])
-        total += float((weights * slope * values).sum()) * (high - low) / 4.0
-    return total
 
 
 def _fallen(force, low: float, high: float, top: bool, bottom: bool, given: float, mass: float):

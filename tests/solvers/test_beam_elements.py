@@ -71,6 +71,29 @@ def test_static_deflection_is_exact_at_the_struck_node(line, support, at, bendin
     assert displaced == approx(bent @ mesh.slopes(x), rel=1e-6, abs=1e-9 * abs(bent[mesh.struck]))
 
 
+@THEORIES
+@pytest.mark.parametrize("support", HELD)
+def test_moments_and_shear_forces_of_modes_are_in_balance_with_inertia(line, support):
+    """V' = -m y'' = m omega^2 y and M' = V + (rotary) psi'', from end to end and without jumps at the nodes."""
+    mesh = beam_mesh(line, support, 0.6 * line.length, 9)
+    modes = mesh_modes(mesh, 5)
+    squares = modes.frequencies[:, None] ** 2
+    x = (np.linspace(0.0, 1.0, 40)[1:-1] + 1e-3) * line.length
+    step = 1e-6 * line.length
+    change = (modes.shears(x + step) - modes.shears(x - step)) / (2.0 * step)
+    carried = line.mass_per_length * squares * modes.shapes(x)
+    assert change == approx(carried, abs=1e-6 * np.abs(carried).max())
+    if not line.rotary_inertia:
+        change = (modes.moments(x + step) - modes.moments(x - step)) / (2.0 * step)
+        assert change == approx(modes.shears(x), abs=1e-6 * np.abs(change).max())
+    nodes = mesh.place[1:-1]
+    for field in (modes.shears, modes.moments):
+        beside = field(nodes - 1e-12), field(nodes + 1e-12)
+        assert beside[0] == approx(beside[1], abs=1e-8 * np.abs(beside[1]).max())
+        ends = {"free-free": [0, -1], "cantilever": [-1], "pinned-free": [-1]}.get(support, [])
+        assert field(mesh.place[ends]) == approx(0.0, abs=1e-8 * np.abs(beside[1]).max())
+
+
 def test_the_hermite_element_of_the_textbooks():
     length, mass = 0.5, 3.0
     element = Element(np.array([length]), np.zeros(1))

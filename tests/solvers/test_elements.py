@@ -56,6 +56,22 @@ def test_modes_kept_and_left_out_make_the_whole_compliance(support, massless):
     # L / E A, or for a free rod relative to its motion as a whole L / 3 E A
     whole = 1.0 / rod.stiffness if support == "fixed" else 1.0 / (3.0 * rod.stiffness)
     assert kept[0] + every.residual_compliance == approx(whole, rel=2.0 / 30.0)
+    # along the rod they move as the rest of the modes do under a steady force, and a massless face by its own spring
+    rest = (every.at_contact / every.frequencies**2)[8:] @ every.shapes(mesh.place)[8:]
+    rest[0] += every.residual_compliance
+    assert few.left_out("shapes", mesh.place) == approx(rest, abs=1e-9 * whole)
+
+
+@pytest.mark.parametrize("elements", [1, 2])
+@pytest.mark.parametrize("support", ["fixed", "free"])
+def test_the_coarsest_meshes_give_way_as_the_finest_do(support, elements):
+    rod = struck_rod(support=support).target
+    mesh = rod.mesh(elements, AVERAGED)
+    modes = mesh_modes(mesh, None, True)
+    static = float((modes.at_contact**2 / modes.frequencies**2).sum()) + modes.residual_compliance
+    assert modes.left_out("shapes", np.zeros(1)) == approx(modes.residual_compliance, rel=1e-12)
+    if support == "fixed":  # exact: springs in a row
+        assert static == approx(1.0 / rod.stiffness, rel=1e-12)
 
 
 def test_modes_are_orthonormal_and_the_face_stands_where_it_is_struck():

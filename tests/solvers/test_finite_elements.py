@@ -38,11 +38,38 @@ def test_accounts_balance(method, options, support):
     assert abs(solution.diagnostics["energy_error"]) < (2e-3 if explicit else 1e-10)
     assert abs(solution.diagnostics["momentum_error"]) < 1e-9
     assert sum(contact.impulse for contact in solution.contacts) == approx(solution.impulse, rel=1e-9)
-    at_rows = solution.motion.course.step * solution.motion.course.stride * np.arange(5)
+    at_rows = solution.motion.course.step * solution.motion.course.stride * np.arange(0, 500, 7)
     face = solution.motion.displacement(at_rows, np.array([0.0]))[:, 0]
-    if options.get("boundary") != "consistent":  # there the modes left out bend beside the field
-        assert face == approx(solution.motion.end_position(at_rows), abs=2e-3 * scene.speed * scene.time_unit)
+    # the modes left out have given way too: 0.2 to 0.4 % of 2 v T when the field was without them
+    assert face == approx(solution.motion.end_position(at_rows), abs=1e-11 * scene.speed * scene.time_unit)
     json.dumps(solution.table())
+
+
+SLIM_BRONZE = {
+    "length": 0.5,
+    "section": {"radius": 0.012},
+    "material": {"young": 98e9, "density": 8800.0, "poisson": 0.34},
+}
+STOCKY_STEEL = {key: STEEL_ROD[key] for key in ("length", "section", "material")}
+
+
+@pytest.mark.parametrize(
+    "method, options",
+    [*VARIANTS, ("fe-nodal", {"status": "frozen"})],
+    ids=[*IDS, "frozen"],
+)
+def test_it_does_not_matter_who_strikes(method, options):
+    """Peak 20 311 against 15 590 N when the local stiffness of a rigid contact was that of the target's element."""
+
+    def strike(first, second):
+        impactor, target = first | {"kind": "rod", "velocity": 1.0}, second | {"kind": "rod", "support": "free"}
+        scene = Scene.from_table({"impactor": impactor, "target": target})
+        return solvers.solve(scene, quick(method, elements=40, **options), duration=1e-3)
+
+    one, other = strike(SLIM_BRONZE, STOCKY_STEEL), strike(STOCKY_STEEL, SLIM_BRONZE)
+    assert one.peak_force == approx(other.peak_force, rel=1e-9)
+    assert one.impulse == approx(other.impulse, rel=1e-9)
+    assert one.contacts[0].end == approx(other.contacts[0].end, rel=1e-9)
 
 
 def quick(method: str, **options):

@@ -11,7 +11,7 @@ from pytest import approx
 
 import solvers
 from solvers import Modal, Scene, SceneError, SceneNotSupported
-from tests.catalog import STEEL_BEAM, STEEL_ROD_MASS, contact_table, struck_beam
+from tests.catalog import RIGID, STEEL_BEAM, STEEL_ROD_MASS, contact_table, struck_beam
 
 VARIANTS = [
     ("fe-nodal", {}),
@@ -53,8 +53,8 @@ def test_accounts_balance(method, options, law, beam):
     assert min(solution.energy.values()) > -1e-9 * scene.initial_energy
     at_rows = solution.motion.course.step * solution.motion.course.stride * np.arange(0, 900, 100)
     face = solution.motion.displacement(at_rows, np.array([scene.target.place]))[:, 0]
-    if method == "fe-nodal":  # else the modes left out bend beside the field
-        assert face == approx(solution.motion.end_position(at_rows), abs=1e-12)
+    # off by the rounding of a static solution of 1e-7 m/N under 1e5 N and less
+    assert face == approx(solution.motion.end_position(at_rows), abs=1e-12 if method == "fe-nodal" else 1e-10)
     json.dumps(solution.table())
 
 
@@ -86,16 +86,31 @@ def test_supports_carry_what_the_modes_left_out_pass_on(beam):
     scene = struck_beam(1.0, SOFT, **beam)
     exact = solvers.solve(scene, Modal(modes=60, estimate=False), duration=8e-4).motion
     times, ends = np.linspace(0.0, 8e-4, 150), np.array([0.0, 0.3 * (1.0 - 1e-9)])
-    held = {"cantilever": [0], "free-free": [], "pinned-free": [0]}.get(beam["support"], [0, 1])
     found = solvers.solve(scene, quick("fe-modal", elements=100), duration=8e-4).motion
     largest = np.abs(exact.shear(times, np.linspace(0.0, 0.3, 21))).max()
     share = 6e-3 if beam.get("theory") == "timoshenko" else 1.2e-3  # the mesh is of second order where it shears
-    for end in held:
-        true = exact.shear(times, ends[[end]])
-        assert np.abs(found.shear(times, ends[[end]]) - true).max() < share * largest
+    assert np.abs(found.shear(times, ends) - exact.shear(times, ends)).max() < share * largest
     x = np.linspace(0.0, 0.3, 21)
     true = exact.moment(times, x)
     assert np.abs(found.moment(times, x) - true).max() < 2e-3 * np.abs(true).max()
+
+
+@pytest.mark.parametrize("theory", ["euler-bernoulli", "timoshenko"])
+@pytest.mark.parametrize("support", ["cantilever", "free-free", "pinned-free"])
+@pytest.mark.parametrize("method, options", [("fe-nodal", {}), ("fe-modal", {}), ("balance", {"restitution": 0.5})])
+def test_nothing_is_carried_over_a_free_end(method, options, support, theory):
+    """2.5 to 6 % of the peak force when the shear force was constant in every element, as it is at rest."""
+    scene = struck_beam(1.0, SOFT if method != "balance" else RIGID, support=support, theory=theory, at=0.5)
+    found = solvers.solve(scene, quick(method, elements=30, **options), duration=6e-4).motion
+    times, x = np.linspace(0.0, 6e-4, 400), np.linspace(0.0, 0.3, 31)
+    free = x[[0, -1]] if support == "free-free" else x[-1:]
+    for name in ("shear", "moment"):
+        field = getattr(found, name)
+        assert np.abs(field(times, free)).max() < 1e-7 * np.abs(field(times, x)).max()
+    if method != "balance":  # whose forces are blows, in all modes at once
+        exact = solvers.solve(scene, Modal(modes=60, estimate=False), duration=6e-4).motion
+        true, between = exact.shear(times, x), np.abs(x - 0.15) > 0.01  # it jumps where the beam is struck
+        assert np.abs(found.shear(times, x) - true)[:, between].max() < 0.02 * np.abs(true).max()
 
 
 def test_fe_modal_tends_to_the_exact_modes_with_the_fourth_power_of_the_elements():

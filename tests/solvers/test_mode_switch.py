@@ -162,6 +162,8 @@ def test_momentum_of_a_free_rod_is_kept_by_every_change():
     scene = found.scene
     given = scene.impactor.mass * (scene.speed - found.impactor_velocity)
     assert found.target_velocity * scene.target.mass == approx(given, rel=1e-12)
+    # 0.5 to 20 % short without what the first change of modes takes from the mass at once
+    assert found.impulse == approx(given, rel=1e-12) and abs(found.diagnostics["momentum_error"]) < 1e-12
 
 
 @settings(max_examples=20)

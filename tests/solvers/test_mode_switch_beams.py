@@ -50,7 +50,7 @@ def test_first_contact_of_thesis_5_5():
     assert found.motion.end_velocity(parting, after=False)[0] == approx(0.8665250191467467, rel=1e-9)
     assert found.motion.end_velocity(parting)[0] == approx(0.916710952125702, rel=1e-9)
     assert second.start == approx(7.782862547200935e-05, rel=1e-9)
-    assert first.impulse / STEEL_ROD_MASS == approx(1.0 - found.diagnostics["left_out"] - 0.8665250191467467, rel=1e-9)
+    assert first.impulse / STEEL_ROD_MASS == approx(1.0 - 0.8665250191467467, rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -130,6 +130,12 @@ def test_accounts_of_any_beam(beam):
     assert found.energy["dissipated"] == approx(losses[-1] * found.energy["initial"], rel=1e-9)
     assert all(contact.impulse > 0.0 for contact in found.contacts)
     assert found.diagnostics["steps"] == 2 * len(found.contacts)
+    # what a change of modes exchanges is in the impulses: 0.2 to 0.5 of the momentum was missing
+    assert abs(found.diagnostics["momentum_error"]) < 1e-9
+    assert sum(contact.impulse for contact in found.contacts) == approx(found.impulse, rel=1e-12)
+    within = np.linspace(0.0, found.duration, 500)[1:]
+    given = STEEL_ROD_MASS * (1.0 - found.motion.impactor_velocity(within))
+    assert found.motion.impulse(within) == approx(given, abs=1e-9 * STEEL_ROD_MASS)
     if not found.scene.target.held:  # each projection keeps momentum
         momentum = STEEL_ROD_MASS * found.impactor_velocity + found.scene.target.mass * found.target_velocity
         assert momentum == approx(STEEL_ROD_MASS, rel=1e-9)
@@ -152,7 +158,8 @@ def test_force_is_the_jump_of_shear_and_what_slows_the_mass(beam):
     assert behind - before == approx(force, rel=1e-3)
     times, forces = found.motion.force_history()
     during = (times >= contact.start) & (times <= contact.end)
-    assert np.trapezoid(forces[during], times[during]) == approx(contact.impulse, rel=1e-2)
+    pressed = contact.impulse - STEEL_ROD_MASS * found.diagnostics["left_out"]  # less what the change of modes takes
+    assert np.trapezoid(forces[during], times[during]) == approx(pressed, rel=1e-2)
     assert contact.peak_force >= forces[during].max()
 
 

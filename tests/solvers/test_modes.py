@@ -66,6 +66,11 @@ def test_what_the_modes_left_out_give_way(support, count):
     static = (1.0 if support == "fixed" else 1.0 / 3.0) / rod.stiffness
     # the residual is what 1 / count of a sum leaves: the rounding of the sum counts for it
     assert modes.residual_compliance == approx(static - kept, abs=1e-15 * static * max(count, 10))
+    # along the rod it is the sum of their shapes; what 20 000 leave is 2 / (20 000 pi^2) of L / E A
+    x, many = np.linspace(0.0, rod.length, 7), rod.modes(20_000)
+    rest = (many.at_contact / many.frequencies**2)[count:] @ many.shapes(x)[count:]
+    assert modes.left_out("shapes", x) == approx(rest, abs=1.1e-5 / rod.stiffness)
+    assert modes.left_out("shapes", x[:1]) == approx(modes.residual_compliance, rel=1e-9)
 
 
 @pytest.mark.parametrize("support, rigid_mass", [("fixed", math.inf), ("free", ROD.mass)])

@@ -12,6 +12,7 @@ from pytest import approx
 
 import solvers
 from solvers import QuasiStatic, Scene, SceneError, SceneNotSupported, Waves
+from solvers.contact.plastic import PlasticLinear, PlasticPower, YigitChristoforou
 from solvers.contact.viscous import damping_for
 from solvers.methods.springs import spring_of
 from solvers.numerics.quasi_static import (
@@ -45,34 +46,16 @@ class Power(NamedTuple):
     def stored(self, indentation, deepest):
         return self.force(indentation, 0.0, 0.0) * max(indentation, 0.0) / (self.exponent + 1.0)
 
+    def mean(self, start, end, rate, deepest):
+        if start == end:
+            return self.force(start, rate, deepest), 0.0
+        return (self.stored(end, 0.0) - self.stored(start, 0.0)) / (end - start), 0.0
+
     def dent(self, deepest):
         return 0.0
 
     def corner(self, indentation, deepest):
         return math.inf
-
-
-class Plastic(NamedTuple):
-    """Hertz loading, linear plastic loading, Hertz unloading from the dent. Source: thesis (7.16)."""
-
-    stiffness: float
-    yields: float
-
-    NAME, LOSSY, PLASTIC = "some plastic", False, True
-    limits = no_limits
-
-    def dent(self, deepest):
-        peak = min(deepest, self.yields) ** 1.5 + 1.5 * self.yields**0.5 * max(deepest - self.yields, 0.0)
-        return deepest - peak ** (2.0 / 3.0)
-
-    def force(self, indentation, rate, deepest):
-        return self.stiffness * max(indentation - self.dent(max(indentation, deepest)), 0.0) ** 1.5
-
-    def stored(self, indentation, deepest):
-        return 0.4 * self.stiffness * max(indentation - self.dent(max(indentation, deepest)), 0.0) ** 2.5
-
-    def corner(self, indentation, deepest):
-        return self.yields if indentation < self.yields else math.inf
 
 
 class Damped(NamedTuple):
@@ -417,7 +400,7 @@ def test_local_collision_keeps_momentum_and_energy(target):
 @given(st.floats(0.1, 8.0), st.floats(1e-6, 1e-4))
 @settings(max_examples=15)
 def test_plastic_restitution_by_work_integrals(speed, yields):
-    law = Plastic(2e10, yields)
+    law = PlasticLinear(2e10, yields)
     found = path_collision(law, MASS, speed)
     deepest = found.indentation.max()
     energy = 0.5 * MASS * speed**2
@@ -430,8 +413,28 @@ def test_plastic_restitution_by_work_integrals(speed, yields):
     assert np.diff(found.lost).min() >= -1e-12 * energy and np.diff(found.time).min() > 0.0
 
 
+PLASTIC_LAWS = [
+    PlasticLinear(1e9, 1e-7),
+    PlasticPower.through(1e9, 1e-7, 1.266e-5),
+    PlasticPower.through(1e10, 1e-6, 1e-4),
+    YigitChristoforou(1e9, 1e-7),
+]
+
+
+@pytest.mark.parametrize("energy", [1e-9, 1e-5, 1e-3, 0.1, 1e3])
+@pytest.mark.parametrize("law", PLASTIC_LAWS, ids=lambda law: law.NAME)
+def test_work_of_loading_is_that_of_the_law_to_rounding(law, energy):
+    """From less than yield to 1e6 times it; cells that were too wide for a power left 1e-8 to 3e-7."""
+    speed = math.sqrt(2.0 * energy / MASS)
+    found = path_collision(law, MASS, speed)
+    rising = slice(1, int(np.argmax(found.indentation)) + 1)
+    work = [depth * law.mean(0.0, depth, 0.0, 0.0)[0] for depth in found.indentation[rising].tolist()]
+    assert found.rate[0] == approx(speed, rel=1e-12)
+    assert np.array(work) + 0.5 * MASS * found.rate[rising] ** 2 == approx(energy, rel=1e-12)
+
+
 def test_plastic_blow_leaves_a_dent():
-    law = Plastic(2e10, 1e-5)
+    law = PlasticLinear(2e10, 1e-5)
     found = QuasiStatic().solve(two_masses(law))
     assert found.residual_indentation == approx(law.dent(found.peak_indentation), rel=1e-12)
     assert found.restitution["newton"] == approx(found.diagnostics["delivered_restitution"], rel=1e-11)
