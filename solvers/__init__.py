@@ -24,6 +24,7 @@ from .methods import (
     QuasiStatic,
     RigidImpulse,
     Waves,
+    usual_method,
 )
 from .regimes import Plan, RegimeMap, plan, regime_map
 from .scene import Scene, load, scene_names
@@ -83,17 +84,18 @@ __all__ = [
     "stability",
     "stored_tradeoff",
     "tradeoff",
+    "usual_method",
 ]
 
 
 def solve(scene: Scene, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
-    """Solve a scene by the method it names, or by another one.
+    """Solve a scene by the method it names, by `usual_method` if it names none, or by another one.
 
     `options` are those of the method (`modes`, `steps`, `tolerance`). Duration in seconds; without one, until the
     bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
     method cannot solve the scene.
     """
-    table, usual = dict(scene.method), scene.usual_method
+    table = dict(scene.method)
     if duration is None:
         duration = table.pop("duration", None)
     table.pop("duration", None)
@@ -101,7 +103,7 @@ def solve(scene: Scene, method: str | Method | None = None, duration: float | No
         if options:
             raise SceneError("method", options, "no options beside a method object; give them to the object")
         return method.solve(scene, duration)
-    if method is not None and method != table.get("name", usual):
+    if method is not None and method != (table.get("name") or usual_method(scene)):
         table = {"name": method}
-    chosen, _ = read_method(table | options, usual)
+    chosen, _ = read_method(table | options, scene)
     return chosen.solve(scene, duration)

@@ -135,7 +135,7 @@ def sweep(
 
 def _with(scene: Scene, key: str, value: float) -> Scene:
     changed = scene.replace({key: value})
-    read_method(changed.method, changed.usual_method)
+    read_method(changed.method, changed)
     return changed
 
 

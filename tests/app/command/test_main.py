@@ -126,6 +126,18 @@ def test_several_changes_and_a_file(capsys, tmp_path):
     assert found["impactor"]["final_velocity"] == approx(2.0 * math.exp(-1.0), rel=1e-12)  # (4.13), beta = 1/2
 
 
+def test_a_file_without_a_method_is_solved_and_compared(capsys, tmp_path):
+    (tmp_path / "drop.toml").write_text(
+        '[impactor]\nkind = "sphere"\nradius = 0.01\nvelocity = 1.0\n'
+        '[target]\nkind = "half-space"\nmaterial = "steel"\n[contact]\nlaw = "hertz"\n'
+    )
+    found = result(capsys, str(tmp_path / "drop.toml"))
+    assert found["method"]["name"] == "quasi-static"
+    assert found["impactor"]["final_velocity"] == approx(-1.0, rel=1e-9)
+    said = answer(capsys, "compare", str(tmp_path / "drop.toml"), "--set", "contact.law=rigid")
+    assert "measured by                     rigid" in said
+
+
 def test_the_report_for_people(capsys):
     text = answer(capsys, "solve", "fixed-rod")
     assert "Steel rod fixed at the far end" in text
