@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 from . import checks
 from .checks import SceneError
 from .doubts import bodies_that_bend, general_doubts
+from .machine import compiled
 from .scene import Scene
 from .solution import Solution
 
@@ -57,7 +58,8 @@ class Method(ABC):
     def solve(self, scene: Scene, duration: float | None = None) -> Solution:
         """Solve up to `duration` [s]; without one, until the bodies part for good and a little beyond.
 
-        Raises SceneNotSupported, SceneError for a duration out of range.
+        Of its diagnostics `wall_time` [s] is that of the solve alone, `compile_time` [s] what compiling kernels, or
+        loading compiled ones, took besides. Raises SceneNotSupported, SceneError for a duration out of range.
         """
         reason = self.refusal(scene)
         if reason:
@@ -66,7 +68,9 @@ class Method(ABC):
             longest = min(MAX_ROUND_TRIPS * scene.time_unit, MAX_DURATION)
             shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
+        before = compiled()
         solution = self._solve(scene, duration)
+        solution.diagnostics["compile_time"] = compiled() - before
         doubts = general_doubts(solution, duration is None, self._recount(), self._knob(scene))
         solution.notes.extend(doubt for doubt in doubts if doubt not in solution.notes)
         return solution

@@ -1,12 +1,12 @@
 """The search for the cheapest solution that is proved to be good enough."""
 
 import math
-import time
 
 from .costs import expected_time
 from .doubts import ended_early
 from .judging import HISTORIES, Truth
 from .ladders import Ladder
+from .machine import clock
 from .scene import Scene
 from .solution import Solution
 from .tried import Tried, Wish, difference, remainder
@@ -18,7 +18,7 @@ HARSH = ("peak-force", "force-history")  # may converge to something else where 
 LONGEST = 10.0  # s of all solves, where no budget says otherwise
 GROWTH = 2.5  # of the time from one rung to the next
 MARGIN = 0.8  # of the tolerance that an estimate may use up: the proof is not exact either
-SLOW = 10.0  # times slower than foretold: then kernels were compiled
+SLOW = 10.0  # times slower than foretold: then much was done for the first time
 PATIENCE = 0.1  # s of foretold solves before a ladder that leads nowhere is given up
 FALL, RISE = 16.0, 0.7  # of errors from rung to rung: at best, fourth order; and at least, to go on
 
@@ -28,7 +28,7 @@ class Search:
 
     def __init__(self, scene: Scene, wish: Wish, own: list[Ladder], duration: float | None):
         self.scene, self.wish, self._duration = scene, wish, duration
-        self._begun = time.perf_counter()
+        self._begun = clock()
         self._own = own
         self.tried: list[Tried] = []
         self.chosen: Tried | None = None
@@ -41,7 +41,7 @@ class Search:
         self._climb()
         if self.proof not in (None, self.chosen) and self.wish.tolerance is not None:
             self._try_cheaper()
-        cancelled, spent = self.wish.cancelled(), time.perf_counter() - self._begun
+        cancelled, spent = self.wish.cancelled(), clock() - self._begun
         limit = LONGEST if self._cut_short and self.wish.budget is None and not cancelled else None
         finer = GROWTH * self.chosen.cost * self._slowness()
         return told(
@@ -230,10 +230,10 @@ class Search:
         for known in self.tried:
             if known.ladder is ladder and known.rung == rung:
                 return known
-        begun = time.perf_counter()
+        begun = clock()
         solution = ladder.rungs[rung].solve(self.scene, self._duration)
         truth = Truth.of(solution, self.wish.quantity in HISTORIES)
-        self.tried.append(Tried(ladder, rung, solution, truth, time.perf_counter() - begun))
+        self.tried.append(Tried(ladder, rung, solution, truth, clock() - begun))
         return self.tried[-1]
 
     def _difference(self, one: Tried, other: Tried) -> float | None:
@@ -241,7 +241,7 @@ class Search:
         return difference(one, other, self.wish.quantity)
 
     def _slowness(self) -> float:
-        """How much slower this machine is now than the constants say; what was compiled on the way does not count."""
+        """How much slower this machine is now than the constants say, but for what was done for the first time."""
         return min(SLOW, *(tried.wall_time / tried.cost for tried in self.tried))
 
     def _time_for(self, expected: float) -> bool:

@@ -19,7 +19,7 @@ KEYS = {
     "scene", "method", "contacts", "impulse", "peak_force", "peak_indentation", "residual_indentation", "impactor",
     "target", "restitution", "energy", "diagnostics", "duration", "notes",
 }  # fmt: skip
-DIAGNOSTICS = {"energy_error", "momentum_error", "steps", "wall_time", "estimated_error"}
+DIAGNOSTICS = {"energy_error", "momentum_error", "steps", "wall_time", "compile_time", "estimated_error"}
 MODAL_DIAGNOSTICS = {"raw_contacts", "raw_peak_force", "resolved_time"}
 SERIES = [
     "time_s", "contact_force_N", "impactor_position_m", "impactor_velocity_m_per_s", "struck_end_position_m",
