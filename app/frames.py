@@ -54,7 +54,7 @@ def exact_solution(scene: Scene, restitution: float) -> Solution:
         raise SceneError("target.kind", scene.target.kind, "a body other than a beam, whose blow has no exact solution")
     for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
-            return method.solve(scene, scene.method.get("duration"))
+            return method.solve_in_full(scene, scene.method.get("duration"))
     raise SceneError("method.name", None, "a scene that some method can solve")
 
 

@@ -2,12 +2,12 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any, ClassVar
 
 from . import checks
 from .checks import SceneError
-from .doubts import bodies_that_bend, general_doubts
+from .doubts import beside_elastic, bodies_that_bend, counted_twice, general_doubts
 from .machine import compiled
 from .scene import Scene
 from .solution import Solution
@@ -74,6 +74,20 @@ class Method(ABC):
         doubts = general_doubts(solution, duration is None, self._recount(), self._knob(scene))
         solution.notes.extend(doubt for doubt in doubts if doubt not in solution.notes)
         return solution
+
+    def solve_in_full(self, scene: Scene, duration: float | None = None) -> Solution:
+        """`solve`, for who reads the notes: where damping in the contact counts waves twice, one more solve without it
+        tells what the elastic law gives.
+        """
+        solution = self.solve(scene, duration)
+        if counted_twice(solution) is not None:
+            undamped = replace(scene, contact=scene.contact._replace(damping=0.0))
+            solution.notes[:] = beside_elastic(solution, self._again(solution).solve(undamped, duration))
+        return solution
+
+    def _again(self, solution: Solution) -> "Method":
+        """What has found the solution, without its estimate of the error, which costs as much again."""
+        return replace(self, estimate=False) if hasattr(self, "estimate") else self
 
     def _recount(self) -> str | None:
         """Why the contacts may be miscounted and what to do, in a sentence; None if they cannot, or nothing counts."""

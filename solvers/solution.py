@@ -1,5 +1,6 @@
 """What happened: one type of result for every method."""
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Protocol
 
@@ -17,6 +18,15 @@ class ContactPeriod:
     end: float  # [s]
     impulse: float  # [N s]
     peak_force: float | None  # [N]; None: a blow of no duration
+
+
+def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
+    """The contact time that is asked for everywhere: from first touch to last parting [s], thesis 8.3.
+
+    None for no contact, or one of no duration.
+    """
+    lasted = contacts[-1].end - contacts[0].start if contacts else 0.0
+    return lasted if lasted > 0.0 else None
 
 
 class Motion(Protocol):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import checks, read_method, solve
+from . import checks, read_method
 from .checks import SceneError
 from .jit import kernel
 from .numerics import rigid_waves
@@ -123,14 +123,20 @@ def sweep(
     if _takes_whole_numbers(scene, key, values[0]):
         values = list(dict.fromkeys(round(value) for value in values))
     scenes = [_with(scene, key, value) for value in values]  # all are read before any is solved
-    rows = [_row(values[0], solve(scenes[0]))]  # alone: if kernels must be compiled, then once
+    rows = [_row(values[0], _solved(scenes[0]))]  # alone: if kernels must be compiled, then once
 
     def row(value: float, changed: Scene) -> dict[str, object] | None:
-        return None if cancel is not None and cancel() else _row(value, solve(changed))
+        return None if cancel is not None and cancel() else _row(value, _solved(changed))
 
     with all_processors(workers) as pool:
         rows += filter(None, pool.map(row, values[1:], scenes[1:]))
     return rows
+
+
+def _solved(scene: Scene) -> Solution:
+    """As it says itself; nobody reads the notes."""
+    method, duration = read_method(scene.method, scene)
+    return method.solve(scene, duration)
 
 
 def _with(scene: Scene, key: str, value: float) -> Scene:

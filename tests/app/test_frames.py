@@ -88,6 +88,15 @@ def test_a_scene_by_its_own_values_is_the_scene(name):
     assert scene.target.mass == base.target.mass
 
 
+@pytest.mark.parametrize("scene", ["bronze-rod-steel-ball", "table-8.4"])
+def test_the_page_says_where_waves_are_counted_twice(scene):
+    header = read_header(
+        solve_frame(Choices().chosen() | Choices.of_scene(scene) | {"scene": scene, "law": "hunt-crossley"})
+    )
+    (note,) = (n for n in header["exact" if "exact" in header else "main"]["notes"] if "counted twice" in n)
+    assert "With the elastic law the impactor leaves at" in note
+
+
 def test_the_ghost_is_the_classical_answer():
     fixed, free = solvers.load("fixed-rod"), solvers.load("free-rod")
     assert ghost(fixed, 0.8) == {"impactor": -0.8, "target": 0.0}
