@@ -47,6 +47,14 @@ def test_the_first_mode_of_a_beam_on_two_supports_is_two_running_half_sines(name
     assert field == approx(0.5 * amplitude * (np.cos(k * (x - gone)) - np.cos(k * (x + gone))), abs=1e-6 * amplitude)
 
 
+def test_figure_5_10_has_a_second_contact():
+    scene = SCENES["figure-5.10"]
+    first, second = solvers.solve(scene, "waves").contacts
+    assert [second.start / T, second.end / T] == approx(numbers("figure-5.10")[1:], abs=5e-3)
+    assert 0.005 < second.impulse / first.impulse < 0.02
+    assert len(solvers.solve(scene).contacts) == 1
+
+
 def test_figure_6_5_the_circles_are_impulses_over_the_step():
     found = solvers.solve(SCENES["figure-6.5"])
     time, impulse = found.motion.impulses
@@ -126,6 +134,25 @@ def test_figures_8_9_and_8_10(name, peak, at, parting, velocity, deflection, con
     assert tip.max() == approx(deflection, abs=1e-6)
     assert len(found.contacts) == contacts
     assert f"{contacts} contacts" in SCENES[name].note or f"{contacts} of them" in SCENES[name].note
+
+
+@pytest.mark.parametrize(
+    ("theory", "law", "left", "swing"),
+    [
+        ("euler-bernoulli", "plastic-power", 0.172, 0.354e-3),
+        ("timoshenko", "plastic-power", 0.199, 0.346e-3),
+        ("euler-bernoulli", "plastic-linear", 0.214, None),
+        ("timoshenko", "plastic-linear", 0.135, None),
+    ],
+)
+def test_figure_8_15_what_vibrates_freely(theory, law, left, swing):
+    """Differs: that Euler-Bernoulli modes leave the larger vibration holds of the amplitude, not of the energy."""
+    scene = SCENES["figure-8.15"].replace({"target.theory": theory, "contact.law": law})
+    found = solvers.solve(scene, duration=12e-3)
+    assert found.energy["target_vibration"] == approx(left, abs=1e-3)
+    tip = found.motion.end_position(np.linspace(found.contacts[-1].end, found.duration, 20_001))
+    assert swing is None or 0.5 * (tip.max() - tip.min()) == approx(swing, abs=1e-6)
+    assert f"{left:.3f} J" in scene.note
 
 
 def test_figure_8_22_is_euler_bernoulli_beside_the_static_shape():
