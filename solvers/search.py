@@ -165,9 +165,13 @@ class Search:
             return
         other = known[-1] if known else self._as_fine_as_time_allows(others[0], finest.rung)
         apart = self._difference(other, finest)
-        if apart is not None and (finest.error is None or apart > finest.error):
-            finest.error = finest.error and apart  # None stays: two coarse ones may agree by chance
-            self._doubts.append(self._disagreement(other, finest, apart))
+        if apart is None:
+            return
+        last = [self._difference(tried, other) for tried in self.tried if tried.ladder is other.ladder][-2:-1]
+        if finest.error is not None:
+            # what the other has changed by at last counts, too: two that converge to different forces cross on the way
+            finest.error = max(finest.error, apart + last[0]) if last and last[0] is not None else None
+        self._doubts.append(self._disagreement(other, finest, apart))
 
     def _as_fine_as_time_allows(self, ladder: Ladder, finest: int) -> Tried:
         """The coarsest, whatever time is left, or finer ones up to this rung."""
