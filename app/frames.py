@@ -107,7 +107,7 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         if solution is exact or not carried:
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
-    arrays |= cycle(exact)
+    arrays |= cycle(exact) | _balances(other, trip, force_unit)
     steps = None
     if carried:
         arrays["modalForce"] = other.motion.record.contact_force / force_unit
@@ -229,6 +229,15 @@ def force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
         kept |= {low + int(np.argmin(force[low:high])), low + int(np.argmax(force[low:high]))}
     rows = np.array(sorted(kept))
     return time[rows], force[rows]
+
+
+def _balances(other: Solution | None, trip: float, force_unit: float) -> dict[str, np.ndarray]:
+    """Impulses over the step, of balances that stand at the ends of steps: the circles of thesis figure 6.5."""
+    step = None if other is None else other.method.get("step")
+    if step is None or not hasattr(other.motion, "impulses"):
+        return {}
+    time, impulse = (values[:FORCE_POINTS] for values in other.motion.impulses)
+    return {"balanceTime": time / trip, "balanceForce": impulse / step / force_unit}
 
 
 def _sampled_fields(solution: Solution, force_unit: float, length_unit: float) -> dict[str, np.ndarray]:

@@ -86,7 +86,7 @@ def _own_values(name: str) -> dict[str, Any]:
         wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
     method = dict(scene.method)
     wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
-    wanted["method"] = method.get("name", scene.usual_method)
+    wanted["method"] = method.get("name") or solvers.usual_method(scene)
     if on_beam(scene):
         wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
     if not in_space(scene):

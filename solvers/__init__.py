@@ -24,6 +24,7 @@ from .methods import (
     QuasiStatic,
     RigidImpulse,
     Waves,
+    usual_method,
 )
 from .regimes import Plan, RegimeMap, plan, regime_map
 from .scene import Scene, load, scene_names
@@ -87,4 +88,5 @@ __all__ = [
     "stored_tradeoff",
     "sweep",
     "tradeoff",
+    "usual_method",
 ]

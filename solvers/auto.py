@@ -25,7 +25,8 @@ class Auto(Method):
     The best method that can be refined climbs its ladder until a coarse solution, and all between, agree with one that
     is much finer; closed forms that cost less are held against the same proof. Of all that agree the cheapest is given,
     by measured constants of cost, with its difference from the proof as its estimated error. `diagnostics.chosen` says
-    why. With `budget` [s] the ladder is climbed as long as the time lasts; without `tolerance` the finest is given.
+    why. With `budget` [s] the ladder is climbed as long as the time lasts; without `tolerance` the finest is given. The
+    force of a rigid contact is held against a second method: modes may agree with each other, and not with the truth.
     Error: the estimate; see the README for how often it is right.
     Cost: some five times the proof; at most 10 s of solves, which is said, unless a budget allows more.
     """
@@ -73,6 +74,10 @@ class Auto(Method):
         """Of the methods that may be chosen, without their own estimates of error, which cost as much again."""
         found = [ladder for ladder in ladders(scene) if self.among is None or ladder.rungs[0].NAME in self.among]
         return [replace(ladder, rungs=tuple(map(bare, ladder.rungs))) for ladder in ranked(found)]
+
+    def _again(self, solution: Solution) -> Method:
+        options = {name: value for name, value in solution.method.items() if name != "name" and value is not None}
+        return bare(METHODS[str(solution.method["name"])].read(options))
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         wish = Wish(self.goal, self.quantity, self.budget, self.cancelled)

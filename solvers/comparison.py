@@ -9,7 +9,7 @@ import numpy as np
 
 from .checks import SceneError
 from .method import Method
-from .methods import METHODS, Modal, Waves
+from .methods import METHODS, Modal, Waves, usual_method
 from .scene import Scene
 from .solution import ContactPeriod, Solution
 
@@ -75,16 +75,18 @@ def compare(scene: Scene, methods: Sequence[str | Method] | None = None, repeats
 def reference(scene: Scene) -> Solution:
     """The solution that others are measured by: exact waves, or else many modes, whose estimate is its uncertainty.
 
-    Raises SceneNotSupported where neither can solve the scene.
+    Where neither can, as nothing gives way, the scene's usual method. Raises SceneNotSupported for bodies in space.
     """
-    many = Modal(modes=REFERENCE_MODES)
-    return many.solve(scene) if Waves().refusal(scene) and not many.refusal(scene) else Waves().solve(scene)
+    for method in (Waves(), Modal(modes=REFERENCE_MODES)):
+        if scene.normal is not None or method.refusal(scene) is None:
+            return method.solve(scene)
+    return METHODS[usual_method(scene)].read({}).solve(scene)
 
 
 def chosen_methods(scene: Scene) -> list[Method]:
     """All methods and their variants, each with its usual options or, where the scene names it, with those given."""
     options = {key: value for key, value in scene.method.items() if key not in ("name", "duration")}
-    named = scene.method.get("name", Waves.NAME)
+    named = scene.method.get("name") or usual_method(scene)
     usual = [method.read(options if name == named else {}) for name, method in METHODS.items()]
     variants = [METHODS[table["name"]].read({key: table[key] for key in table if key != "name"}) for table in VARIANTS]
     chosen = usual + [variant for variant in variants if variant not in usual]
@@ -101,7 +103,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
     resolved = getattr(found.motion, "resolved_force", None)
     counted = found.diagnostics.get("balances", len(found.contacts))
     until = max(contact.end for contact in [*exact.contacts, *found.contacts])
-    blow = any(contact.peak_force is None for contact in found.contacts)
+    blow = any(contact.peak_force is None for contact in [*exact.contacts, *found.contacts])
     return Row(
         method=method.table(),
         rebound_error=(rebound(found) - rebound(exact)) / scene.speed,

@@ -10,7 +10,7 @@ from .contact import Rigid
 from .method import SceneNotSupported
 from .methods import Modal
 from .scene import Scene
-from .solution import Solution
+from .solution import Solution, apparent_time
 
 MODES = 200  # from which the half period with the mass attached is worked out
 STUCK = 0.7, 1.3  # half periods from first touch to last parting: the impactor swings with the body as if stuck to it
@@ -38,7 +38,7 @@ def contact_times(solution: Solution) -> ContactTimes:
     with the mass attached that the apparent time comes near.
     """
     contacts = solution.contacts
-    apparent, real = contacts[-1].end - contacts[0].start, sum(contact.end - contact.start for contact in contacts)
+    apparent, real = apparent_time(contacts) or 0.0, sum(contact.end - contact.start for contact in contacts)
     with_mass, alone = half_periods(solution.scene)
     return ContactTimes(
         len(contacts), apparent, real, with_mass, alone, _told(len(contacts), apparent, real, with_mass)

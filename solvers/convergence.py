@@ -120,7 +120,7 @@ def _counts(given: Sequence[int]) -> list[int]:
 
 def _method(scene: Scene, given: str | Method) -> tuple[Method, str, float | None]:
     """The method without its estimate of the error, the option that is varied, and the duration."""
-    named, duration = read_method(scene.method)
+    named, duration = read_method(scene.method, scene)
     if isinstance(given, Method):
         chosen = given
     elif given == named.NAME:

@@ -1,6 +1,7 @@
 """What every method says of a result that is not to be trusted as it stands: sentences with cause and remedy."""
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from .grazing import grazing_note, miscounted, one_front
@@ -85,15 +86,23 @@ def doubts_of_a_front(scene: Scene, period: float, count: int, kind: str) -> lis
 
 
 def general_doubts(
-    solution: Solution, notes: list[str], whole: bool, remedy: str | None, knob: str | None
+    solution: Solution,
+    notes: list[str],
+    whole: bool,
+    remedy: str | None,
+    knob: str | None,
+    elastic: Callable[[], Solution],
 ) -> list[str]:
     """What holds for every method. `notes`: what its own says; `whole`: solved until the bodies part; `remedy`: against
-    contacts that it counts falsely, None where it cannot; `knob`: the option that makes it finer.
+    contacts that it counts falsely, None where it cannot; `knob`: the option that makes it finer; `elastic` solves the
+    same without the damping of its contact law.
     """
     scene = solution.scene
     found = [doubt for body in bodies_that_bend(scene) for doubt in body.doubts()]
     if solution.peak_indentation is not None:
         found += scene.contact.limits(solution.peak_indentation, scene.impactor, scene.target)
+    if (told := counted_twice(solution)) is not None:
+        found.append(told + beside_elastic(solution, elastic()))
     if remedy is not None:
         found += doubts_of_the_count(solution, whole, remedy)
     error = solution.diagnostics.get("estimated_error")
@@ -114,3 +123,44 @@ def doubts_of_the_count(solution: Solution, whole: bool, remedy: str) -> list[st
         return [] if wrong is None else [wrong]
     note = grazing_note(scene.mass_ratio, 1.0 if scene.target.fixed else -1.0)
     return [] if note is None else [note]
+
+
+SLIGHT = 1e-6  # of the energy
+
+
+def counted_twice(solution: Solution) -> str | None:
+    """Of damping in the contact of a body whose waves are solved for as well: what each takes away; None elsewhere.
+
+    Source: thesis 7.3.1 and conclusion 6: a viscous force may stand for the waves that leave the contact, and then has
+    no place beside a body in which they run.
+    """
+    scene, energy = solution.scene, solution.energy
+    if not scene.contact.LOSSY or solution.peak_indentation is None:
+        return None  # of the contact nothing is solved for but a restitution, if that
+    parts = [part / energy["initial"] for part in (energy["dissipated"], _ringing(solution))]
+    if min(parts) < SLIGHT:
+        return None
+    damped = any(body.damping for body in bodies_that_bend(scene))
+    taker = "the law and the damping of the beam take" if damped else "the law takes"
+    takes, stays = (f"{100.0 * part:.2g} %" for part in parts)
+    return (
+        "Waves may be counted twice (thesis 7.3.1): if the damping of this law stands for them, they are in the law "
+        f"and in the bodies. Here {taker} {takes} of the energy and {stays} stay in the bodies as vibration."
+    )
+
+
+def _ringing(solution: Solution) -> float:
+    """Energy of vibration at the end [J]."""
+    impactor, found = solution.scene.impactor, solution.energy
+    if impactor.time_unit is None:
+        return found["target_vibration"]
+    return found["target_vibration"] + found["impactor"] - 0.5 * impactor.mass * solution.impactor_velocity**2
+
+
+def beside_elastic(solution: Solution, elastic: Solution) -> str:
+    """Where waves are counted twice: what the elastic law alone gives, in a further sentence."""
+    if ended_early(elastic.notes):
+        return ""
+    velocities = f"{elastic.impactor_velocity:+.4g} m/s instead of {solution.impactor_velocity:+.4g} m/s"
+    stays = _ringing(elastic) / elastic.energy["initial"]
+    return f" With the elastic law the impactor leaves at {velocities}, and {100.0 * stays:.2g} % stay."

@@ -139,7 +139,7 @@ def perturbations(runs: int, spread: float, seed: int = 0) -> np.ndarray:
 
 def _method(scene: Scene, given: str | Method | None) -> tuple[Method, float | None, list[str]]:
     """The method without its estimate of the error, which costs as much again; the duration; what must be said."""
-    named, duration = read_method(scene.method)  # of bodies on an axis
+    named, duration = read_method(scene.method, scene)  # of bodies on an axis
     notes = []
     if isinstance(given, Method):
         named = given

@@ -1,13 +1,12 @@
 """How far one answer to a scene is from another: one number for each question that can be asked of a blow."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .comparison import FORCE_SAMPLES, overlapping, rebound
 from .scene import Scene
-from .solution import ContactPeriod, Solution
+from .solution import ContactPeriod, Solution, apparent_time
 
 HISTORIES = ("force-history", "resolved-force")  # quantities for which the force over time is needed
 QUANTITIES = {
@@ -16,7 +15,7 @@ QUANTITIES = {
     "peak-force": "largest contact force, relative to the true one; of truncated models the resolved one",
     "force-history": "L2 norm of the error of the contact force over time, relative to that of the true force",
     "resolved-force": "the same of the force averaged over the finest that the method can tell",
-    "contact-time": "time in which one of both touches and the other does not, relative to the true contact time",
+    "contact-time": "time from first touch to last parting, relative to the true one",
     "energy": "energy gained or lost by the method, relative to the energy before the blow",
 }
 
@@ -79,16 +78,14 @@ class Truth:
     def errors(self, found: Answer) -> dict[str, float | None]:
         """By quantity, found minus true where that has a sign; None where one of both has no such thing."""
         true = self.answer
-        peak = None
-        if found.peak_force is not None and true.peak_force is not None:
-            peak = found.peak_force / true.peak_force - 1.0
+        lasted, truly = apparent_time(found.contacts), apparent_time(true.contacts)
         errors = {
             "rebound": _difference(found.velocity, true.velocity) / self.scene.speed,
             "impulse": (found.impulse - true.impulse) / abs(true.impulse) if true.impulse else None,
-            "peak-force": peak,
+            "peak-force": _relative(found.peak_force, true.peak_force),
             "force-history": self._force_error(found, found.force),
             "resolved-force": self._force_error(found, found.resolved),
-            "contact-time": contact_time_error(true.contacts, found.contacts),
+            "contact-time": _relative(lasted, truly),
             "energy": found.energy_error,
         }
         return {name: None if error is None or not np.isfinite(error) else error for name, error in errors.items()}
@@ -112,14 +109,9 @@ class Truth:
         return float(np.sqrt(wrong / whole))
 
 
+def _relative(found: float | None, true: float | None) -> float | None:
+    return None if found is None or true is None else found / true - 1.0
+
+
 def _difference(found: np.ndarray, true: np.ndarray) -> float:
     return float(found[0] - true[0]) if found.size == 1 else float(np.linalg.norm(found - true))
-
-
-def contact_time_error(true: Sequence[ContactPeriod], found: Sequence[ContactPeriod]) -> float | None:
-    """Time in which only one of both touches, over the true contact time; None for a blow of no duration."""
-    spans = [sum(contact.end - contact.start for contact in periods) for periods in (true, found)]
-    if not spans[0] > 0.0:
-        return None
-    both = sum(max(0.0, min(a.end, b.end) - max(a.start, b.start)) for a in true for b in found)
-    return (spans[0] + spans[1] - 2.0 * both) / spans[0]

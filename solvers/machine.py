@@ -1,11 +1,50 @@
-"""What wall times are worth: the machine they were measured on, and the state of the library."""
+"""What wall times are worth: the machine they were measured on, the state of the library, and a clock that leaves out
+what compilers took.
+"""
 
 import os
 import platform
+import threading
+import time
 from importlib import metadata
 from pathlib import Path
 
+from numba.core import event
+
 from .jit import sources_key
+
+
+class _Compiling(event.Listener, threading.local):
+    """Seconds for which this thread has held the lock of Numba's compiler, or waited for it.
+
+    It is held while a kernel is compiled, and while one is loaded from the cache; then also for what that calls.
+    """
+
+    depth, since, seconds = 0, 0.0, 0.0
+
+    def on_start(self, lock):
+        if self.depth == 0:
+            self.since = time.perf_counter()
+        self.depth += 1
+
+    def on_end(self, lock):
+        self.depth -= 1
+        if self.depth == 0:
+            self.seconds += time.perf_counter() - self.since
+
+
+_compiling = _Compiling()
+event.register("numba:compiler_lock", _compiling)
+
+
+def compiled() -> float:
+    """Seconds that this thread has spent until now on compiling kernels, or on loading compiled ones."""
+    return _compiling.seconds
+
+
+def clock() -> float:
+    """Seconds, of which only differences count: as they pass for this thread while nothing is compiled."""
+    return time.perf_counter() - _compiling.seconds
 
 
 def machine() -> dict[str, object]:

@@ -2,12 +2,13 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any, ClassVar
 
 from . import checks
 from .checks import SceneError
 from .doubts import bodies_that_bend, general_doubts
+from .machine import compiled
 from .scene import Scene
 from .solution import Solution
 
@@ -57,7 +58,8 @@ class Method(ABC):
     def solve(self, scene: Scene, duration: float | None = None) -> Solution:
         """Solve up to `duration` [s]; without one, until the bodies part for good and a little beyond.
 
-        Raises SceneNotSupported, SceneError for a duration out of range.
+        Of its diagnostics `wall_time` [s] is that of the solve alone, `compile_time` [s] what compiling kernels, or
+        loading compiled ones, took besides. Raises SceneNotSupported, SceneError for a duration out of range.
         """
         reason = self.refusal(scene)
         if reason:
@@ -66,12 +68,26 @@ class Method(ABC):
             longest = min(MAX_ROUND_TRIPS * scene.time_unit, MAX_DURATION)
             shortest = 1e-6 * scene.time_unit
             duration = checks.number("method.duration", duration, shortest, longest, "s")
+        before = compiled()
         solution = self._solve(scene, duration)
-        whole = duration is None
-        solution.add_notes(
-            lambda solved, own: general_doubts(solved, own, whole, self._recount(), self._knob(solved.scene))
-        )
+        whole, seconds = duration is None, compiled() - before
+        solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})
+        solution.refine("notes", lambda solved, own: [*own, *self._doubts(solved, own, whole, duration)])
         return solution
+
+    def _doubts(self, solution: Solution, own: list[str], whole: bool, duration: float | None) -> list[str]:
+        """What is to be said besides its own notes."""
+
+        def elastic() -> Solution:
+            undamped = replace(solution.scene, contact=solution.scene.contact._replace(damping=0.0))
+            return self._again(solution).solve(undamped, duration)
+
+        doubts = general_doubts(solution, own, whole, self._recount(), self._knob(solution.scene), elastic)
+        return [doubt for doubt in doubts if doubt not in own]
+
+    def _again(self, solution: Solution) -> "Method":
+        """What has found the solution, without its estimate of the error, which costs as much again."""
+        return replace(self, estimate=False) if hasattr(self, "estimate") else self
 
     def _recount(self) -> str | None:
         """Why the contacts may be miscounted and what to do, in a sentence; None if they cannot, or nothing counts."""

@@ -10,7 +10,7 @@ from .method import Method
 from .methods import Modal, QuasiStatic, RigidImpulse, Waves
 from .numerics.quasi_static import duration_of_power
 from .scene import Scene
-from .solution import Solution
+from .solution import Solution, apparent_time
 
 QUESTIONS = ("final-velocities", "peak-force", "contact-times", "stresses")
 RODS = ("fixed-rod", "free-rod")
@@ -129,15 +129,15 @@ def reference(scene: Scene) -> Solution:
 
 
 def figures(solution: Solution, stresses: bool = True) -> np.ndarray:
-    """The answers, (4,): rebound over speed, peak force [N], end of the last contact [s], largest stress [Pa].
+    """The answers, (4,): rebound over speed, peak force [N], apparent contact time [s], largest stress [Pa].
 
     NaN where the solution does not tell.
     """
     scene, found = solution.scene, np.full(4, np.nan)
     found[0] = solution.impactor_velocity / scene.speed
-    end = solution.contacts[-1].end
-    if solution.peak_force is not None and end > 0.0:
-        found[1], found[2] = solution.peak_force, end
+    lasted = apparent_time(solution.contacts)
+    if solution.peak_force is not None and lasted is not None:
+        found[1], found[2] = solution.peak_force, lasted
         if stresses:
             found[3] = _peak_stress(solution)
     return found

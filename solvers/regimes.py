@@ -113,7 +113,7 @@ class RegimeMap:
 def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.05) -> Plan:
     """The smallest model that answers the question within the tolerance, from what was measured on scenes around it.
 
-    Questions: final-velocities, peak-force, contact-times (the end of the last contact), stresses (the largest
+    Questions: final-velocities, peak-force, contact-times (first touch to last parting), stresses (the largest
     anywhere). From the smallest up: rigid impulse, local quasi-static, structural quasi-static, then travelling waves
     in rods or so many modes of a beam, by Euler and Bernoulli or by Timoshenko; each with the law as it is or, where
     speed allows, elastic instead of elastoplastic. Where none is within the tolerance the best is taken, and says so.

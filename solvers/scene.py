@@ -153,13 +153,6 @@ class Scene:
         return compact[0].mass / rings[0].impedance if rings and compact else math.inf
 
     @property
-    def usual_method(self) -> str:
-        """Name of the method that solves such scenes unless another is asked for."""
-        if self.normal is not None:
-            return "rigid"
-        return "modal" if "beam" in (self.impactor.kind, self.target.kind) else "waves"
-
-    @property
     def time_unit(self) -> float:
         """Round trip T of a wave in the target [s], for a beam its slowest period, or else the same of the impactor;
         where nothing rings, about a contact time.

@@ -1,12 +1,12 @@
 """The search for the cheapest solution that is proved to be good enough."""
 
 import math
-import time
 
 from .costs import expected_time
 from .doubts import ended_early
 from .judging import HISTORIES, Truth
 from .ladders import Ladder
+from .machine import clock
 from .scene import Scene
 from .solution import Solution
 from .tried import Tried, Wish, difference, remainder
@@ -15,10 +15,12 @@ from .verdict import Outcome, share, told
 APART = {"modes": 3, "elements": 3, "steps": 2, "tolerance": 2}  # rungs from a solution to the one that proves it
 STEADY = 0.1  # of the error, left by one refinement: then the next is not needed to know it
 HARSH = ("peak-force", "force-history")  # may converge to something else where nothing gives way: a second method asked
+SHARED = 0.6  # of the time, for a first method that a second one is to be held against
+UNTOLD = "No second method can tell whether this force converges to the true one."
 LONGEST = 10.0  # s of all solves, where no budget says otherwise
 GROWTH = 2.5  # of the time from one rung to the next
 MARGIN = 0.8  # of the tolerance that an estimate may use up: the proof is not exact either
-SLOW = 10.0  # times slower than foretold: then kernels were compiled
+SLOW = 10.0  # times slower than foretold: then much was done for the first time
 PATIENCE = 0.1  # s of foretold solves before a ladder that leads nowhere is given up
 FALL, RISE = 16.0, 0.7  # of errors from rung to rung: at best, fourth order; and at least, to go on
 
@@ -28,7 +30,7 @@ class Search:
 
     def __init__(self, scene: Scene, wish: Wish, own: list[Ladder], duration: float | None):
         self.scene, self.wish, self._duration = scene, wish, duration
-        self._begun = time.perf_counter()
+        self._begun = clock()
         self._own = own
         self.tried: list[Tried] = []
         self.chosen: Tried | None = None
@@ -41,7 +43,7 @@ class Search:
         self._climb()
         if self.proof not in (None, self.chosen) and self.wish.tolerance is not None:
             self._try_cheaper()
-        cancelled, spent = self.wish.cancelled(), time.perf_counter() - self._begun
+        cancelled, spent = self.wish.cancelled(), clock() - self._begun
         limit = LONGEST if self._cut_short and self.wish.budget is None and not cancelled else None
         finer = GROWTH * self.chosen.cost * self._slowness()
         return told(
@@ -75,12 +77,10 @@ class Search:
             if self._climb_ladder(main):
                 self._ask_another(refinable)
                 return
-            if self.wish.tolerance is None and self._may_mislead(main):
-                self._doubts.append(
-                    "Within a time no second method is asked whether this force converges to the true one: where "
-                    "nothing gives way, do not trust the estimate."
-                )
             whole = not _ends_early(self.tried[-1])
+            if (self.wish.tolerance is None or self._cut_short) and self._may_mislead(main):
+                self._hold_against_another(main, refinable)
+                break
             if self.wish.tolerance is None or (main.knob == "tolerance" and whole):
                 break  # the time is up, or nothing is better than waves
         finest = {id(tried.ladder): tried for tried in self.tried}
@@ -89,8 +89,9 @@ class Search:
     def _climb_ladder(self, main: Ladder) -> bool:
         """Whether a solution on it could be proved."""
         own: list[Tried] = []
+        shared = SHARED if self._may_mislead(main) else 1.0
         for rung in range(len(main.rungs)):
-            if self.tried and not self._time_for(GROWTH * (own or self.tried)[-1].cost * self._slowness()):
+            if self.tried and not self._time_for(GROWTH * (own or self.tried)[-1].cost * self._slowness(), shared):
                 self._cut_short = True
                 break
             finest = self._try(main, rung)
@@ -149,6 +150,43 @@ class Search:
         rigid = self.scene.contact.NAME == "rigid"
         return rigid and self.wish.quantity in HARSH and ladder.knob != "tolerance"
 
+    def _hold_against_another(self, main: Ladder, refinable: list[Ladder]) -> None:
+        """Forces that nothing has proved: the finest that there was time for beside that of a second method.
+
+        Its differences to coarser ones say nothing of the truth: the error is no less than the two disagree.
+        """
+        finest = [tried for tried in self.tried if tried.ladder is main][-1]
+        name = main.rungs[0].NAME
+        others = [ladder for ladder in refinable if name != ladder.rungs[0].NAME]
+        known = [tried for tried in self.tried if tried.ladder in others]
+        if not known and (not others or self.wish.cancelled()):
+            finest.error, self._doubted = None, True
+            self._doubts.append(UNTOLD)
+            return
+        other = known[-1] if known else self._as_fine_as_time_allows(others[0], finest.rung)
+        apart = self._difference(other, finest)
+        if apart is None:
+            return
+        last = [self._difference(tried, other) for tried in self.tried if tried.ladder is other.ladder][-2:-1]
+        if finest.error is not None:
+            # what the other has changed by at last counts, too: two that converge to different forces cross on the way
+            finest.error = max(finest.error, apart + last[0]) if last and last[0] is not None else None
+        self._doubts.append(self._disagreement(other, finest, apart))
+
+    def _as_fine_as_time_allows(self, ladder: Ladder, finest: int) -> Tried:
+        """The coarsest, whatever time is left, or finer ones up to this rung."""
+        found = self._try(ladder, 0)
+        for rung in range(1, min(finest + 1, len(ladder.rungs))):
+            if not self._time_for(GROWTH * found.cost * self._slowness()):
+                break
+            found = self._try(ladder, rung)
+        return found
+
+    @staticmethod
+    def _disagreement(other: Tried, one: Tried, apart: float) -> str:
+        said = f"A second method, '{other.label}', differs from '{one.label}' by {share(apart)}"
+        return f"{said}: nothing here tells which of them is right."
+
     def _ask_another(self, refinable: list[Ladder]) -> None:
         """Forces where nothing gives way: modes may converge to something else than the truth."""
         proof = self.proof.ladder.rungs[0].NAME
@@ -156,7 +194,7 @@ class Search:
         if not self._may_mislead(self.proof.ladder):
             return
         if not others:
-            self._doubts.append("No second method can tell whether this force converges to the true one.")
+            self._doubts.append(UNTOLD)
             self._doubted = True
             return
         other = self._try(others[0], min(self.proof.rung, len(others[0].rungs) - 1))
@@ -165,10 +203,7 @@ class Search:
             return
         if other.error > max(self.chosen.error, self.wish.tolerance):
             self._doubted = True
-            self._doubts.append(
-                f"A second method, '{other.label}', differs from '{self.proof.label}' by {share(other.error)}: nothing "
-                "here tells which of them is right."
-            )
+            self._doubts.append(self._disagreement(other, self.proof, other.error))
         for tried in self.tried:
             if tried.ladder is self.chosen.ladder and tried.error is not None:
                 tried.error = max(tried.error, other.error)
@@ -230,10 +265,10 @@ class Search:
         for known in self.tried:
             if known.ladder is ladder and known.rung == rung:
                 return known
-        begun = time.perf_counter()
+        begun = clock()
         solution = ladder.rungs[rung].solve(self.scene, self._duration)
         truth = Truth.of(solution, self.wish.quantity in HISTORIES)
-        self.tried.append(Tried(ladder, rung, solution, truth, time.perf_counter() - begun))
+        self.tried.append(Tried(ladder, rung, solution, truth, clock() - begun))
         return self.tried[-1]
 
     def _difference(self, one: Tried, other: Tried) -> float | None:
@@ -241,13 +276,14 @@ class Search:
         return difference(one, other, self.wish.quantity)
 
     def _slowness(self) -> float:
-        """How much slower this machine is now than the constants say; what was compiled on the way does not count."""
+        """How much slower this machine is now than the constants say, but for what was done for the first time."""
         return min(SLOW, *(tried.wall_time / tried.cost for tried in self.tried))
 
-    def _time_for(self, expected: float) -> bool:
+    def _time_for(self, expected: float, part: float = 1.0) -> bool:
+        """Whether so many seconds are left of this part of all."""
         if self.wish.cancelled():
             return False
-        budget = LONGEST if self.wish.budget is None else self.wish.budget
+        budget = part * (LONGEST if self.wish.budget is None else self.wish.budget)
         return sum(min(tried.wall_time, SLOW * tried.cost) for tried in self.tried) + expected <= budget
 
 

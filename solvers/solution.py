@@ -1,6 +1,6 @@
 """What happened: one type of result for every method."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cache
 from typing import Any, Protocol
@@ -19,6 +19,15 @@ class ContactPeriod:
     end: float  # [s]
     impulse: float  # [N s]
     peak_force: float | None  # [N]; None: a blow of no duration
+
+
+def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
+    """The contact time that is asked for everywhere: from first touch to last parting [s], thesis 8.3.
+
+    None for no contact, or one of no duration.
+    """
+    lasted = contacts[-1].end - contacts[0].start if contacts else 0.0
+    return lasted if lasted > 0.0 else None
 
 
 class Motion(Protocol):
@@ -106,15 +115,11 @@ class Solution:
     target_spin: tuple[float, float, float] | None = None
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
 
-    def add_notes(self, more: Callable[["Solution", list[str]], list[str]]) -> None:
-        """Have notes added, given the solution and those that it has, when they are first read."""
-        before = self.__dict__["_notes"]
-
-        def work(solution: "Solution") -> list[str]:
-            own = before.work(solution) if isinstance(before, Later) else before
-            return [*own, *(note for note in more(solution, own) if note not in own)]
-
-        self.__dict__["_notes"] = Later(work)
+    def refine(self, name: str, change: Callable[["Solution", Any], Any]) -> None:
+        """Have a figure that may come later changed, given the solution and the figure, when it is first read."""
+        before = self.__dict__[f"_{name}"]
+        work = before.work if isinstance(before, Later) else lambda _: before
+        self.__dict__[f"_{name}"] = Later(lambda solution: change(solution, work(solution)))
 
     def table(self) -> dict[str, object]:
         """The result as plain tables, with the keys that scripts rely on."""

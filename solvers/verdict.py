@@ -105,7 +105,7 @@ def _why(found: Outcome) -> str:
 
 def _untold(found: Outcome) -> str:
     """What it would take to tell an error that the time was too short for."""
-    if found.chosen.error is not None or not found.chosen.ladder.converges:
+    if found.chosen.error is not None or not found.chosen.ladder.converges or found.doubted:
         return ""
     return f" To tell its error takes a finer one beside it, about {found.finer:.1g} s more."
 

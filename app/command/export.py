@@ -12,6 +12,7 @@ from solvers.comparison import rebound
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
+LEAST_TOLD = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 
 
 def report(solution: Solution) -> str:
@@ -60,10 +61,16 @@ def report(solution: Solution) -> str:
         "",
         f"  energy residual {found['energy_error']:+.1e}   momentum residual {found['momentum_error']:+.1e}"
         f"   estimated error of the velocity {_estimate(found['estimated_error'])}",
-        f"  {found['steps']} steps, {found['wall_time'] * 1e3:.3g} ms",
+        f"  {found['steps']} steps, {_time_line(found)}",
         *(f"  Note: {note}" for note in solution.notes),
     ]
     return "\n".join(lines)
+
+
+def _time_line(diagnostics: dict[str, float]) -> str:
+    """Of the solve, and of what came before it once."""
+    solved, compiled = f"solved in {diagnostics['wall_time'] * 1e3:.3g} ms", diagnostics["compile_time"]
+    return solved if compiled < LEAST_TOLD else f"{solved}, besides {compiled:.3g} s of compiling and loading kernels"
 
 
 def _unit_name(scene: Scene) -> str:

@@ -228,7 +228,7 @@ def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> N
 def _scene(options: argparse.Namespace) -> solvers.Scene:
     scene = solvers.load(options.scene)
     scene = scene.replace(parse_changes(options.changes)) if options.changes else scene
-    solvers.read_method(scene.method, scene.usual_method)  # one that is named must exist, though a study may use others
+    solvers.read_method(scene.method, scene)  # one that is named must exist, though a study may use others
     return scene
 
 

@@ -62,7 +62,7 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
 
 def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) -> int:
     """Print a line for each number of modes or elements, and what they tell, or all of it in JSON."""
-    named, _ = solvers.read_method(scene.method)
+    named, _ = solvers.read_method(scene.method, scene)
     method = named.NAME if {"modes", "elements"} & set(named.table()) else "modal"
     counts = () if modes is None else ([number("--modes", part, int) for part in modes.split(",")],)
     try:

@@ -9,7 +9,7 @@ const make = (tag, properties = {}, ...children) => {
 };
 export const share = (error) => (error === 0 ? 'nothing' : error < 5e-8 ? '< 10⁻⁵ %' : error > 10 ? '> 1000 %' : `${figures(100 * error, 2)} %`);
 
-const QUESTIONS = { 'final-velocities': 'final velocities', 'peak-force': 'peak force', 'contact-times': 'end of the last contact', stresses: 'largest stress inside' };
+const QUESTIONS = { 'final-velocities': 'final velocities', 'peak-force': 'peak force', 'contact-times': 'first touch to last parting', stresses: 'largest stress inside' };
 const MODELS = { 'rigid-impulse': 'rigid impulse', 'local-quasi-static': 'only the contact gives way', 'structural-quasi-static': 'the body bends as at rest', waves: 'travelling waves', modal: 'modes' };
 const COLOURS = ['#cfe3f3', '#d6ead0', '#fbe3b6', '#f3cfc6'];
 const GREY = '#eceff2', LEVELS = [[0.01, '#2e7d4f', '1 %'], [0.05, '#b7791f', '5 %'], [0.2, '#a4243b', '20 %']];

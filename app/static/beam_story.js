@@ -2,7 +2,7 @@
 import { called } from './beam_charts.js';
 import { between } from './beam_field.js';
 import { figures, prefixed } from './beam_stage.js';
-import { LABELS, plainly } from './words.js';
+import { LABELS, noteOf, plainly } from './words.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -108,7 +108,7 @@ export class BeamStory {
     this.doubts.hidden = this.doubtsHeading.hidden = !notes.length;
     const { keptModes, drawnModes } = frame;
     const drawn = keptModes > drawnModes ? ` The pictures are drawn from the lowest ${drawnModes} of ${keptModes} modes.` : '';
-    this.source.textContent = `${[`${frame.title}.${frame.source ? ` Source: ${frame.source}.` : ''}`, frame.note].filter(Boolean).join(' ')}${drawn}`;
+    this.source.textContent = `${[`${frame.title}.${frame.source ? ` Source: ${frame.source}.` : ''}`, noteOf(frame)].filter(Boolean).join(' ')}${drawn}`;
   }
   // Why so many contacts, or why only one; and how long the whole takes.
   reasons() {

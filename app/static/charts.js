@@ -106,6 +106,7 @@ export class Force {
     const exactHigh = high;
     for (let k = 0; k < (other?.length ?? 0); k++) if (otherTime[k] >= view[0] && otherTime[k] <= view[1]) high = Math.max(high, other[k]);
     if (!frame.modalForce && exactHigh > 0) high = Math.min(high, 2.5 * exactHigh); // trains of impulses have no height
+    for (let k = 0; k < (frame.balanceForce?.length ?? 0); k++) if (frame.balanceTime[k] >= view[0] && frame.balanceTime[k] <= view[1]) high = Math.max(high, frame.balanceForce[k]);
     chart.y = [-0.04 * (high || 1) * scale, 1.25 * (high || 1) * scale];
     const unit = chart.y[1] < 0.5 ? [1e3, 'N'] : chart.y[1] > 2e3 ? [1e-3, 'MN'] : [1, 'kN'];
     this.unit = unit;
@@ -121,10 +122,12 @@ export class Force {
     if (this.raw) chart.line(c, 2 * this.raw.length, (k) => h * ((k + 1) >> 1), (k) => this.raw[k >> 1] * s, COLORS.raw, 1);
     if (other) chart.line(c, other.length, (k) => otherTime[k], (k) => other[k] * s, COLORS.modal, 1.5);
     chart.line(c, this.time.length, (k) => this.time[k], (k) => this.exact[k] * s, COLORS.waves, 2);
+    for (let k = 0; k < (frame.balanceForce?.length ?? 0); k++) chart.circle(c, frame.balanceTime[k], frame.balanceForce[k] * s, COLORS.modal);
     if (frame.record) chart.line(c, frame.record.time.length, (k) => frame.record.time[k], (k) => frame.record.force[k] * s, COLORS.record, 1.4);
     c.restore();
     const entries = [[naming(frame.exact.name), 'line waves']];
     if (frame.other) entries.push([naming(frame.other.name), 'line modal']);
+    if (frame.balanceForce) entries.push(['impulse over step', 'ring']);
     if (this.raw) {
       const { raw_contacts: touches } = frame.other.diagnostics;
       entries.push([touches > frame.other.contacts.length ? `raw (${touches} touches)` : 'raw', 'line raw']);

@@ -4,7 +4,7 @@ export const make = (tag, properties = {}, ...children) => {
   element.append(...children);
   return element;
 };
-export const QUANTITIES = { rebound: 'final velocity', impulse: 'impulse', 'peak-force': 'peak force', 'force-history': 'force over time', 'contact-time': 'time in contact' };
+export const QUANTITIES = { rebound: 'final velocity', impulse: 'impulse', 'peak-force': 'peak force', 'force-history': 'force over time', 'contact-time': 'first touch to last parting' };
 const OF_THE_METHOD = ['method', 'modes', 'elements'];
 
 export class Panel {

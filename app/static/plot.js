@@ -179,6 +179,12 @@ export class Chart {
     c.lineWidth = 1.5;
     c.beginPath(); c.arc(this.px(t), this.py(y), 4, 0, 7); c.fill(); c.stroke();
   }
+  circle(c, t, y, color) {
+    if (t < this.x[0] || t > this.x[1]) return;
+    c.strokeStyle = color;
+    c.lineWidth = 1.2;
+    c.beginPath(); c.arc(this.px(t), this.py(y), 3, 0, 7); c.stroke();
+  }
   key(entries) {
     const said = entries.join('|');
     if (said === this.said) return;

@@ -1,7 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { naming } from './charts.js';
 import { pretty } from './controls.js';
-import { plainly } from './words.js';
+import { noteOf, plainly } from './words.js';
 
 const make = (tag, properties = {}, ...children) => {
   const element = Object.assign(document.createElement(tag), properties);
@@ -14,7 +14,7 @@ const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
 const SHORT = { waves: 'waves', modal: 'modes', 'fe-nodal': 'elements', 'fe-modal': 'FE modes', 'quasi-static': 'static', 'mode-switch': 'switched', balance: 'balances', rigid: 'rigid' };
 const short = (name) => SHORT[name] ?? naming(name);
-const told = ({ title, source, note }) => [`${title}. Source: ${source}.`, note].filter(Boolean).join(' ');
+const told = (frame) => [`${frame.title}. Source: ${frame.source}.`, noteOf(frame)].filter(Boolean).join(' ');
 const kilo = (value) => (value === null ? '–' : pretty(value / 1e3));
 
 // The events of a blow as [time in T, sentence].

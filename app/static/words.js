@@ -29,6 +29,12 @@ export const LABELS = {
   damping: ['Modal damping', 'of critical', null],
 };
 
+// What a scene says of itself, and where keys are set that have no control here.
+export function noteOf({ note }) {
+  const keys = /\b(method|target|impactor|contact)\.[a-z_]+|\b(model|variant|status|smoothing|frame|steps|contact_stiffness) ?= ?[\w-]/.test(note ?? '');
+  return keys ? `${note} (Keys without a control here: in a scene file, or impact solve --set KEY=VALUE.)` : note;
+}
+
 // A sentence of the library in the words of the page: what scene files call `theory = 'timoshenko'` or 'modal'.
 export function plainly(sentence) {
   return powered(sentence

@@ -1,5 +1,7 @@
-"""One file each; a method knows no other method."""
+"""One file each; a method knows no other method. Which of them solves a scene that names none is told here."""
 
+from ..method import SceneNotSupported
+from ..scene import Scene
 from .balance import Balance
 from .fe_modal import FeModal
 from .fe_nodal import FeNodal
@@ -13,6 +15,11 @@ METHODS = {
     method.NAME: method for method in (Waves, Modal, ModeSwitch, FeNodal, FeModal, Balance, QuasiStatic, RigidImpulse)
 }
 
+# The first that can solve the scene is its usual method: exact ones first, rigid bodies where nothing else is left.
+RINGING = ("waves", "modal", "fe-modal", "rigid")
+COMPACT = ("quasi-static", "modal")  # only the contact gives way: closed forms, and modes for a mass on a spring
+UNYIELDING = ("rigid", "balance")  # nothing gives way: a restitution has to tell, that of a mass on a spring each time
+
 __all__ = [
     "METHODS",
     "Balance",
@@ -23,4 +30,23 @@ __all__ = [
     "QuasiStatic",
     "RigidImpulse",
     "Waves",
+    "usual_method",
 ]
+
+
+def usual_method(scene: Scene) -> str:
+    """Name of the method that solves the scene unless another is asked for.
+
+    Raises SceneNotSupported with all the reasons if no method can.
+    """
+    if any(body.time_unit is not None for body in (scene.impactor, scene.target)):
+        order = RINGING
+    else:
+        order = UNYIELDING if scene.contact.NAME == "rigid" else COMPACT
+    reasons = {}
+    for name in order:
+        reasons[name] = METHODS[name].read({}).refusal(scene)
+        if reasons[name] is None:
+            return name
+    told = "; ".join(f"'{name}': {reason}" for name, reason in reasons.items())
+    raise SceneNotSupported("method.name", None, f"no method can solve this scene ({told})")

@@ -1,7 +1,6 @@
 """Repeated balances of impulse and momentum between a striker and a body that can ring."""
 
 import math
-import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
@@ -10,6 +9,7 @@ import numpy as np
 from .. import checks
 from ..bodies import Rods
 from ..doubts import bodies_that_bend, doubts_of_a_rigid_blow
+from ..machine import clock
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..motion import SampledMotion, ShapeField, stress_source
 from ..numerics import balances
@@ -99,11 +99,11 @@ class Balance(Method):
         return 100 if self.elements is None and self.modes is None else self.elements
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        begun = time.perf_counter()
+        begun = clock()
         run = self._run(scene, duration)
         motion = BalanceMotion(scene, run)
         contacts = motion.contacts()
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         found = summary(scene, motion, contacts, run.duration, wall_time)
         found["diagnostics"] |= {
             "steps": run.steps,

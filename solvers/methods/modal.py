@@ -1,7 +1,6 @@
 """Modal superposition: any linear structure known by its lowest natural modes, any contact law."""
 
 import math
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -11,6 +10,7 @@ import numpy as np
 from .. import checks
 from ..contact import Rigid
 from ..doubts import STILL_TOUCHING, bodies_that_bend, cut_short, doubts_of_a_front, doubts_of_a_rigid_blow
+from ..machine import clock
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Record, Residual, march
@@ -94,9 +94,9 @@ class Modal(Method):
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        begun = time.perf_counter()
+        begun = clock()
         motion = self._march(scene, duration)
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         contacts = motion.contacts()
         found = summary(scene, motion, contacts, motion.duration, wall_time)
         raw, rigid = len(motion.raw_contacts()[0]), isinstance(scene.contact, Rigid)

@@ -1,7 +1,6 @@
 """Modes that change with the contact: of mass and rod or beam together while they touch, of it alone while apart."""
 
 import math
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
@@ -10,6 +9,7 @@ import numpy as np
 
 from .. import checks
 from ..doubts import STILL_TOUCHING, bodies_that_bend
+from ..machine import clock
 from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics import beam_switch
 from ..numerics.beam_modes import attached_beam_modes
@@ -76,11 +76,11 @@ class ModeSwitch(Method):
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        begun = time.perf_counter()
+        begun = clock()
         units = _units(scene)
         longest = MAX_ROUND_TRIPS * scene.time_unit if duration is None else duration
         course = self._course(scene, longest / units.time)
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         last = float(course.contacts[-1].end * units.time)
         if duration is None:
             duration = last + AFTERGLOW * scene.time_unit if course.parted else last

@@ -1,7 +1,6 @@
 """Quasi-static estimates: as if the force were put on slowly, in the structure or at the contact."""
 
 import math
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +9,7 @@ import numpy as np
 
 from .. import checks
 from ..doubts import STILL_TOUCHING
+from ..machine import clock
 from ..method import AFTERGLOW, Method
 from ..motion import SampledMotion, ShapeField, field_as_a_whole
 from ..numerics.quasi_static import Collision, damped_collision, path_collision, power_collision, sine_collision
@@ -100,7 +100,7 @@ class QuasiStatic(Method):
         return "structural" if light else "local"
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        begun = time.perf_counter()
+        begun = clock()
         model = self._model(scene)
         if not model.startswith("structural"):
             found = _local(scene, model, duration)
@@ -108,7 +108,7 @@ class QuasiStatic(Method):
             found = _two_rods(scene, model == "structural-printed", duration)
         else:
             found = _on_spring(scene, model == "structural", duration)
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         motion, duration, contact, depth, dent, extra = found
         results = summary(scene, motion, [contact], duration, wall_time)
         results["diagnostics"] |= {"steps": motion.time.size - 1, "model": model} | extra

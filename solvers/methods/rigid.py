@@ -1,6 +1,5 @@
 """Rigid bodies: one impulse without duration, in closed form."""
 
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -9,6 +8,7 @@ import numpy as np
 
 from .. import checks
 from ..bodies import Rods, in_space
+from ..machine import clock
 from ..method import AFTERGLOW, Method
 from ..motion import SampledMotion, field_as_a_whole
 from ..numerics.impulses import Bodies, Strike, kinetic_energy, residuals, strike
@@ -50,11 +50,11 @@ class RigidImpulse(Method):
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        begun = time.perf_counter()
+        begun = clock()
         normal = np.array(scene.normal or ALONG)
         before = in_space(scene.impactor), in_space(scene.target)
         found = strike(*before, normal, self.restitution)
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         duration = AFTERGLOW * scene.time_unit if duration is None else duration
         impulse, approached = float(found.impulse), bool(found.approach > 0.0)
         energy = _energy(scene, before, found)

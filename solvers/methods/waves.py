@@ -1,7 +1,6 @@
 """Exact waves in a rod: every other method is measured against this one."""
 
 import math
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -11,6 +10,7 @@ import numpy as np
 from .. import checks
 from ..contact import Rigid
 from ..grazing import one_front
+from ..machine import clock
 from ..method import AFTERGLOW, Method
 from ..scene import Scene
 from ..solution import ContactPeriod, Solution, balanced, later, summary, touching
@@ -65,7 +65,7 @@ class Waves(Method):
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        begun = time.perf_counter()
+        begun = clock()
         trip = scene.time_unit
         until = math.inf if duration is None else duration / trip
         if not one_front(scene):
@@ -75,7 +75,7 @@ class Waves(Method):
         )
         shown = until if duration is not None else min(history.contacts[-1, 1] + AFTERGLOW, history.reach)
         shown = float(min(shown, history.reach))
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         motion = WaveMotion(scene, history)
         rod, speed = scene.target, scene.impactor.velocity
         contacts = [
@@ -127,7 +127,7 @@ class Waves(Method):
         shown = min(until, history.reach)
         if not math.isfinite(until):
             shown = min(history.contacts[-1].end / trip + AFTERGLOW, history.reach)
-        wall_time = time.perf_counter() - begun
+        wall_time = clock() - begun
         motion = ChainMotion(history)
         found = summary(scene, motion, history.contacts, trip * shown, wall_time)
         diagnostics = found["diagnostics"]

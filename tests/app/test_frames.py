@@ -88,6 +88,27 @@ def test_a_scene_by_its_own_values_is_the_scene(name):
     assert scene.target.mass == base.target.mass
 
 
+def test_balances_at_step_ends_are_drawn_as_the_circles_of_figure_6_5():
+    chosen = Choices().chosen() | Choices.of_scene("figure-6.5") | {"scene": "figure-6.5"}
+    message = solve_frame(chosen)
+    header, found = read_header(message), arrays(message)
+    solution = solvers.solve(solvers.load("figure-6.5"))
+    time, impulse = solution.motion.impulses
+    assert found["balanceTime"] * header["trip"] == pytest.approx(time, rel=1e-6, abs=1e-12)
+    assert found["balanceForce"] * header["forceUnit"] == pytest.approx(impulse / solution.method["step"], rel=1e-6)
+    located = chosen | {"scene": "fixed-rod", "method": "balance"}
+    assert "balanceForce" not in arrays(solve_frame(located))  # at no step's end
+
+
+@pytest.mark.parametrize("scene", ["bronze-rod-steel-ball", "table-8.4"])
+def test_the_page_says_where_waves_are_counted_twice(scene):
+    header = read_header(
+        solve_frame(Choices().chosen() | Choices.of_scene(scene) | {"scene": scene, "law": "hunt-crossley"})
+    )
+    (note,) = (n for n in header["exact" if "exact" in header else "main"]["notes"] if "counted twice" in n)
+    assert "With the elastic law the impactor leaves at" in note
+
+
 def test_the_ghost_is_the_classical_answer():
     fixed, free = solvers.load("fixed-rod"), solvers.load("free-rod")
     assert ghost(fixed, 0.8) == {"impactor": -0.8, "target": 0.0}

@@ -105,6 +105,14 @@ def test_a_scene_brings_its_own_values(open_page):
     expect(page.tab.get_by_label("Impact speed, exact value")).to_have_value("2.03")
 
 
+@pytest.mark.parametrize("scene, keys", [("figure-10.2", True), ("figure-8.22", True), ("figure-9.12", False)])
+def test_a_note_that_names_keys_without_a_control_says_where_they_are_set(open_page, scene, keys):
+    page = open_page(f"?scene={scene}")
+    note = page.tab.locator("p.trust", has_text="Source: thesis").last.text_content()
+    assert ("impact solve --set KEY=VALUE" in note) == keys
+    assert page.errors == []
+
+
 def test_restitution_moves_the_ghost_in_every_law_and_the_waves_only_where_it_acts(open_page):
     page = open_page("?law=hertz&hertz_stiffness=1e10")
     before = page.header("exact")["final"]

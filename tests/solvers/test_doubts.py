@@ -13,6 +13,7 @@ from solvers import Modal, Scene, Solution
 from solvers.contact import PlasticPower
 from solvers.methods import balance, element_march, modal
 from solvers.methods.wave_histories import RigidHistory
+from solvers.studies import sweep
 from tests.catalog import SCENES, contact_table, struck_beam, struck_rod
 
 
@@ -210,3 +211,80 @@ def test_a_method_that_stops_at_a_limit_of_its_own_says_which(monkeypatch):
     assert any("limit of 400 pieces" in note for note in solvers.solve(struck_rod(1e-6)).notes)
     asked = solvers.solve(struck_rod(1e-6), duration=0.05)
     assert any(f"reached at {asked.duration:.4g} s of the 0.05 s asked for" in note for note in asked.notes)
+
+
+# --- waves counted twice, thesis 7.3.1 --------------------------------------------------------------------------------
+
+DAMPED = [law for law in solvers.LAWS if solvers.LAWS[law].LOSSY]
+
+
+def twice(solution: Solution) -> list[str]:
+    return [note for note in solution.notes if note.startswith("Waves may be counted twice (thesis 7.3.1)")]
+
+
+def percent(share: float) -> str:
+    return f"{100.0 * share:.2g} %"
+
+
+@pytest.mark.parametrize("law", DAMPED)
+@pytest.mark.parametrize("method", ["waves", "modal", "fe-nodal", "auto"])
+def test_damping_beside_waves_says_what_each_takes_and_what_the_elastic_law_gives(law, method):
+    scene = struck_rod(1.0, contact=contact_table(law, restitution=0.6))
+    found = solvers.solve(scene, method)
+    (note,) = twice(found)
+    energy = found.energy
+    assert energy["dissipated"] + energy["target_vibration"] + energy["impactor"] == approx(energy["initial"], rel=1e-6)
+    taken, left = (percent(energy[name] / energy["initial"]) for name in ("dissipated", "target_vibration"))
+    assert f"the law takes {taken} of the energy and {left} stay in the bodies" in note
+    elastic = solvers.solve(struck_rod(1.0, contact=contact_table(law, restitution=1.0)), "waves")
+    words = note.split("leaves at ")[1].split()
+    tolerance = 0.02 if method in ("fe-nodal", "auto") else 2e-3  # of 50 elements, of 1 %, of 50 modes
+    assert float(words[0]) == approx(elastic.impactor_velocity, abs=tolerance)
+    assert float(words[4]) == approx(found.impactor_velocity, abs=1e-4)
+    assert float(words[0]) < float(words[4]) - 0.05  # it comes back faster
+
+
+def test_of_a_rod_that_strikes_its_own_ringing_counts():
+    rod = {"kind": "rod", "length": 0.3, "section": {"radius": 0.01}, "material": "steel", "velocity": 1.0}
+    contact = {"law": "hunt-crossley", "stiffness": 1e12, "restitution": 0.6}
+    scene = Scene.from_table({"impactor": rod, "target": {"kind": "mass", "mass": 2.0}, "contact": contact})
+    found = solvers.solve(scene)
+    (note,) = twice(found)
+    energy = found.energy
+    whole = 0.5 * scene.impactor.mass * found.impactor_velocity**2
+    left = (energy["impactor"] - whole) / energy["initial"]
+    assert left > 1e-3
+    assert f"{percent(left)} stay in the bodies" in note
+
+
+def test_the_damping_of_a_beam_is_named_beside_that_of_the_law():
+    contact = {"law": "hunt-crossley", "stiffness": 1e10, "restitution": 0.6}
+    (note,) = twice(solvers.solve(struck_beam(20.0, contact, damping=0.02), "modal", modes=10))
+    assert "the law and the damping of the beam take " in note
+
+
+@pytest.mark.parametrize(
+    "blow",
+    [
+        Blow(struck_rod(1.0, contact=contact_table("hunt-crossley")), "balance"),  # knows no law
+        Blow(struck_rod(1.0, contact=contact_table("hunt-crossley")), "rigid"),
+        Blow(struck_rod(0.1, "free", contact=contact_table("hunt-crossley")), "quasi-static", {"model": "local"}),
+        Blow(struck_rod(1.0, contact=contact_table("hunt-crossley", restitution=1.0)), "waves"),  # takes nothing
+        Blow(struck_rod(1.0, contact=contact_table("plastic-linear")), "waves"),  # what flows is no wave
+        Blow(struck_rod(1.0, contact=contact_table("hertz")), "waves"),
+        Blow(SCENES["figure-3.3"], "modal"),  # two balls
+    ],
+)
+def test_where_nothing_is_counted_twice_nothing_is_said(blow):
+    assert not twice(blow.solve())
+
+
+def test_a_sweep_does_not_pay_for_notes_that_nobody_reads(monkeypatch):
+    solved = []
+    original = solvers.Waves._solve
+    monkeypatch.setattr(solvers.Waves, "_solve", lambda self, *given: solved.append(1) or original(self, *given))
+    scene = struck_rod(1.0, contact=contact_table("hunt-crossley"))
+    sweep(scene, "impactor.mass", [1.0, 2.0, 3.0], workers=1)
+    assert len(solved) == 3
+    assert twice(solvers.solve(scene))
+    assert len(solved) == 5

@@ -19,7 +19,7 @@ KEYS = {
     "scene", "method", "contacts", "impulse", "peak_force", "peak_indentation", "residual_indentation", "impactor",
     "target", "restitution", "energy", "diagnostics", "duration", "notes",
 }  # fmt: skip
-DIAGNOSTICS = {"energy_error", "momentum_error", "steps", "wall_time", "estimated_error"}
+DIAGNOSTICS = {"energy_error", "momentum_error", "steps", "wall_time", "compile_time", "estimated_error"}
 MODAL_DIAGNOSTICS = {"raw_contacts", "raw_peak_force", "resolved_time"}
 SERIES = [
     "time_s", "contact_force_N", "impactor_position_m", "impactor_velocity_m_per_s", "struck_end_position_m",
@@ -124,6 +124,18 @@ def test_several_changes_and_a_file(capsys, tmp_path):
     path.write_text((Path(solvers.__file__).parent / "scenes" / "free-rod.toml").read_text())
     found = result(capsys, str(path), "--set", "impactor.velocity=2", "--set", "impactor.mass=4.266")
     assert found["impactor"]["final_velocity"] == approx(2.0 * math.exp(-1.0), rel=1e-12)  # (4.13), beta = 1/2
+
+
+def test_a_file_without_a_method_is_solved_and_compared(capsys, tmp_path):
+    (tmp_path / "drop.toml").write_text(
+        '[impactor]\nkind = "sphere"\nradius = 0.01\nvelocity = 1.0\n'
+        '[target]\nkind = "half-space"\nmaterial = "steel"\n[contact]\nlaw = "hertz"\n'
+    )
+    found = result(capsys, str(tmp_path / "drop.toml"))
+    assert found["method"]["name"] == "quasi-static"
+    assert found["impactor"]["final_velocity"] == approx(-1.0, rel=1e-9)
+    said = answer(capsys, "compare", str(tmp_path / "drop.toml"), "--set", "contact.law=rigid")
+    assert "measured by                     rigid" in said
 
 
 def test_the_report_for_people(capsys):
