@@ -135,7 +135,7 @@ def counted_twice(solution: Solution) -> str | None:
     no place beside a body in which they run.
     """
     scene, energy = solution.scene, solution.energy
-    if not scene.contact.LOSSY or solution.peak_indentation is None:
+    if not getattr(scene.contact, "damping", 0.0) or solution.peak_indentation is None:
         return None  # of the contact nothing is solved for but a restitution, if that
     parts = [part / energy["initial"] for part in (energy["dissipated"], _ringing(solution))]
     if min(parts) < SLIGHT:

