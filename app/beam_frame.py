@@ -50,7 +50,7 @@ def chosen_method(scene: Scene, chosen: dict[str, Any]) -> tuple[Method, str | N
 def main_solution(scene: Scene, chosen: dict[str, Any]) -> tuple[Solution, str | None]:
     """The blow by `chosen_method`."""
     method, reason = chosen_method(scene, chosen)
-    return method.solve(scene, scene.method.get("duration")), reason
+    return method.solve_in_full(scene, scene.method.get("duration")), reason
 
 
 def reference_solution(scene: Scene, main: Solution) -> Solution | None:

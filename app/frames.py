@@ -14,6 +14,7 @@ import numpy as np
 
 from solvers import METHODS, Balance, ContactPeriod, Modal, RigidImpulse, Scene, SceneError, Solution, Waves
 from solvers.contact.viscous import LEAST_RESTITUTION
+from solvers.doubts import TWICE
 from solvers.methods.modal import STEPS_PER_PERIOD, ModalMotion
 from solvers.restitution import common_velocity
 
@@ -54,7 +55,7 @@ def exact_solution(scene: Scene, restitution: float) -> Solution:
         raise SceneError("target.kind", scene.target.kind, "a body other than a beam, whose blow has no exact solution")
     for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
-            return method.solve(scene, scene.method.get("duration"))
+            return method.solve_in_full(scene, scene.method.get("duration"))
     raise SceneError("method.name", None, "a scene that some method can solve")
 
 
@@ -133,7 +134,7 @@ def pack(chosen: dict[str, Any], scene: Scene, exact: Solution, other: Solution 
         "modes": chosen["modes"],
         "step": steps,
         "exact": _figures(exact),
-        "other": None if other is None else _figures(other),
+        "other": None if other is None else _figures(other) | {"notes": [n for n in other.notes if TWICE not in n]},
         "ghost": None if scene.impactor.kind == "pulse" else ghost(scene, chosen["restitution"]),
         "match": exact.restitution["newton"],
         "damps": scene.contact.LOSSY,

@@ -40,8 +40,8 @@ def solve(scene: Scene, method: str | Method | None = None, duration: float | No
     if isinstance(method, Method):
         if options:
             raise SceneError("method", options, "no options beside a method object; give them to the object")
-        return method.solve(scene, duration)
+        return method.solve_in_full(scene, duration)
     if method is not None and method != (table.get("name") or usual_method(scene)):
         table = {"name": method}
     chosen, _ = read_method(table | options, scene)
-    return chosen.solve(scene, duration)
+    return chosen.solve_in_full(scene, duration)

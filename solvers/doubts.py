@@ -86,23 +86,16 @@ def doubts_of_a_front(scene: Scene, period: float, count: int, kind: str) -> lis
 
 
 def general_doubts(
-    solution: Solution,
-    notes: list[str],
-    whole: bool,
-    remedy: str | None,
-    knob: str | None,
-    elastic: Callable[[], Solution],
+    solution: Solution, notes: list[str], whole: bool, remedy: str | None, knob: str | None
 ) -> list[str]:
     """What holds for every method. `notes`: what its own says; `whole`: solved until the bodies part; `remedy`: against
-    contacts that it counts falsely, None where it cannot; `knob`: the option that makes it finer; `elastic` solves the
-    same without the damping of its contact law.
+    contacts that it counts falsely, None where it cannot; `knob`: the option that makes it finer.
     """
     scene = solution.scene
     found = [doubt for body in bodies_that_bend(scene) for doubt in body.doubts()]
     if solution.peak_indentation is not None:
         found += scene.contact.limits(solution.peak_indentation, scene.impactor, scene.target)
-    if (told := counted_twice(solution)) is not None:
-        found.append(told + beside_elastic(solution, elastic()))
+    found += filter(None, [counted_twice(solution)])
     if remedy is not None:
         found += doubts_of_the_count(solution, whole, remedy)
     error = solution.diagnostics.get("estimated_error")
@@ -126,6 +119,7 @@ def doubts_of_the_count(solution: Solution, whole: bool, remedy: str) -> list[st
 
 
 SLIGHT = 1e-6  # of the energy
+TWICE = "Waves may be counted twice"
 
 
 def counted_twice(solution: Solution) -> str | None:
@@ -144,7 +138,7 @@ def counted_twice(solution: Solution) -> str | None:
     taker = "the law and the damping of the beam take" if damped else "the law takes"
     takes, stays = (f"{100.0 * part:.2g} %" for part in parts)
     return (
-        "Waves may be counted twice (thesis 7.3.1): if the damping of this law stands for them, they are in the law "
+        f"{TWICE} (thesis 7.3.1): if the damping of this law stands for them, they are in the law "
         f"and in the bodies. Here {taker} {takes} of the energy and {stays} stay in the bodies as vibration."
     )
 
@@ -157,10 +151,15 @@ def _ringing(solution: Solution) -> float:
     return found["target_vibration"] + found["impactor"] - 0.5 * impactor.mass * solution.impactor_velocity**2
 
 
-def beside_elastic(solution: Solution, elastic: Solution) -> str:
-    """Where waves are counted twice: what the elastic law alone gives, in a further sentence."""
-    if ended_early(elastic.notes):
-        return ""
-    velocities = f"{elastic.impactor_velocity:+.4g} m/s instead of {solution.impactor_velocity:+.4g} m/s"
-    stays = _ringing(elastic) / elastic.energy["initial"]
-    return f" With the elastic law the impactor leaves at {velocities}, and {100.0 * stays:.2g} % stay."
+def beside_elastic(solution: Solution, notes: list[str], elastic: Callable[[Solution], Solution]) -> list[str]:
+    """The notes; where waves are counted twice, with what the elastic law gives: `elastic` solves the same by it."""
+    told = counted_twice(solution)
+    if told is None:
+        return notes
+    found = elastic(solution)
+    if ended_early(found.notes):
+        return notes
+    velocities = f"{found.impactor_velocity:+.4g} m/s instead of {solution.impactor_velocity:+.4g} m/s"
+    stays = 100.0 * _ringing(found) / found.energy["initial"]
+    more = f" With the elastic law the impactor leaves at {velocities}, and {stays:.2g} % stay."
+    return [note + more if note == told else note for note in notes]

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from . import checks
 from .checks import SceneError
-from .doubts import bodies_that_bend, general_doubts
+from .doubts import beside_elastic, bodies_that_bend, general_doubts
 from .machine import compiled
 from .scene import Scene
 from .solution import Solution
@@ -72,17 +72,25 @@ class Method(ABC):
         solution = self._solve(scene, duration)
         whole, seconds = duration is None, compiled() - before
         solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})
-        solution.refine("notes", lambda solved, own: [*own, *self._further_notes(solved, own, whole, duration)])
+        solution.refine("notes", lambda solved, own: [*own, *self._general_doubts(solved, own, whole)])
         return solution
 
-    def _further_notes(self, solution: Solution, own: list[str], whole: bool, duration: float | None) -> list[str]:
+    def solve_in_full(self, scene: Scene, duration: float | None = None) -> Solution:
+        """`solve`, for who reads the notes: where damping in the contact counts waves twice, they tell what the elastic
+        law gives, by one more solve when they are first read.
+        """
+
+        def elastic(solved: Solution) -> Solution:
+            undamped = replace(scene, contact=scene.contact._replace(damping=0.0))
+            return self._again(solved).solve(undamped, duration)
+
+        solution = self.solve(scene, duration)
+        solution.refine("notes", lambda solved, notes: beside_elastic(solved, notes, elastic))
+        return solution
+
+    def _general_doubts(self, solution: Solution, own: list[str], whole: bool) -> list[str]:
         """What is to be said besides its own notes."""
-
-        def elastic() -> Solution:
-            undamped = replace(solution.scene, contact=solution.scene.contact._replace(damping=0.0))
-            return self._again(solution).solve(undamped, duration)
-
-        doubts = general_doubts(solution, own, whole, self._recount(), self._knob(solution.scene), elastic)
+        doubts = general_doubts(solution, own, whole, self._recount(), self._knob(solution.scene))
         return [doubt for doubt in doubts if doubt not in own]
 
     def _again(self, solution: Solution) -> "Method":

@@ -12,7 +12,7 @@ from .choosing import read_method, solve
 from .grazing import one_front
 from .jit import kernel
 from .method import AFTERGLOW, Method
-from .methods import Waves, usual_method
+from .methods import Waves
 from .numerics import rigid_figures, rigid_waves
 from .numerics.arrays import copy_to
 from .numerics.processors import all_processors
@@ -164,7 +164,7 @@ def solve_many(
 
 def _quick(scene: Scene, method: str | Method | None) -> bool:
     """Whether the exact waves of a rigid mass on one rod are wanted, until the bodies part for good."""
-    name = scene.method.get("name", usual_method(scene)) if method is None else method
+    name = scene.method.get("name", Waves.NAME) if method is None else method
     options = scene.method.keys() - {"name"} if method is None else ()
     return name in ("waves", Waves()) and not options and one_front(scene)
 

@@ -286,5 +286,19 @@ def test_a_sweep_does_not_pay_for_notes_that_nobody_reads(monkeypatch):
     scene = struck_rod(1.0, contact=contact_table("hunt-crossley"))
     sweep(scene, "impactor.mass", [1.0, 2.0, 3.0], workers=1)
     assert len(solved) == 3
-    assert twice(solvers.solve(scene))
+    found = solvers.solve(scene)
+    assert len(solved) == 4
+    assert "With the elastic law" in twice(found)[0]
     assert len(solved) == 5
+
+
+def test_nor_does_a_search_for_a_tolerance_or_a_method_that_is_asked_itself(monkeypatch):
+    solved = []
+    original = solvers.Modal._solve
+    monkeypatch.setattr(solvers.Modal, "_solve", lambda self, *given: solved.append(1) or original(self, *given))
+    scene = struck_rod(1.0, contact=contact_table("hunt-crossley"))
+    (note,) = twice(solvers.Modal(modes=10).solve(scene))
+    assert "With the elastic law" not in note and len(solved) == 1
+    found = solvers.solve(scene, "auto", among=["modal"])
+    (note,) = twice(found)
+    assert len(solved) == 1 + len(found.diagnostics["chosen"]["tried"]) + 1 and "With the elastic law" in note
