@@ -25,6 +25,11 @@ CLOSE = 1e-6  # relative differences below this count as none
 REGULAR = 0.7  # of natural logarithms about a fitted power: a factor of two
 SETTLED = 1e-3  # differences among the last three that call for no order
 SLOWEST = 0.4  # order that still counts as one
+NO_ORDER = "no order can be told"
+NO_LIMIT = (
+    "; there is none: without a law the contacts with a beam are as short as the shortest period kept, and the more of "
+    "them there are the less is known of the last"
+)
 UNBOUNDED = 0.5  # smallest power of a figure that tends to zero, or to infinity
 
 
@@ -80,6 +85,8 @@ def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Metho
         name: _judge(name, numbers, column, scales.get(name, float(np.abs(column).max())), kind)
         for name, column in values.items()
     }
+    if scene.contact.NAME == "rigid" and "beam" in (scene.impactor.kind, scene.target.kind):
+        judged = {name: (*found[:2], found[2] + NO_LIMIT * (NO_ORDER in found[2])) for name, found in judged.items()}
     return Convergence(
         method=chosen.NAME,
         kind=kind,
@@ -177,7 +184,7 @@ def _judge(
     order, irregular = _order(counts, differences)
     if order is None or irregular > REGULAR or order < SLOWEST:
         within = f"within {100.0 * differences[-3:].max():.2g} % of the finest from {counts[-3]:.0f} {kind} on"
-        word = "converged" if differences[-3:].max() <= SETTLED else "no order can be told"
+        word = "converged" if differences[-3:].max() <= SETTLED else NO_ORDER
         return differences, None, f"{called}: {word}, {within}"
     left = differences[-2] / ((counts[-1] / counts[-2]) ** order - 1.0)
     told = f"{called}: converges as {kind}^-{order:.2g}, {left:.1e} from its limit at {counts[-1]:.0f}"

@@ -13,6 +13,7 @@ import numpy as np
 from ..jit import kernel
 from .arrays import copy_to
 from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
+from .secular import held_together
 
 
 class Bank(NamedTuple):
@@ -175,19 +176,11 @@ class Joined(NamedTuple):
 
 
 def joined(bank: Bank) -> Joined:
-    """Modes of both bodies with w.q = 0, by reflecting w on the first axis."""
-    from scipy.linalg import eigh
-
-    closing, squares = bank.closing, bank.frequencies**2
-    length = np.linalg.norm(closing)
-    mirror = closing / length
-    mirror[0] += np.copysign(1.0, mirror[0])
-    mirror /= np.linalg.norm(mirror)
-    free = np.eye(closing.size)[:, 1:] - 2.0 * np.outer(mirror, mirror[1:])
-    found, turned = eigh(free.T @ (squares[:, None] * free))
-    basis = free @ turned
-    found[found < 1e-12 * found.max(initial=0.0)] = 0.0
-    return Joined(np.sqrt(found), np.ascontiguousarray(basis), -(closing * squares / length**2) @ basis)
+    """Modes of both bodies with w.q = 0."""
+    squares = bank.frequencies**2
+    found, basis = held_together(squares, bank.closing)
+    press = -(bank.closing * squares / float(bank.closing @ bank.closing)) @ basis
+    return Joined(np.sqrt(np.maximum(found, 0.0)), basis, press)
 
 
 @kernel

@@ -153,6 +153,30 @@ def test_a_rigid_blow_on_a_slender_beam_does_not_converge():
     assert found.values["first_parting"][1] == approx(67.2e-6, rel=2e-3)  # of the contact modes of thesis 5.5
     assert (np.diff(found.values["first_parting"]) < 0.0).all()
     assert "do not settle" in found.told["contacts"]
+    assert "there is none: without a law the contacts" in found.told["final_velocity"]
+
+
+ORDERS = [  # of the final velocity in modes of a slender beam
+    ("hertz", {"stiffness": 2.4e10}, 7.0),
+    ("hunt-crossley", {"stiffness": 2.4e10, "restitution": 0.6}, 7.0),
+    ("plastic-linear", {"stiffness": 2.4e10, "yield_indentation": 2e-6}, 7.0),
+    ("yigit-christoforou", {"stiffness": 2.4e10, "yield_indentation": 2e-6}, 7.0),
+    ("kelvin-voigt", {"stiffness": 2e8, "restitution": 0.6}, 2.5),
+]
+
+
+@pytest.mark.parametrize("law, constants, order", ORDERS, ids=lambda value: str(value))
+def test_the_order_in_modes_of_a_beam_is_that_of_the_first_touch(law, constants, order):
+    """Modes left out follow a smooth force as springs do; one that jumps makes them ring."""
+    scene = struck_beam(1.0, {"law": law} | constants)
+    counts = (5, 7, 10, 14, 20) if order > 5.0 else (5, 10, 20, 40, 80)
+
+    def velocity(modes: int) -> float:
+        return solvers.solve(scene, Modal(modes=modes, steps=40_000, estimate=False), duration=4e-3).impactor_velocity
+
+    finest = velocity(2 * counts[-1])
+    errors = [abs(velocity(modes) - finest) for modes in counts]
+    assert -np.polyfit(np.log(counts), np.log(errors), 1)[0] == approx(order, rel=0.25)
 
 
 def test_a_hertz_blow_on_a_beam_converges_with_its_shear():
