@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from ..method import AFTERGLOW
 from ..numerics.wave_record import IMPULSE
 from ..scene import Scene
 from .chain_grid import COARSER, GridHistory
@@ -41,7 +42,10 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
         return coarse
     horizon = max(2.0 * reach, FIRST_LOOK * max(rod.round_trip_time for rod in given.rods) / given.trip)
     grid = GridHistory(given, until, horizon)
-    rough = GridHistory(given, until, grid.reach, COARSER, trials=1)
+    shown = grid.contacts[-1].end / given.trip + AFTERGLOW
+    if grid.parted and shown < grid.reach:  # known by now to be all that is of interest: finer
+        grid = GridHistory(given, shown, shown)
+    rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
     grid.error = max(grid.error, SURE * _difference(grid, rough))
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
 
