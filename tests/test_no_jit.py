@@ -10,6 +10,8 @@ from pytest import approx
 
 import solvers
 from solvers import Modal, Waves
+from solvers.methods.chain_grid import GridHistory
+from solvers.methods.chain_scene import ChainScene
 from solvers.stability_runs import INTEGRATORS, problem_of, run
 from tests.catalog import T, contact_table, struck_rod
 
@@ -33,6 +35,7 @@ def answers() -> dict[str, list[float]]:
     }
     few = problem_of(struck_rod(1.0, "fixed"), {}, 3)
     steps = {"integrators": [run(name, few, 0.3 * few.step_unit).velocity for name in INTEGRATORS]}
+    steps["grid"] = GridHistory(ChainScene(solvers.load("rod-with-gap")), 2.0, 2.0, 2e-3).force[1].tolist()
     return steps | {
         name: [
             blow.impactor_velocity,

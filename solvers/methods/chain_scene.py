@@ -11,7 +11,7 @@ import numpy as np
 
 from ..bodies import Rod
 from ..contact import Linear, Rigid
-from ..doubts import NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
+from ..doubts import COARSE, NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
 from ..method import MAX_ROUND_TRIPS
 from ..numerics.wave_laws import constants_of
 from ..numerics.wave_parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
@@ -153,9 +153,15 @@ class ChainHistory(ABC):
 
     def end_notes(self) -> list[str]:
         """What to say of the end of the solution."""
+        found = []
+        if not self.cut and self.error >= COARSE:
+            found.append(
+                f"By its own estimate the final velocity of the impactor is off by {100.0 * self.error:.2g} % of the "
+                "speed of approach, so sensitive is this chain: do not trust it."
+            )
         if self.faded:
-            return [NEVER_PART if self.touching else TOUCH_ON]
-        return end_notes(not self.cut, self.touching, False)
+            return [*found, NEVER_PART if self.touching else TOUCH_ON]
+        return found + end_notes(not self.cut, self.touching, False)
 
     @abstractmethod
     def notes(self) -> list[str]:

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from ..method import AFTERGLOW
 from ..numerics.wave_record import IMPULSE
 from ..scene import Scene
 from .chain_grid import COARSER, GridHistory
@@ -11,7 +12,6 @@ from .chain_scene import ChainHistory, ChainScene
 from .wave_chain import ExactHistory
 
 COARSE_TOLERANCES = (1e-7, 1e-5)  # with each the echoes that count are some times fewer
-HOPELESS = 0.2  # of the time asked for: who comes no further is not helped by the next tolerance
 LOOSER = 10.0  # what is found with a tolerance this many times larger tells its error
 POOR = 1e-4  # error of a velocity [v]: with a larger one a chain is so sensitive that a grid may be better
 SURE = 2.0  # times what a grid differs by from a coarser one: measured on random chains, see the tests
@@ -31,9 +31,8 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
         return history
     reach, coarse = history.reach, None
     del history  # a hundred megabytes
-    for number, looser in enumerate(COARSE_TOLERANCES, 1):
-        hopeless = math.isfinite(until) and reach < HOPELESS * until and number < len(COARSE_TOLERANCES)
-        if looser > tolerance and not hopeless:
+    for looser in COARSE_TOLERANCES:
+        if looser > tolerance:
             coarse = ExactHistory(given, until, looser, instead_of=tolerance)
             if not coarse.gave_up:
                 coarse.error = max(coarse.error, _difference(coarse, ExactHistory(given, until, LOOSER * looser)))
@@ -43,7 +42,10 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
         return coarse
     horizon = max(2.0 * reach, FIRST_LOOK * max(rod.round_trip_time for rod in given.rods) / given.trip)
     grid = GridHistory(given, until, horizon)
-    rough = GridHistory(given, until, grid.reach, COARSER, trials=1)
+    shown = grid.contacts[-1].end / given.trip + AFTERGLOW
+    if grid.parted and shown < grid.reach:  # known by now to be all that is of interest: finer
+        grid = GridHistory(given, shown, shown)
+    rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
     grid.error = max(grid.error, SURE * _difference(grid, rough))
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
 

@@ -26,6 +26,7 @@ from .chain_scene import MILLIONTH, ROUNDING, ChainHistory, ChainScene
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
+GROWTH = 1.5  # the power of time with which echoes are expected to multiply, at most: they fade too
 
 
 class ExactHistory(ChainHistory):
@@ -44,7 +45,11 @@ class ExactHistory(ChainHistory):
         while True:
             self.record, self.state = new_record(len(self.laws), capacity), new_state(self.chain, capacity)
             status = self._follow(min(until, MAX_ROUND_TRIPS), tolerance)
-            if status != wave_network.FULL or capacity >= most:
+            if (
+                status != wave_network.FULL
+                or capacity >= most
+                or (self.asked and self._needed(until) > most / capacity)
+            ):
                 break
             capacity = min(8 * capacity, most)
         self.reach = float(self.state.time.min())
@@ -76,6 +81,13 @@ class ExactHistory(ChainHistory):
             if self.faded or parted or stop >= limit:
                 return status
             stop *= 1.5
+
+    def _needed(self, until: float) -> float:
+        """How many times the room that is filled it would take to get to `until`, as stretches have multiplied."""
+        reached, counts = float(self.state.time.min()), self.record.count.tolist()
+        starts = (self.record.start[node, :count] for node, count in enumerate(counts))
+        half = sum(int(np.searchsorted(start, 0.5 * reached)) for start in starts)
+        return (until / reached) ** min(GROWTH, max(1.0, math.log2(sum(counts) / half)))
 
     def _fading(self) -> float:
         """Time [T] by which a mass on one rod without an end has given off all its speed but a millionth."""
