@@ -79,7 +79,9 @@ def method_options(name: str, scene: Scene, chosen: dict[str, Any], exact: Solut
         options = own | {"modes": chosen["modes"]}
         if scene.target.kind == "rod" and "steps" not in own:
             period = scene.target.modes(chosen["modes"]).shortest_period
-            options["steps"] = int(min(max(STEPS_PER_PERIOD * exact.duration / period, 1_000), MAX_FORCE_STEPS))
+            touching = exact.contacts[-1].end
+            steps = max(STEPS_PER_PERIOD * exact.duration / period, 500 * exact.duration / touching, 1_000)
+            options["steps"] = int(min(steps, MAX_FORCE_STEPS))
         return options
     options = own | {option: chosen[option] for option in resolutions(scene, name)}
     if name == "mode-switch":

@@ -15,6 +15,9 @@ from solvers import Auto, SceneError, SceneNotSupported
 from solvers.costs import expected_time
 from solvers.doubts import ended_early
 from solvers.judging import Answer, Truth
+from solvers.methods import waves
+from solvers.methods.chain_scene import ChainScene
+from solvers.methods.wave_chain import ExactHistory
 from tests.catalog import bronze_rod, contact_table, struck_rod
 
 MODES = ("modal", "mode-switch", "fe-modal", "fe-nodal", "quasi-static", "rigid")
@@ -318,8 +321,9 @@ def named(table: dict):
     return solvers.auto.bare(solvers.read_method({key: value for key, value in table.items() if value is not None})[0])
 
 
-def test_solutions_that_end_early_prove_nothing_by_agreeing():
-    # a hard surface that yields, on a thin rod bonded to a thick one: waves stop in the midst of the blow
+def test_solutions_that_end_early_prove_nothing_by_agreeing(monkeypatch):
+    # a hard surface that yields, on a thin rod bonded to a thick one: waves that may not take the grid stop midway
+    monkeypatch.setattr(waves, "follow", lambda scene, *how: ExactHistory(ChainScene(scene), *how))
     rods = [
         {"length": 0.84, "section": {"radius": 0.00396}, "material": "aluminium"},
         {"length": 1.33, "section": {"radius": 0.0125}, "material": "steel", "joint": "bonded"},
