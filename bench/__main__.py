@@ -10,6 +10,7 @@ from solvers.machine import machine
 from . import (
     automatic,
     beams,
+    compiling,
     cost,
     elements,
     ensemble,
@@ -47,13 +48,19 @@ PARTS = {
     "automatic": automatic,
     "random-estimates": random_estimates,
     "waves": waves,
+    "compiling": compiling,
     "random": random_chains,
     "peers": peers,
     "page": page,
     "visitors": visitors,
 }
 
-IF_ASKED = ("regime-sweep", "random", "random-estimates")  # a minute of all cores; half an hour of one, each
+IF_ASKED = (
+    "compiling",
+    "regime-sweep",
+    "random",
+    "random-estimates",
+)  # a minute of all cores; half an hour of one, each
 RESULTS = Path(__file__).parent / "results.json"
 
 

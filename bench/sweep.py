@@ -9,6 +9,7 @@ from solvers.studies import mass_ratio_sweep, spaced, sweep
 
 from .timing import median, row
 
+MANY = 100_000
 PER_TRIP, LIMIT = 128, 64 * 128  # 52 round trips are needed at 1/1000
 
 
@@ -26,7 +27,13 @@ def measure() -> dict[str, object]:
     exact = mass_ratio_sweep("fixed")
     count, rebound = stepped(exact.mass_ratio)
     scene = solvers.load("fixed-rod")
-    masses = spaced(0.02133, 2133.0, 50)
+    many = spaced(0.2133, 21.33, MANY)
+
+    def hundred() -> None:
+        for _ in range(100):
+            solvers.solve(scene)
+
+    one_core = median(lambda: solvers.solve_many(scene, {"impactor.mass": many}, workers=1), 3)
     return dict(
         [
             row("sweep of 200 mass ratios, fixed rod, event-exact", 1e3 * median(mass_ratio_sweep), "ms", "<= 20"),
@@ -34,6 +41,11 @@ def measure() -> dict[str, object]:
             row("the same by 128 steps a round trip", 1e3 * median(lambda: stepped(exact.mass_ratio)), "ms"),
             row("its largest error of the rebound", np.abs(rebound - exact.rebound_velocity).max(), "v"),
             row("its wrong numbers of contacts, of 200", int((count != exact.contacts).sum()), ""),
-            row("sweep() of a scene, 50 masses", 1e3 * median(lambda: sweep(scene, "impactor.mass", masses), 5), "ms"),
+            row("whole solve() by waves, a mass on a rod", 10.0 * median(hundred), "ms", "<= 0.1"),
+            row(
+                "the same with all its figures and notes read", 1e3 * median(lambda: solvers.solve(scene).table()), "ms"
+            ),
+            row("solve_many() of such scenes, one core", 1e6 * one_core / MANY, "us each", "<= 25"),
+            row(f"sweep() of {MANY} masses", median(lambda: sweep(scene, "impactor.mass", many), 3), "s", "<= 4"),
         ]
     )

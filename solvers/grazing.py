@@ -10,7 +10,7 @@ from .solution import ContactPeriod
 
 NEAR = 0.03  # relative change of the mass that counts as little
 PIECES, TERMS = (64, 400), 40  # of a history; blows that need more are far from simple, and not asked
-HALVINGS = 40
+HALVINGS, TOLD = 40, 1e-3  # of the change of the mass: the sentence gives two digits of it
 TOO_SOON = 0.05  # round trips before the end of the time solved in which a contact is not missed
 SLIGHT = 1e-4  # of the impulse: what is no contact worth a word
 
@@ -96,6 +96,8 @@ def _edge(beta: float, reflection: float, here: int | None, far: float) -> tuple
         return None
     near = 1.0
     for _ in range(HALVINGS):
+        if abs(far - near) <= TOLD * abs(far - 1.0):
+            break
         middle = 0.5 * (near + far)
         found = _count(beta / middle, reflection)
         near, far, there = (middle, far, there) if found == here else (near, middle, found)

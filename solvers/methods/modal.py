@@ -15,7 +15,7 @@ from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..numerics.modes import Modes
 from ..numerics.oscillators import Record, Residual, march
 from ..scene import Scene
-from ..solution import Solution, summary
+from ..solution import Later, Solution, later, summary
 from .modal_motion import ModalMotion, Pair
 
 STEPS_PER_PERIOD = 20  # of the highest kept mode
@@ -101,20 +101,7 @@ class Modal(Method):
         motion = self._march(scene, duration)
         wall_time = clock() - begun
         contacts = motion.contacts()
-        found = summary(scene, motion, contacts, motion.duration, wall_time)
-        raw, rigid = len(motion.raw_contacts()[0]), isinstance(scene.contact, Rigid)
-        found["diagnostics"] |= {
-            "steps": motion.steps,
-            "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
-            "raw_contacts": raw,
-            "raw_peak_force": float(motion.record.contact_force.max()),
-            "resolved_time": motion.pair.resolved_time,
-        }
-        if self.frame != "mean-axis":
-            found["diagnostics"] |= motion.frame_figures(contacts[-1].end, self.frame == "attached")
-        if found["restitution"]["newton_at_contact"] is not None:
-            found["restitution"]["newton_at_contact"] = None if rigid else _parting_speed(motion, contacts[-1].end)
-        deepest = float(motion.deepest[-1])
+        rigid, deepest = isinstance(scene.contact, Rigid), float(motion.deepest[-1])
         return Solution(
             scene=scene,
             method=self.table(),
@@ -124,12 +111,28 @@ class Modal(Method):
             peak_force=max(contact.peak_force for contact in contacts),
             peak_indentation=None if rigid else deepest,
             residual_indentation=None if rigid else float(scene.contact.dent(deepest)),
-            notes=self._notes(scene, motion, duration is not None, contacts, raw),
-            **found,
+            notes=Later(lambda _: self._notes(scene, motion, duration is not None, contacts)),
+            **later(lambda: self._figures(scene, motion, contacts, wall_time)),
         )
 
-    def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list, raw: int) -> list[str]:
-        notes = []
+    def _figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
+        found = summary(scene, motion, contacts, motion.duration, wall_time)
+        found["diagnostics"] |= {
+            "steps": motion.steps,
+            "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
+            "raw_contacts": len(motion.raw_contacts()[0]),
+            "raw_peak_force": float(motion.record.contact_force.max()),
+            "resolved_time": motion.pair.resolved_time,
+        }
+        if self.frame != "mean-axis":
+            found["diagnostics"] |= motion.frame_figures(contacts[-1].end, self.frame == "attached")
+        if found["restitution"]["newton_at_contact"] is not None:
+            rigid, parting = isinstance(scene.contact, Rigid), contacts[-1].end
+            found["restitution"]["newton_at_contact"] = None if rigid else _parting_speed(motion, parting)
+        return found
+
+    def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list) -> list[str]:
+        notes, raw = [], len(motion.raw_contacts()[0])
         if not asked and self.steps is None and not motion.parted:  # a given number divides a time that is long enough
             notes.append(cut_short(f"{motion.steps} steps"))
         elif contacts[-1].end >= motion.duration * (1.0 - 1e-12):
