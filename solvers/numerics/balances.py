@@ -65,6 +65,9 @@ def _apart(bank, p):
     return first + bank.closing[bank.target] * p[bank.target] < 0.0 if bank.target >= 0 else first < 0.0
 
 
+APART = np.bool_(False)  # no literal: what takes it would be compiled twice
+
+
 @kernel
 def _write(events, count, time, impulse, lost, stuck, q, p):
     events.time[count], events.impulse[count], events.lost[count] = time, impulse, lost
@@ -93,7 +96,7 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
     Differs: (6.22) speaks of halving the step; the tables were made without.
     """
     impulse, lost = _balance(bank, restitution, (bank.closing * p).sum(), p)
-    _write(events, 0, 0.0, impulse, lost, False, q, p)
+    _write(events, 0, 0.0, impulse, lost, APART, q, p)
     count, k = 1, 0
     while k * step < end and count < events.time.size:
         if k * step - events.time[count - 1] > patience and _apart(bank, p):
@@ -102,7 +105,7 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
         overlap, rate = step_on(turn, bank.closing, q, p)
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
-            _write(events, count, k * step, impulse, lost, False, q, p)
+            _write(events, count, k * step, impulse, lost, APART, q, p)
             count += 1
     return count, k * step
 
@@ -117,7 +120,7 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
     levels, modes = turns.stay.shape
     q1, p1 = np.empty(modes), np.empty(modes)
     impulse, lost = _balance(bank, restitution, (bank.closing * p).sum(), p)
-    _write(events, 0, 0.0, impulse, lost, False, q, p)
+    _write(events, 0, 0.0, impulse, lost, APART, q, p)
     count, time, level, part, before = 1, 0.0, 0, step, 0.0
     while time < end and count < events.time.size:
         if time - events.time[count - 1] > patience and _apart(bank, p):
@@ -137,7 +140,7 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
         level, part = 0, step
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
-            _write(events, count, time, impulse, lost, False, q, p)
+            _write(events, count, time, impulse, lost, APART, q, p)
             count += 1
     return count, time
 
@@ -240,7 +243,7 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
             before = p[0]
             elapsed, parted = _stick(joined, step, q, p, end - time)
             time += elapsed
-            _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, False, q, p)
+            _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, APART, q, p)
             count += 1
             if not parted:
                 break

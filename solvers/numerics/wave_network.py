@@ -45,7 +45,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
     guess = record.values[node, n - 1, FORCE, STAGES] if n > 0 else 0.0
     if step > 0.5 * span:
         step = span if step > 0.9 * span else 0.5 * span
-    ends, located, error = RETRIES, 0, 0.0
+    ends, located, error = RETRIES, np.int64(0), 0.0  # no literal: what takes it would be compiled twice
     for attempt in range(100):
         if step < 1e-15 * (state.time[node] + 1e-3):
             break
