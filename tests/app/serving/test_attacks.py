@@ -250,18 +250,6 @@ def test_a_page_that_sends_as_soon_as_it_is_answered_is_never_slowed(server):
     run(drag())
 
 
-def test_who_does_not_wait_for_answers_now_and_then_is_slowed_and_stays(server):
-    async def drag():
-        client = await SocketClient(server).open()
-        for k in range(12):
-            await client.set("mass_ratio", 1.0 + k / 256)
-        while f'"mass_ratio": {1.0 + 11 / 256}'.encode() not in client.last_frame:
-            await client.answer()
-        client.close()
-
-    run(drag())
-
-
 def test_refusals_without_end_close_the_socket_and_just_fewer_do_not(server):
     async def attack(count):
         client = await SocketClient(server).open()

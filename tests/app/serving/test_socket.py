@@ -143,9 +143,9 @@ def test_a_page_of_another_site_cannot_connect(server):
 def test_many_changes_at_once_end_with_the_newest(server):
     async def hurry():
         client = await opened(server)
-        for k in range(60):
+        for k in range(13):  # a page would wait for the answer to the first: the others are read slowly
             await client.set("mass_ratio", 1.0 + k / 64)
-        while b'"mass_ratio": 1.921875' not in client.last_frame:
+        while b'"mass_ratio": 1.1875' not in client.last_frame:
             await client.answer()
         assert "frame" not in (await client.changes(1.0))[0]  # and the newest choice is the last
         client.close()
