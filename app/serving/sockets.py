@@ -196,7 +196,7 @@ class Socket(WSHandler):
             if max(now - ANSWER_SECONDS, lab.answered if lab is not None else now) < self._asked.get(name, 0.0):
                 if now > self._hasty_until and not self._haste.allows():
                     self.turn_out(TOO_MANY)
-                self._hasty_until = now + HASTY_SECONDS
+                self._hasty_until = now + HASTY_SECONDS * (0.5 + random.random())
                 self._blame(HASTE)
             self._asked[name] = now
 

@@ -1,13 +1,14 @@
 """Who may come in: only whom this server has given a session, one socket each, and only so many."""
 
 import time
+from itertools import pairwise
 
 import pytest
 from bokeh.util.token import generate_jwt_token, generate_session_id, get_session_id, get_token_payload
 
 from app.serving import door as doors
 from app.serving.door import FULL, Door
-from app.serving.limits import IDLE_SECONDS, MAX_SESSIONS, SESSIONS_BURST
+from app.serving.limits import IDLE_SECONDS, MAX_REOPEN_PAUSE, MAX_SESSIONS, SESSIONS_BURST
 
 SECRET = b"a secret of this process"
 
@@ -95,3 +96,14 @@ def test_a_class_may_come_at_once_and_a_flood_may_not(door):
     refused = [door.refuses(door.issue({}), []) for _ in range(int(SESSIONS_BURST) + 20)]
     assert refused[: int(SESSIONS_BURST)] == [None] * int(SESSIONS_BURST)
     assert refused[-1] == FULL
+
+
+def test_where_visitors_were_turned_out_new_sessions_come_one_after_the_other():
+    door = Door(b"secret")
+    assert [door.pause("here") for _ in range(3)] == [0.0] * 3 and door.debt("here") == 0.0
+    door.bar("somebody", "here")
+    waits = [door.pause("here") for _ in range(4)]
+    between = [later - sooner for sooner, later in pairwise(waits)]
+    assert waits[0] == 0.0 and all(0.9 * MAX_REOPEN_PAUSE < each <= MAX_REOPEN_PAUSE for each in between)
+    assert 0.9 < door.debt("here") <= 1.0
+    assert door.pause("elsewhere") == 0.0
