@@ -76,7 +76,7 @@ def test_bodies_in_space_are_refused(capsys):
 
 def test_an_interrupt_keeps_the_runs_that_are_done():
     words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
-             "method.steps=100000", "--runs", "10000", "--json"]  # fmt: skip
+             "method.steps=100000", "--runs", "2000", "--json"]  # fmt: skip
     ready = (
         "import signal, sys, solvers; from app.command.main import main; "
         "signal.signal(signal.SIGINT, signal.default_int_handler); "
@@ -87,13 +87,13 @@ def test_an_interrupt_keeps_the_runs_that_are_done():
         [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
     assert process.stdout.readline() == "ready\n"
-    time.sleep(3.0)  # minutes of work: it is under way
+    time.sleep(6.0)  # minutes of work: on a busy machine, too, it is under way
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     found = json.loads(out)
     runs = len(found["perturbations"])
-    assert process.returncode == 130 and 10 <= runs < 10_000 and err == ""
-    assert f"Stopped after {runs} of 10000 runs." in found["notes"]
+    assert process.returncode == 130 and 10 <= runs < 2_000 and err == ""
+    assert f"Stopped after {runs} of 2000 runs." in found["notes"]
     assert min(found["perturbations"]) < 0.0 < max(found["perturbations"])  # not only one end of the changes
 
 
