@@ -1,17 +1,26 @@
-# make serve: the page.  make test: everything checked.  Both set up all they need on a fresh machine.
+# make serve: the page.  make check: what is quick, without a browser.  make test: everything.  make docs: the documentation.
+# Each sets up all it needs on a fresh machine.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
 PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
 
-.PHONY: serve test bench peers screenshot clean chromium
+.PHONY: serve check test docs bench peers screenshot clean chromium
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
 
-test: $(VENV)/.installed-test chromium
+check: $(VENV)/.installed-test
+	$(BIN)/python -m pytest -n auto --dist loadfile -m "not browser and not slow"
+
+test: $(VENV)/.installed-test chromium node_modules/.installed
 	$(BIN)/python -m pytest -n auto --dist loadfile
+
+# Needs no network once installed, neither to build nor to read.
+docs: $(VENV)/.installed-test
+	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --quiet --strict
+	@echo "Built: build/site/index.html"
 
 bench: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench
@@ -36,7 +45,7 @@ $(VENV)/.installed: $(VENV)/.created pyproject.toml constraints.txt
 	@touch $@
 
 $(VENV)/.installed-test: $(VENV)/.installed
-	@$(PIP_INSTALL) --editable '.[test]'
+	@$(PIP_INSTALL) --editable '.[test,docs]'
 	@touch $@
 
 # Debian's own Chromium where there is one; elsewhere the build that Playwright brings.
@@ -46,5 +55,12 @@ chromium: $(VENV)/.installed-test
 		$(SUDO) apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core >/dev/null; } || \
 		$(BIN)/playwright install --with-deps chromium; }
 
+# Checks of the browser code; the page itself needs none of them.
+node_modules/.installed: package.json
+	@command -v npm >/dev/null 2>&1 || { echo "Installing Node"; \
+		$(SUDO) apt-get update -qq && $(SUDO) apt-get install -qq -y --no-install-recommends nodejs npm >/dev/null; }
+	@npm install --silent --no-audit --no-fund
+	@touch $@
+
 clean:
-	rm -rf $(VENV) build *.egg-info .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) node_modules build *.egg-info .pytest_cache .ruff_cache .hypothesis .import_linter_cache

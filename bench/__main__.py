@@ -5,7 +5,7 @@ import json
 from datetime import date
 from pathlib import Path
 
-from solvers.machine import machine
+from solvers.provenance import machine
 
 from . import (
     automatic,

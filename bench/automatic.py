@@ -14,11 +14,10 @@ from scipy.optimize import nnls
 
 import solvers
 from solvers import Auto
-from solvers.auto import bare
-from solvers.costs import STORED, sorts, work_size
-from solvers.judging import Truth
-from solvers.ladders import ladders
-from solvers.machine import machine
+from solvers.accuracy.cost_model import STORED, kinds, work_size
+from solvers.accuracy.quantities import Truth
+from solvers.accuracy.refinement import ladders
+from solvers.provenance import machine
 
 from .random_scenes import random_scene
 from .timing import row
@@ -45,25 +44,25 @@ def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scen
 
 
 def fit_costs() -> dict[str, object]:
-    """Time = a + b steps + c steps size + d size^3 of every sort of solve, by relative least squares, stored."""
+    """Time = a + b steps + c steps size + d size^3 of every kind of solve, by relative least squares, stored."""
     rows: dict[str, list[tuple[float, int, int]]] = {}
     for number in range(COST_SCENES):
         scene = random_scene(np.random.default_rng(5000 + number), beams=0.3)
         for ladder in ladders(scene):
             for rung in ladder.rungs:
-                taken, solution = _timed(bare(rung), scene)
-                for sort in sorts(rung.table(), scene.contact):
-                    rows.setdefault(sort, []).append((taken, solution.diagnostics["steps"], work_size(rung.table())))
+                taken, solution = _timed(rung.without_estimate(), scene)
+                for kind in kinds(rung.table(), scene.contact):
+                    rows.setdefault(kind, []).append((taken, solution.diagnostics["steps"], work_size(rung.table())))
                 if taken > LONGEST / 4.0:
                     break
     constants, within = {}, []
-    for sort, measured in rows.items():
+    for kind, measured in rows.items():
         time, steps, size = np.array(measured, float).T
         terms = np.column_stack([np.ones_like(time), steps, steps * size, size**3])
         scale = np.maximum(terms.max(axis=0), 1.0)
-        constants[sort] = (nnls(terms / scale / time[:, None], np.ones_like(time))[0] / scale).tolist()
-        if " " in sort:  # else it stands in for those that are not known
-            within += (np.abs(np.log2(terms @ constants[sort] / time)) <= 1.0).tolist()
+        constants[kind] = (nnls(terms / scale / time[:, None], np.ones_like(time))[0] / scale).tolist()
+        if " " in kind:  # else it stands in for those that are not known
+            within += (np.abs(np.log2(terms @ constants[kind] / time)) <= 1.0).tolist()
     STORED.write_text(json.dumps({"machine": machine(), "seconds": constants}, indent=1) + "\n", encoding="utf-8")
     return dict([row("costs foretold within a factor of two", 100.0 * np.mean(within), "%")])
 
@@ -158,7 +157,7 @@ def _verdict(number: int, scene: solvers.Scene, among: tuple[str, ...] | None) -
 
 
 def _named(table: dict[str, object]) -> solvers.Method:
-    return bare(solvers.read_method({key: value for key, value in table.items() if value is not None})[0])
+    return solvers.read_method({key: value for key, value in table.items() if value is not None})[0].without_estimate()
 
 
 def _share(told: Iterable[bool | None]) -> float:
@@ -190,9 +189,9 @@ def exact(scene: solvers.Scene) -> Exact:
     waves = solvers.Waves(tolerance=1e-11)
     if waves.refusal(scene) is None:
         return Exact(waves.solve(scene), None)
-    steps = FINER * bare(solvers.FeNodal(elements=ELEMENTS // 2)).solve(scene).diagnostics["steps"]
-    elements = bare(solvers.FeNodal(elements=ELEMENTS, steps=min(steps, MOST_STEPS)))
-    return Exact(elements.solve(scene), bare(solvers.Modal(modes=1600)).solve(scene))
+    steps = FINER * solvers.FeNodal(elements=ELEMENTS // 2, estimate=False).solve(scene).diagnostics["steps"]
+    elements = solvers.FeNodal(elements=ELEMENTS, steps=min(steps, MOST_STEPS), estimate=False)
+    return Exact(elements.solve(scene), solvers.Modal(modes=1600, estimate=False).solve(scene))
 
 
 if __name__ == "__main__":

@@ -4,9 +4,9 @@ from functools import partial
 
 import numpy as np
 
-from solvers.numerics.beam_modes import attached_beam_modes, beam_modes
-from tests.solvers.beam_frequencies import TIMOSHENKO
-from tests.solvers.test_beam_modes import CASES, LENGTH, LINES, SLENDER, THICK, characteristic, products
+from solvers.numerics.beams.modes import attached_beam_modes, beam_modes
+from tests.solvers.numerics.beams.beam_frequencies import TIMOSHENKO
+from tests.solvers.numerics.beams.test_modes import CASES, LENGTH, LINES, SLENDER, THICK, characteristic, products
 
 from .timing import median, row
 

@@ -4,7 +4,7 @@ import numpy as np
 
 import solvers
 from solvers import Modal, ensemble
-from solvers.methods.modal import again
+from solvers.methods.modal.method import again
 
 from .kernels import bare_rotation
 from .timing import median, processor_times, row

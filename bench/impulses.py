@@ -3,8 +3,8 @@
 import numpy as np
 
 import solvers
-from solvers.numerics.impulses import point_velocity, residuals, strike
-from tests.solvers.test_impulses import held, random_pairs
+from solvers.numerics.rigid.impulses import point_velocity, residuals, strike
+from tests.solvers.numerics.rigid.test_impulses import held, random_pairs
 
 from .timing import median, row
 

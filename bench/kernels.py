@@ -18,8 +18,9 @@ from solvers.contact import (
     YigitChristoforou,
 )
 from solvers.jit import kernel
-from solvers.numerics import rigid_waves, stepped_waves
 from solvers.numerics.oscillators import Record, Residual, march, oscillator_bank
+from solvers.numerics.waves import rigid as rigid_waves
+from solvers.numerics.waves import stepped as stepped_waves
 
 from .timing import median, paired_medians, row
 
@@ -58,7 +59,7 @@ def bounce(law, step, steps):
     Returns by how much the energy ever exceeded what the weight had put in, and the largest part of it that is neither
     there nor lost by the law, both relative to all that there is.
     """
-    compliance, rate, memory = 0.5 * step * step, 1.0 / step, law.way_back(0.0)
+    compliance, rate, memory = 0.5 * step * step, 1.0 / step, law.unloading(0.0)
     x, v, deepest, lost, given, created, missing, force = -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(steps):
         weight = 1.0 + 0.9 * np.sin(1e-3 * k * step)

@@ -1,7 +1,7 @@
 """Measure where cheap models hold, and store it as the library's data: python -m bench.measure_regimes
 
 Every point is one scene solved in full and by each cheap model; what is stored are the errors. A few minutes on two
-cores; solvers/regimes.npz is written anew.
+cores; solvers/regimes/regimes.npz is written anew.
 """
 
 import argparse
@@ -17,10 +17,11 @@ from pathlib import Path
 
 import numpy as np
 
+from solvers.accuracy.reference import swept_reference
 from solvers.contact import PlasticLinear, PlasticPower, YigitChristoforou
-from solvers.machine import machine
 from solvers.methods import Modal, QuasiStatic
-from solvers.regime_models import (
+from solvers.provenance import machine
+from solvers.regimes.models import (  # fmt: skip
     BEAMS,
     LAWS,
     LOSSES,
@@ -31,9 +32,8 @@ from solvers.regime_models import (
     lossy_scene,
     model_errors,
     modes_errors,
-    reference,
-)  # fmt: skip
-from solvers.regime_tables import STORED, encoded
+)
+from solvers.regimes.tables import STORED, encoded
 from solvers.scene import Scene
 
 ROD_AXES = np.geomspace(1e-2, 1e3, 51), np.concatenate(([0.0], np.geomspace(1e-2, 1e2, 49)))
@@ -56,7 +56,7 @@ def models_row(task: tuple) -> np.ndarray:
     rows = []
     for relative in times:
         scene = family_scene(family, ratio, relative, law)
-        rows.append(model_errors(scene, figures(reference(scene))))
+        rows.append(model_errors(scene, figures(swept_reference(scene))))
     return np.array(rows)
 
 
@@ -66,7 +66,7 @@ def lossy_row(task: tuple) -> np.ndarray:
     rows = []
     for relative in times:
         scene = lossy_scene(family, ratio, relative, law, loss)
-        rows.append(model_errors(scene, figures(reference(scene))))
+        rows.append(model_errors(scene, figures(swept_reference(scene))))
     return np.array(rows)
 
 
@@ -76,7 +76,7 @@ def modes_row(task: tuple) -> np.ndarray:
     rows = []
     for relative in times:
         scene = family_scene(family, ratio, relative)
-        rows.append(modes_errors(scene, figures(reference(scene)), counts))
+        rows.append(modes_errors(scene, figures(swept_reference(scene)), counts))
     return np.array(rows)
 
 
@@ -121,7 +121,7 @@ def swept(pool: ProcessPoolExecutor, row: Callable, tasks: list[tuple]) -> np.nd
 
 
 def measure() -> dict[str, np.ndarray]:
-    """Every sweep; errors as bytes, see `regime_tables.encoded`."""
+    """Every sweep; errors as bytes, see `regimes.tables.encoded`."""
     found: dict[str, np.ndarray] = {
         "rod_axes_ratio": ROD_AXES[0], "rod_axes_time": ROD_AXES[1],
         "beam_axes_ratio": BEAM_AXES[0], "beam_axes_time": BEAM_AXES[1],

@@ -5,6 +5,8 @@ import os
 import shutil
 import statistics
 import time
+from contextlib import suppress
+from itertools import count
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
@@ -24,6 +26,14 @@ CASES = {
     "a beam, 20 modes": "?scene=hammer-on-cantilever",
 }
 
+ANSWERS = {  # query; goal, half of what the first of these measurements gave [ms]
+    "exact waves": ("", 8.2),
+    "Hertz": ("?law=hertz", 13.5),
+    "a stepped rod": ("?scene=stepped-rod", 8.5),
+    "a hammer on a cantilever": ("?scene=hammer-on-cantilever", 23.5),
+}
+ANSWER_MOVES, ANSWER_BATCHES = 40, 7
+
 LATENCY = """async () => {
   const { send } = strikewave.page.controls, found = [];
   const painted = () => new Promise((done) => requestAnimationFrame(() => {
@@ -40,7 +50,7 @@ LATENCY = """async () => {
 }"""
 PLAYBACK = """async () => {
   const { page } = strikewave, { player } = page;
-  player.pace.value = '0.25'; player.pace.onchange(); player.go(0); player.toggle();
+  player.pace.value = '0.25'; player.go(0); player.toggle();
   await new Promise((done) => setTimeout(done, 500));
   const from = page.painted, begun = performance.now();
   await new Promise((done) => setTimeout(done, 4000));
@@ -55,6 +65,7 @@ def measure() -> dict[str, object]:
     with served_page() as (address, process):
         rows = [row("impact serve answers after", time.perf_counter() - begun, "s")]
         rows += _browser(address)
+        rows += run(_answers(address, process), 300)
         rows += run(_sessions(address, process), 120)
     return dict(rows)
 
@@ -84,11 +95,47 @@ def _browser(address: str) -> list:
     return rows
 
 
+async def _answers(address: str, process: int) -> list:
+    """CPU of the server and its workers for one move of a slider, whoever of them did the work."""
+    rows = []
+    for name, (query, target) in ANSWERS.items():
+        client = await SocketClient(address).open(query)
+        await client.changes(2.0)  # the scene itself: who sends before that is answered is slowed
+        used, moves = [], count()  # none twice: answers are kept
+        for _ in range(ANSWER_BATCHES + 1):  # the first does not count
+            before = _processor_time(_tree(process))
+            for _ in range(ANSWER_MOVES):
+                await client.set("mass_ratio", 0.5 + next(moves) / (2 * ANSWER_MOVES * (ANSWER_BATCHES + 1)))
+                await client.answer()
+                await asyncio.sleep(0.02)  # as a page does: it draws what it was sent
+            used.append((_processor_time(_tree(process)) - before) / ANSWER_MOVES)
+        client.close()
+        rows.append(row(f"server CPU an answer, {name}", 1e3 * statistics.median(used[1:]), "ms", f"<= {target}"))
+    return rows
+
+
+def _tree(process: int) -> list[int]:
+    """A process and all that it started, and these."""
+    parents = {}
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):  # it has just ended
+            parents[int(status.parent.name)] = int(status.read_text().rpartition(")")[2].split()[1])
+    found = [process]
+    for each in found:
+        found += [child for child, parent in parents.items() if parent == each]
+    return found
+
+
+def _processor_time(processes: list[int]) -> float:
+    """Time [s] that these have used of a processor."""
+    stats = (Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split() for process in processes)
+    return sum(int(fields[11]) + int(fields[12]) for fields in stats) / os.sysconf("SC_CLK_TCK")
+
+
 async def _sessions(address: str, process: int) -> list:
     def used() -> tuple[float, float]:
-        fields = Path(f"/proc/{process}/stat").read_text().split()
         pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
-        return (int(fields[13]) + int(fields[14])) / os.sysconf("SC_CLK_TCK"), pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+        return _processor_time([process]), pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
     clients = [await SocketClient(address).open() for _ in range(2)]
     await asyncio.sleep(0.5)

@@ -17,7 +17,7 @@ import numpy as np
 
 import solvers
 from solvers import SceneError, Solution
-from solvers.comparison import VARIANTS, force_error
+from solvers.accuracy.comparison import VARIANTS, force_error
 
 from . import peer_models
 from .peer_models import Problem, Record

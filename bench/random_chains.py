@@ -20,7 +20,7 @@ def measure() -> dict[str, object]:
         solution = solvers.solve(scene, duration=duration)
         seconds.append(perf_counter() - begun)
         errors.append(solution.diagnostics["estimated_error"])
-        said = " ".join(solution.notes)
+        said = " ".join(map(str, solution.notes))
         ways.append("grid" if "on a grid" in said else "looser" if "followed to a tolerance" in said else "exact")
         wrong += [f"{number}: {what}" for what in wrong_with(solution, scene, duration)]
     print(*wrong, sep="\n")

@@ -1,4 +1,4 @@
-"""The picture for the README: `make screenshot`."""
+"""The picture for README and documentation: `make screenshot`."""
 
 import os
 import shutil

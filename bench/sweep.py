@@ -4,8 +4,9 @@ import numpy as np
 
 import solvers
 from solvers.jit import kernel
-from solvers.numerics import stepped_waves
-from solvers.studies import mass_ratio_sweep, spaced, sweep
+from solvers.numerics.waves import stepped as stepped_waves
+from solvers.studies.mass_ratios import mass_ratio_sweep
+from solvers.studies.sweep import spaced, sweep
 
 from .timing import median, row
 

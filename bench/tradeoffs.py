@@ -12,9 +12,9 @@ from pathlib import Path
 from statistics import median
 
 import solvers
-from solvers.ladders import ladders, refusals
-from solvers.machine import machine, version
-from solvers.stored_tables import SHIPPED, pack, scene_key
+from solvers.accuracy.refinement import ladders, refusals
+from solvers.accuracy.store import SHIPPED, pack, scene_key
+from solvers.provenance import machine, version
 
 from .timing import row
 

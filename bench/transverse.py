@@ -22,7 +22,7 @@ def _kernel() -> list:
     rows = []
     for law in ("plastic-linear", "plastic-power", "hertz"):
         scene = solvers.load("figure-8.21").replace({"contact.law": law})
-        known = scene.target.modes(MODES).felt()
+        known = scene.target.modes(MODES).excited()
         step = 5e-3 / STEPS
         bank = oscillator_bank(known.frequencies, known.at_contact, step)
         start = np.random.default_rng(1).standard_normal((2, MODES))

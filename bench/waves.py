@@ -3,7 +3,8 @@
 import numpy as np
 
 import solvers
-from solvers.numerics import rigid_waves, stepped_waves
+from solvers.numerics.waves import rigid as rigid_waves
+from solvers.numerics.waves import stepped as stepped_waves
 
 from .timing import median, row
 

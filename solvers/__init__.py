@@ -4,16 +4,14 @@ import solvers
 solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 """
 
-from .auto import Auto
-from .bodies import Beam, Body, Material, RigidMass, Rod, Rods, SpringMass, Wall
-from .checks import SceneError
-from .choosing import read_method, solve
-from .comparison import Row, compare, reference
+from .accuracy.auto import Auto
+from .accuracy.comparison import Row, compare
+from .accuracy.reference import reference
+from .accuracy.tradeoff import stored_tradeoff, tradeoff
+from .accuracy.tradeoff_table import Point as TradeOffPoint
+from .accuracy.tradeoff_table import TradeOff
+from .bodies import Beam, Bending, Body, Material, RigidMass, Rod, Rods, SpringMass, Wall, Waveguide
 from .contact import LAWS
-from .contact_times import ContactTimes, compare_with_half_space, contact_times
-from .convergence import Convergence, convergence
-from .ensemble import Ensemble, ensemble
-from .method import Method, SceneNotSupported
 from .methods import (
     METHODS,
     Balance,
@@ -26,14 +24,18 @@ from .methods import (
     Waves,
     usual_method,
 )
-from .regimes import Plan, RegimeMap, plan, regime_map
-from .scene import Scene, load, scene_names
-from .solution import ContactPeriod, Solution
-from .stability import Stability, stability
-from .studies import Figures, solve_many, sweep
-from .tradeoff import stored_tradeoff, tradeoff
-from .tradeoff_table import Point as TradeOffPoint
-from .tradeoff_table import TradeOff
+from .methods.base import Method, SceneNotSupported
+from .regimes.plan import Plan, RegimeMap, plan, regime_map
+from .scene import Scene
+from .scenes.library import load, scene_names
+from .solution.solution import ContactPeriod, Solution
+from .solve import read_method, solve
+from .stability.maps import Stability, stability
+from .studies.contact_times import ContactTimes, compare_with_half_space, contact_times
+from .studies.convergence import Convergence, convergence
+from .studies.ensemble import Ensemble, ensemble
+from .studies.sweep import Figures, solve_many, sweep
+from .validation import SceneError
 
 __all__ = [
     "LAWS",
@@ -41,6 +43,7 @@ __all__ = [
     "Auto",
     "Balance",
     "Beam",
+    "Bending",
     "Body",
     "ContactPeriod",
     "ContactTimes",
@@ -70,6 +73,7 @@ __all__ = [
     "TradeOff",
     "TradeOffPoint",
     "Wall",
+    "Waveguide",
     "Waves",
     "compare",
     "compare_with_half_space",

@@ -48,7 +48,8 @@ def kernels_key(source: Path) -> str:
     the tuples they are given: of contact laws, and of files that import theirs.
     """
     laws = LIBRARY.glob("contact/*.py")
-    users = (each for each in LIBRARY.glob("numerics/*.py") if source in _imports(each))
+    callers = (*(LIBRARY / "numerics").rglob("*.py"), LIBRARY / "stability" / "integrators.py")
+    users = (each for each in callers if source in _imports(each))
     return _key_of(_closure(source).union(*map(_closure, (*laws, *users))))
 
 
@@ -194,13 +195,23 @@ class _Refusal(event.Listener):
 event.register("numba:compile", _Refusal())
 
 
-kernel = numba.njit(cache=True, nogil=True, error_model="numpy")
+# A kernel works in the arrays that it is given, and returns none. So arrays need no counting of references, which for
+# tuples of many of them takes half the time of a step, and a part of that of compiling.
+kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False)
+
+# One that only other kernels call: what would take its arguments from Python is not compiled.
+inner_kernel = numba.njit(
+    cache=True, nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True
+)
+
+# One that makes arrays of its own, or returns any; so called by one that does not, too.
+allocating_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=True)
 
 # What a contact law does within a step becomes part of the loop over steps: a call costs as much as the work in it.
-inlined_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", forceinline=True)
+inlined_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", forceinline=True, _nrt=False)
 
 # Sums over modes may be reordered, so that they run on vector registers; NaN and infinity keep their meaning.
-summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"})
+summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"}, _nrt=False)
 
 
 def address(function: Callable, signature: Any) -> Any:
@@ -236,9 +247,9 @@ def _dent(self, deepest):
     return self.instance_class.dent
 
 
-@overload_method(numba.types.BaseNamedTuple, "way_back")
-def _way_back(self, deepest):
-    return self.instance_class.way_back
+@overload_method(numba.types.BaseNamedTuple, "unloading")
+def _unloading(self, deepest):
+    return self.instance_class.unloading
 
 
 @overload_method(numba.types.BaseNamedTuple, "corner")

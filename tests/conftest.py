@@ -7,3 +7,10 @@ settings.register_profile(
     "repeatable", deadline=None, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("repeatable")
+
+
+def pytest_collection_modifyitems(items):
+    """Whatever opens a page needs a browser."""
+    for item in items:
+        if {"browser", "open_page"} & set(item.fixturenames):
+            item.add_marker("browser")

@@ -11,7 +11,7 @@ import solvers
 from bench.random_scenes import random_contact
 from solvers import Scene, Solution
 from solvers.bodies.rods import MAX_RODS
-from solvers.doubts import ended_early
+from solvers.methods.validity import ended_early
 
 TRIPS = 20.0
 MATERIALS = ("steel", "aluminium", "bronze")
@@ -75,11 +75,11 @@ def wrong_with(solution: Solution, scene: Scene, duration: float) -> list[str]:
     if ended_early(solution.notes) or solution.duration < duration * (1.0 - 1e-12):
         found.append(f"ends at {solution.duration:.4g} s of {duration:.4g} s: {solution.notes}")
     error = done["estimated_error"]
-    if not error < 0.05 and not any("so sensitive is this chain" in note for note in solution.notes):
+    if not error < 0.05 and not any("so sensitive is this chain" in str(note) for note in solution.notes):
         found.append(f"an error of {error:.2g} v is not told")
     if not abs(done["momentum_error"]) <= max(1e-9, error):
         found.append(f"momentum is off by {done['momentum_error']:.2g}, error {error:.2g}")
-    stepped = any("on a grid" in note for note in solution.notes)
+    stepped = any("on a grid" in str(note) for note in solution.notes)
     missing = solution.motion.history.unresolved() if stepped else 0.0
     if not abs(done["energy_error"] + missing) <= max(1e-8, error if stepped else 10.0 * error):
         found.append(f"energy is off by {done['energy_error']:.2g}, of it {-missing:.2g} known; error {error:.2g}")

@@ -1,4 +1,4 @@
-"""One form for all sources: ruff's rules and layout, as pyproject.toml sets them."""
+"""One form for all sources: ruff's rules and layout, and pyright's types, as pyproject.toml sets them."""
 
 import subprocess
 import sys
@@ -13,4 +13,10 @@ ROOT = Path(__file__).parents[1]
 def test_ruff(arguments):
     call = [sys.executable, "-m", "ruff", *arguments, "--no-cache", "solvers", "app", "tests"]
     done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_types():
+    call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable]
+    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr

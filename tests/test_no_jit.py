@@ -6,13 +6,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from pytest import approx
 
 import solvers
 from solvers import Modal, Waves
-from solvers.methods.chain_grid import GridHistory
-from solvers.methods.chain_scene import ChainScene
-from solvers.stability_runs import INTEGRATORS, problem_of, run
+from solvers.methods.waves.chain_grid import GridHistory
+from solvers.methods.waves.chain_scene import ChainScene
+from solvers.stability.runs import INTEGRATORS, problem_of, run
 from tests.catalog import T, contact_table, struck_rod
 
 ROOT = Path(__file__).parents[1]
@@ -48,6 +49,7 @@ def answers() -> dict[str, list[float]]:
     }
 
 
+@pytest.mark.slow
 def test_plain_python_gives_the_same():
     call = "import json, numba; assert numba.config.DISABLE_JIT; from tests import test_no_jit as here; "
     call += "print(json.dumps(here.answers()))"

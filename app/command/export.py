@@ -3,12 +3,13 @@
 import io
 import os
 import textwrap
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
 
 from solvers import ContactPeriod, Row, Scene, SceneError, Solution
-from solvers.comparison import rebound
+from solvers.accuracy.reference import rebound
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
@@ -213,6 +214,9 @@ def check_name(name: str, *endings: str) -> None:
     """Raises SceneError for what can be no file of histories, before anything is solved."""
     if not name.endswith(endings) or (os.path.exists(name) and not os.path.isfile(name)):
         raise SceneError("--series", name, f"the name of a file that ends in {' or '.join(endings)}")
+    if name.endswith(".nc") and find_spec("xarray") is None:
+        allowed = "a name that ends in .csv, as NetCDF needs xarray: pip install 'strikewave[notebook]'"
+        raise SceneError("--series", name, allowed)
 
 
 def write_series(solution: Solution, path: Path) -> None:
@@ -230,36 +234,16 @@ def write_series(solution: Solution, path: Path) -> None:
         np.savetxt(text, np.column_stack([values for _, values in histories.values()]), delimiter=",", fmt="%.12g")
         path.write_text(text.getvalue(), encoding="utf-8")
         return
-    from scipy.io import netcdf_file
+    _write_netcdf(solution, histories, path)
 
+
+def _write_netcdf(solution: Solution, histories: dict[str, tuple[str, np.ndarray]], path: Path) -> None:
+    """Histories over their own `time`, in which every jump is kept; fields over `instant` and x in the target."""
     instants = np.linspace(0.0, solution.duration, FIELD_INSTANTS)
-    places = np.linspace(0.0, solution.scene.target.length, FIELD_PLACES)
-    motion = solution.motion
-    fields = {
-        "stress": ("Pa", motion.stress(instants, places)),
-        "velocity": ("m/s", motion.velocity(instants, places)),
-        "displacement": ("m", motion.displacement(instants, places)),
-    }
-    if solution.scene.target.kind == "beam":
-        fields |= {
-            "bending_moment": ("N m", motion.moment(instants, places)),
-            "shear_force": ("N", motion.shear(instants, places)),
-        }
-    with netcdf_file(path, "w") as file:
-        file.title = solution.scene.title
-        start = "the first support" if solution.scene.target.kind == "beam" else "the struck end"
-        file.conventions = f"SI units; time zero at first touch; x from {start}; compression positive"
-        for name, size in (("time", histories["time"][1].size), ("instant", FIELD_INSTANTS), ("x", FIELD_PLACES)):
-            file.createDimension(name, size)
-        axes = {"instant": ("s", instants), "x": ("m", places)}
-        for name, (unit, values) in (histories | axes).items():
-            dimension = name if name in axes else "time"
-            _variable(file, name, (dimension,), unit.replace("_per_", "/"), values)
-        for name, (unit, values) in fields.items():
-            _variable(file, name, ("instant", "x"), unit, values)
-
-
-def _variable(file, name: str, dimensions: tuple[str, ...], unit: str, values: np.ndarray) -> None:
-    variable = file.createVariable(name, "d", dimensions)
-    variable[:] = values
-    variable.units = unit
+    data = solution.dataset(instants, np.linspace(0.0, solution.scene.target.length, FIELD_PLACES))
+    fields = data[[name for name, values in data.items() if values.dims == ("time", "x")]]
+    file = fields.rename(time="instant").assign(
+        {name: ("time", values, {"units": unit.replace("_per_", "/")}) for name, (unit, values) in histories.items()}
+    )
+    encoding = {name: {"_FillValue": None} for name in file.variables}  # no value is missing
+    file.to_netcdf(path, format="NETCDF3_CLASSIC", engine="scipy", encoding=encoding)

@@ -16,7 +16,7 @@ import solvers
 from solvers import SceneError
 
 DEFAULT_PORT = 5006
-PATIENCE = 3.0  # [s] until one line says what takes long
+QUIET_SECONDS = 3.0  # [s] until one line says what takes long
 
 
 class _Refused(Exception):
@@ -65,7 +65,7 @@ def _patience():
         yield
         return
     said = "impact: kernels are compiled when first used, some seconds to a minute; impact warm does them all at once"
-    timer = threading.Timer(PATIENCE, print, (said,), {"file": sys.stderr, "flush": True})
+    timer = threading.Timer(QUIET_SECONDS, print, (said,), {"file": sys.stderr, "flush": True})
     timer.daemon = True
     timer.start()
     try:
@@ -217,7 +217,10 @@ def _plan_command(commands: Any) -> None:
 
 def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:
     known = "a built-in name (see: impact scenes) or a scene file"
-    parser.add_argument(*(("--scene",) if option else ("scene",)), **({"required": True} if option else {}), help=known)
+    if option:
+        parser.add_argument("--scene", required=True, help=known)
+    else:
+        parser.add_argument("scene", help=known)
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
         help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
@@ -241,8 +244,8 @@ def _warm(options: argparse.Namespace) -> int:
 
 
 def _scenes(options: argparse.Namespace) -> int:
-    from ..picker import scene_groups
-    from ..state import SCENES
+    from ..choices.choices import SCENES
+    from ..page.picker import scene_groups
 
     for heading, scenes in scene_groups():
         print(heading)
@@ -251,9 +254,9 @@ def _scenes(options: argparse.Namespace) -> int:
     return 0
 
 
-def parse_changes(changes: list[str]) -> dict[str, object]:
+def parse_changes(changes: list[str]) -> dict[str, Any]:
     """`KEY=VALUE` words as a dictionary; values are TOML, and a bare word is text."""
-    found: dict[str, object] = {}
+    found: dict[str, Any] = {}
     for change in changes:
         key, equals, text = change.partition("=")
         key = key.strip()

@@ -6,14 +6,14 @@ import textwrap
 
 import solvers
 from solvers import Plan, SceneError
-from solvers.regime_models import QUESTIONS
+from solvers.regimes.models import QUESTIONS
 
 NAMES = {
     "mass_ratio": "mass ratio (target / impactor)",
     "contact_time": "local contact time / round trip or period",
     "impact_parameter": "speed / speed of first yield",
     "slenderness": "length / depth",
-    "rotation": "share of turning in the blow",
+    "rotation": "share of turning in the impact",
 }
 
 

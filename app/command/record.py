@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 import solvers
-from solvers import SceneError, Solution, checks
-from solvers.inverse import RecoveredWaves, from_one_gauge, from_two_gauges
-from solvers.record_files import load_record
-from solvers.records import Alignment, Record, align, expected
+from solvers import Rod, SceneError, Solution, Waveguide, validation
+from solvers.records.files import load_record
+from solvers.records.gauges import RecoveredWaves, from_one_gauge, from_two_gauges
+from solvers.records.record import Alignment, Record, align, expected
+from solvers.text.notes import Note, Severity, coded
 
 from ..views.record import MAX_FOLLOWED, other_sign
 from .export import check_name
@@ -35,7 +36,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
     waves = _recovered(solution, [r.shifted(found[0].shift) for r in records], places) if options.recover else None
     notes, other = list(solution.notes), other_sign(records[0], solution, places[0], found[0])
     if other is not None:
-        notes.append(f"With the other sign the record lies better, with a residual of {other:.3g}: try --sign -1.")
+        notes.append(Note("record.other-sign", Severity.WARNING, residual=other))
     if options.series is not None:
         _write(options.series, _series(solution, records, places, found, waves))
     answer = _answer(solution, records, places, found, waves, notes)
@@ -54,12 +55,12 @@ def _float(key: str, word: str, low: float, high: float, unit: str) -> float:
         value = float(word)
     except ValueError:
         value = word
-    return checks.number(key, value, low, high, unit)
+    return validation.number(key, value, low, high, unit)
 
 
 def _records(options: argparse.Namespace, count: int) -> list[Record]:
     columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
-    checks.choice("--sign", options.sign, ("1", "-1"))
+    validation.choice("--sign", options.sign, ("1", "-1"))
     how = {"kind": options.kind, "columns": columns, "sign": int(options.sign)}
     return [load_record(options.file, gauge=number, **how) for number in range(1, count + 1)]
 
@@ -67,7 +68,7 @@ def _records(options: argparse.Namespace, count: int) -> list[Record]:
 def _solution(scene: solvers.Scene, record: Record) -> Solution:
     """The scene solved for as long as the record may tell of it."""
     solution = solvers.solve(scene)
-    lag = sum(rod.round_trip_time for rod in getattr(scene.target, "rods", ()))  # beyond any place in them
+    lag = sum(rod.round_trip_time for rod in scene.target.rods)  # beyond any place in them
     wanted = min(float(np.ptp(record.time)) + lag, solution.duration + MAX_FOLLOWED * scene.time_unit)
     if "duration" in scene.method or solution.motion is None or wanted <= solution.duration:
         return solution
@@ -76,12 +77,12 @@ def _solution(scene: solvers.Scene, record: Record) -> Solution:
 
 def _recovered(solution: Solution, records: list[Record], places: list[float]) -> RecoveredWaves:
     target = solution.scene.target
-    if target.kind == "rod" and len(records) == 1:
+    if isinstance(target, Rod) and len(records) == 1:
         return from_one_gauge(records[0], target, places[0])
-    if target.kind not in ("rod", "rods") or len(records) == 1:
+    if not isinstance(target, Waveguide) or len(records) == 1:
         allowed = "'rod', to recover the contact force by one gauge; or 'rods', with two gauges on the first of them"
         raise SceneError("target.kind", target.kind, allowed)
-    return from_two_gauges(*records, target.rods[0], *places)
+    return from_two_gauges(*records, target.rods[0], *places)  # pyright: ignore[reportCallIssue]
 
 
 def _answer(
@@ -90,7 +91,7 @@ def _answer(
     places: list[float],
     found: list[Alignment],
     waves: RecoveredWaves | None,
-    notes: list[str],
+    notes: list[Note],
 ) -> dict[str, Any]:
     gauges = [
         {
@@ -116,8 +117,8 @@ def _answer(
             "terms": waves.terms,
             "residual": float(np.linalg.norm(waves.force[within] - true) / np.linalg.norm(true)),
         }
-    blow = {"peak_force": solution.peak_force, "impulse": solution.impulse, "duration": solution.duration}
-    return {"gauges": gauges, "solution": blow, "recovered": recovered, "notes": notes}
+    impact = {"peak_force": solution.peak_force, "impulse": solution.impulse, "duration": solution.duration}
+    return {"gauges": gauges, "solution": impact, "recovered": recovered, **coded(notes)}
 
 
 def _report(answer: dict[str, Any]) -> str:
@@ -128,13 +129,13 @@ def _report(answer: dict[str, Any]) -> str:
             f"{one['residual']:16.4g}{one['greatest_residual']:13.4g}{one['samples']:10d}"
         )
     if answer["recovered"] is not None:
-        blow, found = answer["solution"], answer["recovered"]
-        peak = "none" if blow["peak_force"] is None else f"{blow['peak_force'] / 1e3:.6g} kN"
+        impact, found = answer["solution"], answer["recovered"]
+        peak = "none" if impact["peak_force"] is None else f"{impact['peak_force'] / 1e3:.6g} kN"
         lines += [
             "",
             "  contact force     recovered      solution",
             f"  peak          {found['peak_force'] / 1e3:10.6g} kN   {peak}",
-            f"  impulse       {found['impulse']:10.6g} N s  {blow['impulse']:.6g} N s",
+            f"  impulse       {found['impulse']:10.6g} N s  {impact['impulse']:.6g} N s",
             f"  residual (L2) {found['residual']:10.4g}",
             f"  known until   {1e6 * found['until']:10.6g} us   from {found['terms']} readings at the end",
         ]

@@ -8,8 +8,8 @@ import numpy as np
 
 import solvers
 from solvers import SceneError, Stability
-from solvers.stability import AXES, CANNOT, NOT_RUN, Map
-from solvers.stability_runs import INTEGRATORS
+from solvers.stability.maps import AXES, CANNOT, NOT_RUN, Map
+from solvers.stability.runs import INTEGRATORS
 
 USUAL_GRID = "20x41"  # five columns a decade: one of them is a hundred times an element
 LEGEND = (

@@ -3,12 +3,13 @@
 import json
 import re
 import sys
+from typing import Any
 
 import numpy as np
 
 import solvers
 from solvers import SceneError
-from solvers.studies import spaced, sweep
+from solvers.studies.sweep import spaced, sweep
 
 from .interrupts import interruptible
 
@@ -43,7 +44,7 @@ def print_sweep(scene: solvers.Scene, vary: str, as_json: bool) -> int:
     return 130 if interrupted() else 0
 
 
-def table(key: str, rows: list[dict[str, object]]) -> str:
+def table(key: str, rows: list[dict[str, Any]]) -> str:
     width = max(len(key), 12)
     head = (
         f"  {key:>{width}}  contacts  impulse [N s]  peak force [kN]  leaves at [m/s]"
@@ -52,7 +53,7 @@ def table(key: str, rows: list[dict[str, object]]) -> str:
     return "\n".join([head, *(_line(row, width) for row in rows)])
 
 
-def _line(row: dict[str, object], width: int) -> str:
+def _line(row: dict[str, Any], width: int) -> str:
     velocity = row["impactor"]["final_velocity"]
     if isinstance(velocity, list):  # of a body in space
         velocity = "(" + ", ".join(f"{part + 0.0:.4g}" for part in velocity) + ")"

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import solvers
 from solvers import SceneError, TradeOff
-from solvers.judging import QUANTITIES
+from solvers.accuracy.quantities import QUANTITIES
 
 SHARES = {"rebound": "rebound", "impulse": "impulse", "peak-force": "peak", "force-history": "force L2",
           "resolved-force": "resolved", "contact-time": "contact"}  # fmt: skip

@@ -1,17 +1,18 @@
-"""The commands `impact ensemble` and `impact convergence`: how far to trust a blow."""
+"""The commands `impact ensemble` and `impact convergence`: how far to trust an impact."""
 
 import json
+from typing import Any
 
 import solvers
 from solvers import SceneError
-from solvers.convergence import Convergence, convergence
-from solvers.ensemble import Ensemble, ensemble
+from solvers.studies.convergence import Convergence, convergence
+from solvers.studies.ensemble import Ensemble, ensemble
 
 from .interrupts import interruptible
 from .sweep import shown
 
 
-def number(option: str, text: str, kind: type = float) -> float:
+def number(option: str, text: str, kind: type = float) -> Any:
     """The number that an option was given. Raises SceneError naming it."""
     try:
         return kind(text)
@@ -30,7 +31,7 @@ def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None
         if interrupted():
             raise KeyboardInterrupt from None  # too few runs to tell anything
         if refused.key in ("runs", "spread", "key", "seed"):
-            raise SceneError(f"--{refused.key}", refused.value, refused.allowed) from None
+            raise SceneError(f"--{refused.key}", refused.value, refused.reason) from None
         raise
     print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else ensemble_table(scene, found))
     return 130 if interrupted() else 0
@@ -50,14 +51,14 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
     ]
     for row in found.spread:
         name = row.quantity.replace("_", " ") + (f" [{row.unit}]" if row.unit else "")
-        cells = [
+        cells: list[Any] = [
             (row.unperturbed, 12, ".6g"), (row.lowest, 12, ".6g"), (row.median, 12, ".6g"), (row.highest, 12, ".6g"),
             (100.0 * row.half_range, 8, ".2g"), (row.sensitivity, 13, "+.3g"), (row.amplification, 9, ".2g"),
         ]  # fmt: skip
         values = "  ".join(shown(value, form).rjust(size) for value, size, form in cells[:4])
         rest = f"{shown(*cells[4][::2]):>8} %" + shown(*cells[5][::2]).rjust(13) + shown(*cells[6][::2]).rjust(11)
         lines.append(f"  {name:24}  {values}  {rest}  {row.verdict}")
-    return "\n".join([*lines, "", found.told, *(f"Note: {note}" for note in found.notes)])
+    return "\n".join([*lines, "", str(found.summary), *(f"Note: {note}" for note in found.notes)])
 
 
 def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) -> int:
@@ -69,7 +70,7 @@ def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) ->
         found = convergence(scene, *counts, method=method)
     except SceneError as refused:
         if refused.key == "modes":
-            raise SceneError("--modes", refused.value, refused.allowed) from None
+            raise SceneError("--modes", refused.value, refused.reason) from None
         raise
     print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else convergence_table(scene, found))
     return 0
@@ -82,4 +83,4 @@ def convergence_table(scene: solvers.Scene, found: Convergence) -> str:
     lines.append(f"  {found.kind:{width}}" + "".join(f"{count:>14d}" for count in found.counts))
     for name, values in zip(names, found.values.values(), strict=True):
         lines.append(f"  {name:{width}}" + "".join(f"{value:>14.7g}" for value in values))
-    return "\n".join([*lines, "", *(f"  {told}" for told in found.told.values())])
+    return "\n".join([*lines, "", *(f"  {told}" for told in found.table()["told"].values())])

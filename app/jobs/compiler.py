@@ -26,6 +26,12 @@ import numba
 
 from solvers.jit import all_compiled
 
+from ..choices.beam import on_beam
+from ..choices.choices import SCENES, START, Choices
+from ..choices.scene_of import choices_of, kind_of
+from ..messages.solve import solve_frame
+from ..views.registry import VIEWS, View
+
 HANG_SECONDS = 60.0  # without a word while somebody waits: the longest single compilation takes some 15 s
 log = logging.getLogger("strikewave")
 
@@ -116,25 +122,7 @@ COMPILER = Compiler()
 
 def works() -> dict[str, Callable]:
     """What the page asks for, by name."""
-    from ..advice import plan_data, regimes_data
-    from ..analysis import energy_shares
-    from ..auto_view import auto_data
-    from ..frames import solve_frame
-    from ..map_point import choices_at
-    from ..mass_ratios import ratios_for
-    from ..methods_table import methods_table
-    from ..stability_view import stability_kernels
-    from ..tradeoff_view import stored_data, tradeoff_kernels
-    from ..trust_view import convergence_data, trust_data
-
-    found = (solve_frame, ratios_for, energy_shares, methods_table, trust_data, convergence_data, plan_data)
-    found += (regimes_data, auto_data, stored_data, choices_at, tradeoff_kernels, stability_kernels)
-    return {work.__name__: work for work in found}
-
-
-LAST = "stability_kernels"  # which few ask for
-APART = (LAST, "methods_table")  # which share few kernels with the others
-ON_BEAMS = ("solve_frame", "trust_data", "convergence_data", "energy_shares")  # works that know a beam
+    return {work.__name__: work for work in (solve_frame, *(work for view in VIEWS for work in view.compiled))}
 
 
 Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is asked with
@@ -142,20 +130,27 @@ Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is
 
 def usual() -> Iterator[Piece]:
     """What visitors usually ask for, what most of them ask for first."""
-    from ..questions import QUESTIONS_OF
-    from ..state import SCENES, Choices, on_beam
-
-    for name in works():
-        if name not in ("trust_data", "convergence_data", LAST):
-            yield name, Choices().chosen() | QUESTIONS_OF.get(name, {})
+    begun, late = [view for view in VIEWS if not view.late], [view for view in VIEWS if view.late]
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
-    for name in ON_BEAMS:
-        yield name, Choices(**Choices.of_scene(beam) | {"scene": beam}).chosen()
+    for scene in (START, beam):
+        yield from _pieces(scene, begun)
     laws = [law for law in Choices.param.law.objects if law != Choices().law]
-    for name in ("solve_frame", "methods_table"):
+    asked = [solve_frame, *(work for view in VIEWS if view.every_law for work in view.compiled)]
+    for work in asked:
         for law in laws:
-            yield name, Choices(law=law, modes=5).chosen()
-    yield LAST, Choices().chosen() | QUESTIONS_OF[LAST]
+            yield work.__name__, Choices(law=law, modes=5).chosen()
+    for view in late:
+        for work in view.compiled:
+            yield work.__name__, Choices().chosen() | view.examples
+
+
+def _pieces(scene: str, views: list[View]) -> Iterator[Piece]:
+    """A scene as it says itself, and all that these views make of it."""
+    chosen = Choices(**choices_of(scene) | {"scene": scene}).chosen()
+    yield solve_frame.__name__, chosen
+    for view in views:
+        if kind_of(SCENES[scene]) in view.compiled_kinds:
+            yield from ((work.__name__, chosen | view.examples) for work in view.compiled)
 
 
 def compile_usual(between: Callable[[], None] = lambda: None) -> None:
@@ -170,10 +165,11 @@ def compile_usual(between: Callable[[], None] = lambda: None) -> None:
 
 def compile_at_once(processes: int) -> None:
     """The same by several processes; a law's kernels are one task, so that two of them compile little twice."""
+    apart = {work.__name__ for view in VIEWS if view.late or view.every_law for work in view.compiled}
     tasks: dict[str, list[Piece]] = {}
     for name, choices in usual():
         simple = choices.get("law", "rigid") == "rigid"
-        tasks.setdefault((name if name in APART else "") if simple else choices["law"], []).append((name, choices))
+        tasks.setdefault((name if name in apart else "") if simple else choices["law"], []).append((name, choices))
     with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
         list(pool.map(_compile, tasks.values()))
     with suppress(OSError):

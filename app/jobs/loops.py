@@ -1,10 +1,10 @@
 """What a server has one of belongs to its event loop, so that several servers in one process do not share it."""
 
 import asyncio
-from typing import TypeVar
+from typing import Any, TypeVar
 
 Kind = TypeVar("Kind")
-_OWNED: dict[asyncio.AbstractEventLoop, dict[type, object]] = {}
+_OWNED: dict[asyncio.AbstractEventLoop, dict[type, Any]] = {}
 
 
 def of_loop(kind: type[Kind]) -> Kind:

@@ -17,7 +17,7 @@ from .workers import MAX_SECONDS, QUICK, level_after
 COMPILING = "Compiling what this needs, once on this machine: some seconds, up to half a minute …"
 LONG_AFTER = 1.0  # s after which the visitor is told that it takes long
 LONGER = "This takes longer than most. It is given up after {:g} s of computing; a newer choice ends it at once."
-PATIENCE = 1.0  # s after which a newer wish ends what is under way; sooner, and a drag would never be answered
+MIN_RUN_SECONDS = 1.0  # s after which a newer wish ends what is under way; sooner, and a drag would never be answered
 END_WITHIN = 3.0  # s in which work that is to end with what it has must do so
 CHECK = 0.1  # s between two looks whether what is under way is still wanted
 log = logging.getLogger("strikewave")
@@ -136,7 +136,7 @@ class Runner:
         start = self._start or of_loop(Answers).start
         how = {"visitor": self._visitor, "level": self._level, "seconds": self._seconds, "compiled": compiled}
         asked, ending, told = time.monotonic(), None, False
-        job = start(self._work, choices, **how, stoppable=self._stoppable)
+        job: Any = start(self._work, choices, **how, stoppable=self._stoppable)
         try:
             while not job.answer.done():
                 await asyncio.wait((job.answer,), timeout=CHECK)
@@ -163,5 +163,5 @@ class Runner:
 
     def _unwanted(self, job: Any, seconds: float) -> bool:
         """Whether it has been stopped, or a newer wish waits behind something that has not begun, or takes long."""
-        newer = self._wanted is not None and (job.begun is None or seconds > PATIENCE)
+        newer = self._wanted is not None and (job.begun is None or seconds > MIN_RUN_SECONDS)
         return self._stopped or newer

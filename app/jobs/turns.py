@@ -45,7 +45,8 @@ class _Timed(Generic[Result]):
         self._doing, self.seconds = doing, 0.0
 
     def __await__(self) -> Generator[Any, Any, Result]:
-        step, value = self._doing.send, None
+        step: Any = self._doing.send
+        value: Any = None
         while True:
             begun = time.perf_counter()
             try:

@@ -73,9 +73,9 @@ class Job:
     def __init__(self, task: Task, visitor: Hashable, level: int, tell: Callable[[Any], None] | None):
         self.task, self.visitor, self.level, self.tell = task, visitor, level, tell
         self.answer: asyncio.Future = asyncio.get_running_loop().create_future()
-        self.begun: float | None = None  # while a process works on it, when that began
+        self.begun: float | Any = None  # while a process works on it, when that began
         self.computed = 0.0  # [s] of computing, as it was last looked at
-        self.worker: _Worker | None = None
+        self.worker: _Worker | Any = None
 
     def end(self) -> None:
         """Have work that is stoppable end soon, with what it has; the answer comes as usual."""
@@ -303,7 +303,7 @@ class _Worker:
     def __init__(self, level: int):
         ours, theirs = forks().Pipe()
         self.connection, self.level = ours, level
-        self.job: Job | None = None
+        self.job: Job | Any = None
         self._timer: asyncio.TimerHandle | None = None
         self._since = 0.0
         self._process = forks().Process(target=serve, args=(theirs,), daemon=True)

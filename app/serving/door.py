@@ -13,10 +13,10 @@ from bokeh.util.token import (
     get_token_payload,
 )
 
-from ..address import ASKED
+from ..choices.choices import Choices
 from ..jobs.fair import Shares
 from ..jobs.turns import Rate
-from ..state import LONGEST_TEXT, Choices
+from ..page.address import ASKED, LONGEST_TEXT
 from .limits import IDLE_SECONDS, MAX_REOPEN_PAUSE, MAX_SESSIONS, REOPEN_PAUSE, SESSIONS_BURST, SESSIONS_RATE
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given

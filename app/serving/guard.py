@@ -6,28 +6,16 @@ tests/app/serving/test_guard.py fails if they change.
 
 from typing import Any, NamedTuple
 
-from ..questions import Questions
-from ..state import Choices
+from ..choices.choices import Choices
+from ..page.questions import Questions
 from .limits import MAX_EVENTS
 
 MAX_PULLS = 3  # of the document by one socket; a page pulls it once
 LONGEST_VALUE = 100  # letters of a text
 SETTABLE = frozenset((*Choices.CHOSEN, *Questions.ASKED))
-# What Bokeh and Panel report by themselves of the browser and of figures; dropped without a word.
+# What Panel reports by itself of the browser; dropped without a word.
 REPORTED = frozenset(
-    (
-        *(
-            "inner_width",
-            "inner_height",
-            "outer_width",
-            "outer_height",
-            "start",
-            "end",
-            "dark_mode",
-            "device_pixel_ratio",
-        ),
-        *("language", "timezone", "timezone_offset", "webdriver", "webgl"),
-    )
+    ("dark_mode", "device_pixel_ratio", "language", "timezone", "timezone_offset", "webdriver", "webgl")
 )
 
 

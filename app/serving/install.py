@@ -13,7 +13,7 @@ def install() -> None:
     if per_app_patterns[0][1] is Socket:
         return
     per_app_patterns[:] = [(r"/ws", Socket), (r"/?", Page)]
-    RequestHandler.set_default_headers = set_headers
+    RequestHandler.set_default_headers = set_headers  # pyright: ignore[reportAttributeAccessIssue]
     ComponentResourceHandler.parse_url_path = _nothing_here  # it imports the module that an address names
     StaticFileHandler.get = _without_null(StaticFileHandler.get)
 

@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import cache
 from hashlib import sha256
 from html import escape
 from pathlib import Path
@@ -13,9 +14,13 @@ from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
-from ..lab import STATIC, VERSION
+from ..page.lab import STATIC, VERSION
+from ..text.catalogues import LANGUAGE, LANGUAGES, script
+from ..views.figures import drawn
+from ..views.registry import FIGURES
 from .door import FULL
 from .limits import MAX_PAGES_WAITING
+from .still import bare_frame, first_still
 
 LIBRARIES = (  # of the page, in this order: address, and the file there
     ("static/js/bokeh.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh.min.js"),
@@ -24,6 +29,9 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("static/extensions/panel/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
 FILES = {path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file()}
+TEXTS = {language: script(language).encode() for language in LANGUAGES}  # made, not found in a file
+FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
+OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 POLICY = (
     "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
@@ -33,20 +41,27 @@ PAGES = "pages"  # who all that fetch the page are, when time is shared
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
 
 
-def _shell() -> str:
-    """The page, but for its session."""
-    modules = [name for name in sorted(FILES) if name.endswith(".js") and "/" not in name]
-    preloads = [f'<link rel="modulepreload" href="assets/{VERSION}/{name}">' for name in modules]
+@cache
+def shell(first: bool = True) -> str:
+    """The page, but for its session; with a still of the scene if it is the first one, which the first call solves."""
+    links = [
+        (kind, name)
+        for kind, ending in (('preload" as="style', ".css"), ("modulepreload", ".js"))
+        for name in sorted(FILES - OF_THE_DOCUMENT)
+        if name.endswith(ending)
+    ]
+    preloads = [f'<link rel="{kind}" href="assets/{VERSION}/{name}">' for kind, name in links]
     versions = [sha256(file.read_bytes()).hexdigest()[:16] for _, file in LIBRARIES]
     scripts = [
         f'<script src="{address}?v={version}" defer></script>'
         for (address, _), version in zip(LIBRARIES, versions, strict=True)
     ]
-    text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8").replace("VERSION", VERSION)
-    return text.replace("MODULES", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
-
-
-SHELL = _shell()
+    text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8")
+    text = text.replace("VERSION", VERSION).replace("LANGUAGE", LANGUAGE)
+    text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
+    return text.replace("STYLE", (STATIC / "shell/page.css").read_text("utf-8")).replace(
+        "STILL", first_still() if first else bare_frame()
+    )
 
 
 class Page(RequestHandler):
@@ -68,7 +83,8 @@ class Page(RequestHandler):
             self.write(f'<!DOCTYPE html><title>Strikewave</title><meta http-equiv="refresh" content="20"><p>{FULL}</p>')
             return
         token = self._door.issue(self.request.query_arguments)
-        self.write(SHELL.replace("SESSION", escape(json.dumps({"token": token}), quote=False)))
+        first = not self.request.query_arguments
+        self.write(shell(first).replace("SESSION", escape(json.dumps({"token": token}), quote=False)))
 
 
 class Asset(StaticFileHandler):
@@ -80,7 +96,33 @@ class Asset(StaticFileHandler):
         return super().validate_absolute_path(root, absolute_path)
 
     def set_extra_headers(self, path: str) -> None:
-        self.set_header("Cache-Control", "public, max-age=31536000, immutable")  # the version is in the address
+        self.set_header("Cache-Control", FOR_EVER)
+
+
+class Texts(RequestHandler):
+    """The catalogue of a language, which is in no file."""
+
+    def get(self, language: str) -> None:
+        self.set_header("Content-Type", "text/javascript; charset=utf-8")
+        self.set_header("Cache-Control", FOR_EVER)
+        self.write(TEXTS[language])
+
+
+class Figure(RequestHandler):
+    """What the figure of a view looks like; a browser keeps it, and asks whether it is still the same."""
+
+    def get(self, name: str) -> None:
+        if name not in FIGURES:
+            raise HTTPError(404)
+        self.set_header("Cache-Control", "no-cache")
+        self.set_header("Content-Type", "application/json")
+        self.write(figure_text(name))
+
+
+@cache
+def figure_text(name: str) -> str:
+    """The figure of a view as JSON, drawn once: it takes a tenth of a second, and is the same for all."""
+    return drawn(FIGURES[name])
 
 
 class Alive(RequestHandler):

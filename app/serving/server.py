@@ -69,17 +69,18 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     """
     import panel as pn
 
-    from ..lab import create
+    from ..page.lab import create
     from . import install
     from .door import Door
     from .limits import MAX_BODY, MAX_MESSAGE
-    from .pages import STATIC, VERSION, Alive, Asset
+    from .pages import STATIC, TEXTS, VERSION, Alive, Asset, Figure, Texts, shell
     from .uploads import MeasuredRecord
 
     _quiet()
     install.install()
-    load_views()
+    draw_figures()
     _first_answer()
+    shell()
     secret = secrets.token_bytes(32)
     server = pn.io.server.get_server(
         {"/": create},
@@ -92,6 +93,8 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
         extra_patterns=[
             (r"/liveness", Alive),
             (r"/record", MeasuredRecord),
+            (r"/figures/([a-z-]+)", Figure),
+            (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
             (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
         ],
         websocket_max_message_size=MAX_MESSAGE,
@@ -119,10 +122,10 @@ def _quiet() -> None:
 
 def _first_answer() -> None:
     """Have all that the first page needs compiled, and its answer ready."""
-    from ..frames import solve_frame
+    from ..choices.choices import Choices
     from ..jobs.answers import KEPT
     from ..jobs.runner import at_once
-    from ..state import Choices
+    from ..messages.solve import solve_frame
 
     first = Choices().chosen()
     try:
@@ -135,16 +138,10 @@ def _first_answer() -> None:
     KEPT.keep(solve_frame, first, solve_frame(first))  # its time is that of a solve: kernels are loaded
 
 
-def load_views() -> None:
-    """Import what figures are drawn with, and draw one: two imports at once, in threads or on demand, can collide."""
-    import numpy as np
-    from holoviews.streams import Pipe
+def draw_figures() -> None:
+    """Before anybody waits for one."""
+    from ..views.registry import FIGURES
+    from .pages import figure_text
 
-    from ..analysis import energy_view
-    from ..mass_ratios import ratios_view
-
-    for view, data in (
-        (energy_view, {"time": np.array([0.0, 1.0]), "impactor": np.array([100.0, 0.0])}),
-        (ratios_view, {"support": None}),
-    ):
-        view(Pipe(data=data)).get_root()
+    for name in FIGURES:
+        figure_text(name)

@@ -12,11 +12,11 @@ from bokeh.util.token import get_session_id
 from panel.io.server import WSHandler
 from tornado.websocket import WebSocketClosedError
 
+from ..choices.choices import Choices
 from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..jobs.workers import Workers
-from ..lab import Lab, lab_of
-from ..state import Choices
+from ..page.lab import lab_of
 from . import guard
 from .door import FULL
 from .limits import (
@@ -40,7 +40,6 @@ CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
 TOO_MANY = "Too much came from this page at once: it was disconnected. Reload it to go on."
 CHOSEN = frozenset(Choices.CHOSEN)
-SETTABLE = guard.SETTABLE | frozenset(Lab.OPENED)
 log = logging.getLogger("strikewave")
 
 
@@ -72,7 +71,7 @@ class Socket(WSHandler):
         if reason is not None:
             self.close(LIMIT, reason)
             return
-        self.session_id = get_session_id(self._token)
+        self.session_id = get_session_id(self._token)  # pyright: ignore[reportArgumentType]
         self._door.enter(self)
         super().open(*arguments, **options)
 
@@ -91,7 +90,7 @@ class Socket(WSHandler):
         if self._out or self.ws_connection is None:
             return
         await turnstile.paid(self.session_id, super()._async_open(token))
-        if (lab := lab_of(self.connection.session.document)) is not None:
+        if not self._gone and (lab := lab_of(self.connection.session.document)) is not None:  # who left meanwhile
             lab.come_back()
 
     async def on_message(self, fragment: str | bytes) -> None:
@@ -114,7 +113,7 @@ class Socket(WSHandler):
         if message is None:
             return
         self.active = time.monotonic()
-        verdict = guard.judge(message.msgtype, message.content, self._own, SETTABLE)
+        verdict = guard.judge(message.msgtype, message.content, self._own, guard.SETTABLE)
         self._pulls += message.msgtype == "PULL-DOC-REQ"
         if verdict.reason is not None or self._pulls > guard.MAX_PULLS:
             await self._refuse(message, verdict.reason or "not allowed")
@@ -246,7 +245,7 @@ class Socket(WSHandler):
             if not self._gone:
                 session = self.connection.session
                 if (lab := lab_of(session.document)) is not None:
-                    telling = session.with_document_locked(setattr, lab, "disconnected", sentence)
+                    telling: Any = session.with_document_locked(setattr, lab, "disconnected", sentence)
                     await asyncio.wait_for(telling, 1.0)  # who does not read is not waited for
         except (TimeoutError, WebSocketClosedError):
             pass
@@ -266,7 +265,7 @@ class Socket(WSHandler):
         self._mail.clear()
         if self._gone:
             return
-        if (lab := lab_of(self.connection.session.document)) is not None:
+        if not self._gone and (lab := lab_of(self.connection.session.document)) is not None:  # who left meanwhile
             lab.leave()
         super().on_close()
 

@@ -13,12 +13,13 @@ from tornado.web import RequestHandler, stream_request_body
 
 from solvers import SceneError
 from solvers.jit import NotCompiled
-from solvers.record_files import check_size
+from solvers.records.files import check_size
 
 from ..jobs.compiler import COMPILER
 from ..jobs.loops import of_loop
 from ..jobs.workers import Workers
-from ..views.record import chosen_in, record_answer
+from ..page.address import chosen_in
+from ..views.record import record_answer
 
 MAX_RECEIVED = 32  # records on their way, 2 MB each at most
 MAX_COMPARED = 4  # records being compared, or waiting for it
@@ -102,9 +103,9 @@ class MeasuredRecord(RequestHandler):
 
 async def _answered(content: bytes, arguments: dict[str, list[bytes]], visitor: str) -> str:
     """`record_answer` by a worker; what it needs that is not compiled yet is compiled in another process first."""
-    start = of_loop(Workers).start
+    start, chosen = of_loop(Workers).start, chosen_in(arguments)
     try:
-        return await start(record_answer, content, arguments, visitor=visitor).answer
+        return await start(record_answer, content, chosen, arguments, visitor=visitor).answer
     except NotCompiled:
-        await COMPILER.ready("solve_frame", chosen_in(arguments))
-    return await start(record_answer, content, arguments, visitor=visitor, compiled=False).answer
+        await COMPILER.ready("solve_frame", chosen)
+    return await start(record_answer, content, chosen, arguments, visitor=visitor, compiled=False).answer

@@ -1,48 +1,126 @@
 // The page: wires choices, clock and views together. One message from the server per change; none while playing.
-import { Analyses } from './analyses.js';
-import { BeamView } from './beams.js';
-import { BodiesStage } from './bodies.js';
-import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
-import { Controls } from './controls.js';
-import { at, CompactField, decode, ModalField, SampledField, WaveField } from './physics.js';
-import { Player } from './player.js';
-import { Connection } from './shell/connection.js';
-import { Stage } from './stage.js';
-import { Story } from './story.js';
-import { Waiting } from './waiting.js';
+import { AxialView } from './axial/view.js';
+import { BeamView } from './beam/view.js';
+import { watchScrolling } from './charts/gestures.js';
+import { Analyses } from './panels/panels.js';
+import { writeAddress } from './shell/address.js';
+import { cameBack, Connection } from './shell/connection.js';
+import { Controls } from './shell/controls.js';
+import { download, make } from './shell/dom.js';
+import { First } from './shell/first.js';
+import { Layout } from './shell/layout.js';
+import { decode } from './shell/message.js';
+import { Player } from './shell/player.js';
+import { Striker } from './shell/striker.js';
+import { Symbols } from './shell/symbols.js';
+import { goOn, stateOf } from './shell/state.js';
+import { Waiting } from './shell/waiting.js';
+import { SpaceView } from './space/view.js';
 
+/** @import { Chosen, Frame } from './shell/message.js' */
+/** @import { Chart } from './charts/chart.js' */
+/** @import { Model } from './shell/model.js' */
+/** @import { Stack } from './shell/stack.js' */
+/** @import { Event, Events } from './shell/story.js' */
+
+// Styles of the component, which lives in a shadow root; a later sheet wins over an earlier one.
+const SHEETS = [
+  ...['lab', 'layout', 'controls', 'player', 'story', 'first'].map((name) => `shell/${name}.css`),
+  'charts/charts.css',
+  'space/stage.css',
+  'beam/beam.css',
+  ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
+];
 const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same
+const READ = 150; // ms for which words stand before they change again
+const LONG_CAPTION = 130; // letters, beyond which it is written smaller
+const TOAST = 8000; // ms for which a complaint is shown
+const TAKE_LETTERS = ['INPUT', 'SELECT', 'TEXTAREA']; // what keys mean something else in
+const TAKE_SPACE = [...TAKE_LETTERS, 'BUTTON', 'SUMMARY'];
 
-const make = (tag, properties = {}, ...children) => {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children);
-  return element;
-};
+/** @param {Element | undefined} element */
+const isRange = (element) => element?.getAttribute('type') === 'range';
 
-class Page {
+/**
+ * What shows an impact of one kind.
+ * @typedef {object} View
+ * @property {{ root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
+ * @property {Told} story
+ * @property {number} after  an event, by which what it has changed is seen
+ * @property {HTMLElement[]} buttons  beside the caption
+ * @property {import('./charts/axis.js').Axis} [axis]  of time
+ * @property {{ root: HTMLElement }} [colours]  the choice of what they show
+ * @property {Stack} [stack]  charts over time
+ * @property {Chart} [strip]  the one of them that a phone always shows
+ * @property {(hidden: boolean) => void} hide
+ * @property {(frame: any) => void} load
+ * @property {() => void} draw
+ * @property {(t: number) => void} show
+ * @property {(start?: number, end?: number) => void} zoom
+ * @property {() => string[]} [rows]  histories as comma-separated values, if there are any
+ */
+
+/**
+ * What is said of it.
+ * @typedef {object} Told
+ * @property {HTMLElement} root  in words
+ * @property {HTMLElement} numbers
+ * @property {Events} events
+ * @property {(frame: any) => void} load
+ * @property {(t: number) => void} at
+ */
+
+export class Page {
+  /** @type {Frame} */ frame; // that is shown
+  /** @type {Record<string, any>} */ waiting = {}; // changes that are to be sent
+  asked = 0; // when the last was, or 0 if it is answered
+  /** @type {number | undefined} */ patience;
+  /** @type {number} */ telling = 0;
+  toldAt = 0;
+  /** @type {number | undefined} */ hush;
+  resumed = false;
+  ready = false;
+  painted = 0; // frames so far
+
+  /**
+   * @param {Model} model
+   * @param {HTMLElement} el
+   */
   constructor(model, el) {
     this.model = model;
     this.waiter = new Waiting(model);
     this.names = Object.keys(model.spec);
-    this.waiting = {};
-    this.what = 'stress';
-    this.controls = new Controls(model.spec, (name, value) => this.send(name, value), (sentence) => this.complain(sentence));
-    this.stage = new Stage();
-    this.space = new BodiesStage();
-    this.space.root.hidden = true;
-    this.player = new Player((t) => this.show(t));
-    this.spaceTime = new SpaceTime();
-    this.force = new Force();
-    this.displacements = new Displacements();
-    this.charts = [this.spaceTime, this.force, this.displacements];
-    this.cycle = new Cycle();
-    this.story = new Story((t) => this.player.go(t + 2e-4), (start, end) => this.zoom(start, end));
+    this.controls = new Controls(
+      model.spec,
+      (name, value) => this.send(name, value),
+      (sentence) => this.complain(sentence),
+    );
+    this.caption = make('p', { className: 'caption' });
+    this.player = new Player((t) => this.show(t), {
+      events: () => this.events(),
+      range: () => this.range(),
+      hold: (holding) => this.caption.classList.toggle('speaking', holding),
+    });
+    this.axial = new AxialView(this);
     this.beam = new BeamView(this);
+    this.space = new SpaceView();
+    /** @type {Record<Frame['kind'], View>} */
+    this.views = { axial: this.axial, beam: this.beam, bodies: this.space };
     this.analyses = new Analyses(this);
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
-    this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole blow', hidden: true, onclick: () => this.zoom() });
-    el.append(...['lab.css', 'panels.css'].map((name) => make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href })), this.layout(), this.waiter.root);
-    this.connection = new Connection(model, this.root);
+    const sheet = (/** @type {string} */ name) =>
+      make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href });
+    this.layout = this.arrange();
+    this.root = this.layout.root;
+    this.analyses.settle(this.layout);
+    this.first = new First(this);
+    this.symbols = new Symbols(this.root);
+    for (const { stage } of Object.values(this.views))
+      stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
+    this.root.append(this.toast);
+    el.append(...SHEETS.map(sheet), this.root, this.waiter.root);
+    const back = () => this.flush();
+    this.connection = new Connection(model, this.root, { state: () => stateOf(this), late: () => this.late, back });
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
@@ -50,74 +128,107 @@ class Page {
     if (model.refused) this.complain(model.refused);
     this.ready = true;
   }
-  layout() {
-    const colour = make('div', { className: 'segments', role: 'group' });
-    colour.setAttribute('aria-label', 'Colour shows');
-    for (const what of ['stress', 'velocity']) {
-      const button = make('button', { type: 'button', textContent: what, onclick: () => { this.what = what; this.dress(); this.player.go(this.player.t); } });
-      button.setAttribute('aria-pressed', String(what === this.what));
-      colour.append(button);
-    }
-    this.colour = colour;
-    const bar = make('header', { className: 'top' },
-      make('h1', {}, 'Strikewave'), make('p', { textContent: 'One body strikes another that can bend and ring. Waves decide how it leaves.' }),
-      make('div', { className: 'keep' },
-        make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() }),
-        make('button', { type: 'button', textContent: 'Save data', title: 'histories as comma-separated values', onclick: () => this.saveData() })),
-      make('nav', { ariaLabel: 'Look closer' },
-        this.energy = make('button', { type: 'button', textContent: 'Energy over time', onclick: () => this.toggleEnergy() }), ...this.analyses.buttons));
-    const view = make('main', { className: 'views' },
-      this.head = make('div', { className: 'stage-head' }, make('span', { className: 'caption', textContent: 'Colour shows' }), colour, this.whole),
-      this.stage.root, this.space.root, ...this.beam.above, this.player.root, ...this.charts.map((c) => c.chart.root), this.cycle.chart.root, this.beam.below);
-    this.root = make('div', { className: 'page' }, bar, this.choices(), view, this.aside = this.story.root, ...this.analyses.panels, this.toast);
-    return this.root;
+  /** Everything in its place. */
+  arrange() {
+    const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() });
+    const save = make('button', { type: 'button', textContent: 'Save data', onclick: () => this.saveData() });
+    save.title = 'histories as comma-separated values';
+    const scene = this.controls.fields.scene.root;
+    const bar = make('header', { className: 'topbar' }, make('h1', {}, 'Strikewave'), scene);
+    bar.append(make('div', { className: 'keep' }, copy, save));
+    const choices = make('div', { className: 'choices' }, this.controls.root);
+    const all = Object.values(this.views);
+    const caption = make('div', { className: 'caption-row' }, this.caption, ...all.flatMap(({ buttons }) => buttons));
+    const pinned = [caption, ...all.map(({ stage }) => stage.root), this.player.root];
+    const charts = all.flatMap(({ stack }) => (stack ? [stack.root] : []));
+    return new Layout({ bar, choices, pinned, charts }, () => this.place());
   }
-  // The form; a phone shows the first of it until the others are asked for.
-  choices() {
-    const more = make('button', { type: 'button', textContent: 'All choices' }), root = make('section', { className: 'choices' }, this.controls.root, more);
-    more.onclick = () => {
-      const open = root.classList.toggle('open');
-      more.setAttribute('aria-expanded', String(open));
-      more.textContent = open ? 'Fewer choices' : 'All choices';
-    };
-    more.setAttribute('aria-expanded', 'false');
-    return root;
+  /** After the layout has changed. */
+  place() {
+    if (!this.frame) return;
+    for (const { stack } of Object.values(this.views)) stack?.gather();
+    const { strip } = this.view;
+    const lent = this.layout.mode === 'phone' && strip ? [strip] : [];
+    this.layout.strip.replaceChildren(...lent.map((chart) => chart.root));
+    for (const { stack } of Object.values(this.views)) stack?.arrange();
+    requestAnimationFrame(() => this.redraw());
   }
+  /** Draw what is seen, at the size that it has now. */
+  redraw() {
+    if (!this.frame) return;
+    this.drawCharts();
+    this.player.go(this.player.t);
+  }
+  /** @param {Model} model */
   listen(model) {
     model.on('frame', () => this.take());
-    model.on('refused', () => { if (model.refused) { this.settle(); this.waiter.clear(); for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true); this.complain(model.refused); } });
-    for (const name of this.names) model.on(name, () => { if (!(name in this.waiting)) this.controls.show(name, model[name]); });
-    const { panels, asked } = model.shared;
-    for (const name of [...Object.values(panels), ...Object.values(asked).map(([each]) => each), 'auto_within']) model.on(name, () => { if (this.frame) this.address(this.frame.chosen); });
-    for (const { chart } of [...this.charts, ...this.beam.charts]) {
-      const drag = (event) => { if (event.buttons & 1) this.player.go(chart.time(event.clientX)); };
-      chart.area.onpointerdown = (event) => { chart.area.setPointerCapture(event.pointerId); drag(event); };
-      chart.area.onpointermove = drag;
-      chart.area.ondblclick = () => this.zoom();
-    }
-    document.addEventListener('keydown', this.key = (event) => {
-      const from = event.composedPath()[0];
-      if (event.key !== ' ' || ['INPUT', 'SELECT', 'BUTTON', 'TEXTAREA'].includes(from?.tagName)) return;
-      event.preventDefault();
-      this.player.toggle();
+    model.on('refused', () => {
+      if (!model.refused) return;
+      this.settle();
+      this.waiter.clear();
+      for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
+      this.complain(model.refused);
     });
-    this.observer = new ResizeObserver(() => { if (this.frame) { this.drawCharts(); this.player.go(this.player.t); } });
-    this.observer.observe(this.stage.root);
-    this.observer.observe(this.space.root);
-    this.observer.observe(this.beam.stage.root);
-    model.on('remove', () => { this.player.playing = false; this.observer.disconnect(); document.removeEventListener('keydown', this.key); });
+    for (const name of this.names)
+      model.on(name, () => {
+        if (!(name in this.waiting)) this.controls.show(name, model[name]);
+      });
+    const { panels, asked } = model.shared;
+    for (const name of [...Object.values(panels), ...Object.values(asked).map(([each]) => each), 'auto_within'])
+      model.on(name, () => {
+        if (this.frame) this.address(this.frame.chosen);
+      });
+    watchScrolling(this.root);
+    const key = (/** @type {KeyboardEvent} */ event) => {
+      const from = /** @type {Element | undefined} */ (event.composedPath()[0]);
+      if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+      const tag = from?.tagName ?? '';
+      if (event.key === ' ' ? TAKE_SPACE.includes(tag) : TAKE_LETTERS.includes(tag) && !isRange(from)) return;
+      if (this.player.key(event)) event.preventDefault();
+    };
+    document.addEventListener('keydown', key);
+    const resized = new ResizeObserver(() => requestAnimationFrame(() => this.redraw()));
+    for (const { stage, stack } of Object.values(this.views))
+      for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
+    model.on('remove', () => {
+      this.player.playing = false;
+      this.layout.leave();
+      this.connection.leave();
+      resized.disconnect();
+      document.removeEventListener('keydown', key);
+    });
   }
-  // Changes go out one at a time: the next when the last is answered, and then only the newest of each.
+  /**
+   * Changes go out one at a time: the next when the last is answered, and then only the newest of each.
+   * @param {string} name
+   * @param {number | string} value
+   */
   send(name, value) {
     this.waiting[name] = value;
+    this.player.rest();
     this.flush();
   }
+  /**
+   * Choose something otherwise than by its control, which follows.
+   * @param {string} name
+   * @param {number | string} value
+   */
+  choose(name, value) {
+    this.controls.show(name, value);
+    this.send(name, value);
+  }
+  /** Milliseconds for which an answer has been awaited. */
+  get late() {
+    return this.asked ? performance.now() - this.asked : 0;
+  }
   flush() {
-    const names = Object.keys(this.waiting), left = this.asked ? PATIENCE - (performance.now() - this.asked) : 0;
-    if (!names.length) return;
-    if (left > 0) { // an answer that never comes must not hold the next change for good
+    const names = Object.keys(this.waiting);
+    const left = this.asked ? PATIENCE - (performance.now() - this.asked) : 0;
+    if (!names.length || this.connection?.lost) return; // kept until there is a server again
+    if (left > 0) {
+      // an answer that never comes must not hold the next change for good
       clearTimeout(this.patience);
-      this.patience = setTimeout(() => this.flush(), left + 1);
+      this.patience = window.setTimeout(() => this.flush(), left + 1);
       return;
     }
     const changes = this.waiting;
@@ -143,39 +254,37 @@ class Page {
     this.frame = decode(data);
     this.root.inert = false;
     this.analyses.take(this.frame);
-    const { chosen, duration, kind } = this.frame, axial = kind === 'axial';
-    this.stage.root.hidden = this.head.hidden = !axial;
-    this.space.root.hidden = kind !== 'bodies';
-    this.energy.hidden = kind === 'bodies';
-    this.beam.hide(kind !== 'beam');
-    if (this.aside !== this.told.root) this.aside.replaceWith(this.told.root);
-    this.aside = this.told.root;
-    for (const { chart } of this.charts) chart.root.hidden = !axial;
-    this.cycle.chart.root.hidden = !axial || !this.frame.cycleDepth;
-    this.spaceTime.chart.root.hidden = !axial || !this.frame.rods.length;
-    if (kind === 'bodies') this.space.load(this.frame);
-    else if (kind === 'beam') this.beam.load(this.frame);
-    else {
-      this.fields = [this.frame.rods.length ? new WaveField(this.frame) : new CompactField(this.frame), null];
-      this.view = [0, duration];
-      this.whole.hidden = true;
-      this.force.load(this.frame);
-      this.displacements.load(this.frame, this.fields);
-      this.dress();
-    }
+    if (this.root.dataset.kind !== this.frame.kind) this.turn();
+    this.view.load(this.frame);
+    this.analyses.draw();
     this.player.load(this.frame);
     if (!this.resumed) this.resume();
     this.settle();
-    this.tell(chosen);
-    window.strikewave = { page: this, frames: (window.strikewave?.frames ?? 0) + 1, drawn: performance.now() };
+    this.tell(this.frame.chosen);
+    const { strikewave } = /** @type {any} */ (window); // for tests and benches
+    Object.assign(window, { strikewave: { page: this, frames: (strikewave?.frames ?? 0) + 1 } });
+  }
+  /** Show a kind of impact in place of another. */
+  turn() {
+    this.root.dataset.kind = this.frame.kind;
+    for (const view of Object.values(this.views)) view.hide(view !== this.view);
+    this.layout.tabs.panel('story').replaceChildren(this.first.root, this.told.root);
+    this.layout.tabs.panel('numbers').replaceChildren(this.told.numbers);
+    this.place();
   }
   // What the address has opened is gone on with as if it had been opened by hand.
   resume() {
     this.resumed = true;
-    if (this.model.energy_shown) this.energyOpened();
+    document.getElementById('still')?.remove();
     this.analyses.resume();
+    const state = cameBack();
+    if (state) goOn(this, state);
+    else if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();
   }
-  // Words and address follow once the picture is painted, and not more often than they can be read.
+  /**
+   * Words and address follow once the picture is painted, and not more often than they can be read.
+   * @param {Chosen} chosen
+   */
   tell(chosen) {
     clearTimeout(this.telling);
     const write = () => {
@@ -183,127 +292,100 @@ class Page {
       this.telling = 0;
       this.controls.arrange(this.frame);
       this.told.load(this.frame);
-      this.told.at(this.player.t);
+      this.told.at(this.player.t + this.player.start);
+      this.first.load(this.frame);
+      for (const root of [this.told.root, this.told.numbers]) this.symbols.mark(root);
+      this.say();
+      this.player.mark();
       this.address(chosen);
     };
     if (!this.toldAt) write();
-    else this.telling = setTimeout(write, Math.max(40, this.toldAt + 150 - performance.now()));
+    else this.telling = window.setTimeout(write, Math.max(40, this.toldAt + READ - performance.now()));
   }
-  get told() { return this.frame.kind === 'beam' ? this.beam.story : this.story; }
-  get field() {
-    return drawnFromOther(this.frame) ? this.otherField : this.fields[0];
+  get view() {
+    return this.views[this.frame.kind];
   }
-  get otherField() {
-    const { frame } = this, Field = frame.modalForce ? ModalField : frame.fieldStress ? SampledField : null;
-    return this.fields[1] ??= Field ? new Field(frame) : new CompactField(frame, 'other');
-  }
-  // Colours of stage and x-t diagram.
-  dress() {
-    const largest = this.fields[0].largest(this.what);
-    if (this.frame.rods.length) this.spaceTime.load(this.field, this.what, largest);
-    this.stage.load(this.frame, this.field, this.what, largest);
-    for (const button of this.colour.children) button.setAttribute('aria-pressed', String(button.textContent === this.what));
-    this.drawCharts();
+  get told() {
+    return this.view.story;
   }
   drawCharts() {
-    if (this.frame.kind === 'bodies') return;
-    if (this.frame.kind === 'beam') { this.beam.draw(); this.analyses.draw(); return; }
-    for (const chart of this.charts) if (!chart.chart.root.hidden) chart.draw(this.frame, this.view);
-    this.cycle.draw(this.frame);
+    this.view.draw();
     this.analyses.draw();
   }
+  /** @param {number} t */
   show(t) {
     if (!this.frame) return;
-    if (this.frame.kind === 'bodies') { this.space.draw(t); this.painted = (this.painted ?? 0) + 1; return; }
-    if (this.frame.kind === 'beam') this.beam.show(t);
-    else this.showAxial(t);
-    if (!this.telling) this.told.at(t);
-    if (this.model.energy_shown) this.energyCursor(t);
+    this.view.show(t);
+    if (!this.telling) {
+      this.told.at(t);
+      this.say();
+    }
     this.analyses.show(t);
-    this.painted = (this.painted ?? 0) + 1;
+    this.painted++;
   }
-  showAxial(t) {
-    const { frame } = this;
-    this.stage.draw(t);
-    if (this.spaceTime.chart.box && !this.spaceTime.chart.root.hidden) this.spaceTime.chart.cursor(t);
-    if (frame.cycleDepth) this.cycle.mark((at(frame.exactMass, t, frame.duration) - at(frame.exactEnd, t, frame.duration)) * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit);
-    this.force.cursor(t);
-    this.displacements.cursor(t);
+  /** Under the bar: what happens at this instant. */
+  say() {
+    const { caption } = this.told.events;
+    if (this.caption.textContent === caption) return;
+    this.caption.textContent = caption;
+    this.caption.classList.toggle('long', caption.length > LONG_CAPTION);
   }
-  toggleEnergy() {
-    this.model.energy_shown = !this.model.energy_shown;
-    this.energyOpened();
+  /** @returns {Event[]} at the instants at which what they have changed is seen */
+  events() {
+    if (!this.frame) return [];
+    const { after } = this.view;
+    return this.told.events.events.map(([t, sentence]) => [t + after, sentence]);
   }
-  energyOpened() {
-    this.energy.setAttribute('aria-pressed', String(this.model.energy_shown));
-    this.span = undefined;
-    const there = () => { this.energyCursor(this.player.t); return this.span; };
-    const scroll = () => window.scrollTo({ top: document.documentElement.scrollHeight, behavior: 'smooth' });
-    if (this.model.energy_shown) this.waiter.expect('energy', 'Adding up the energy of every part …', there, () => this.model.energy_shown, scroll);
+  /** @returns {[start: number, end: number]} the stretch of time in view */
+  range() {
+    const { player } = this;
+    const axis = this.frame && this.view.axis;
+    return axis ? axis.view : [player.start, player.start + player.duration];
   }
-  // The cursor of the figure below the page, moved without telling the server.
-  energyCursor(t) {
-    this.span ??= window.Bokeh.documents.map((d) => d.get_model_by_name('energy-cursor')).find(Boolean);
-    this.span?.setv({ location: t }, { sync: false });
-  }
+  /**
+   * A stretch of time fills the views; without one all of it does.
+   * @param {number} [start]
+   * @param {number} [end]
+   */
   zoom(start, end) {
-    const { duration } = this.frame;
-    if (this.frame.kind === 'beam') {
-      this.beam.zoom(start, end);
-      this.player.go(start ?? this.player.t);
-      return;
-    }
-    if (start === undefined) this.view = [0, duration];
-    else {
-      const margin = Math.max(0.35 * (end - start), 1e-4 * duration);
-      this.view = [Math.max(0, start - margin), Math.min(duration, end + margin)];
-      this.player.go(start);
-    }
-    this.whole.hidden = start === undefined;
-    this.drawCharts();
-    this.show(this.player.t);
+    this.view.zoom(start, end);
   }
+  /** @param {string} sentence */
   complain(sentence) {
-    this.toast.textContent = sentence;
+    const [first, ...rest] = sentence.split('\n'); // one at a time
+    this.toast.textContent = first;
     this.toast.hidden = false;
     clearTimeout(this.hush);
-    this.hush = setTimeout(() => { this.toast.hidden = true; }, 8000);
+    this.hush = window.setTimeout(() => {
+      this.toast.hidden = true;
+      if (rest.length) this.complain(rest.join('\n'));
+    }, TOAST);
   }
-  // The address always says what is shown, and what is open and asked.
+  /** @param {Chosen} chosen */
   address(chosen) {
-    const query = new URLSearchParams();
-    for (const name of this.names) if (name === 'scene' ? chosen.scene !== this.model.spec.scene.default : chosen[name] !== this.model.spec[name].default || chosen.scene !== this.model.spec.scene.default) query.set(name, chosen[name]);
-    const { model } = this, { panels, asked } = model.shared, open = Object.keys(panels).filter((name) => model[panels[name]]);
-    if (open.length) query.set('panel', open.join(','));
-    for (const [key, [name, panel, within]] of Object.entries(asked)) if (open.includes(panel) && (!within || model.auto_within === within)) query.set(key, model[name]);
-    const text = query.toString().replaceAll('%2C', ',');
-    history.replaceState(null, '', text ? `?${text}` : location.pathname);
+    writeAddress(this.model, this.names, chosen);
   }
   async copyLink() {
-    try { await navigator.clipboard.writeText(location.href); this.complain('The link to what you see is copied.'); }
-    catch { this.complain(`The link to what you see: ${location.href}`); }
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.complain('The link to what you see is copied.');
+    } catch {
+      this.complain(`The link to what you see: ${location.href}`);
+    }
   }
   saveData() {
-    const { frame } = this, length = frame.speed * frame.trip, points = 2000;
-    if (frame.kind === 'beam') { this.download(this.beam.rows()); return; }
-    if (frame.kind === 'bodies') { this.complain('There is no history to save: this blow takes no time. impact solve SCENE --json gives its figures.'); return; }
-    const names = frame.other ? ['exact', 'other'] : ['exact'], called = names.map((key) => frame[key].name.replaceAll('-', '_'));
-    const rows = [['time_s', ...called.map((n) => `force_${n}_N`), ...called.flatMap((n) => [`impactor_${n}_m`, `struck_face_${n}_m`])].join(',')];
-    for (let k = 0; k <= points; k++) {
-      const t = k / points * frame.duration;
-      const forces = names.map((key) => (key === 'exact' ? this.force.at(t) : this.force.otherAt(t)) * frame.forceUnit);
-      const places = names.flatMap((key) => ['Mass', 'End'].map((what) => at(frame[key + what], t, frame.duration) * length));
-      rows.push([t * frame.trip, ...forces, ...places].map((v) => v.toPrecision(7)).join(','));
-    }
-    this.download(rows);
-  }
-  download(rows) {
-    const link = make('a', { href: URL.createObjectURL(new Blob([rows.join('\n') + '\n'], { type: 'text/csv' })), download: `strikewave-${this.frame.chosen.scene}.csv` });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    const { view, frame } = this;
+    const rows = view.rows?.();
+    if (rows)
+      download(new Blob([`${rows.join('\n')}\n`], { type: 'text/csv' }), `strikewave-${frame.chosen.scene}.csv`);
+    else
+      this.complain(
+        'There is no history to save: this impact takes no time. impact solve SCENE --json gives its figures.',
+      );
   }
 }
 
+/** @param {{ model: Model, el: HTMLElement }} options */
 export function render({ model, el }) {
   new Page(model, el);
 }

@@ -5,52 +5,45 @@ from typing import Any
 
 import numpy as np
 
-from solvers import SceneError, Solution, checks, read_method
-from solvers.inverse import from_one_gauge
-from solvers.record_files import read_record
-from solvers.records import Alignment, Record, align, expected
+from solvers import Rod, SceneError, Solution, read_method, validation
+from solvers.accuracy.reference import exact_solution
+from solvers.records.files import read_record
+from solvers.records.gauges import from_one_gauge
+from solvers.records.record import Alignment, Record, align, expected
+from solvers.text.notes import Note, Severity
 
-from ..frames import exact_solution
-from ..state import Choices, chosen_scene, from_address, in_space
+from ..choices.request import Request
+from .figures import COLOURS, blank, cursor, hover, legend, source
 
 MAX_POINTS = 2_000  # of each history in an answer
 MAX_FOLLOWED = 50.0  # time units of the scene that a record is followed beyond the impact
 BEFORE = 1.0  # [T] of a record that are shown ahead of the impact
 
 
-def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
-    """The choices in a query. Raises ValueError with a sentence for each that cannot be."""
-    choices, refused = from_address(arguments)
-    if refused:
-        raise ValueError(" ".join(refused))
-    return Choices(**choices).chosen()
-
-
-def record_answer(content: bytes, arguments: dict[str, list[bytes]]) -> str:
+def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, list[bytes]]) -> str:
     """What the page draws of a record, as JSON. Raises SceneError naming what is wrong with file or query.
 
     `time` [T] and `values` of the record as it lies best on the solution; `computed`: `time` [T] and `model`, what the
     exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
     scaled like it, or None; `kind`, `shift` [s], `scale`, `residual`, `notes`. Values in SI units.
     """
-    chosen = chosen_in(arguments)
-    scene = chosen_scene(chosen)
-    if in_space(scene):
-        raise SceneError("scene", chosen["scene"], "one on an axis: a blow in space has no history")
+    request = Request.of(chosen)
+    if request.kind == "bodies":
+        raise SceneError("scene", chosen["scene"], "one on an axis: an impact in space has no history")
     given = {key: arguments.get(key, [b""])[-1].decode("utf-8", "replace")[:40] for key in ("kind", "at", "sign")}
-    sign = int(checks.choice("sign", given["sign"] or "1", ("1", "-1")))
+    sign = int(validation.choice("sign", given["sign"] or "1", ("1", "-1")))
     record = read_record(content, kind=given["kind"] or None, sign=sign)
     place = _place(given["at"], record)
-    solution = _solution(scene, record, chosen["restitution"])
+    solution = _solution(request, record)
     found = align(record, solution, place)
     notes = list(solution.notes)
     if (other := other_sign(record, solution, place, found)) is not None:
-        notes.append(f"With the other sign the record lies better, with a residual of {100 * other:.3g} %.")
+        notes.append(Note("record.other-sign", Severity.WARNING, residual=other))
     recovered = None
     try:
         recovered = _recovered(record, solution, place, found)
     except SceneError as refusal:
-        notes.append(f"No contact force is recovered. {refusal}")
+        notes.append(Note("record.not-recovered", Severity.WARNING, reason=str(refusal)))
     return _packed(record, solution, place, found, recovered, notes)
 
 
@@ -64,13 +57,14 @@ def _place(text: str, record: Record) -> float | None:
         value = text or None
     if value is None:
         raise SceneError("at", None, f"where the gauge of {record.kind} sits, in metres from the struck end")
-    return checks.number("at", value, 0.0, 1e6, "m")
+    return validation.number("at", value, 0.0, 1e6, "m")
 
 
-def _solution(scene: Any, record: Record, restitution: float) -> Solution:
+def _solution(request: Request, record: Record) -> Solution:
     """The exact one, for as long as the record may tell of it."""
-    exact, trip = exact_solution(scene, restitution), scene.time_unit
-    lag = sum(rod.round_trip_time for rod in getattr(scene.target, "rods", ()))
+    scene = request.scene
+    exact, trip = exact_solution(scene, request.restitution), scene.time_unit
+    lag = sum(rod.round_trip_time for rod in scene.target.rods)
     wanted = min(float(np.ptp(record.time)) + lag, exact.duration + MAX_FOLLOWED * trip)
     if exact.motion is None or wanted <= exact.duration:
         return exact
@@ -86,9 +80,9 @@ def _recovered(
     if record.kind == "force":
         return moved.time, moved.values
     target = solution.scene.target
-    if target.kind != "rod":
+    if not isinstance(target, Rod):
         raise SceneError("target.kind", target.kind, "'rod', to recover the contact force by one gauge")
-    waves = from_one_gauge(moved, target, place)
+    waves = from_one_gauge(moved, target, place)  # pyright: ignore[reportArgumentType]
     return waves.time, waves.force
 
 
@@ -98,7 +92,7 @@ def _packed(
     place: float | None,
     found: Alignment,
     recovered: tuple[np.ndarray, np.ndarray] | None,
-    notes: list[str],
+    notes: list[Note],
 ) -> str:
     trip = solution.scene.time_unit
     ends = min(solution.duration, float(record.time[-1]) + found.shift)
@@ -109,7 +103,7 @@ def _packed(
     }
     if recovered is not None:
         histories["recovered"] = recovered
-    shown = {name: _shown(*history, trip, ends) for name, history in histories.items()}
+    shown = {name: _shown(*history, trip, ends) for name, history in histories.items()}  # pyright: ignore[reportCallIssue]
     answer = {
         "kind": record.kind,
         "time": shown["record"][0],
@@ -119,13 +113,13 @@ def _packed(
         "shift": found.shift,
         "scale": found.scale,
         "residual": found.residual.relative,
-        "notes": notes,
+        "notes": [note.table() for note in notes],
     }
     return json.dumps(answer, allow_nan=False)
 
 
 def _shown(time: np.ndarray, values: np.ndarray, trip: float, ends: float) -> tuple[list[float], list[float]]:
-    """Around the blow, in units of T, and thinned to what can be drawn."""
+    """Around the impact, in units of T, and thinned to what can be drawn."""
     inside = np.flatnonzero((time >= -BEFORE * trip) & (time <= ends * (1.0 + 1e-12)) & np.isfinite(values))
     rows = inside[np.linspace(0, inside.size - 1, min(inside.size, MAX_POINTS)).round().astype(int)]
     return (time[rows] / trip).tolist(), values[rows].tolist()
@@ -138,3 +132,19 @@ def other_sign(record: Record, solution: Solution, x: float | None, found: Align
     except SceneError:  # with the other sign it lies nowhere
         return None
     return other if other < 0.7 * found.residual.relative else None
+
+
+def record_figure() -> list[Any]:
+    """The record as it is moved and scaled, over what the exact solution says, in two sources of their names."""
+    plot = blank("record", "Measured and computed", "time, T", "")
+    drawn = []
+    for name, colour, width, dash in (("computed", COLOURS[0], 3.4, "solid"), ("measured", COLOURS[2], 1.6, [6, 2])):
+        data = source(name, "time", "value")
+        drawn.append(
+            (name, [plot.line("time", "value", source=data, line_color=colour, line_width=width, line_dash=dash)])
+        )
+        hover(plot, drawn[-1][1], {name: "@value{0.000a}", "time": "@time{0.000} T"}, mode="vline",
+              line_policy="nearest", name=f"record-{name}")  # fmt: skip
+    legend(plot, drawn)
+    cursor(plot, "record-cursor")
+    return [plot]

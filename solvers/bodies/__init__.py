@@ -1,21 +1,29 @@
 """What strikes and what is struck: data, and what follows from them.
 
-To add a kind of body: write its class (KEYS, read, table, and the attributes that every axial body has: mass, velocity,
-fixed, held, radius, material, length, time_unit, modes) and name it in IMPACTORS or TARGETS.
+To add a kind of body: write its class on one of `Lumped`, `Waveguide`, `Bending` or `AnyBody`, which say what methods
+may ask of it, and name it in IMPACTORS or TARGETS.
 """
 
 from collections.abc import Mapping
 
-from .. import checks
-from .beams import Beam
-from .body import Body, check_struck, in_space, read_normal
-from .compact import RigidMass, SpringMass, Wall
+from .. import validation
+from .beams import Beam, Bending
+from .lumped import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
+from .protocol import AnyBody, Lumped
 from .pulse import Pulse
-from .rods import Joint, Rod, Rods
+from .rigid_body import Body, check_struck, in_space, read_normal
+from .rods import Joint, Rod, Rods, Waveguide
 
-IMPACTORS = {"mass": RigidMass, "sphere": RigidMass, "rod": Rod, "beam": Beam, "body": Body, "pulse": Pulse}
-TARGETS = {
+IMPACTORS: dict[str, type[AnyBody]] = {
+    "mass": RigidMass,
+    "sphere": RigidMass,
+    "rod": Rod,
+    "beam": Beam,
+    "body": Body,
+    "pulse": Pulse,
+}
+TARGETS: dict[str, type[AnyBody]] = {
     "rod": Rod,
     "rods": Rods,
     "beam": Beam,
@@ -30,9 +38,12 @@ __all__ = [
     "IMPACTORS",
     "MATERIALS",
     "TARGETS",
+    "AnyBody",
     "Beam",
+    "Bending",
     "Body",
     "Joint",
+    "Lumped",
     "Material",
     "Pulse",
     "RigidMass",
@@ -40,6 +51,7 @@ __all__ = [
     "Rods",
     "SpringMass",
     "Wall",
+    "Waveguide",
     "check_struck",
     "in_space",
     "read_body",
@@ -48,10 +60,10 @@ __all__ = [
 ]
 
 
-def read_body(key: str, given: object):
+def read_body(key: str, given: object) -> AnyBody:
     """A body from the table `[impactor]` or `[target]` of a scene file, by its `kind`. Raises SceneError."""
     kinds, usual = (IMPACTORS, "mass") if key == "impactor" else (TARGETS, "rod")
     if not isinstance(given, Mapping):
-        raise checks.SceneError(key, given, "a table with kind and what that kind needs")
-    kind = checks.choice(f"{key}.kind", given.get("kind", usual), kinds)
+        raise validation.SceneError(key, given, "a table with kind and what that kind needs")
+    kind = validation.choice(f"{key}.kind", given.get("kind", usual), kinds)
     return kinds[kind].read(key, given)

@@ -1,20 +1,25 @@
 """Straight beams struck across: bending waves, which disperse."""
 
 import math
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 
-from .. import checks
-from ..checks import SceneError
-from ..numerics.beam_elements import beam_mesh
-from ..numerics.beam_modes import BeamLine, beam_modes, dispersion
-from ..numerics.elements import Mesh
+from .. import validation
+from ..numerics.beams.modes import BeamLine, beam_modes, dispersion
+from ..numerics.beams.statics import static_compliance
+from ..numerics.elements.beam import beam_mesh
+from ..numerics.elements.mesh import Mesh
 from ..numerics.modes import Modes
-from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
+from ..text.notes import Note, Severity
+from ..validation import SceneError
+from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
 from .material import Material, read_material, read_radius
+from .protocol import AnyBody
 from .sections import Section, section_of_bar
 
 SUPPORTS = ("cantilever", "pinned-pinned", "clamped-clamped", "free-free", "pinned-free")
@@ -26,8 +31,59 @@ SLENDER = {"euler-bernoulli": 10.0, "timoshenko": 2.5}  # least length over dept
 NEAR_NODE = 0.05  # of a mode's amplitude where it is largest, about 2 / sqrt(mass)
 
 
+class Bending(AnyBody):
+    """A body along which waves of bending run when it is struck across, the shorter the faster; on its supports."""
+
+    support: str
+    theory: str
+    material: Material
+    section: Section
+    place: float  # where it is struck [m]
+    line: BeamLine  # what its theory knows of it
+    slenderness: float  # length over depth
+    at: float  # the same as a fraction of the length
+    time_unit: float
+    bends = True
+
+    @property
+    def second_moment(self) -> float:
+        """I [m4]"""
+        return self.section.second_moment
+
+    @property
+    def half_depth(self) -> float:
+        """Of the outer fibre from the neutral line [m]."""
+        return self.section.half_depth
+
+    @property
+    def effective_mass(self) -> float:
+        """Of what moves as a whole; it may turn as it goes off."""
+        return self.modes(1).rigid_mass
+
+    @property
+    def softness(self) -> float:
+        return static_compliance(self.line, self.support, self.place, self.end_mass)
+
+    @property
+    def stress_source(self) -> tuple[str, float]:
+        """M / W on the side that is struck."""
+        return "moments", self.half_depth / self.second_moment
+
+    @abstractmethod
+    def halting_time(self, mass: float) -> float:
+        """How long its waves take to slow down a rigid mass [kg] that has struck it rigidly [s]."""
+
+    @abstractmethod
+    def notes(self) -> list[Note]:
+        """What its theory cannot tell of it, with the limit."""
+
+    @abstractmethod
+    def notes_on_modes(self, count: int) -> list[Note]:
+        """What its lowest `count` modes cannot tell of a blow, with the limit."""
+
+
 @dataclass(frozen=True)
-class Beam:
+class Beam(Bending):
     """A uniform straight beam struck across its length; waves of bending run along it, the shorter the faster.
 
     Assumes: plane sections, small deflection, and that the section keeps its shape where it is struck. Theory
@@ -51,32 +107,30 @@ class Beam:
         "kind", "length", "section", "material", "support", "theory", "at", "velocity", "end_mass", "damping", "radius",
     )  # fmt: skip
     kind = "beam"
-    round_trip_time = None  # no one wave comes back as it went
 
     @classmethod
-    def read(cls, key: str, given: Mapping[str, object]) -> "Beam":
-        """From the table `[impactor]` or `[target]` of a scene file. Raises SceneError naming the key."""
-        given = checks.table(key, given, cls.KEYS)
-        length = checks.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
-        material = checks.required(key, given, "material", "a name or a table with young and density")
+    def read(cls, key: str, given: Mapping[str, Any]) -> "Beam":
+        given = validation.table(key, given, cls.KEYS)
+        length = validation.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
+        material = validation.required(key, given, "material", "a name or a table with young and density")
         if key == "impactor":
-            support = checks.choice("impactor.support", given.get("support", "free-free"), ("free-free",))
+            support = validation.choice("impactor.support", given.get("support", "free-free"), ("free-free",))
             velocity = read_impact_velocity(given)
         else:
-            support = checks.choice("target.support", given.get("support", "cantilever"), SUPPORTS)
+            support = validation.choice("target.support", given.get("support", "cantilever"), SUPPORTS)
             velocity = read_target_velocity(given)
             if velocity != 0.0 and support != "free-free":
                 raise SceneError("target.velocity", velocity, '0, or support = "free-free": what is held does not move')
         return cls(
-            checks.number(f"{key}.length", length, 1e-6, 1e6, "m"),
+            validation.number(f"{key}.length", length, 1e-6, 1e6, "m"),
             _read_section(key, given),
             read_material(f"{key}.material", material),
             support,
-            checks.choice(f"{key}.theory", given.get("theory", "euler-bernoulli"), THEORIES),
+            validation.choice(f"{key}.theory", given.get("theory", "euler-bernoulli"), THEORIES),
             _read_place(key, given, support),
             velocity,
             _read_end_mass(key, given, support),
-            checks.number(f"{key}.damping", given.get("damping", 0.0), 0.0, LARGEST_DAMPING),
+            validation.number(f"{key}.damping", given.get("damping", 0.0), 0.0, LARGEST_DAMPING),
             read_radius(f"{key}.radius", given.get("radius")),
         )
 
@@ -84,16 +138,6 @@ class Beam:
     def area(self) -> float:
         """A [m2]"""
         return self.section.area
-
-    @property
-    def second_moment(self) -> float:
-        """I [m4]"""
-        return self.section.second_moment
-
-    @property
-    def half_depth(self) -> float:
-        """Of the outer fibre from the neutral line [m]."""
-        return self.section.half_depth
 
     @property
     def shear_coefficient(self) -> float:
@@ -112,27 +156,23 @@ class Beam:
 
     @property
     def fixed(self) -> bool:
-        """Whether it cannot move as a whole."""
         return self.support not in ("free-free", "pinned-free")
 
     @property
     def held(self) -> bool:
-        """Whether something outside takes up momentum."""
         return self.support != "free-free"
 
     @property
     def swings(self) -> bool:
-        """Whether it moves on as a whole though it is held."""
         return self.support == "pinned-free"
 
     @property
     def turns(self) -> bool:
-        """Whether a blow turns it as it moves on."""
         return self.swings or (self.support == "free-free" and abs(self.at - 0.5) > 1e-12)
 
     @property
     def mass(self) -> float:
-        """m2 [kg], with what is fixed to its end"""
+        """m2"""
         return self.material.density * self.area * self.length + self.end_mass
 
     @cached_property
@@ -180,31 +220,20 @@ class Beam:
         """Length over depth."""
         return self.length / (2.0 * self.half_depth)
 
-    def doubts(self) -> list[str]:
-        """What its theory cannot tell of it, with the limit."""
+    def notes(self) -> list[Note]:
         least = SLENDER[self.theory]
         if self.slenderness >= least:
             return []
-        remedy = "use theory = 'timoshenko'" if self.theory == "euler-bernoulli" else "it needs a solid model"
-        return [
-            f"The beam is {self.slenderness:.3g} times as long as deep, and {self.theory.title()} theory is meant for "
-            f"{least:g} times and more: {remedy}."
-        ]
+        values = {"slenderness": self.slenderness, "theory": self.theory, "least": least}
+        return [Note("beam-not-slender", Severity.WARNING, **values)]
 
-    def doubts_of_modes(self, count: int) -> list[str]:
-        """What its lowest `count` modes cannot tell of a blow, with the limit."""
-        doubts, reach = [], self.modes_within_reach(count)
+    def notes_on_modes(self, count: int) -> list[Note]:
+        notes, reach = [], self.modes_within_reach(count)
         if np.abs(self.modes(count).at_contact).max() * math.sqrt(self.mass) < NEAR_NODE:
-            doubts.append(
-                f"The beam is struck at a node of every mode kept ({count}): only those left out and its motion as a "
-                "whole answer the blow. Keep more modes."
-            )
+            notes.append(Note("struck-at-node", Severity.WARNING, modes=count))
         if reach < count:
-            doubts.append(
-                f"Of the {count} modes {count - reach} have waves faster than any can be in the material, "
-                f"sqrt(E / rho): keep at most {reach}, or use theory = 'timoshenko'."
-            )
-        return doubts
+            notes.append(Note("modes-too-fast", Severity.WARNING, modes=count, fast=count - reach, most=reach))
+        return notes
 
     def modes_within_reach(self, count: int) -> int:
         """How many of its `count` lowest modes have waves no faster than any can be in the material, sqrt(E / rho).
@@ -218,8 +247,7 @@ class Beam:
             return count
         return int((frequencies <= wavenumbers * math.sqrt(self.material.young / self.material.density)).sum())
 
-    def table(self) -> dict[str, object]:
-        """As in a scene file."""
+    def table(self) -> dict[str, Any]:
         written = {
             "kind": "beam",
             "length": self.length,
@@ -241,7 +269,7 @@ def _modes(line: BeamLine, support: str, place: float, count: int, end_mass: flo
     return beam_modes(line, support, place, count, end_mass)
 
 
-def _read_section(key: str, given: Mapping[str, object]) -> Section:
+def _read_section(key: str, given: Mapping[str, Any]) -> Section:
     section = section_of_bar(key, given)
     if section.second_moment is None:
         allowed = "a number of m4 beside the area: a beam bends (or give width and height, or radius)"
@@ -255,18 +283,18 @@ def free_places(support: str) -> tuple[float, float]:
     return first, 1.0 - (CLOSEST if support in ("pinned-pinned", "clamped-clamped") else 0.0)
 
 
-def _read_place(key: str, given: Mapping[str, object], support: str) -> float:
+def _read_place(key: str, given: Mapping[str, Any], support: str) -> float:
     """`at`, a fraction of the length, not where a support holds the beam."""
-    at = checks.number(f"{key}.at", given.get("at", USUAL_PLACES.get(support, 0.5)), 0.0, 1.0)
+    at = validation.number(f"{key}.at", given.get("at", USUAL_PLACES.get(support, 0.5)), 0.0, 1.0)
     first, last = free_places(support)
     if not first <= at <= last:
         raise SceneError(f"{key}.at", at, f"a fraction of the length from {first:g} to {last:g}: elsewhere it is held")
     return at
 
 
-def _read_end_mass(key: str, given: Mapping[str, object], support: str) -> float:
+def _read_end_mass(key: str, given: Mapping[str, Any], support: str) -> float:
     if "end_mass" not in given:
         return 0.0
     if support != "cantilever":
         raise SceneError(f"{key}.end_mass", given["end_mass"], 'nothing here, or support = "cantilever"')
-    return checks.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")
+    return validation.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from .. import checks
+from .. import validation
 
 
 @dataclass(frozen=True)
@@ -38,18 +38,18 @@ def read_material(key: str, given: object) -> Material:
     Raises SceneError naming the key.
     """
     if isinstance(given, str):
-        return MATERIALS[checks.choice(key, given, MATERIALS)]
-    given = checks.table(key, given, ("young", "density", "poisson", "yield"))
+        return MATERIALS[validation.choice(key, given, MATERIALS)]
+    given = validation.table(key, given, ("young", "density", "poisson", "yield"))
     needed = "a number; or give a material by name: " + ", ".join(MATERIALS)
     yields = given.get("yield")
     return Material(
-        checks.number(f"{key}.young", checks.required(key, given, "young", needed), 1e3, 1e13, "Pa"),
-        checks.number(f"{key}.density", checks.required(key, given, "density", needed), 1e-2, 1e6, "kg/m3"),
-        checks.number(f"{key}.poisson", given.get("poisson", 0.3), -0.99, 0.499),
-        None if yields is None else checks.number(f"{key}.yield", yields, 1.0, 1e13, "Pa"),
+        validation.number(f"{key}.young", validation.required(key, given, "young", needed), 1e3, 1e13, "Pa"),
+        validation.number(f"{key}.density", validation.required(key, given, "density", needed), 1e-2, 1e6, "kg/m3"),
+        validation.number(f"{key}.poisson", given.get("poisson", 0.3), -0.99, 0.499),
+        None if yields is None else validation.number(f"{key}.yield", yields, 1.0, 1e13, "Pa"),
     )
 
 
 def read_radius(key: str, given: object) -> float | None:
     """Radius of curvature at the contact [m], or None for a flat face."""
-    return None if given is None else checks.number(key, given, 1e-6, 1e6, "m")
+    return None if given is None else validation.number(key, given, 1e-6, 1e6, "m")

@@ -4,11 +4,13 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
-from .. import checks
-from ..checks import SceneError
+from .. import validation
+from ..validation import SceneError
+from .protocol import AnyBody
 
 SHAPES = ("rectangle", "triangle", "half-sine", "trapezoid")
 MAX_POINTS = 2_000
@@ -16,7 +18,7 @@ SINE_POINTS = 65  # straight lines in a half sine; they miss at most 3e-4 of its
 
 
 @dataclass(frozen=True)
-class Pulse:
+class Pulse(AnyBody):
     """A compressive force on the struck end, given as straight lines between points; nothing strikes.
 
     `velocity` is that of the end of a rod without reflections under the largest force, F / Z.
@@ -29,30 +31,28 @@ class Pulse:
     KEYS = ("kind", "shape", "force", "duration", "rise", "points")
     kind = "pulse"
     mass = math.inf
-    fixed = held = swings = False
-    radius = material = None
-    round_trip_time = time_unit = None
+    material = None
     length = 0.0
 
     @classmethod
-    def read(cls, key: str, given: Mapping[str, object]) -> "Pulse":
+    def read(cls, key: str, given: Mapping[str, Any]) -> "Pulse":
         """From the table `[impactor]`: `points = [[t, F], ...]`, or `shape`, `force`, `duration` and for a trapezoid
         `rise`. Raises SceneError naming the key.
         """
-        given = checks.table(key, given, cls.KEYS)
+        given = validation.table(key, given, cls.KEYS)
         if "points" in given:
             for name in ("shape", "force", "duration", "rise"):
                 if name in given:
                     raise SceneError(f"{key}.{name}", given[name], "nothing beside points")
             return cls(*_read_points(f"{key}.points", given["points"]))
-        shape = checks.choice(f"{key}.shape", given.get("shape", "rectangle"), SHAPES)
-        force = checks.required(key, given, "force", "a number from 1e-09 to 1e+15 N")
-        force = checks.number(f"{key}.force", force, 1e-9, 1e15, "N")
-        duration = checks.required(key, given, "duration", "a number from 1e-09 to 10 s")
-        duration = checks.number(f"{key}.duration", duration, 1e-9, 10.0, "s")
+        shape = validation.choice(f"{key}.shape", given.get("shape", "rectangle"), SHAPES)
+        force = validation.required(key, given, "force", "a number from 1e-09 to 1e+15 N")
+        force = validation.number(f"{key}.force", force, 1e-9, 1e15, "N")
+        duration = validation.required(key, given, "duration", "a number from 1e-09 to 10 s")
+        duration = validation.number(f"{key}.duration", duration, 1e-9, 10.0, "s")
         if "rise" in given and shape != "trapezoid":
             raise SceneError(f"{key}.rise", given["rise"], 'nothing here, or shape = "trapezoid"')
-        rise = checks.number(f"{key}.rise", given.get("rise", 0.1 * duration), 0.0, 0.5 * duration, "s")
+        rise = validation.number(f"{key}.rise", given.get("rise", 0.1 * duration), 0.0, 0.5 * duration, "s")
         times, shares = _shape(shape, duration, rise)
         return cls(tuple(times), tuple(force * share for share in shares))
 
@@ -65,7 +65,7 @@ class Pulse:
         """When it is over [s]."""
         return self.times[-1]
 
-    def table(self) -> dict[str, object]:
+    def table(self) -> dict[str, Any]:
         points = [list(point) for point in zip(self.times, self.forces, strict=True)]
         return {"kind": self.kind, "points": points}
 
@@ -90,8 +90,8 @@ def _read_points(key: str, given: object) -> tuple[tuple[float, ...], tuple[floa
     for number, point in enumerate(given, 1):
         if not isinstance(point, list) or len(point) != 2:
             raise SceneError(f"{key}[{number}]", point, allowed)
-        times.append(checks.number(f"{key}[{number}]", point[0], 0.0, 10.0, "s"))
-        forces.append(checks.number(f"{key}[{number}]", point[1], 0.0, 1e15, "N"))
+        times.append(validation.number(f"{key}[{number}]", point[0], 0.0, 10.0, "s"))
+        forces.append(validation.number(f"{key}[{number}]", point[1], 0.0, 1e15, "N"))
     if times[0] != 0.0 or any(b < a for a, b in pairwise(times)) or times[-1] < 1e-9:
         raise SceneError(key, given, allowed)
     if max(forces) < 1e-9:

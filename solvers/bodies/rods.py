@@ -2,22 +2,64 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
-from .. import checks
-from ..checks import SceneError
-from ..numerics.elements import Mesh, rod_mesh
-from ..numerics.modes import Modes, attached_rod_modes, rod_modes
-from .compact import MASS_RANGE, read_impact_velocity, read_target_velocity
+from .. import validation
+from ..numerics.elements.mesh import Mesh, rod_mesh
+from ..numerics.modes import Modes
+from ..numerics.rods import attached_rod_modes, rod_modes
+from ..text.notes import Note, Severity
+from ..validation import SceneError
+from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
 from .material import Material, read_material, read_radius
+from .protocol import AnyBody
 from .sections import section_of_bar
 
 SUPPORTS = ("fixed", "free", "anechoic")
 MAX_RODS = 12
 
 
+class Waveguide(AnyBody):
+    """Rods one behind the other, along each of which waves run at one speed and keep their shape."""
+
+    support: str  # of the far end, one of SUPPORTS
+    area: float  # of the struck end [m2]
+    material: Material  # of the struck end
+    impedance: float  # of the struck end, Z = rho c A [kg/s]: force over velocity in a travelling wave
+    round_trip_time: float  # of all of it [s], (4.10): the unit in which everything that waves do is measured
+    rods: tuple["Rod", ...]  # from the struck end on
+    joints: tuple["Joint", ...]  # between each of them and the next
+
+    @property
+    def fixed(self) -> bool:
+        """Whether waves come back from the far end as they went."""
+        return self.support == "fixed"
+
+    @property
+    def held(self) -> bool:
+        return self.support != "free"
+
+    @property
+    def endless(self) -> bool:
+        return self.support == "anechoic"
+
+    @property
+    def time_unit(self) -> float:
+        return self.round_trip_time
+
+    @property
+    def softness(self) -> float:
+        return sum(1.0 / rod.stiffness for rod in self.rods)
+
+    @property
+    def stress_source(self) -> tuple[str, float]:
+        """Tension E u'."""
+        return "slopes", self.material.young
+
+
 @dataclass(frozen=True)
-class Rod:
+class Rod(Waveguide):
     """A uniform straight rod struck on one end face; waves run along it at one speed and keep their shape.
 
     Assumes: plane sections, uniaxial stress, small strain. x runs from the struck end (0) to the far end (length).
@@ -35,20 +77,19 @@ class Rod:
 
     KEYS = ("kind", "length", "section", "material", "support", "at", "velocity", "end_mass", "radius")
     kind = "rod"
-    swings = False
+    joints = ()
 
     @classmethod
-    def read(cls, key: str, given: Mapping[str, object]) -> "Rod":
-        """From the table `[impactor]` or `[target]` of a scene file. Raises SceneError naming the key."""
-        given = checks.table(key, given, cls.KEYS)
-        checks.number(f"{key}.at", given.get("at", 1.0), 1.0, 1.0, "(a rod is struck on its end)")
+    def read(cls, key: str, given: Mapping[str, Any]) -> "Rod":
+        given = validation.table(key, given, cls.KEYS)
+        validation.number(f"{key}.at", given.get("at", 1.0), 1.0, 1.0, "(a rod is struck on its end)")
         length, area, material = _read_bar(key, given)
         if key == "impactor":
-            checks.choice("impactor.support", given.get("support", "free"), ("free",))
+            validation.choice("impactor.support", given.get("support", "free"), ("free",))
             velocity, support = read_impact_velocity(given), "free"
         else:
             velocity = read_target_velocity(given)
-            support = checks.choice("target.support", given.get("support", "fixed"), SUPPORTS)
+            support = validation.choice("target.support", given.get("support", "fixed"), SUPPORTS)
         return cls(
             length,
             area,
@@ -60,18 +101,8 @@ class Rod:
         )
 
     @property
-    def fixed(self) -> bool:
-        """Whether waves come back from the far end as they went."""
-        return self.support == "fixed"
-
-    @property
-    def held(self) -> bool:
-        """Whether something outside takes up momentum."""
-        return self.support != "free"
-
-    @property
     def mass(self) -> float:
-        """m2 [kg], with what is fixed to its far end"""
+        """m2"""
         return self.material.density * self.area * self.length + self.end_mass
 
     @property
@@ -81,15 +112,13 @@ class Rod:
 
     @property
     def impedance(self) -> float:
-        """Z = rho c A [kg/s]: force over velocity in a travelling wave."""
+        """rho c A"""
         return self.material.density * self.wave_speed * self.area
 
     @property
     def round_trip_time(self) -> float:
-        """T = 2 L / c [s], (4.10): the unit in which everything that waves do is measured."""
+        """T = 2 L / c"""
         return 2.0 * self.length / self.wave_speed
-
-    time_unit = round_trip_time
 
     @property
     def stiffness(self) -> float:
@@ -101,7 +130,11 @@ class Rod:
         """The rod as a chain of one."""
         return (self,)
 
-    joints = ()
+    @property
+    def no_modes(self) -> Note | None:
+        if self.end_mass or self.endless:
+            return Note("refusals.open-rod", Severity.REFUSAL)
+        return None
 
     def modes(self, count: int) -> Modes:
         return rod_modes(self.length, self.mass, self.wave_speed, self.fixed, count)
@@ -111,11 +144,10 @@ class Rod:
         return attached_rod_modes(self.length, self.mass, self.wave_speed, count, struck_end)
 
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
-        """Two-node elements of equal length; `lumping` of their mass stands on the nodes."""
+        """Elements of equal length."""
         return _mesh(self.rods, elements, self.fixed, lumping)
 
-    def table(self) -> dict[str, object]:
-        """As in a scene file."""
+    def table(self) -> dict[str, Any]:
         written = {"kind": "rod"} | _bar_table(self) | {"support": self.support, "at": 1.0}
         for name, nothing in (("velocity", 0.0), ("end_mass", 0.0), ("radius", None)):
             if getattr(self, name) != nothing:
@@ -132,17 +164,17 @@ class Joint:
 
     bonded: bool
     gap: float = 0.0  # [m] between the faces before the blow
-    contact: Mapping[str, object] | None = None
+    contact: Mapping[str, Any] | None = None
 
 
 @dataclass(frozen=True)
-class Rods:
+class Rods(Waveguide):
     """Rods one behind the other, at rest or moving as one; the first is struck, the support is that of the last.
 
     Source: thesis 4.2 (waves at a change of section or material), 4.7.
     """
 
-    rods: tuple[Rod, ...]
+    rods: tuple[Rod, ...] = field()
     joints: tuple[Joint, ...]  # between each rod and the next
     support: str
     velocity: float = 0.0
@@ -151,16 +183,15 @@ class Rods:
     KEYS = ("kind", "rods", "support", "velocity", "end_mass", "radius")
     ROD_KEYS = ("length", "section", "material", "joint", "gap", "contact")
     kind = "rods"
-    swings = False
 
     @classmethod
-    def read(cls, key: str, given: Mapping[str, object]) -> "Rods":
+    def read(cls, key: str, given: Mapping[str, Any]) -> "Rods":
         """From the table `[target]`; `rods` is a list of tables. Raises SceneError naming the key."""
-        given = checks.table(key, given, cls.KEYS)
-        parts = checks.required(key, given, "rods", f"a list of 1 to {MAX_RODS} tables, each a rod")
+        given = validation.table(key, given, cls.KEYS)
+        parts = validation.required(key, given, "rods", f"a list of 1 to {MAX_RODS} tables, each a rod")
         if not isinstance(parts, list) or not 1 <= len(parts) <= MAX_RODS:
             raise SceneError(f"{key}.rods", parts, f"a list of 1 to {MAX_RODS} tables, each a rod")
-        support = checks.choice(f"{key}.support", given.get("support", "fixed"), SUPPORTS)
+        support = validation.choice(f"{key}.support", given.get("support", "fixed"), SUPPORTS)
         velocity = read_target_velocity(given)
         if support != "free":
             _still(key, velocity)
@@ -168,7 +199,7 @@ class Rods:
         rods, joints = [], []
         for number, part in enumerate(parts, 1):
             name = f"{key}.rods[{number}]"
-            part = checks.table(name, part, cls.ROD_KEYS)
+            part = validation.table(name, part, cls.ROD_KEYS)
             last = number == len(parts)
             rods.append(Rod(*_read_bar(name, part), support if last else "free", velocity, end_mass if last else 0.0))
             if number > 1:
@@ -178,14 +209,12 @@ class Rods:
         return cls(tuple(rods), tuple(joints), support, velocity, read_radius(f"{key}.radius", given.get("radius")))
 
     @property
-    def fixed(self) -> bool:
-        """Whether waves come back from the far end as they went."""
-        return self.support == "fixed"
+    def no_modes(self) -> Note:
+        return Note("refusals.chain-of-rods", Severity.REFUSAL)
 
     @property
-    def held(self) -> bool:
-        """Whether something outside takes up momentum."""
-        return self.support != "free"
+    def bonded(self) -> bool:
+        return all(joint.bonded for joint in self.joints)
 
     @property
     def mass(self) -> float:
@@ -197,38 +226,31 @@ class Rods:
 
     @property
     def area(self) -> float:
-        """Of the struck end [m2]."""
         return self.rods[0].area
 
     @property
     def material(self) -> Material:
-        """Of the struck end."""
         return self.rods[0].material
 
     @property
     def impedance(self) -> float:
-        """Of the struck end [kg/s]."""
         return self.rods[0].impedance
 
     @property
     def round_trip_time(self) -> float:
-        """Of the whole chain [s]."""
         return sum(rod.round_trip_time for rod in self.rods)
-
-    time_unit = round_trip_time
 
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
         """As for one rod; every joint is taken as bonded."""
         return _mesh(self.rods, elements, self.fixed, lumping)
 
-    def table(self) -> dict[str, object]:
-        """As in a scene file."""
+    def table(self) -> dict[str, Any]:
         parts = [_bar_table(rod) for rod in self.rods]
         for part, joint in zip(parts[1:], self.joints, strict=True):
             part |= {"joint": "bonded"} if joint.bonded else {"joint": "touching", "gap": joint.gap}
             if joint.contact is not None:
                 part["contact"] = dict(joint.contact)
-        written: dict[str, object] = {"kind": "rods", "rods": parts, "support": self.support}
+        written: dict[str, Any] = {"kind": "rods", "rods": parts, "support": self.support}
         for name, value, nothing in (
             ("velocity", self.velocity, 0.0),
             ("end_mass", self.rods[-1].end_mass, 0.0),
@@ -244,23 +266,23 @@ def _mesh(rods: tuple[Rod, ...], elements: int, fixed: bool, lumping: float) -> 
     return rod_mesh(parts, elements, fixed, rods[-1].end_mass, lumping)
 
 
-def _read_bar(key: str, given: Mapping[str, object]) -> tuple[float, float, Material]:
+def _read_bar(key: str, given: Mapping[str, Any]) -> tuple[float, float, Material]:
     """Length, area and material."""
-    length = checks.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
-    material = checks.required(key, given, "material", "a name or a table with young and density")
+    length = validation.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
+    material = validation.required(key, given, "material", "a name or a table with young and density")
     return (
-        checks.number(f"{key}.length", length, 1e-6, 1e6, "m"),
+        validation.number(f"{key}.length", length, 1e-6, 1e6, "m"),
         section_of_bar(key, given).area,
         read_material(f"{key}.material", material),
     )
 
 
-def _bar_table(rod: Rod) -> dict[str, object]:
+def _bar_table(rod: Rod) -> dict[str, Any]:
     return {"length": rod.length, "section": {"area": rod.area}, "material": rod.material.table()}
 
 
-def _read_joint(key: str, given: Mapping[str, object]) -> Joint:
-    kind = checks.choice(f"{key}.joint", given.get("joint", "bonded"), ("bonded", "touching"))
+def _read_joint(key: str, given: Mapping[str, Any]) -> Joint:
+    kind = validation.choice(f"{key}.joint", given.get("joint", "bonded"), ("bonded", "touching"))
     contact = given.get("contact")
     if kind == "bonded":
         for name in ("gap", "contact"):
@@ -269,15 +291,15 @@ def _read_joint(key: str, given: Mapping[str, object]) -> Joint:
         return Joint(True)
     if contact is not None and not isinstance(contact, Mapping):
         raise SceneError(f"{key}.contact", contact, "a table with the key law")
-    return Joint(False, checks.number(f"{key}.gap", given.get("gap", 0.0), 0.0, 1e3, "m"), contact)
+    return Joint(False, validation.number(f"{key}.gap", given.get("gap", 0.0), 0.0, 1e3, "m"), contact)
 
 
-def _read_end_mass(key: str, given: Mapping[str, object], support: str) -> float:
+def _read_end_mass(key: str, given: Mapping[str, Any], support: str) -> float:
     if "end_mass" not in given:
         return 0.0
     if support != "free":
         raise SceneError(f"{key}.end_mass", given["end_mass"], 'nothing here, or support = "free"')
-    return checks.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")
+    return validation.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")
 
 
 def _still(key: str, velocity: float) -> float:

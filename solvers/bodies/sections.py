@@ -3,9 +3,10 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
-from .. import checks
-from ..checks import SceneError
+from .. import validation
+from ..validation import SceneError
 
 FORMS = "{ width, height }, { radius } or { area }"
 BENDING_KEYS = ("second_moment", "shear_coefficient")
@@ -19,8 +20,8 @@ class Section:
     """
 
     area: float  # A [m2]
-    second_moment: float | None = None  # I [m4]
-    half_depth: float | None = None  # of the outer fibre from the neutral line [m]
+    second_moment: float | Any = None  # I [m4]
+    half_depth: float | Any = None  # of the outer fibre from the neutral line [m]
     shear_coefficient: float | None = None  # kappa, if given
     sides: tuple[float, ...] = ()  # (width, height), (radius,), or nothing where only the area is known [m]
 
@@ -46,22 +47,22 @@ def read_section(key: str, given: object) -> Section:
 
     Raises SceneError naming the key.
     """
-    given = checks.table(key, given, ("width", "height", "radius", "area", *BENDING_KEYS))
+    given = validation.table(key, given, ("width", "height", "radius", "area", *BENDING_KEYS))
     names = frozenset(given) - frozenset(BENDING_KEYS)
-    if names not in ({"width", "height"}, {"radius"}, {"area"}):
+    if names not in tuple(map(frozenset, (("width", "height"), ("radius",), ("area",)))):
         raise SceneError(key, dict(given), f"exactly one of {FORMS}")
     second, shear = (given.get(name) for name in BENDING_KEYS)
     if second is not None:
-        second = checks.number(f"{key}.second_moment", second, 1e-30, 1e16, "m4")
+        second = validation.number(f"{key}.second_moment", second, 1e-30, 1e16, "m4")
     if shear is not None:
-        shear = checks.number(f"{key}.shear_coefficient", shear, 0.01, 1.0)
+        shear = validation.number(f"{key}.shear_coefficient", shear, 0.01, 1.0)
     if "area" in given:
-        area = checks.number(f"{key}.area", given["area"], 1e-14, 1e8, "m2")
+        area = validation.number(f"{key}.area", given["area"], 1e-14, 1e8, "m2")
         # the outer fibre of the rectangle of this area and second moment
         return Section(area, second, None if second is None else math.sqrt(3.0 * second / area), shear)
     if second is not None:
         raise SceneError(f"{key}.second_moment", second, "nothing here: it follows from the shape; or give the area")
-    sides = {name: checks.number(f"{key}.{name}", given[name], 1e-7, 1e4, "m") for name in names}
+    sides = {name: validation.number(f"{key}.{name}", given[name], 1e-7, 1e4, "m") for name in names}
     if "radius" in sides:
         radius = sides["radius"]
         return Section(math.pi * radius**2, 0.25 * math.pi * radius**4, radius, shear, (radius,))
@@ -69,6 +70,6 @@ def read_section(key: str, given: object) -> Section:
     return Section(width * height, width * height**3 / 12.0, 0.5 * height, shear, (width, height))
 
 
-def section_of_bar(key: str, given: Mapping[str, object]) -> Section:
+def section_of_bar(key: str, given: Mapping[str, Any]) -> Section:
     """The section of the table of a rod or beam. Raises SceneError."""
-    return read_section(f"{key}.section", checks.required(key, given, "section", FORMS))
+    return read_section(f"{key}.section", validation.required(key, given, "section", FORMS))

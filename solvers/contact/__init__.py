@@ -23,4 +23,4 @@ _ALL = (
 )
 LAWS = {law.NAME: law for law in _ALL}
 
-__all__ = ["LAWS", *(law.__name__ for law in _ALL)]
+__all__ = ["LAWS", *(law.__name__ for law in _ALL)]  # pyright: ignore[reportUnsupportedDunderAll]

@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from .. import checks
+from .. import validation
+from ..text.notes import Note, Severity
 
 STIFFNESS_RANGE = (1e-6, 1e20)  # of any law, in its own unit
 EXPONENT_RANGE = (1.0, 3.0)
@@ -12,13 +13,13 @@ LENGTH_RANGE = (1e-15, 1e6)  # of indentations [m]
 LARGEST_CONTACT = 1.0 / 3.0  # radius of the contact over that of the bodies: beyond, they are no longer half-spaces
 
 
-def read_stiffness(given: Mapping[str, object], unit: str) -> float:
+def read_stiffness(given: Mapping[str, Any], unit: str) -> float:
     """`contact.stiffness` of a law that cannot derive it."""
-    value = checks.required("contact", given, "stiffness", f"a number from 1e-06 to 1e+20 {unit}")
-    return checks.number("contact.stiffness", value, *STIFFNESS_RANGE, unit)
+    value = validation.required("contact", given, "stiffness", f"a number from 1e-06 to 1e+20 {unit}")
+    return validation.number("contact.stiffness", value, *STIFFNESS_RANGE, unit)
 
 
-def hertz_stiffness(given: Mapping[str, object], impactor: Any, target: Any) -> float:
+def hertz_stiffness(given: Mapping[str, Any], impactor: Any, target: Any) -> float:
     """K_h [N/m^1.5]: as given, or 4/3 E* sqrt(R) of the two bodies.
 
     Differs: thesis (7.6) prints 2/3 E' sqrt(R) for a rigid sphere; that is right for two bodies of the same material
@@ -35,10 +36,10 @@ def derived(name: str, values: str, impactor: Any, target: Any) -> tuple[float, 
     radius, modulus = contact_radius(impactor, target), contact_modulus(impactor, target)
     if radius is None:
         allowed = f"a number from {values}, or impactor.radius or target.radius to derive it from (all are missing)"
-        raise checks.SceneError(f"contact.{name}", None, allowed)
+        raise validation.SceneError(f"contact.{name}", None, allowed)
     if modulus is None:
         allowed = f"a number from {values}, or a material of at least one body (both are rigid)"
-        raise checks.SceneError(f"contact.{name}", None, allowed)
+        raise validation.SceneError(f"contact.{name}", None, allowed)
     return radius, modulus
 
 
@@ -64,7 +65,7 @@ def approach_speed(impactor: Any, target: Any) -> float:
     return impactor.velocity - target.velocity
 
 
-def yield_indentation(given: Mapping[str, object], impactor: Any, target: Any) -> float:
+def yield_indentation(given: Mapping[str, Any], impactor: Any, target: Any) -> float:
     """alpha_Y [m], where plastic flow begins: as given, or from the lower of the two yield strengths.
 
     Source: thesis (7.26), a peak pressure of 1.6 yield strengths: alpha_Y = (0.8 pi sigma_Y / E*)^2 R.
@@ -72,14 +73,14 @@ def yield_indentation(given: Mapping[str, object], impactor: Any, target: Any) -
     7.1 was made with (7.26). Both are printed for two bodies of one material, E' = 2 E*.
     """
     if "yield_indentation" in given:
-        return checks.number("contact.yield_indentation", given["yield_indentation"], *LENGTH_RANGE, "m")
+        return validation.number("contact.yield_indentation", given["yield_indentation"], *LENGTH_RANGE, "m")
     radius, modulus = derived("yield_indentation", "1e-15 to 1e+06 m", impactor, target)
     strength = yield_strength(impactor, target)
     if strength is None:
         allowed = (
             "a number from 1e-15 to 1e+06 m, or yield in the material of a body to derive it from (all are missing)"
         )
-        raise checks.SceneError("contact.yield_indentation", None, allowed)
+        raise validation.SceneError("contact.yield_indentation", None, allowed)
     return first_yield(radius, modulus, strength)
 
 
@@ -94,8 +95,8 @@ def yield_strength(impactor: Any, target: Any) -> float | None:
     return min((m.yield_strength for m in materials if m.yield_strength is not None), default=None)
 
 
-def point_limits(deepest: float, impactor: Any, target: Any, plastic: bool) -> list[str]:
-    """What a law for two smooth bodies that touch in a point leaves out of a blow as deep as this [m], in sentences."""
+def point_limits(deepest: float, impactor: Any, target: Any, plastic: bool) -> list[Note]:
+    """What a law for two smooth bodies that touch in a point leaves out of an impact as deep as this [m]."""
     radius, modulus, strength = contact_radius(impactor, target), contact_modulus(impactor, target), None
     if radius is None:
         return []
@@ -104,15 +105,9 @@ def point_limits(deepest: float, impactor: Any, target: Any, plastic: bool) -> l
     if strength is not None and modulus is not None and not plastic:
         begins = first_yield(radius, modulus, strength)
         if deepest > begins:
-            found.append(
-                f"The indentation reaches {deepest / begins:.3g} times that of first yield, but the contact law is"
-                " elastic: use 'plastic-power' or 'plastic-linear'."
-            )
+            found.append(Note("beyond-first-yield", Severity.WARNING, times=deepest / begins))
     contact = math.sqrt(deepest * radius * (2.0 if plastic else 1.0)) / radius
     if contact > LARGEST_CONTACT:
         slower = approach_speed(impactor, target) * (LARGEST_CONTACT / contact) ** (2.0 if plastic else 2.5)
-        found.append(
-            f"The contact radius reaches {contact:.2g} of the radius of curvature; the contact law holds up to about"
-            f" a third: below some {slower:.2g} m/s, or with a larger radius."
-        )
+        found.append(Note("contact-too-wide", Severity.WARNING, share=contact, slower=slower))
     return found

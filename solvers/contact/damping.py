@@ -3,9 +3,9 @@
 import math
 from collections.abc import Callable, Mapping
 from functools import lru_cache, partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from .. import checks
+from .. import validation
 
 LEAST_RESTITUTION = 0.01  # delivered: below it the bodies creep apart over hundreds of contact times
 
@@ -19,21 +19,23 @@ class Dashpot(NamedTuple):
     nominal_number: Callable[[float], float]  # to which the usual formula gives this restitution
 
 
-def read_damping(given: Mapping[str, object], dashpot: Dashpot, unit: float, unit_name: str) -> float:
+def read_damping(given: Mapping[str, Any], dashpot: Dashpot, unit: float, unit_name: str) -> float:
     """The damping constant by exactly one of its three keys; `unit`: that of the number one. Raises SceneError."""
     names = [name for name in ("restitution", "nominal_restitution", "damping") if name in given]
     if not names:
         allowed = f"a number from {LEAST_RESTITUTION} to 1; or give nominal_restitution or damping (all are missing)"
-        raise checks.SceneError("contact.restitution", None, allowed)
+        raise validation.SceneError("contact.restitution", None, allowed)
     if len(names) > 1:
-        raise checks.SceneError(f"contact.{names[1]}", given[names[1]], f"nothing beside {names[0]}: one of the two")
+        raise validation.SceneError(
+            f"contact.{names[1]}", given[names[1]], f"nothing beside {names[0]}: one of the two"
+        )
     name, value = names[0], given[names[0]]
     if name == "restitution":
-        return dashpot.number(checks.number("contact.restitution", value, LEAST_RESTITUTION, 1.0)) * unit
+        return dashpot.number(validation.number("contact.restitution", value, LEAST_RESTITUTION, 1.0)) * unit
     if name == "nominal_restitution":
-        return dashpot.nominal_number(checks.number("contact.nominal_restitution", value, 0.0, 1.0)) * unit
+        return dashpot.nominal_number(validation.number("contact.nominal_restitution", value, 0.0, 1.0)) * unit
     most = dashpot.number(LEAST_RESTITUTION) * unit * (1.0 + 1e-9)  # so that what was written from one can be read
-    return checks.number("contact.damping", value, 0.0, most, unit_name)
+    return validation.number("contact.damping", value, 0.0, most, unit_name)
 
 
 # --- Hunt and Crossley: F = K a^n (1 + number * rate / approach speed) ------------------------------------------------

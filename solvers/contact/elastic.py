@@ -5,9 +5,9 @@ Every law answers the same questions, in SI units, `deepest` being the largest i
 by the first two; `stored(indentation, deepest)` [J], the energy that the contact would give back; `dent(deepest)` [m],
 the indentation at which it opens; `corner(indentation, deepest)` [m], the next larger one where the curve changes its
 formula; `mean(start, end, rate, deepest)`, the mean force [N] along the straight path between two indentations, passed
-at (end - start) * rate, and the energy lost on it [J]; `way_back(deepest)`, the dent and one more number of the way
+at (end - start) * rate, and the energy lost on it [J]; `unloading(deepest)`, the dent and one more number of the way
 back, which change with `deepest` only; `mean_force`, given these as its memory, the force of one step of the modal
-kernel and the memory after it, see `steps.step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether
+kernel and the memory after it, see `step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether
 `deepest` matters, whether the force may jump at first touch. EXAMPLE: constants that suit a scene file.
 """
 
@@ -15,9 +15,10 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from .. import checks
+from .. import validation
+from ..text.notes import Note
 from .constants import EXPONENT_RANGE, hertz_stiffness, point_limits, read_stiffness
-from .steps import hertz_mean, hertz_spring_step, linear_mean, no_memory, power_mean, step_force
+from .discrete_gradient import hertz_mean, hertz_spring_step, linear_mean, no_memory, power_mean, step_force
 
 
 class Rigid(NamedTuple):
@@ -36,11 +37,11 @@ class Rigid(NamedTuple):
         return {}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Rigid":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "Rigid":
         return cls()
 
-    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
-        """What the law leaves out of a blow as deep as this [m], in sentences."""
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
+        """What the law leaves out of a impact as deep as this [m]."""
         return []
 
 
@@ -59,11 +60,11 @@ class Linear(NamedTuple):
         return {"stiffness": self.stiffness}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Linear":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "Linear":
         return cls(read_stiffness(given, "N/m"))
 
-    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
-        """What the law leaves out of a blow as deep as this [m], in sentences."""
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
+        """What the law leaves out of a impact as deep as this [m]."""
         return []
 
     def scaled(self, length: float, speed: float, force: float) -> "Linear":
@@ -82,7 +83,7 @@ class Linear(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    way_back = no_memory
+    unloading = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf
@@ -91,7 +92,7 @@ class Linear(NamedTuple):
         return self.stiffness * linear_mean(start, end), 0.0
 
     def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
-        """As `steps.step_force`; for a spring each case is a linear or quadratic equation."""
+        """As `discrete_gradient.step_force`; for a spring each case is a linear or quadratic equation."""
         if start <= 0.0 and free <= 0.0:
             return 0.0, free, 0.0, memory
         if start <= 0.0:  # touches within the step: (free - end)(end - start) = compliance * stiffness * end^2 / 2
@@ -128,9 +129,9 @@ class Power(NamedTuple):
         return {"stiffness": self.stiffness, "exponent": self.exponent}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Power":
-        value = checks.required("contact", given, "exponent", "a number from 1 to 3")
-        exponent = checks.number("contact.exponent", value, *EXPONENT_RANGE)
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "Power":
+        value = validation.required("contact", given, "exponent", "a number from 1 to 3")
+        exponent = validation.number("contact.exponent", value, *EXPONENT_RANGE)
         return cls(read_stiffness(given, f"N/m^{exponent:g}"), exponent)
 
     def scaled(self, length: float, speed: float, force: float) -> "Power":
@@ -151,7 +152,7 @@ class Power(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    way_back = no_memory
+    unloading = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf
@@ -178,11 +179,11 @@ class Hertz(NamedTuple):
         return {"stiffness": self.stiffness}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "Hertz":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "Hertz":
         return cls(hertz_stiffness(given, impactor, target))
 
-    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
-        """What the law leaves out of a blow as deep as this [m], in sentences."""
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
+        """What the law leaves out of a impact as deep as this [m]."""
         return point_limits(deepest, impactor, target, False)
 
     def scaled(self, length: float, speed: float, force: float) -> "Hertz":
@@ -203,7 +204,7 @@ class Hertz(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    way_back = no_memory
+    unloading = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf

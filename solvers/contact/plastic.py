@@ -11,11 +11,12 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from .. import checks
+from .. import validation
 from ..jit import kernel
+from ..text.notes import Note, Severity
 from .constants import LENGTH_RANGE, approach_speed, hertz_stiffness, point_limits, yield_indentation
+from .discrete_gradient import hertz_mean, power_mean, step_force
 from .plastic_steps import plastic_step
-from .steps import hertz_mean, power_mean, step_force
 
 FULL_OVER_FIRST_YIELD = 3200.0 / (1.6 * math.pi) ** 2  # alpha_fp / alpha_Y, (7.26)
 FULL_RANGE = (30.0, 1e5)  # of that ratio: below it no exponent up to Hertz's 3/2 meets both criteria of (7.34)
@@ -80,8 +81,8 @@ class YigitChristoforou(NamedTuple):
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
 
-    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
-        """What the law leaves out of a blow as deep as this [m], in sentences."""
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
+        """What the law leaves out of a impact as deep as this [m]."""
         return point_limits(deepest, impactor, target, True)
 
     def table(self, speed: float) -> dict[str, float]:
@@ -89,7 +90,7 @@ class YigitChristoforou(NamedTuple):
         return {"stiffness": self.stiffness, "yield_indentation": self.yield_indentation}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "YigitChristoforou":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "YigitChristoforou":
         return cls(hertz_stiffness(given, impactor, target), yield_indentation(given, impactor, target))
 
     def scaled(self, length: float, speed: float, force: float) -> "YigitChristoforou":
@@ -142,7 +143,7 @@ class YigitChristoforou(NamedTuple):
     def mean(self, start, end, rate, deepest):
         return hysteretic_mean(self, start, end, deepest)
 
-    def way_back(self, deepest):
+    def unloading(self, deepest):
         """Where it opens, and by how much Hertz's curve is shifted."""
         raised = raised_dent(self.yield_indentation, deepest)
         return raised ** (2.0 / 3.0), raised
@@ -181,7 +182,7 @@ class PlasticLinear(NamedTuple):
     loading_mean, mean = YigitChristoforou.loading_mean, YigitChristoforou.mean
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "PlasticLinear":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "PlasticLinear":
         return cls(hertz_stiffness(given, impactor, target), yield_indentation(given, impactor, target))
 
     def force(self, indentation, rate, deepest):
@@ -205,7 +206,7 @@ class PlasticLinear(NamedTuple):
     def dent(self, deepest):
         return line_dent(self.stiffness, self.yield_indentation, deepest)
 
-    def way_back(self, deepest):
+    def unloading(self, deepest):
         return line_dent(self.stiffness, self.yield_indentation, deepest), self.stiffness
 
     def mean_force(self, start, free, compliance, rate, expected, deepest, memory):
@@ -280,12 +281,12 @@ class PlasticPower(NamedTuple):
     mean = YigitChristoforou.mean
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "PlasticPower":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "PlasticPower":
         stiffness, begins = hertz_stiffness(given, impactor, target), yield_indentation(given, impactor, target)
         full = FULL_OVER_FIRST_YIELD * begins
         if "full_indentation" in given:
-            full = checks.number("contact.full_indentation", given["full_indentation"], *LENGTH_RANGE, "m")
-            checks.number("contact.full_indentation", full, FULL_RANGE[0] * begins, FULL_RANGE[1] * begins, "m")
+            full = validation.number("contact.full_indentation", given["full_indentation"], *LENGTH_RANGE, "m")
+            validation.number("contact.full_indentation", full, FULL_RANGE[0] * begins, FULL_RANGE[1] * begins, "m")
         return cls.through(stiffness, begins, full)
 
     @classmethod
@@ -294,16 +295,14 @@ class PlasticPower(NamedTuple):
         exponent = hardening_exponent(full / begins)
         return cls(stiffness, begins, full, exponent, 1.5 * stiffness * begins ** (1.5 - exponent) / exponent)
 
-    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
-        """What the law leaves out of a blow as deep as this [m], in sentences."""
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
+        """What the law leaves out of a impact as deep as this [m]."""
         found = point_limits(deepest, impactor, target, True)
         if deepest > self.full_indentation:
             work, most = (depth * self.mean(0.0, depth, 0.0, 0.0)[0] for depth in (deepest, self.full_indentation))
             slower = approach_speed(impactor, target) * math.sqrt(most / work)
-            found.append(
-                f"The indentation reaches {deepest / self.full_indentation:.3g} times that of full plastic flow, beyond"
-                f" which the law only continues its curve: it is meant for less than some {slower:.2g} m/s here."
-            )
+            times = deepest / self.full_indentation
+            found.append(Note("beyond-full-plasticity", Severity.WARNING, times=times, slower=slower))
         return found
 
     def table(self, speed: float) -> dict[str, float]:
@@ -341,7 +340,7 @@ class PlasticPower(NamedTuple):
     def dent(self, deepest):
         return crater(self, deepest)[0]
 
-    def way_back(self, deepest):
+    def unloading(self, deepest):
         return crater(self, deepest)
 
     def mean_force(self, start, free, compliance, rate, expected, deepest, memory):

@@ -2,11 +2,11 @@
 
 import math
 
-from ..jit import inlined_kernel, kernel
-from .steps import hertz_spring_step, step_force
+from ..jit import inlined_kernel, inner_kernel
+from .discrete_gradient import hertz_spring_step, step_force
 
 
-@kernel
+@inner_kernel
 def force_from(indentation, memory):
     """On the way back with this memory: dent and stiffness; 0.4 of it by the way from the dent is stored."""
     depth = indentation - memory[0]
@@ -15,9 +15,9 @@ def force_from(indentation, memory):
 
 @inlined_kernel
 def plastic_step(law, start, free, compliance, rate, expected, deepest, memory):
-    """`step_force` of a law whose way back is Hertz's from a dent; its `way_back` is that dent and the stiffness of it.
+    """`step_force` of a law that unloads along Hertz's curve from a dent: its `unloading` is that dent and stiffness.
 
-    That way is steeper than the virgin curve: who ends beyond `deepest` on it flows on.
+    It is steeper than the virgin curve, which a step follows from `deepest` on if it goes beyond.
     """
     dent, stiffness = memory
     if start <= dent and free <= dent:
@@ -41,6 +41,6 @@ def flow_step(law, start, free, compliance, rate, expected, deepest, memory):
         miss = free - compliance * force - end
         end = max(end + miss / slope, start)
         if abs(miss) <= 4e-16 * (abs(free) + compliance * force):
-            stored, then = 0.4 * force_from(start, memory) * (start - memory[0]), law.way_back(end)
+            stored, then = 0.4 * force_from(start, memory) * (start - memory[0]), law.unloading(end)
             return force, end, force * (end - start) - (0.4 * force_from(end, then) * (end - then[0]) - stored), then
     return step_force(law, start, free, compliance, rate, expected, deepest, memory)

@@ -9,12 +9,13 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from .. import checks
+from .. import validation
+from ..text.notes import Note
 from . import damping as dashpots
 from .constants import EXPONENT_RANGE, approach_speed, hertz_stiffness, point_limits, read_stiffness, reduced_mass
 from .damping import LEAST_RESTITUTION, damping_for, delivered_restitution, read_damping
+from .discrete_gradient import hertz_mean, hertz_step_force, linear_mean, no_memory, power_mean, step_force
 from .elastic import Hertz, Linear
-from .steps import hertz_mean, hertz_step_force, linear_mean, no_memory, power_mean, step_force
 
 __all__ = [
     "LEAST_RESTITUTION",
@@ -46,14 +47,14 @@ class HuntCrossley(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     limits = Hertz.limits
-    stored, dent, way_back, corner = Hertz.stored, Hertz.dent, Hertz.way_back, Hertz.corner
+    stored, dent, unloading, corner = Hertz.stored, Hertz.dent, Hertz.unloading, Hertz.corner
 
     def table(self, speed: float) -> dict[str, float]:
         """The constants as in a scene file, for an impact at this speed [m/s]."""
         return {"stiffness": self.stiffness, "damping": self.damping}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "HuntCrossley":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "HuntCrossley":
         stiffness = hertz_stiffness(given, impactor, target)
         unit = 1.0 / approach_speed(impactor, target)
         return cls(stiffness, read_damping(given, dashpots.HUNT_CROSSLEY, unit, "s/m"))
@@ -107,7 +108,7 @@ class LankaraniNikravesh(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "nominal_restitution": 0.5}
 
     limits, table, scaled = Hertz.limits, HuntCrossley.table, HuntCrossley.scaled
-    stored, dent, way_back, corner = Hertz.stored, Hertz.dent, Hertz.way_back, Hertz.corner
+    stored, dent, unloading, corner = Hertz.stored, Hertz.dent, Hertz.unloading, Hertz.corner
     force, slopes, mean, mean_force = (
         HuntCrossley.force,
         HuntCrossley.slopes,
@@ -117,7 +118,7 @@ class LankaraniNikravesh(NamedTuple):
     delivered = HuntCrossley.delivered
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "LankaraniNikravesh":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "LankaraniNikravesh":
         stiffness = hertz_stiffness(given, impactor, target)
         unit = 1.0 / approach_speed(impactor, target)
         return cls(stiffness, read_damping(given, dashpots.LANKARANI_NIKRAVESH, unit, "s/m"))
@@ -145,10 +146,10 @@ class KelvinVoigt(NamedTuple):
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     limits, table = Linear.limits, HuntCrossley.table
-    stored, dent, way_back, corner = Linear.stored, Linear.dent, Linear.way_back, Linear.corner
+    stored, dent, unloading, corner = Linear.stored, Linear.dent, Linear.unloading, Linear.corner
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "KelvinVoigt":
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "KelvinVoigt":
         stiffness = read_stiffness(given, "N/m")
         unit = 2.0 * math.sqrt(stiffness * reduced_mass(impactor, target))
         return cls(stiffness, read_damping(given, dashpots.KELVIN_VOIGT, unit, "N s/m"))
@@ -204,8 +205,8 @@ class LeeWang(NamedTuple):
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
-    def limits(self, deepest: float, impactor: Any, target: Any) -> list[str]:
-        """What the law leaves out of a blow as deep as this [m], in sentences."""
+    def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
+        """What the law leaves out of a impact as deep as this [m]."""
         return point_limits(deepest, impactor, target, False) if self.exponent == 1.5 else []
 
     def table(self, speed: float) -> dict[str, float]:
@@ -213,8 +214,8 @@ class LeeWang(NamedTuple):
         return {"stiffness": self.stiffness, "damping": self.damping, "exponent": self.exponent}
 
     @classmethod
-    def read(cls, given: Mapping[str, object], impactor: Any, target: Any) -> "LeeWang":
-        exponent = checks.number("contact.exponent", given.get("exponent", 1.5), *EXPONENT_RANGE)
+    def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "LeeWang":
+        exponent = validation.number("contact.exponent", given.get("exponent", 1.5), *EXPONENT_RANGE)
         if exponent == 1.5:
             stiffness = hertz_stiffness(given, impactor, target)
         else:
@@ -260,7 +261,7 @@ class LeeWang(NamedTuple):
     def dent(self, deepest):
         return 0.0
 
-    way_back = no_memory
+    unloading = no_memory
 
     def corner(self, indentation, deepest):
         return math.inf

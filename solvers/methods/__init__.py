@@ -1,15 +1,15 @@
 """One file each; a method knows no other method. Which of them solves a scene that names none is told here."""
 
-from ..method import SceneNotSupported
 from ..scene import Scene
-from .balance import Balance
-from .fe_modal import FeModal
-from .fe_nodal import FeNodal
-from .modal import Modal
+from .balance.method import Balance
+from .base import SceneNotSupported, no_method
+from .finite_elements.modal import FeModal
+from .finite_elements.nodal import FeNodal
+from .modal.method import Modal
 from .mode_switch import ModeSwitch
-from .quasi_static import QuasiStatic
+from .quasi_static.method import QuasiStatic
 from .rigid import RigidImpulse
-from .waves import Waves
+from .waves.method import Waves
 
 METHODS = {
     method.NAME: method for method in (Waves, Modal, ModeSwitch, FeNodal, FeModal, Balance, QuasiStatic, RigidImpulse)
@@ -42,11 +42,10 @@ def usual_method(scene: Scene) -> str:
     if any(body.time_unit is not None for body in (scene.impactor, scene.target)):
         order = RINGING
     else:
-        order = UNYIELDING if scene.contact.NAME == "rigid" else COMPACT
+        order = UNYIELDING if scene.rigid_contact else COMPACT
     reasons = {}
     for name in order:
         reasons[name] = METHODS[name].read({}).refusal(scene)
         if reasons[name] is None:
             return name
-    told = "; ".join(f"'{name}': {reason}" for name, reason in reasons.items())
-    raise SceneNotSupported("method.name", None, f"no method can solve this scene ({told})")
+    raise SceneNotSupported("method.name", None, no_method(reasons))

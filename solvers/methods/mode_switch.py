@@ -1,23 +1,24 @@
 """Modes that change with the contact: of mass and rod or beam together while they touch, of it alone while apart."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
 
-from .. import checks
-from ..doubts import STILL_TOUCHING, bodies_that_bend
-from ..machine import clock
-from ..method import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..numerics import beam_switch
-from ..numerics.beam_modes import attached_beam_modes
-from ..numerics.beam_switch import SwitchedBeam
-from ..numerics.mode_switch import MAX_PHASES, SwitchedModes
-from ..numerics.rod_phases import LENGTH, SMOOTHINGS
+from ..bodies import Bending, Rod
+from ..numerics.beams.modes import attached_beam_modes
+from ..numerics.switching import beam as beam_switch
+from ..numerics.switching.beam import SwitchedBeam
+from ..numerics.switching.rod import MAX_PHASES, SwitchedModes
+from ..numerics.switching.rod_phases import LENGTH, SMOOTHINGS
+from ..provenance import clock
 from ..scene import Scene
-from ..solution import ContactPeriod, Solution, summary
+from ..solution.solution import ContactPeriod, Solution, summary
+from ..text.notes import Note, Severity
+from .base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from .options import option, whole, word
+from .validity import STILL_TOUCHING, bodies_that_bend
 
 NEGLIGIBLE = 0.01  # share of the energy
 MOST_MODES = 400
@@ -41,38 +42,28 @@ class ModeSwitch(Method):
     Source: thesis 5.3, 5.5, 9.2. Differs: (9.19), (5.28), (5.38), (5.42) and (5.43), see `solvers.numerics`.
     """
 
-    modes: int = 50
-    smoothing: str = "delay"
+    modes: int = option(50, whole(2, MOST_MODES))
+    smoothing: str = option("delay", word(SMOOTHINGS))
     estimate: bool = field(default=True, repr=False)
 
     NAME = "mode-switch"
-    KNOBS = ("modes",)
+    RESOLUTIONS = ("modes",)
     BEAMS = True
 
-    @classmethod
-    def read(cls, given: Mapping[str, object]) -> "ModeSwitch":
-        given = checks.table("method", given, ("modes", "smoothing"))
-        return cls(
-            checks.whole_number("method.modes", given.get("modes", 50), 2, MOST_MODES),
-            checks.choice("method.smoothing", given.get("smoothing", "delay"), SMOOTHINGS),
-        )
-
-    def why_not(self, scene: Scene) -> str | None:
+    def why_not(self, scene: Scene) -> Note | None:
         target = scene.target
-        if scene.impactor.kind not in ("mass", "sphere") or target.kind not in ("rod", "beam"):
-            kinds = f"{scene.impactor.kind} and {target.kind}"
-            return f"a mass must strike a rod or a beam, got {kinds}; use 'waves' or 'modal'"
-        if target.kind == "rod" and (target.support == "anechoic" or target.velocity or target.end_mass):
-            return "the rod must be at rest, fixed or free, with no mass on its far end; use 'waves'"
+        if not scene.impactor.free_mass or not isinstance(target, (Rod, Bending)):
+            kinds = {"impactor": scene.impactor.kind, "target": target.kind}
+            return Note("refusals.not-rod-or-beam", Severity.REFUSAL, **kinds)
+        if isinstance(target, Rod) and (target.support == "anechoic" or target.velocity or target.end_mass):
+            return Note("refusals.rod-not-at-rest", Severity.REFUSAL)
         if target.velocity:
-            return f"the beam must be at rest, got {target.velocity:g} m/s; use 'modal'"
-        if scene.contact.NAME != "rigid":
-            return f"the contact must be rigid, got {scene.contact.NAME}: modes of both bodies know no law; use 'modal'"
+            return Note("refusals.beam-not-at-rest", Severity.REFUSAL, velocity=target.velocity)
+        if not scene.rigid_contact:
+            return Note("refusals.law-of-switching", Severity.REFUSAL, law=scene.contact.NAME)
         if scene.mass_ratio > self.modes:
-            return (
-                f"{self.modes} modes do not tell so short a blow: at least the mass ratio of target to mass are "
-                f"needed, got {scene.mass_ratio:.4g}; use {'waves' if target.kind == 'rod' else 'modal'!r}"
-            )
+            rod, ratio = not target.bends, scene.mass_ratio
+            return Note("refusals.too-few-modes", Severity.REFUSAL, modes=self.modes, ratio=ratio, rod=rod)
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
@@ -86,7 +77,7 @@ class ModeSwitch(Method):
             duration = last + AFTERGLOW * scene.time_unit if course.parted else last
         elif course.stopped:
             duration = min(duration, last)
-        motion = (SwitchedMotion if scene.target.kind == "rod" else SwitchedBeamMotion)(scene, course, units)
+        motion = (SwitchedMotion if isinstance(scene.target, Rod) else SwitchedBeamMotion)(scene, course, units)
         contacts = [motion.period(contact) for contact in course.contacts]
         found = summary(scene, motion, contacts, duration, wall_time)
         found["diagnostics"] |= {
@@ -108,23 +99,21 @@ class ModeSwitch(Method):
             **found,
         )
 
-    def _knob(self, scene: Scene) -> str | None:
-        return None if bodies_that_bend(scene) else super()._knob(scene)
+    def _resolution(self, scene: Scene) -> str | None:
+        return None if bodies_that_bend(scene) else super()._resolution(scene)
 
-    def _recount(self) -> str:
+    def _miscounts(self) -> str:
         if self.smoothing != "delay":
-            return (
-                "The truncated series undershoots before the front returns (Gibbs) and ends contacts: use the "
-                "smoothing 'delay', which has no undershoot, or 'waves'."
-            )
-        return "So few modes do not tell slight gaps and contacts: keep more, or use 'waves'."
+            return "gibbs"
+        return "modes"
 
     def _course(self, scene: Scene, limit: float) -> SwitchedModes | SwitchedBeam:
         """`limit` in the units of the course."""
         target, mass = scene.target, scene.impactor.mass
-        if target.kind == "rod":
+        if isinstance(target, Rod):
             course = SwitchedModes(scene.mass_ratio, target.fixed, self.modes, self.smoothing)
         else:
+            target = target.known_as(Bending)
             place = target.line, target.support, target.place, self.modes
             together = attached_beam_modes(*place, mass, end_mass=target.end_mass)
             course = SwitchedBeam(together, target.modes(self.modes), mass, scene.speed, target.length)
@@ -145,66 +134,52 @@ class ModeSwitch(Method):
         final = course.mass_motion(at_limit)[1][0]
         finals = [replace(self, modes=modes)._course(scene, limit).mass_motion(at_limit)[1][0] for modes in others]
         estimated = float(max(abs(final - other) for other in finals)) * units.speed / scene.speed
-        if scene.target.kind == "rod" and self.smoothing == "delay" and course.contacts[0].end < 1.0 <= limit:
+        if isinstance(scene.target, Rod) and self.smoothing == "delay" and course.contacts[0].end < 1.0 <= limit:
             # parted at rest before the front is back, as any number of modes may, while the mass has v exp(-2 m2 / m1)
             estimated = max(estimated, math.exp(-2.0 * scene.mass_ratio))
         return estimated
 
-    def _notes(self, scene: Scene, course, contacts: list[ContactPeriod], duration: float) -> list[str]:
+    def _notes(self, scene: Scene, course, contacts: list[ContactPeriod], duration: float) -> list[Note]:
         notes = []
         if contacts[-1].end >= duration * (1.0 - 1e-12):
             notes.append(STILL_TOUCHING)
         elif not (course.parted or course.stopped):
-            notes.append(
-                "The time solved ends before the bodies have parted for good: the velocities, and their estimated "
-                "error, are those of that instant."
-            )
-        if scene.target.kind == "beam":
-            return notes + scene.target.doubts_of_modes(self.modes) + _notes_on_a_beam(scene, course)
+            notes.append(Note("not-parted", Severity.WARNING))
+        if isinstance(scene.target, Bending):
+            return notes + scene.target.notes_on_modes(self.modes) + _notes_on_a_beam(scene, course)
         if len(course.phases) >= MAX_PHASES:
-            notes.append(f"Stopped after {MAX_PHASES} changes of modes: the truncated force chatters; use 'delay'.")
+            notes.append(Note("switching-chatters", Severity.WARNING, switches=MAX_PHASES))
         lost = course.phases[-1].lost * _units(scene).energy / scene.initial_energy
         if lost > NEGLIGIBLE:
             needed = math.ceil(self.modes * lost / NEGLIGIBLE)
-            remedy = f"keep {needed} modes to lose 1 %, or use 'waves'" if needed <= MOST_MODES else "use 'waves'"
+            affordable = needed <= MOST_MODES
             notes.append(
-                f"{self.modes} modes do not hold how suddenly the end of the rod starts, {scene.mass_ratio:.3g} times "
-                f"as heavy as the mass: {lost:.1%} of the energy counts as dissipated and is in waves; {remedy}."
+                Note(
+                    "switching-loses",
+                    Severity.WARNING,
+                    modes=self.modes,
+                    ratio=scene.mass_ratio,
+                    lost=lost,
+                    affordable=affordable,
+                    needed=needed,
+                )
             )
         return notes
 
 
-def _notes_on_a_beam(scene: Scene, course: SwitchedBeam) -> list[str]:
+def _notes_on_a_beam(scene: Scene, course: SwitchedBeam) -> list[Note]:
     notes, count, pull = [], len(course.contacts), min(float(contact.forces.min()) for contact in course.contacts)
     if course.stopped:
         many = len(course.phases) >= beam_switch.MAX_PHASES
-        reason, remedy = (
-            (f"{len(course.phases)} changes of modes: the more modes, the shorter each contact", "a law and 'modal'")
-            if many
-            else ("more than the fastest modes can be followed, as so heavy a mass swings slowly", "'quasi-static'")
-        )
-        notes.append(
-            f"Stopped at {course.contacts[-1].end:.3g} s before the bodies had parted for good, after {reason}; take "
-            f"fewer modes, or {remedy}."
-        )
+        end, switches = course.contacts[-1].end, len(course.phases)
+        notes.append(Note("switching-stopped", Severity.WARNING, time=end, many=many, switches=switches))
     lost = course.phases[-1].lost / scene.initial_energy
     if count == 1 and lost > NEGLIGIBLE:
-        notes.append(
-            f"The changes of modes lose {lost:.0%} of the energy, and what the mass gives off in them is a blow before "
-            "any force: the velocities go with the number of modes. Give the contact a law and use 'modal'."
-        )
+        notes.append(Note("switching-impulse", Severity.WARNING, lost=lost))
     if count > 1:
-        notes.append(
-            f"The {count} contacts and the velocity they end with are ill-conditioned: each contact ends with the echo "
-            "of the highest mode, so that one mode more, or 0.01 % of mass, makes another sequence; the changes of "
-            f"modes lose {lost:.0%} of the energy. Only the first contact and the apparent contact time are sure; for "
-            "the rest give the contact a law and use 'modal', or compare many runs."
-        )
+        notes.append(Note("switching-ill-conditioned", Severity.WARNING, contacts=count, lost=lost))
     if pull < -1e-9 * max(contact.peak for contact in course.contacts):
-        notes.append(
-            f"The force pulls at the start of some contacts, up to {-pull:.3g} N: the shear force is the third "
-            "derivative of displacements that the two sets of modes share only nearly (thesis 5.5)."
-        )
+        notes.append(Note("switching-pulls", Severity.WARNING, pull=-pull))
     return notes
 
 
@@ -222,7 +197,7 @@ class _Units(NamedTuple):
 
 
 def _units(scene: Scene) -> _Units:
-    if scene.target.kind == "rod":
+    if isinstance(scene.target, Rod):
         return _Units(scene.time_unit, scene.speed, scene.impactor.mass, LENGTH / scene.target.length)
     return _Units(1.0, 1.0, 1.0, 1.0)
 

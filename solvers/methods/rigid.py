@@ -1,19 +1,19 @@
 """Rigid bodies: one impulse without duration, in closed form."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from .. import checks
-from ..bodies import Rods, in_space
-from ..machine import clock
-from ..method import AFTERGLOW, Method
-from ..motion import SampledMotion, field_as_a_whole
-from ..numerics.impulses import Bodies, Strike, kinetic_energy, residuals, strike
+from ..bodies import AnyBody, Body, in_space
+from ..numerics.rigid.impulses import Bodies, Strike, kinetic_energy, residuals, strike
+from ..provenance import clock
 from ..scene import Scene
-from ..solution import ContactPeriod, Solution
+from ..solution.sampled_motion import SampledMotion, field_as_a_whole
+from ..solution.solution import ContactPeriod, Solution
+from ..text.notes import Note, Severity
+from .base import AFTERGLOW, Method
+from .options import option, real
 
 ALONG = (1.0, 0.0, 0.0)  # the axis on which bodies without a normal meet
 
@@ -31,22 +31,17 @@ class RigidImpulse(Method):
     mu (1 - e^2) v_imp^2 / 2.
     """
 
-    restitution: float = 1.0
+    restitution: float = option(1.0, real(0.0, 1.0))
 
     NAME = "rigid"
     SPATIAL = BEAMS = True
 
-    @classmethod
-    def read(cls, given: Mapping[str, object]) -> "RigidImpulse":
-        given = checks.table("method", given, ("restitution",))
-        return cls(checks.number("method.restitution", given.get("restitution", 1.0), 0.0, 1.0))
-
-    def why_not(self, scene: Scene) -> str | None:
+    def why_not(self, scene: Scene) -> Note | None:
         target = scene.target
-        if target.kind == "spring-mass":
-            return "the target must move as a whole, got a mass on a spring, which swings back for another blow"
-        if isinstance(target, Rods) and not all(joint.bonded for joint in target.joints):
-            return "the rods of a chain must be bonded to move as a whole; for rods that only touch use 'waves'"
+        if target.half_swing is not None:
+            return Note("refusals.mass-on-spring", Severity.REFUSAL)
+        if not target.bonded:
+            return Note("refusals.loose-chain-as-whole", Severity.REFUSAL)
         return None
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
@@ -107,15 +102,15 @@ def _wholes(scene: Scene, found: Strike) -> dict[str, tuple[float, float]]:
     wholes = {}
     for name, after in (("impactor", found.first), ("target", found.second)):
         body, struck = getattr(scene, name), after.velocity[0]
-        turns = body.kind == "beam" and not body.fixed
+        turns = body.bends and not body.fixed
         mean = body.modes(1).mean_velocity(body.velocity, struck) if turns else struck
         wholes[name] = float(struck), float(mean)
     return wholes
 
 
-def _kinetic(body: Any, state: Bodies) -> float:
+def _kinetic(body: AnyBody, state: Bodies) -> float:
     """Energy of a body as a whole [J]; of a beam more than that of the mass that is felt where it is struck."""
-    if getattr(body, "kind", None) != "beam":
+    if not body.bends:
         return float(kinetic_energy(state))
     return float(body.modes(1).moving_energy(body.mass, body.velocity, state.velocity[0]))
 
@@ -158,26 +153,20 @@ def _unknown(scene: Scene) -> dict[str, None]:
 
 
 def _rings(scene: Scene) -> bool:
-    return any(getattr(body, "time_unit", None) for body in (scene.impactor, scene.target))
+    return any(body.time_unit is not None for body in (scene.impactor, scene.target))
 
 
-def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[str]:
-    notes = [] if approached else ["The bodies move apart: no impact."]
+def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[Note]:
+    notes = [] if approached else [Note("no-impact", Severity.REMARK)]
     if _rings(scene):
-        remedy = "'modal'" if "beam" in (scene.impactor.kind, scene.target.kind) else "'waves' or 'modal'"
-        notes.append(f"Rigid bodies know no waves: how far the answer is off only {remedy} can tell.")
-    for name, body in zip(("impactor", "target"), before, strict=True):
+        notes.append(Note("waves-ignored", Severity.WARNING, beam=scene.bends))
+    bodies = {"impactor": scene.impactor, "target": scene.target}
+    for (name, given), body in zip(bodies.items(), before, strict=True):
         beside = np.linalg.norm(np.cross(body.centre, scene.normal or ALONG)) > 0.0
         if beside and not np.any(body.inertia):
-            notes.append(
-                f"The {name} is struck beside its centre of mass, but has no inertia: it is taken as a point mass, "
-                "which does not turn. Give its inertia if it can turn."
-            )
-        if scene.normal is not None and not getattr(getattr(scene, name), "is_possible", True):
-            notes.append(
-                f"The {name} has a principal moment of inertia greater than the sum of the other two, which no real "
-                "body has. That is right only if nothing turns out of one plane; or else check its inertia."
-            )
+            notes.append(Note("no-inertia", Severity.WARNING, body=name))
+        if isinstance(given, Body) and not given.is_possible:
+            notes.append(Note("impossible-inertia", Severity.WARNING, body=name))
     return notes
 
 
@@ -206,6 +195,6 @@ def _motion(scene: Scene, before: tuple[Bodies, Bodies], found: Strike, duration
             for name, value in energy.items()
             if name != "initial"
         },
-        field=field_as_a_whole(scene.target, instants, instants * end, end) if scene.target.kind == "beam" else None,
+        field=field_as_a_whole(scene.target, instants, instants * end, end) if scene.target.bends else None,
         face_velocity=face,
     )

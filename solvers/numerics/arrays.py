@@ -4,21 +4,30 @@ Assigned as a whole, or asked for their largest value, Numba compiles the texts 
 message that nobody will see.
 """
 
-from ..jit import kernel
+from ..jit import inner_kernel, kernel
 
 
-@kernel
+@inner_kernel
 def copy_to(target, source):
     """Write the values of `source` (n,) into `target` (n,)."""
     for i in range(source.size):
         target[i] = source[i]
 
 
-@kernel
+@inner_kernel
 def add_to(target, factor, source):
     """Add `factor` times the values of `source` (n,) to `target` (n,)."""
     for i in range(source.size):
         target[i] += factor * source[i]
+
+
+@kernel
+def dot(first, second):
+    """Sum of the products of two arrays (n,)."""
+    total = 0.0
+    for i in range(first.size):
+        total += first[i] * second[i]
+    return total
 
 
 @kernel

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import kernel
-from .arrays import copy_to
+from ..jit import allocating_kernel, inner_kernel, kernel
+from .arrays import copy_to, dot
 from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 from .secular import held_together
 
@@ -43,9 +43,9 @@ class Events(NamedTuple):
 
 
 def events(most: int, modes: int) -> Events:
-    return Events(
-        *(np.zeros(most) for _ in range(3)), np.zeros(most, np.bool_), *(np.zeros((most, modes)) for _ in range(2))
-    )
+    time, impulse, lost = np.zeros((3, most))
+    coordinates, rates = np.zeros((2, most, modes))
+    return Events(time, impulse, lost, np.zeros(most, np.bool_), coordinates, rates)
 
 
 def single_balance(mobility: np.ndarray, closing: np.ndarray, rates: np.ndarray, restitution: float) -> np.ndarray:
@@ -65,7 +65,7 @@ def _apart(bank, p):
     return first + bank.closing[bank.target] * p[bank.target] < 0.0 if bank.target >= 0 else first < 0.0
 
 
-APART = np.bool_(False)  # no literal: what takes it would be compiled twice
+NOT_JOINED = np.bool_(False)  # no literal: what takes it would be compiled twice
 
 
 @kernel
@@ -76,10 +76,10 @@ def _write(events, count, time, impulse, lost, stuck, q, p):
     copy_to(events.rates[count], p)
 
 
-@kernel
+@inner_kernel
 def _balance(bank, restitution, rate, p):
     """One balance, in place. Returns its impulse and the energy lost."""
-    effective = 1.0 / (bank.closing * bank.closing).sum()  # mass of the contact
+    effective = 1.0 / dot(bank.closing, bank.closing)  # mass of the contact
     impulse = (1.0 + restitution) * rate * effective
     for i in range(p.size):
         p[i] -= bank.closing[i] * impulse
@@ -95,8 +95,8 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
     Source: thesis (6.21); with Newmark's turn tables 6.2 to 6.5 follow digit for digit.
     Differs: (6.22) speaks of halving the step; the tables were made without.
     """
-    impulse, lost = _balance(bank, restitution, (bank.closing * p).sum(), p)
-    _write(events, 0, 0.0, impulse, lost, APART, q, p)
+    impulse, lost = _balance(bank, restitution, dot(bank.closing, p), p)
+    _write(events, 0, 0.0, impulse, lost, NOT_JOINED, q, p)
     count, k = 1, 0
     while k * step < end and count < events.time.size:
         if k * step - events.time[count - 1] > patience and _apart(bank, p):
@@ -105,12 +105,12 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
         overlap, rate = step_on(turn, bank.closing, q, p)
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
-            _write(events, count, k * step, impulse, lost, APART, q, p)
+            _write(events, count, k * step, impulse, lost, NOT_JOINED, q, p)
             count += 1
     return count, k * step
 
 
-@kernel
+@allocating_kernel
 def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, events):
     """As `at_step_ends`, with a step halved whose faces would come to overlap by more than `tolerance` [m].
 
@@ -119,8 +119,8 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
     """
     levels, modes = turns.stay.shape
     q1, p1 = np.empty(modes), np.empty(modes)
-    impulse, lost = _balance(bank, restitution, (bank.closing * p).sum(), p)
-    _write(events, 0, 0.0, impulse, lost, APART, q, p)
+    impulse, lost = _balance(bank, restitution, dot(bank.closing, p), p)
+    _write(events, 0, 0.0, impulse, lost, NOT_JOINED, q, p)
     count, time, level, part, before = 1, 0.0, 0, step, 0.0
     while time < end and count < events.time.size:
         if time - events.time[count - 1] > patience and _apart(bank, p):
@@ -140,12 +140,12 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
         level, part = 0, step
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
-            _write(events, count, time, impulse, lost, APART, q, p)
+            _write(events, count, time, impulse, lost, NOT_JOINED, q, p)
             count += 1
     return count, time
 
 
-@kernel
+@inner_kernel
 def _fly(bank, turn, step, q, p, q1, p1, longest):
     """Free flight from (q, p) until the faces meet: q1, p1 there. Returns its duration, or -1 if over `longest`.
 
@@ -153,7 +153,7 @@ def _fly(bank, turn, step, q, p, q1, p1, longest):
     """
     copy_to(q1, q)
     copy_to(p1, p)
-    overlap, rate = 0.0, (bank.closing * p).sum()
+    overlap, rate = 0.0, dot(bank.closing, p)
     steps, elapsed = 0, 0.0
     while elapsed < longest:
         before, rate_before = overlap, rate
@@ -186,7 +186,7 @@ def joined(bank: Bank) -> Joined:
     return Joined(np.sqrt(np.maximum(found, 0.0)), basis, press)
 
 
-@kernel
+@allocating_kernel
 def _stick(joined, step, q, p, longest):
     """Move as one until the faces would pull; in place. Returns the duration, and whether it ended so."""
     basis, modes = joined.basis, joined.frequencies.size
@@ -218,7 +218,7 @@ def _stick(joined, step, q, p, longest):
     return elapsed, parted
 
 
-@kernel
+@allocating_kernel
 def event_located(bank, joined, turn, step, restitution, soft, end, patience, q, p, events):
     """Balances at the very instants at which the faces meet, free flight between them exact.
 
@@ -229,13 +229,13 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
     q1, p1 = np.empty(q.size), np.empty(q.size)
     count, time = 0, 0.0
     while time < end and count + 2 <= events.time.size:
-        rate = (bank.closing * p).sum()
+        rate = dot(bank.closing, p)
         impulse, lost = _balance(bank, restitution, rate, p)
         parting = restitution * rate
         push = -(bank.closing * bank.frequencies**2 * q).sum()  # how fast the faces would come back
         sticks = push > 0.0 and 2.0 * parting <= soft * push
         if sticks:
-            more, less = _balance(bank, 0.0, (bank.closing * p).sum(), p)
+            more, less = _balance(bank, 0.0, dot(bank.closing, p), p)
             impulse, lost = impulse + more, lost + less
         _write(events, count, time, impulse, lost, sticks, q, p)
         count += 1
@@ -243,7 +243,7 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
             before = p[0]
             elapsed, parted = _stick(joined, step, q, p, end - time)
             time += elapsed
-            _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, APART, q, p)
+            _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, NOT_JOINED, q, p)
             count += 1
             if not parted:
                 break
@@ -264,8 +264,8 @@ def course(bank: Bank, flight: np.ndarray, joined: Joined, events: Events, after
     q, p = _swing(bank.frequencies, flight, events.coordinates[after], events.rates[after], delay[:, None])
     stuck = np.flatnonzero(events.stuck[after])
     if stuck.size:
-        own = (states[after[stuck]] @ joined.basis for states in (events.coordinates, events.rates))
-        own = _swing(joined.frequencies, joined.frequencies, *own, delay[stuck, None])
+        at, rate = (states[after[stuck]] @ joined.basis for states in (events.coordinates, events.rates))
+        own = _swing(joined.frequencies, joined.frequencies, at, rate, delay[stuck, None])
         q[stuck], p[stuck] = (values @ joined.basis.T for values in own)
     return q, p
 

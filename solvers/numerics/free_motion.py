@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import kernel, summing_kernel
+from ..jit import inner_kernel, summing_kernel
 
 
 class Turn(NamedTuple):
@@ -43,7 +43,7 @@ def step_on(turn, closing, q, p):
     return total, rate
 
 
-@kernel
+@inner_kernel
 def step_back(turn, q, p):
     """Undo one step in place."""
     for i in range(q.size):
@@ -52,7 +52,7 @@ def step_back(turn, q, p):
         q[i] = was
 
 
-@kernel
+@inner_kernel
 def rises(a, a_rate, b, b_rate, step):
     """A place in (0, step] where the sum is positive, or zero: its end, or the top of the cubic in between.
 
@@ -86,7 +86,7 @@ def sum_after(bank, time, q, p):
     return total, rate
 
 
-@kernel
+@inner_kernel
 def turn_by(bank, time, q, p):
     """Move freely for `time`, in place."""
     for i in range(q.size):
@@ -96,7 +96,7 @@ def turn_by(bank, time, q, p):
         q[i], p[i] = cosine * q[i] + go * p[i], cosine * p[i] - omega * sine * q[i]
 
 
-@kernel
+@inner_kernel
 def rise_in(bank, q, p, low, high):
     """The instant in (low, high) at which the sum becomes positive: Newton kept in brackets."""
     place = high

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import kernel, summing_kernel
+from ..jit import allocating_kernel, kernel, summing_kernel
 from .arrays import copy_to, largest
 
 
@@ -130,7 +130,7 @@ class Residual(NamedTuple):
     jumps: bool = False
 
 
-@summing_kernel
+@allocating_kernel
 def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, stride, begin, end, record):
     """Advance from instant `begin` to `end`; displacement and velocity (modes,) are turned already for `begin`.
 
@@ -139,15 +139,28 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
     """
     # Copies, as arrays made in a kernel are aligned to vector registers: a fifth of the time of 40 modes.
     q, p = displacement.copy(), velocity.copy()
-    cosine, sine = bank.cosine.copy(), bank.sine.copy()
-    q_kick, p_kick = bank.turned_kick_displacement.copy(), bank.turned_kick_velocity.copy()
+    turning = (
+        bank.cosine.copy(),
+        bank.sine.copy(),
+        bank.turned_kick_displacement.copy(),
+        bank.turned_kick_velocity.copy(),
+    )
+    _march(law, residual, mass, rigid_mass, step, bank, *turning, q, p, stride, begin, end, record)
+    copy_to(displacement, q)
+    copy_to(velocity, p)
+
+
+@summing_kernel
+def _march(
+    law, residual, mass, rigid_mass, step, bank, cosine, sine, q_kick, p_kick, q, p, stride, begin, end, record
+):  # fmt: skip
     gain, rigid_gain, rate = step / mass, step / rigid_mass, 1.0 / step
     stiff = 0.5 * step * (gain + rigid_gain) + bank.kick_displacement.sum()  # a step's compliance without the residual
     x, v = record.position[begin], record.velocity[begin]
     rigid_x, rigid_v = record.rigid_position[begin], record.rigid_velocity[begin]
     indentation, lost, spring = record.indentation[begin], record.lost[begin], record.spring_force[begin]
     deepest = max(largest(record.indentation, begin + 1), 0.0)
-    memory, usual = law.way_back(deepest), 1.0 / (0.5 + residual.settling)
+    memory, usual = law.unloading(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
     bending = q.sum()
     modes = q.size
@@ -202,8 +215,6 @@ def march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, s
         record.position[k + 1], record.velocity[k + 1] = x, v
         record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
         record.spring_force[k + 1], record.lost[k + 1] = spring, lost
-    copy_to(displacement, q)
-    copy_to(velocity, p)
 
 
 @kernel

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..jit import kernel
+from ..jit import allocating_kernel, kernel
 
 SPLITS = np.array([0.4872, 0.4139, 0.5571, 0.3433])  # tried in turn
 GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
@@ -41,7 +41,7 @@ def trim(coefficients, degree, reach):
     return degree
 
 
-@kernel
+@allocating_kernel
 def roots(coefficients, degree, length, found):
     """Every root of the polynomial in (0, length), ascending, into `found`; returns how many.
 

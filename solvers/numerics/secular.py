@@ -8,11 +8,11 @@ orthogonal.
 
 import numpy as np
 
-from ..jit import kernel
+from ..jit import allocating_kernel, kernel
 
-SAME = 1e-13  # relative difference of two poles that are taken as one
-NOTHING = 1e-15  # of the norm of the weights: who is moved by less takes no part
-MOST_STEPS = 200
+SAME_POLE = 1e-13  # relative difference of two poles that are taken as one
+LEAST_WEIGHT = 1e-15  # of the norm of the weights: who is moved by less takes no part
+MAX_ITERATIONS = 200  # of a root: fifty of them halve the interval, whatever the others bring
 
 
 def held_together(poles: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -45,10 +45,10 @@ def _deflated(d: np.ndarray, w: np.ndarray) -> tuple[list[tuple[int, int, float,
     """Turns the weights (modes,) of equal poles into one of them, in place. Returns the turns, and who is left out."""
     turns, apart, last = [], [], -1
     for i in range(d.size):
-        if abs(w[i]) <= NOTHING:
+        if abs(w[i]) <= LEAST_WEIGHT:
             apart.append(i)
             continue
-        if last >= 0 and d[i] - d[last] <= SAME * d[i]:
+        if last >= 0 and d[i] - d[last] <= SAME_POLE * d[i]:
             length = np.hypot(w[i], w[last])
             turns.append((last, i, w[i] / length, w[last] / length))
             w[i], w[last] = length, 0.0
@@ -78,7 +78,7 @@ def _roots(d, squares, origin, offset):
         at_low, at_high = -squares[pole] * width, 0.0
         at_high = _sum(d, squares, pole, high) * high * (width - high)
         x = high
-        for step in range(MOST_STEPS):
+        for step in range(MAX_ITERATIONS):
             if at_high == 0.0:
                 x = high
                 break
@@ -99,7 +99,7 @@ def _roots(d, squares, origin, offset):
         origin[k], offset[k] = pole, x
 
 
-@kernel
+@allocating_kernel
 def _vectors(d, signs, origin, offset):
     """Orthonormal, (poles, poles - 1)."""
     size = d.size

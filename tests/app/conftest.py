@@ -75,7 +75,8 @@ class Page:
     """The page in the browser, with what it said and sent."""
 
     def __init__(self, browser, address: str, query: str = "", size=(1440, 900), drawn: bool = True, **context):
-        self.context = browser.new_context(viewport={"width": size[0], "height": size[1]}, **context)
+        still = {"reduced_motion": "reduce"} | context  # nothing moves by itself, unless that is what is tested
+        self.context = browser.new_context(viewport={"width": size[0], "height": size[1]}, **still)
         self.tab = self.context.new_page()
         self.errors: list[str] = []
         self.foreign: list[str] = []
@@ -148,6 +149,17 @@ class Page:
         before = self.evaluate("() => strikewave.frames")
         act()
         self.wait("before => strikewave.frames > before && !strikewave.page.asked", before)
+
+    def turn_to(self, name: str) -> None:
+        """Choose a tab, where it is not the one that is seen."""
+        tab = self.tab.get_by_role("tab", name=name, exact=True)
+        if tab.get_attribute("aria-selected") != "true":
+            tab.click()
+
+    def analysis(self, label: str) -> None:
+        """Open an analysis, or close it."""
+        self.turn_to("Analysis")
+        self.tab.get_by_role("navigation", name="Analyses").get_by_role("button", name=label, exact=True).click()
 
     def picture(self) -> list[int]:
         """A hash of the pixels of every canvas."""

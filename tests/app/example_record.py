@@ -3,8 +3,8 @@
 import numpy as np
 
 import solvers
-from app.lab import STATIC
-from solvers.records import expected
+from app.page.lab import STATIC
+from solvers.records.record import expected
 
 FILE = STATIC / "example-record.csv"
 PLACE = 1.0  # [m] of the gauge

@@ -11,6 +11,8 @@ from typing import Any
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from app.choices.choices import title_of
+
 
 def run(coroutine: Coroutine, seconds: float = 300.0) -> Any:
     """Run to the end on a thread of its own: Playwright keeps a loop on the main one."""
@@ -116,8 +118,8 @@ class SocketClient:
                 return
             for event in content.get("events", []):
                 assert event.get("attr") != "frame", f"{name} was taken, and solved"
-                if event.get("attr") == "refused" and event["new"].startswith(f"{name}: got "):
-                    assert "allowed:" in event["new"]
+                if event.get("attr") == "refused" and event["new"].startswith(f"{title_of(name)}: "):
+                    assert "Choose" in event["new"] or "Write" in event["new"], "what is allowed"
                     return
 
     async def answer(self) -> None:

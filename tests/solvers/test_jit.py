@@ -1,5 +1,6 @@
 """Kernels in the cache, and who must not compile one."""
 
+import ast
 import os
 import shutil
 import subprocess
@@ -7,7 +8,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from numba import types
+from numba.core.dispatcher import Dispatcher
 
+import solvers
 from solvers import jit
 
 ROOT = Path(__file__).parents[2]
@@ -28,6 +32,7 @@ except NotCompiled as wanted:
 """
 
 
+@pytest.mark.slow
 def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
     def answers() -> list[str]:
         call = [sys.executable, "-c", TRY]
@@ -41,16 +46,36 @@ def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
 @pytest.mark.parametrize(
     "changed, again",
     [
-        ("numerics/wave_nodes.py", True),
-        ("numerics/wave_record.py", True),  # called by what is called
+        ("numerics/waves/nodes.py", True),
+        ("numerics/waves/record.py", True),  # called by what is called
         ("contact/elastic.py", True),  # whose methods are compiled into it
         ("jit.py", True),
-        ("numerics/rigid_waves.py", False),
-        ("methods/waves.py", False),
-        ("checks.py", True),  # which the laws import
+        ("numerics/waves/rigid.py", False),
+        ("methods/waves/method.py", False),
+        ("validation.py", True),  # which the laws import
     ],
 )
 def test_a_kernel_is_compiled_again_when_a_source_of_its_code_has_changed(tmp_path, monkeypatch, changed, again):
+    key_changes(tmp_path, monkeypatch, "numerics/waves/network.py", changed, again)
+
+
+@pytest.mark.parametrize(
+    "kernels, changed, again",
+    [
+        ("numerics/elements/banded.py", "numerics/elements/newmark.py", True),  # which may give them its tuples
+        ("numerics/oscillators.py", "stability/integrators.py", True),  # from another folder
+        ("numerics/oscillators.py", "numerics/arrays.py", True),
+        ("numerics/elements/newmark.py", "numerics/arrays.py", True),  # imported from the folder above
+        ("numerics/elements/newmark.py", "numerics/elements/__init__.py", False),
+        ("numerics/elements/newmark.py", "numerics/waves/nodes.py", False),
+    ],
+)
+def test_files_are_found_in_folders_of_folders(tmp_path, monkeypatch, kernels, changed, again):
+    key_changes(tmp_path, monkeypatch, kernels, changed, again)
+
+
+def key_changes(tmp_path, monkeypatch, kernels: str, changed: str, again: bool) -> None:
+    """Whether the key of the file of kernels is another one after a change of another file."""
     library = tmp_path / "solvers"
     shutil.copytree(ROOT / "solvers", library, ignore=shutil.ignore_patterns("__pycache__"))
     monkeypatch.setattr(jit, "LIBRARY", library)
@@ -58,7 +83,7 @@ def test_a_kernel_is_compiled_again_when_a_source_of_its_code_has_changed(tmp_pa
     def key() -> str:
         jit.kernels_key.cache_clear()
         jit._imports.cache_clear()
-        return jit.kernels_key(library / "numerics/wave_network.py")
+        return jit.kernels_key(library / kernels)
 
     before = key()
     with open(library / changed, "a", encoding="utf-8") as source:
@@ -95,6 +120,7 @@ def flipped(path: Path) -> None:
     path.write_bytes(content)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "ending, damage",
     [
@@ -128,6 +154,7 @@ print(jit._usable(Path({cache!r})))
 """
 
 
+@pytest.mark.slow
 def test_a_full_disk_is_seen_before_anything_is_kept_there(tmp_path):
     """What is in the cache is taken along to where there is room; if there is none, it is read where it is."""
     ran(FOUND, tmp_path)
@@ -151,7 +178,61 @@ caching.IndexDataCacheFile._save_index = refuse
 """
 
 
+@pytest.mark.slow
 def test_a_kernel_that_cannot_be_kept_is_used_all_the_same(tmp_path):
     found = ran(FULL + FOUND, tmp_path)
     assert found.stdout.split() == ["7.0"]
     assert found.stderr.count("\n") == 1 and "cannot be kept" in found.stderr
+
+
+def test_a_kernel_that_counts_no_references_returns_no_array_to_python():
+    """Else what it returns would be freed while in use: such a kernel must be an `allocating_kernel`."""
+    for method in (solvers.methods.Waves(), solvers.methods.Modal(10)):
+        solvers.solve(solvers.load("bronze-rod-steel-ball"), method)
+    modules = [module for name, module in list(sys.modules.items()) if name.startswith("solvers.")]
+    kernels = [each for module in modules for each in vars(module).values() if isinstance(each, Dispatcher)]
+    found = [
+        (each.py_func.__qualname__, overload.signature.return_type)
+        for each in kernels
+        if each.targetoptions.get("_nrt") is False and not each.targetoptions.get("no_cpython_wrapper")
+        for overload in each.overloads.values()
+    ]
+    assert found
+    for name, kind in found:
+        parts = kind.types if isinstance(kind, types.BaseTuple) else [kind]
+        assert not any(isinstance(part, types.Array) for part in parts), name
+
+
+class OutsideKernels(ast.NodeVisitor):
+    """Of one file: the functions that plain Python calls, what is imported from where, and its inner kernels."""
+
+    def __init__(self, source):
+        self.called, self.imported, self.inner, self.inside = set(), set(), set(), 0
+        self.visit(ast.parse(source.read_text(encoding="utf-8")))
+
+    def visit_FunctionDef(self, node):
+        marks = {each.id for each in node.decorator_list if isinstance(each, ast.Name) and each.id.endswith("kernel")}
+        if "inner_kernel" in marks:
+            self.inner.add(node.name)
+        self.inside += bool(marks)
+        self.generic_visit(node)
+        self.inside -= bool(marks)
+
+    def visit_ImportFrom(self, node):
+        self.imported |= {((node.module or "").split(".")[-1], each.name) for each in node.names}
+
+    def visit_Call(self, node):
+        if not self.inside and isinstance(node.func, ast.Name):
+            self.called.add(node.func.id)
+        self.generic_visit(node)
+
+
+def test_inner_kernels_are_called_by_kernels_alone():
+    """Python would crash: they are compiled without what takes arguments from it."""
+    sources = [source for folder in ("solvers", "app", "bench", "tests") for source in (ROOT / folder).rglob("*.py")]
+    files = {source: OutsideKernels(source) for source in sources}
+    inner = {(source.stem, name) for source, file in files.items() for name in file.inner}
+    assert len(inner) > 20
+    for source, file in files.items():
+        known = file.inner | {name for _, name in inner & file.imported}
+        assert not known & file.called, source

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from pytest import approx
 
 import solvers
-from solvers import LAWS, Material, Modal, RigidMass, Rod, Scene, SceneError, Waves
+from solvers import LAWS, METHODS, Material, Modal, RigidMass, Rod, Scene, SceneError, Waves
 from solvers.bodies import MATERIALS
 from solvers.contact import Hertz, HuntCrossley
-from solvers.scene import METHOD_KEYS
+from solvers.methods.options import options_of
 from tests.catalog import RIGID, SCENES, STEEL_ROD, WITH_INDENTATION, contact_table, struck_rod
 
 PLAIN = {
@@ -139,6 +139,7 @@ def test_what_beams_will_need_is_checked_and_does_not_disturb_a_rod():
 # --- written back and changed -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
 @given(
     mass_ratio=st.floats(-3.0, 3.0).map(lambda p: 10.0**p),
@@ -317,11 +318,10 @@ def test_words_and_tables(key, value, allowed):
         ("target.lenght", 1.0, "kind, length, section, material, support, at, velocity, end_mass, radius"),
         ("target.section.depth", 1.0, "width, height, radius, area, second_moment, shear_coefficient"),
         ("contact.stiffness", 1e9, "law"),  # rigid has no constants
-        ("method.mode", 5, ", ".join(METHOD_KEYS)),
     ],
 )
 def test_keys_that_do_not_exist(key, value, keys):
-    tables = with_value("method", {}) if key.startswith("method") else copy.deepcopy(PLAIN)
+    tables = copy.deepcopy(PLAIN)
     *path, last = key.split(".")
     table = tables
     for name in path:
@@ -533,6 +533,16 @@ def test_arbitrary_method_tables_are_read_or_refused(table):
     except SceneError:
         return
     assert isinstance(method, solvers.Method)
+
+
+def test_every_method_takes_the_options_among_its_fields_and_no_other():
+    for name, method in {**METHODS, "auto": solvers.Auto}.items():
+        known = set(method.read({}).table()) - {"name"}
+        assert known == set(options_of(method))
+        with pytest.raises(SceneError) as said:
+            solvers.read_method({"name": name, "mode": 5}, SCENES["fixed-rod"])
+        assert said.value.key == "method.mode"
+        assert said.value.allowed == f"no such key; the keys are {', '.join(options_of(method))}"
 
 
 def test_another_method_leaves_the_options_of_the_one_before():

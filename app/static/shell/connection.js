@@ -1,24 +1,137 @@
-// Says when the connection to the server is lost, or about to be closed, and what that means.
-const LOST = 'The connection to the server is lost. What is shown can still be played; nothing new is solved.';
+// The connection to the server. When it is lost that is said at once; what is shown plays on, and when a server answers
+// again the page comes back with all that it showed: the address holds the choices, the browser the rest.
+import { documents } from './bokeh.js';
+import { make } from './dom.js';
+import { keep, kept } from './store.js';
+
+/** @import { Model } from './model.js' */
+
+const WORDS = {
+  lost:
+    'The connection to the server is lost. What is shown plays on; nothing new is solved. The page comes back by ' +
+    'itself when the server does.',
+  back: 'The server is back: one moment …',
+  reload: 'Reload',
+};
+const LATE = 800; // ms without an answer after which the server is asked whether it is there
+const PATIENCE = 1000; // ms that it has to say so
+const TICK = 300; // ms between looks at the clock
+const REGULAR = 20_000; // ms between questions while all is well
+const AGAIN = 1000; // ms between them while it is not, at first
+const SELDOM = 8000; // and later
+const NAME = 'resume'; // under which the state is kept from one page to the next
+const FRESH = 120_000; // ms for which it is gone on with
 
 export class Connection {
-  constructor(model, page) {
+  lost = false;
+  cut = false; // the socket is closed: the session is not come back to
+  closed = false; // by the server, with a reason: who was turned out does not come back by itself
+  /** @type {number | undefined} */ timer;
+
+  /**
+   * @param {Model} model
+   * @param {HTMLElement} page
+   * @param {{ state: () => unknown, late: () => number, back: () => void }} asks  the state to come back with; ms
+   *   without an answer; what is to be done once there is a server again
+   */
+  constructor(model, page, { state, late, back }) {
     this.model = model;
-    this.root = Object.assign(document.createElement('div'), { className: 'connection', hidden: true });
-    this.root.setAttribute('role', 'alert');
-    this.words = document.createElement('span');
-    const reload = Object.assign(document.createElement('button'), { type: 'button', textContent: 'Reload' });
-    reload.onclick = () => location.reload();
+    this.state = state;
+    this.late = late;
+    this.back = back;
+    this.pause = AGAIN;
+    this.root = make('div', { className: 'connection', role: 'alert', hidden: true });
+    this.words = make('span');
+    const reload = make('button', { type: 'button', textContent: WORDS.reload, onclick: () => this.#return() });
     this.root.append(this.words, reload);
     page.append(this.root);
-    model.on('disconnected', () => this.say(model.disconnected));
-    for (const shown of window.Bokeh?.documents ?? []) {
-      shown.on_event('connection_lost', () => this.say(this.model.disconnected || LOST));
-      shown.on_event('client_reconnected', () => this.say(''));
-    }
+    model.on('disconnected', () => this.#turnedOut());
+    for (const shown of documents()) shown.on_event('connection_lost', () => this.#lose(true));
+    this.offline = () => this.#lose();
+    window.addEventListener('offline', this.offline);
+    this.watch = window.setInterval(() => this.#watch(), TICK);
+    this.asked = performance.now(); // when the server was asked last
   }
-  say(sentence) {
+  leave() {
+    clearInterval(this.watch);
+    clearTimeout(this.timer);
+    window.removeEventListener('offline', this.offline);
+  }
+  #turnedOut() {
+    if (!this.model.disconnected) return;
+    this.closed = true;
+    this.#say(this.model.disconnected);
+  }
+  /** A server that hangs, or a line that is cut, closes no socket: it is asked when an answer is late, and at times. */
+  async #watch() {
+    const now = performance.now();
+    if (this.lost || this.closed || document.hidden) return;
+    const due = this.late() > LATE && now - this.asked > LATE;
+    if (!due && now - this.asked < REGULAR) return;
+    this.asked = now;
+    if (!(await answers('liveness'))) this.#lose();
+  }
+  /** @param {boolean} [cut] */
+  #lose(cut = false) {
+    this.cut ||= cut;
+    if (this.lost || this.closed) return;
+    this.lost = true;
+    this.pause = AGAIN;
+    this.#say(this.model.disconnected || WORDS.lost);
+    this.#look();
+  }
+  /** Ask until there is a server with room; then go on there. */
+  #look() {
+    clearTimeout(this.timer);
+    const pause = this.pause * (0.7 + 0.6 * Math.random()); // not all pages at the same moment
+    this.timer = window.setTimeout(() => this.#ask(), pause);
+  }
+  async #ask() {
+    this.pause = Math.min(1.4 * this.pause, SELDOM);
+    if (this.closed) return;
+    if (!(await answers('liveness'))) this.#look();
+    else if (!this.cut) this.#found();
+    else if (await answers(window.location.href)) {
+      this.#say(WORDS.back);
+      this.#return();
+    } else this.#look();
+  }
+  /** It was only slow, or the line was: the session is still there. */
+  #found() {
+    this.lost = false;
+    this.#say('');
+    this.back();
+  }
+  #return() {
+    keep(NAME, { ...Object(this.state()), at: Date.now() }, true);
+    window.location.reload();
+  }
+  /** @param {string} sentence */
+  #say(sentence) {
     this.words.textContent = sentence;
     this.root.hidden = !sentence;
+  }
+}
+
+/**
+ * The state with which the page has come back, once.
+ * @returns {Record<string, any> | null}
+ */
+export function cameBack() {
+  const state = kept(NAME, /** @type {Record<string, any> | null} */ (null), true);
+  keep(NAME, undefined, true);
+  return state && Date.now() - state.at < FRESH ? state : null;
+}
+
+/**
+ * Whether an address is answered soon, and well.
+ * @param {string} address
+ */
+async function answers(address) {
+  try {
+    const signal = AbortSignal.timeout(PATIENCE);
+    return (await fetch(new URL(address, document.baseURI), { signal, cache: 'no-store' })).ok;
+  } catch {
+    return false;
   }
 }

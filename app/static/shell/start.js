@@ -2,10 +2,13 @@
 const FULL = 'The page could not be opened: the server is busy, or gone. Try again in a minute.';
 
 const start = async () => {
-  const { token } = JSON.parse(document.getElementById('session').textContent), place = document.getElementById('lab');
-  window.Bokeh.set_log_level('error');
-  await window.Bokeh.embed.embed_items({}, [{ token, elementid: 'lab', roots: {}, root_ids: [], use_for_title: false }]);
-  if (!window.Bokeh.documents.length) place.append(Object.assign(document.createElement('p'), { className: 'closed', textContent: FULL }));
+  const { token } = JSON.parse(document.getElementById('session')?.textContent ?? '{}');
+  const { Bokeh } = /** @type {any} */ (window);
+  Bokeh.set_log_level('error');
+  await Bokeh.embed.embed_items({}, [{ token, elementid: 'lab', roots: {}, root_ids: [], use_for_title: false }]);
+  if (Bokeh.documents.length) return;
+  const closed = Object.assign(document.createElement('p'), { className: 'closed', textContent: FULL });
+  document.getElementById('lab')?.append(closed);
 };
 
 start();

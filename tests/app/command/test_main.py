@@ -17,7 +17,7 @@ from tests.catalog import T
 
 KEYS = {
     "scene", "method", "contacts", "impulse", "peak_force", "peak_indentation", "residual_indentation", "impactor",
-    "target", "restitution", "energy", "diagnostics", "duration", "notes",
+    "target", "restitution", "energy", "diagnostics", "duration", "notes", "note_codes",
 }  # fmt: skip
 DIAGNOSTICS = {"energy_error", "momentum_error", "steps", "wall_time", "compile_time", "estimated_error"}
 MODAL_DIAGNOSTICS = {"raw_contacts", "raw_peak_force", "resolved_time"}
@@ -340,6 +340,7 @@ def test_a_port_of_the_environment_is_checked_too(capsys, monkeypatch):
 # --- compare ----------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_compare_prints_a_row_for_every_method_or_says_why_not(capsys):
     said = answer(capsys, "compare", "bronze-rod-steel-ball")
     rows = {line.split()[0]: line for line in said.splitlines() if line.startswith("  ") and line.split()}
@@ -348,6 +349,7 @@ def test_compare_prints_a_row_for_every_method_or_says_why_not(capsys):
     assert "cannot: " in rows["mode-switch"]
 
 
+@pytest.mark.slow
 def test_compare_in_json_for_scripts(capsys):
     found = json.loads(answer(capsys, "compare", "fixed-rod", "--set", "impactor.mass=1.0665", "--json"))
     assert set(found) == {"exact", "methods"}
@@ -394,6 +396,7 @@ def test_a_rod_that_the_mass_does_not_feel_is_refused(capsys):
 # --- installed --------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_installed_command(tmp_path):
     command = Path(sys.executable).with_name("impact")
     run = lambda *words: subprocess.run(  # noqa: E731
@@ -407,6 +410,7 @@ def test_the_installed_command(tmp_path):
     assert bad.stderr.count("\n") == 1 and "target.length: got -1" in bad.stderr
 
 
+@pytest.mark.slow
 def test_bytes_that_are_no_text_do_not_end_in_a_traceback(tmp_path):
     command = os.fsencode(Path(sys.executable).with_name("impact"))
     for words in ([b"solve", b"\xff\xfe"], [b"solve", b"fixed-rod", b"--set", b"title=\xff"]):
@@ -418,6 +422,7 @@ def test_bytes_that_are_no_text_do_not_end_in_a_traceback(tmp_path):
 # --- stability --------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_stability_draws_a_map_of_each_integrator(capsys):
     found = answer(capsys, "stability", "stiff-contact", "--grid", "4x12")
     for name in ("modal", "newmark", "newmark-frozen", "central-difference", "rk4", "moreau-jean"):
@@ -434,7 +439,7 @@ def test_stability_as_json(capsys):
             "--integrators", "modal,rk4", "--json",
         )
     )  # fmt: skip
-    assert set(found) == {"axes", "modes", "here", "bound", "maps", "notes"}
+    assert set(found) == {"axes", "modes", "here", "bound", "maps", "notes", "note_codes"}
     assert [axis["name"] for axis in found["axes"]] == ["step", "speed"] and found["modes"] == 5
     modal, rk4 = found["maps"]
     assert modal["ending"] == [[0] * 4] * 3 and modal["failures"] == 0 and modal["worst_energy_error"] < 1e-10

@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers.records import expected
+from solvers.records.record import expected
 from tests.app.command.test_main import answer, refusal
 
 BALL = solvers.solve(solvers.load("bronze-rod-steel-ball"), duration=2e-3)

@@ -108,6 +108,7 @@ def test_a_method_that_cannot_solve_the_scene_says_so(capsys):
     refusal(capsys, "sweep", "no-such-scene", "--vary", "impactor.mass=1..2")
 
 
+@pytest.mark.slow
 def test_an_interrupt_keeps_what_is_solved():
     words = ["sweep", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--vary", "impactor.mass=1..2:2000", "--json"]  # fmt: skip

@@ -35,7 +35,7 @@ def test_json_is_the_whole_table(capsys):
     found = json.loads(answer(capsys, *QUICK, "--json"))
     assert set(found) == {
         "scene", "quantities", "reference", "points", "refused", "remarks", "machine", "version", "date", "seconds",
-        "stopped",
+        "stopped", "refused_codes", "remark_codes",
     }  # fmt: skip
     (point,) = found["points"]
     assert point["method"]["name"] == "rigid" and "rebound" in point["best_for"]

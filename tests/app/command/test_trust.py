@@ -74,6 +74,7 @@ def test_bodies_in_space_are_refused(capsys):
     assert "two bodies that meet on an axis" in refusal(capsys, "ensemble", "brick-off-centre")
 
 
+@pytest.mark.slow
 def test_an_interrupt_keeps_the_runs_that_are_done():
     words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
              "method.steps=100000", "--runs", "2000", "--json"]  # fmt: skip
@@ -99,7 +100,19 @@ def test_an_interrupt_keeps_the_runs_that_are_done():
 
 def test_convergence_has_the_promised_keys(capsys):
     found = json.loads(answer(capsys, "convergence", "bronze-rod-steel-ball", "--modes", "3,6,12", "--json"))
-    keys = {"method", "kind", "counts", "units", "values", "differences", "order", "told", "wall_time"}
+    keys = {
+        "method",
+        "kind",
+        "counts",
+        "units",
+        "values",
+        "differences",
+        "order",
+        "told",
+        "summary",
+        "summary_codes",
+        "wall_time",
+    }
     assert set(found) == keys
     assert found["counts"] == [3, 6, 12] and (found["method"], found["kind"]) == ("modal", "modes")
     assert len(found["values"]["final_velocity"]) == len(found["differences"]["final_velocity"]) == 3

@@ -4,19 +4,22 @@ import asyncio
 import signal
 import threading
 import time
+from dataclasses import replace
 from functools import wraps
 
 import numba
 import pytest
 from playwright.sync_api import expect
 
-from app import lab, mass_ratios, panels
+from app.choices.choices import Choices
 from app.jobs import runner
 from app.jobs.answers import Answers
 from app.jobs.compiler import Compiler, usual, works
 from app.jobs.runner import COMPILING, Runner
+from app.messages.solve import solve_frame
+from app.page import lab, panels
 from app.serving import server as page_server
-from app.state import Choices
+from app.views import mass_ratios
 from solvers.jit import NotCompiled, all_compiled
 
 from ..conftest import Page, free_port
@@ -43,6 +46,7 @@ def test_who_asks_twice_is_answered_once_and_a_refusal_is_an_answer(compiler):
     compiler.ask("solve_frame", {**IN_SPACE, "speed": -1.0}).result(60)
 
 
+@pytest.mark.slow
 def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
     compiler.ask("solve_frame", IN_SPACE).result(60)
     compiler._process.kill()
@@ -54,7 +58,7 @@ def test_if_the_process_dies_nobody_waits_and_the_next_one_is_served(compiler):
 
 def test_everything_that_can_be_opened_is_compiled_ahead():
     page = lab.Lab()
-    runners = [value for value in vars(page).values() if isinstance(value, Runner)]
+    runners = [page._runner, *page._runners.values()]
     kernels = {run._kernels.__name__ for run in page._long.values()}
     assert {runner._work.__name__ for runner in runners} | kernels == set(works())
     asked = list(usual())
@@ -127,8 +131,9 @@ def gated_page(browser, monkeypatch):
             try:
                 asyncio.set_event_loop(asyncio.new_event_loop())
                 server = page_server.build(port, "127.0.0.1", [])
-                for name, work in works().items():  # after the server has made its own first page
-                    monkeypatch.setattr(lab if hasattr(lab, name) else panels, name, gate.guard(work))
+                monkeypatch.setattr(lab, "solve_frame", gate.guard(solve_frame))  # after the server's own first page
+                guarded = [replace(view, work=gate.guard(view.work)) if view.work else view for view in panels.VIEWS]
+                monkeypatch.setattr(panels, "VIEWS", guarded)
                 server.start()
                 stop.append(lambda: server.io_loop.add_callback(server.io_loop.stop))
             except Exception as error:
@@ -149,11 +154,12 @@ def gated_page(browser, monkeypatch):
         end()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "button, work, there",
     [
-        ("All mass ratios", "ratios_for", "() => strikewave.page.analyses.ratios.mark(strikewave.page.frame)"),
-        ("Energy over time", "energy_shares", "() => strikewave.page.span"),
+        ("All mass ratios", "ratios_data", "() => strikewave.page.model.ratios"),
+        ("Energy over time", "energy_data", "() => strikewave.page.model.energy"),
         ("Compare methods", "methods_table", "() => strikewave.page.model.methods"),
     ],
 )
@@ -162,7 +168,7 @@ def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_pag
     page, gate = gated_page("", work)
     sign = page.tab.locator(".waiting")
     expect(sign).to_be_hidden()
-    page.tab.get_by_role("button", name=button).click()
+    page.analysis(button)
     expect(sign).to_be_visible()
     expect(sign).to_contain_text(COMPILING)
     expect(sign).to_be_in_viewport()
@@ -176,6 +182,7 @@ def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_pag
     assert set(gate.asked) == {work}
 
 
+@pytest.mark.slow
 def test_a_page_whose_first_scene_must_be_compiled_opens_with_a_word(gated_page):
     begun = time.monotonic()
     page, gate = gated_page("?law=linear", "solve_frame")
@@ -189,6 +196,7 @@ def test_a_page_whose_first_scene_must_be_compiled_opens_with_a_word(gated_page)
     assert page.errors == []
 
 
+@pytest.mark.slow
 def test_an_answer_that_takes_long_is_announced(gated_page):
     page, gate = gated_page("")
     gate.missing.add("solve_frame")
@@ -201,6 +209,7 @@ def test_an_answer_that_takes_long_is_announced(gated_page):
     expect(sign).to_be_hidden()
 
 
+@pytest.mark.slow
 def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler, monkeypatch, caplog):
     compiler.ask("solve_frame", IN_SPACE).result(60)
     hanging = compiler._process
@@ -219,6 +228,7 @@ def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler,
     assert compiler._process is not hanging
 
 
+@pytest.mark.slow
 def test_one_that_is_busy_but_says_so_is_left_alone(compiler, monkeypatch):
     compiler.ask("solve_frame", IN_SPACE).result(60)
     monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 5.0)

@@ -79,7 +79,7 @@ def test_work_that_can_be_stopped_ends_with_what_it_has():
 
 
 def test_a_newer_wish_ends_what_takes_long(monkeypatch):
-    monkeypatch.setattr("app.jobs.runner.PATIENCE", 0.05)
+    monkeypatch.setattr("app.jobs.runner.MIN_RUN_SECONDS", 0.05)
     published = []
 
     def work(choices, cancelled):

@@ -9,9 +9,9 @@ from contextlib import suppress
 
 import pytest
 
-from app.frames import solve_frame
+from app.choices.choices import Choices
 from app.jobs.workers import LEVELS, LONG, QUICK, SLOW, GivenUp, Level, Lost, Workers, level_after
-from app.state import Choices
+from app.messages.solve import solve_frame
 from solvers.jit import NotCompiled
 
 from ..socket_client import run
@@ -64,6 +64,7 @@ def test_a_frame_is_the_same_as_solved_here():
     assert arrays[0] == arrays[1] and len(arrays[0]) > 10_000  # the header also tells how long it took
 
 
+@pytest.mark.slow
 def test_a_long_solve_moves_out_of_the_way_and_others_are_answered_meanwhile():
     async def test(workers):
         await workers.start(works.double, 0).answer
@@ -89,6 +90,7 @@ def test_what_is_long_yields_the_processors():
     with_workers(test)
 
 
+@pytest.mark.slow
 def test_a_solve_is_given_up_after_its_seconds_of_computing_and_just_below_it_is_not():
     async def test(workers):
         assert await workers.start(works.compute, 0.3, seconds=1.0).answer == 0.3

@@ -23,10 +23,9 @@ from playwright.sync_api import expect
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
-from app.lab import VERSION
-from app.serving.guard import REPORTED, judge
+from app.page.lab import VERSION
+from app.serving.guard import REPORTED, SETTABLE, judge
 from app.serving.limits import HASTE_BURST, MAX_BODY, MAX_REFUSED, OVER_PAUSE
-from app.serving.sockets import SETTABLE
 from app.serving.uploads import MAX_RECEIVED
 
 from .. import example_record
@@ -88,7 +87,7 @@ def test_a_session_that_a_link_or_a_header_names_is_nobodys(server):
     "path",
     [
         *("autoload.js", "autoload.js?bokeh-autoload-element=x&bokeh-session-id=evil", "metadata", "ws/metadata"),
-        *("components/antigravity/x/_css/y", "components/app.lab/Lab/_bundle_path/page.js", "rest/session_info"),
+        *("components/antigravity/x/_css/y", "components/app.page.lab/Lab/_bundle_path/page.js", "rest/session_info"),
     ],
 )
 def test_other_ways_in_do_not_exist(server, path):
@@ -116,7 +115,7 @@ def test_a_token_opens_one_socket(server):
 
 
 def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(server):
-    """Also with a figure open, which brings models with texts in it."""
+    """Also with analyses open: their figures are the browser's own, so that the document stays as small as it is."""
 
     async def attack():
         client = await SocketClient(server).open("?panel=energy,ratios")
@@ -125,14 +124,14 @@ def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(ser
         while "doc" not in (await client.receive())[1]:
             pass
         found = list(models(client.last["doc"]))
-        assert len(found) > 50
+        assert 0 < len(found) < 20
         own, tried = client.lab["id"], 0
         for model, properties in sorted(found, key=lambda each: each[0] != own):
             wanted = properties | {"esm", "text", "visible", "name", "data", "stylesheets"}
             for name in sorted(wanted - SETTABLE if model == own else wanted):
                 change = {"kind": "ModelChanged", "model": {"id": model}, "attr": name, "new": SCRIPT[:90]}
                 assert judge("PATCH-DOC", {"events": [change]}, own, SETTABLE).events == [], (model, name)
-                if name in REPORTED or tried >= MAX_REFUSED - 5:
+                if name in REPORTED:
                     continue
                 await client.patch(change)  # and on the wire
                 kind = "PATCH-DOC"
@@ -141,7 +140,7 @@ def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(ser
                 assert kind == "ERROR", (model, name)
                 assert "Traceback" not in json.dumps({k: v for k, v in content.items() if k != "buffers"})
                 tried += 1
-        assert tried > 100
+        assert 50 < tried < MAX_REFUSED  # every one of them, on the wire
         client.close()
 
     run(attack())

@@ -5,11 +5,10 @@ import inspect
 import pytest
 from panel.reactive import Syncable
 
-from app.lab import Lab
-from app.questions import Questions
+from app.choices.choices import Choices
+from app.page.lab import Lab
+from app.page.questions import Questions
 from app.serving import guard
-from app.serving.sockets import SETTABLE
-from app.state import Choices
 
 OWN = "p1"
 CHANGE = {"kind": "ModelChanged", "model": {"id": OWN}, "attr": "speed", "new": 2.0}
@@ -18,14 +17,14 @@ SAID = {"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": READY}
 
 
 def taken(*events, kind="PATCH-DOC"):
-    verdict = guard.judge(kind, {"events": list(events)}, OWN, SETTABLE)
+    verdict = guard.judge(kind, {"events": list(events)}, OWN, guard.SETTABLE)
     return None if verdict.reason else verdict.events
 
 
 def test_choices_and_what_is_opened_and_asked_are_taken_and_nothing_else_of_the_same_model():
-    for name in (*Choices.CHOSEN, *Lab.OPENED, *Questions.ASKED):
+    for name in (*Choices.CHOSEN, *Questions.ASKED):
         assert taken(CHANGE | {"attr": name}) == [CHANGE | {"attr": name}]
-    for name in set(Lab.param) - SETTABLE:
+    for name in set(Lab.param) - guard.SETTABLE:
         assert taken(CHANGE | {"attr": name}) is None, name
 
 
@@ -67,16 +66,16 @@ def test_plain_values_and_the_one_event_are_taken():
     assert taken(*[CHANGE] * guard.MAX_EVENTS) and taken(*[CHANGE] * (guard.MAX_EVENTS + 1)) is None
 
 
-def test_what_figures_and_panel_report_by_themselves_is_dropped_without_a_word():
-    reported = CHANGE | {"model": {"id": "p77"}, "attr": "inner_width", "new": 300}
+def test_what_panel_reports_by_itself_is_dropped_without_a_word():
+    reported = CHANGE | {"model": {"id": "p77"}, "attr": "dark_mode", "new": True}
     assert taken(reported) == [] and taken(CHANGE, reported) == [CHANGE]
     assert not guard.REPORTED & set(Lab.param)
 
 
 @pytest.mark.parametrize("kind", ["PUSH-DOC", "SERVER-INFO-REQ", "ACK", "OK", "nonsense"])
 def test_no_other_message_is_taken(kind):
-    assert guard.judge(kind, {"events": []}, OWN, SETTABLE).reason
-    assert guard.judge("PATCH-DOC", [], OWN, SETTABLE).reason
+    assert guard.judge(kind, {"events": []}, OWN, guard.SETTABLE).reason
+    assert guard.judge("PATCH-DOC", [], OWN, guard.SETTABLE).reason
 
 
 def test_of_choices_that_are_set_again_only_the_newest_is_kept():

@@ -1,16 +1,18 @@
 """A client that is no browser, on a real socket: what it may not do, and what becomes of the page meanwhile."""
 
+import asyncio
 import json
+import re
 import time
 import urllib.error
 import urllib.request
 
 import pytest
-from tornado.httpclient import HTTPRequest
+from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
-from app.lab import VERSION
-from app.state import Choices
+from app.choices.choices import Choices
+from app.page.lab import VERSION
 
 from ..socket_client import SocketClient, run
 
@@ -178,3 +180,24 @@ def test_a_bad_address_is_answered_with_the_page(server):
         with urllib.request.urlopen(f"http://{server}/{query}") as page:
             assert page.status == 200
             assert "Traceback" not in page.read().decode()
+
+
+def test_who_leaves_while_the_socket_opens_leaves_no_trace(server):
+    """The server's log is read at the end of all tests: a stack trace in it fails them."""
+
+    async def visit(seconds: float) -> None:
+        page = await AsyncHTTPClient().fetch(f"http://{server}/", request_timeout=120)
+        token = re.search(r'"token":\s*"([^"]+)"', page.body.decode()).group(1)
+        socket = await websocket_connect(f"ws://{server}/ws", subprotocols=["bokeh", token])
+        await asyncio.sleep(seconds)
+        socket.close()
+
+    async def visits() -> None:
+        for number in range(20):
+            await visit(0.002 * number)  # of which some leave before their session has begun
+        client = await opened(server)
+        await client.set("mass_ratio", 3.0)
+        await client.answer()
+        client.close()
+
+    run(visits())

@@ -13,13 +13,13 @@ from pytest import approx
 
 from app.serving.uploads import MAX_RECEIVED
 from app.views.record import MAX_POINTS
-from solvers.record_files import MAX_BYTES
+from solvers.records.files import MAX_BYTES
 
 from .. import example_record
 
 QUERY = {"scene": "bronze-rod-steel-ball", "kind": "strain", "at": "1.0"}
 GOOD = example_record.FILE.read_bytes()
-PEAK = 5582.0  # [N], of the scene itself, tests/app/test_frames.py
+PEAK = 5582.0  # [N], of the scene itself, tests/app/messages/test_axial.py
 
 
 def post(address, content, origin=None, **query):
@@ -95,9 +95,9 @@ def test_bad_files_are_refused_in_a_sentence(server, content, said):
 @pytest.mark.parametrize(
     "query, said",
     [
-        ({"speed": "1e9"}, "speed: got 1000000000.0; allowed: "),
-        ({"law": "<script>"}, "law: got 'text'"),
-        ({"scene": "nowhere"}, "scene: got 'nowhere'"),
+        ({"speed": "1e9"}, "Impact speed: 1000000000.0 is not possible."),
+        ({"law": "<script>"}, "Contact law: 'text' is not possible"),
+        ({"scene": "nowhere"}, "Scene: 'nowhere' is none of the"),
         ({"at": "9"}, "at: got 9.0; allowed: a number from 0 to 1.48"),
         ({"at": ""}, "at: got nothing"),
         ({"at": "nan"}, "at: got nan"),

@@ -1,0 +1,1 @@
+"""What a visitor has chosen and may ask: bounded values, no widget."""

@@ -1,0 +1,82 @@
+"""What a visitor has chosen: bounded values, no widget. The same bounds guard sliders, address and socket."""
+
+from typing import Any
+
+import param
+
+import solvers
+from solvers import LAWS, METHODS
+from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
+from solvers.validation import shown
+
+from ..text.catalogues import page
+
+SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
+START = next(iter(SCENES))
+
+
+class Choices(param.Parameterized):
+    """Everything that can be set on the page. SI units; a value out of bounds raises ValueError."""
+
+    scene = param.Selector(default=START, objects=list(SCENES))
+    method = param.Selector(default="waves", objects=list(METHODS))
+    mass_ratio = param.Number(default=1.0, bounds=(1e-3, 1e3))  # target / impactor
+    speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # of approach [m/s]
+    law = param.Selector(default="rigid", objects=list(LAWS))
+    linear_stiffness = param.Number(default=1.3e10, bounds=(1e5, 1e14))  # [N/m]
+    hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5]
+    force_at_depth = param.Number(default=1e4, bounds=(1e-1, 1e9))  # [N], of laws with an exponent of their own
+    exponent = param.Number(default=1.5, bounds=(1.0, 3.0))
+    yield_indentation = param.Number(default=1e-6, bounds=(1e-9, 1e-2))  # [m]
+    restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
+    modes = param.Integer(default=50, bounds=(1, 200))
+    elements = param.Integer(default=50, bounds=(1, 200))
+    place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a beam, or a rod in space, the impact falls
+    support = param.Selector(default=SUPPORTS[0], objects=list(SUPPORTS))  # of a beam
+    theory = param.Selector(default=THEORIES[0], objects=list(THEORIES))
+    slenderness = param.Number(default=10.0, bounds=(1.0, 1e3))  # length of a beam over its depth
+    damping = param.Number(default=0.0, bounds=(0.0, LARGEST_DAMPING))  # of every mode of a beam, of the critical
+
+    CHOSEN = tuple(name for name, each in dict(locals()).items() if isinstance(each, param.Parameter))
+
+    def chosen(self) -> dict[str, Any]:
+        """All values by name, as one consistent set that a worker thread can keep."""
+        return {name: getattr(self, name) for name in self.CHOSEN}
+
+
+_TRIAL = Choices()
+
+
+def accepts(name: str, value: object) -> bool:
+    """Whether a choice may have this value."""
+    if isinstance(value, bool):  # which Python counts among the numbers
+        return False
+    try:
+        _TRIAL.param.update(**{name: value})
+    except (ValueError, TypeError, OverflowError):
+        return False
+    return True
+
+
+def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> str:
+    """One sentence for who uses the page: the control, the value and what is allowed; `key` where it has no title."""
+    parameter, said = of.param[name], {"control": title_of(name, key), "value": shown(value)}
+    if name == "scene":
+        return page().text("refused.scene", **said, count=len(SCENES))
+    if isinstance(parameter, param.Selector):
+        names = page().family(f"name.{name}")
+        return page().text("refused.choice", **said, options=[names.get(each, each) for each in parameter.objects])
+    if isinstance(parameter, param.Boolean):
+        return page().text("refused.switch", **said)
+    if isinstance(parameter, param.String):
+        return page().text("refused.text", **said)
+    low, high = parameter.bounds
+    unit = page().texts.get(f"unit.{name}", "none")
+    whole = isinstance(parameter, param.Integer)
+    return page().text("refused.number", **said, whole=whole, low=low, high=high, unit=unit)
+
+
+def title_of(name: str, key: str | None = None) -> str:
+    """What the page calls a choice or a question."""
+    texts = page().texts
+    return texts.get(f"control.{name}") or texts.get(f"question.{name}") or key or name

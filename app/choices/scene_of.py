@@ -1,0 +1,173 @@
+"""The scene that choices describe, and the choices that a scene asks for."""
+
+from dataclasses import fields
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+import solvers
+from solvers import LAWS, METHODS, Body, Scene
+from solvers.contact.constants import STIFFNESS_RANGE
+from solvers.contact.viscous import LEAST_RESTITUTION
+
+from .beam import BEAM_CHOICES, on_beam, other_beam
+from .choices import SCENES, Choices, accepts
+from .space import has_length, in_space, struck_at, struck_place
+
+DEPTH = 1e-5  # [m] at which `force_at_depth` tells how stiff a power law is: its stiffness has no unit of its own
+
+OF_ANOTHER_NAME = ("stiffness", "restitution", "nominal_restitution", "damping")  # constants set by other choices
+
+
+def kind_of(scene: Scene) -> str:
+    """How the page draws it: "axial", "beam" or "bodies", as its message says too."""
+    if in_space(scene):
+        return "bodies"
+    return "beam" if on_beam(scene) else "axial"
+
+
+def choices_of(name: str) -> dict[str, Any]:
+    """The values that a built-in scene asks for, each within its bounds."""
+    return dict(_own_values(name))
+
+
+@cache
+def _own_values(name: str) -> dict[str, Any]:
+    scene = SCENES[name]
+    wanted: dict[str, Any] = {"speed": scene.speed}
+    if in_space(scene):
+        wanted["place"] = struck_place(scene)
+    elif np.isfinite(scene.mass_ratio):
+        wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
+    method = dict(scene.method)
+    wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
+    wanted["method"] = method.get("name") or solvers.usual_method(scene)
+    if on_beam(scene):
+        wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
+    if not in_space(scene):
+        wanted |= {"law": scene.contact.NAME} | _constants(scene)
+    return {name: value for name, value in wanted.items() if accepts(name, value)}
+
+
+def _constants(scene: Scene) -> dict[str, Any]:
+    """What the sliders of the contact laws show for a scene."""
+    law, found = scene.contact, {}
+    if scene.target.softness and not scene.target.bends and len(scene.target.rods) < 2:
+        found["linear_stiffness"] = _rounded(20.0 / scene.target.softness)
+    table = law.table(scene.speed)
+    if "stiffness" in table:
+        name = STIFFNESS.get(law.NAME, "hertz_stiffness")
+        found[name] = table["stiffness"]
+        if name == "force_at_depth":
+            found[name] *= DEPTH ** table.get("exponent", 1.5)
+    for name in (*_of_own_name(law.NAME), "restitution"):
+        if name in table:
+            found[name] = table[name]
+    return found
+
+
+STIFFNESS = {"linear": "linear_stiffness", "kelvin-voigt": "linear_stiffness"} | {
+    law: "force_at_depth" for law in LAWS if "exponent" in LAWS[law].KEYS
+}
+
+
+def law_choices(law: str) -> list[str]:
+    """The choices that set the constants of a contact law."""
+    keys = LAWS[law].KEYS
+    names = [STIFFNESS.get(law, "hertz_stiffness")] if "stiffness" in keys else []
+    return names + _of_own_name(law)
+
+
+def _of_own_name(law: str) -> list[str]:
+    """The constants of a law that are choices by the same name."""
+    return [name for name in LAWS[law].KEYS if name in Choices.CHOSEN and name not in OF_ANOTHER_NAME]
+
+
+def acting_choices(chosen: dict[str, Any]) -> list[str]:
+    """The choices that change anything in the chosen scene."""
+    base = SCENES[chosen["scene"]]
+    if in_space(base):
+        return ["scene", "speed", "restitution"] + (["place"] if has_length(base) else [])
+    if base.prescribed_force:
+        return ["scene"]
+    names = ["scene", "method", "speed", "law", *law_choices(chosen["law"])]
+    if on_beam(base):
+        names += BEAM_CHOICES
+    if not on_beam(base) or "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid"):
+        names.append("restitution")
+    if base.impactor.free_mass and np.isfinite(base.mass_ratio):
+        names.append("mass_ratio")
+    shown = "modal" if chosen["method"] == "waves" else chosen["method"]
+    return names + resolutions(base, shown)
+
+
+def own_options(scene: Scene, method: str) -> dict[str, Any]:
+    """What the scene itself says on how this method is to solve it."""
+    if scene.method.get("name") != method:
+        return {}
+    return {option: value for option, value in scene.method.items() if option not in ("name", "duration")}
+
+
+def resolutions(scene: Scene, method: str) -> list[str]:
+    """Which of modes and elements the method takes; where the scene gives any of them, those only.
+
+    Of a beam what makes the method finer: it keeps so few modes of its elements that their number need not be set.
+    """
+    known, own = {option.name for option in fields(METHODS[method])}, own_options(scene, method)
+    if on_beam(scene) and not own:
+        known &= set(METHODS[method].RESOLUTIONS)
+    found = [name for name in ("modes", "elements") if name in known]
+    return [name for name in found if name in own] or found
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.2g}")
+
+
+def contact_table(chosen: dict[str, Any]) -> dict[str, Any]:
+    """The table `[contact]` that these choices describe."""
+    law = chosen["law"]
+    keys, table = LAWS[law].KEYS, {"law": law}
+    unset = {name: value for name, value in LAWS[law].EXAMPLE.items() if name not in OF_ANOTHER_NAME}
+    table |= unset | {name: chosen[name] for name in _of_own_name(law)}
+    if "stiffness" in keys:
+        name = STIFFNESS.get(law, "hertz_stiffness")
+        table["stiffness"] = chosen[name]
+        if name == "force_at_depth":
+            table["stiffness"] = min(table["stiffness"] / DEPTH ** chosen["exponent"], STIFFNESS_RANGE[1])
+    if "restitution" in keys:
+        table["restitution"] = max(chosen["restitution"], LEAST_RESTITUTION)
+    return table
+
+
+def chosen_scene(chosen: dict[str, Any]) -> Scene:
+    """The scene that these choices describe."""
+    base = SCENES[chosen["scene"]]
+    if in_space(base):
+        faster = chosen["speed"] / base.speed
+        scene = base.replace(
+            {
+                f"{name}.{key}": [faster * v for v in getattr(getattr(base, name), key)]
+                for name in ("impactor", "target")
+                for key in ("velocity", "spin")
+                if isinstance(getattr(base, name), Body)
+            }
+        )
+        return struck_at(scene, chosen["place"]) if has_length(base) else scene
+    if base.prescribed_force:
+        return base
+    changes: dict[str, Any] = {"impactor.velocity": chosen["speed"]}
+    if base.target.velocity:
+        faster = chosen["speed"] / base.speed
+        changes = {f"{name}.velocity": faster * getattr(base, name).velocity for name in ("impactor", "target")}
+    own = choices_of(chosen["scene"])
+    if on_beam(base):
+        base = other_beam(
+            base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
+        )
+    if "mass_ratio" in acting_choices(chosen):
+        changes["impactor.mass"] = base.target.mass / chosen["mass_ratio"]
+    if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
+        changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
+    return base.replace(changes)

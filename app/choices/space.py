@@ -1,0 +1,63 @@
+"""Bodies in space as they are drawn and struck: the box they fill, and where along it the impact falls."""
+
+import numpy as np
+
+from solvers import Body, Scene, SceneError
+from solvers.numerics.rigid.impulses import NULL_MOMENT, principal
+
+
+def has_length(scene: Scene) -> bool:
+    """Whether one of the bodies has a length to be struck along."""
+    return any(isinstance(body, Body) and not body.is_point for body in (scene.target, scene.impactor))
+
+
+def struck_place(scene: Scene) -> float:
+    """Where along the longest side of the struck body the impact falls: 0 and 1 are its ends."""
+    _, body = _struck(scene)
+    axis, length = _longest_side(body)
+    return 0.5 - float(np.dot(body.centre, axis)) / length
+
+
+def struck_at(scene: Scene, place: float) -> Scene:
+    """The scene with its rod, or the longest side of its body, struck at another place from 0 to 1 along it.
+
+    The end at 1 is the one that lies towards the positive coordinate axis. Raises SceneError for a place out of range,
+    and for point masses, which have no length.
+    """
+    name, body = _struck(scene)
+    if not isinstance(place, (int, float)) or not 0.0 <= place <= 1.0:
+        raise SceneError("place", place, "a number from 0 to 1, along the length of the body")
+    axis, length = _longest_side(body)
+    centre = np.array(body.centre)
+    centre += ((0.5 - place) * length - centre @ axis) * axis
+    return scene.replace({f"{name}.centre": centre.tolist()})
+
+
+def _struck(scene: Scene) -> tuple[str, Body]:
+    """The target, if it is long at all, or else the impactor."""
+    for name in ("target", "impactor"):
+        body = getattr(scene, name)
+        if isinstance(body, Body) and not body.is_point:
+            return name, body
+    raise SceneError("target.inertia", None, "a tensor that is not zero: a point mass has no length to be struck along")
+
+
+def _longest_side(body: Body) -> tuple[np.ndarray, float]:
+    sides, axes = equivalent_box(body)
+    axis = axes[:, int(np.argmax(sides))]
+    return axis * np.sign(axis[int(np.argmax(np.abs(axis)))]), float(np.max(sides))
+
+
+def equivalent_box(body: Body) -> tuple[np.ndarray, np.ndarray]:
+    """Sides [m] of the uniform box of this mass and inertia, and their directions as columns; a thin rod has one side.
+
+    From I1 = m (b^2 + c^2) / 12 and its like.
+    """
+    moments, axes = principal(np.array(body.inertia))
+    squares = 6.0 / body.mass * (moments.sum() - 2.0 * moments)
+    return np.sqrt(np.where(squares > 10.0 * NULL_MOMENT * squares.max(), squares, 0.0)), axes
+
+
+def in_space(scene: Scene) -> bool:
+    """Whether the bodies are not on one axis but in space."""
+    return scene.normal is not None

@@ -1,0 +1,1 @@
+"""What the browser needs of a solve, as binary messages."""

@@ -1,0 +1,251 @@
+"""What the browser needs of an impact on an axis, from which it rebuilds every picture.
+
+Units of the message: time in round trips T, velocity in the impact speed v, displacement in v T, force in Z v, stress
+in v sqrt(E rho).
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from solvers import ContactPeriod, Rod, Scene, Solution, Waveguide
+from solvers.contact.protocol import Damped
+from solvers.contact.viscous import LEAST_RESTITUTION
+from solvers.methods.modal.method import ModalMotion
+from solvers.methods.validity import TWICE
+from solvers.solution.motion import Balances, SendsWaves
+from solvers.solution.restitution import common_velocity
+from solvers.text.notes import Note
+
+from ..choices.request import Request
+from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+
+WAVE_NUMBERS = 4_800  # of the histories of all waves together
+MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
+INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and modes
+
+
+def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
+    """The message for one scene on an axis."""
+    scene = request.scene
+    speed, trip = scene.speed, scene.time_unit
+    target = scene.target if isinstance(scene.target, Waveguide) else None
+    force_unit = (target.impedance if target else scene.reduced_mass / trip) * speed
+    stress_unit = force_unit / (target.area if target else 1.0)
+    reach = exact.duration
+    even = np.linspace(0.0, reach, MOTION_POINTS + 1)
+    length_unit = speed * trip
+    rods, arrays = _rods(scene, exact)
+    carried = None if other is None else _carried_by_the_browser(other)
+    for name, solution in (("exact", exact), ("other", other)):
+        if solution is None:
+            continue
+        arrays |= {
+            f"{name}Mass": solution.motion.impactor_position(even) / length_unit,
+            f"{name}End": solution.motion.end_position(even) / length_unit,
+        }
+        if solution is exact or not carried:
+            time, force = force_history(solution)
+            arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
+    arrays |= cycle(exact) | _balances(other, trip, force_unit)
+    steps = None
+    if carried is not None:
+        arrays["modalForce"] = carried.record.contact_force / force_unit
+        steps = carried.step / trip
+    elif other is not None and request.method == other.method["name"]:
+        arrays |= _sampled_fields(other, stress_unit, length_unit)
+    header = {
+        "kind": "axial",
+        "chosen": request.chosen,
+        "acting": request.acting,
+        "refusals": refusals(scene),
+        "title": scene.title,
+        "source": scene.source,
+        "note": scene.note,
+        "unshown": unshown(scene),
+        "trip": trip,
+        "duration": reach / trip,
+        "rods": rods,
+        "impactor": {
+            "kind": scene.impactor.kind,
+            "mass": min(scene.impactor.mass, LARGEST_MASS),
+            "radius": getattr(scene.impactor, "radius", None),
+        },
+        "target": _target(scene),
+        "speed": speed,
+        "forceUnit": force_unit,
+        "stressUnit": stress_unit,
+        "modes": request.modes,
+        "step": steps,
+        "exact": _figures(exact),
+        "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
+        "prediction": None if scene.prescribed_force else rigid_prediction(scene, request.restitution),
+        "match": exact.restitution["newton"],
+        "damps": scene.contact.LOSSY,
+        "nominal": _nominal(scene),
+        "yields": scene.contact.PLASTIC,
+        "leastRestitution": LEAST_RESTITUTION,
+    }
+    return packed(header, arrays)
+
+
+def _carried_by_the_browser(solution: Solution) -> ModalMotion | None:
+    """The motion, if the browser rebuilds its fields from the modes of one rod and the forces on them."""
+    scene, motion = solution.scene, solution.motion
+    if not isinstance(motion, ModalMotion) or scene.impactor.rods or not isinstance(scene.target, Rod):
+        return None
+    return motion if solution.method["frame"] == "mean-axis" and solution.method["residual"] else None
+
+
+def _nominal(scene: Scene) -> float | None:
+    """The restitution that the usual formula of a law with damping names."""
+    law = scene.contact
+    return law.nominal(scene.reduced_mass, scene.speed) if isinstance(law, Damped) else None
+
+
+def _is_ball(body: Any) -> bool:
+    """Whether a compact body has the mass of a ball of its radius and material, to the digits that scenes give."""
+    radius = getattr(body, "radius", None)
+    if body.kind not in ("mass", "sphere") or radius is None:
+        return False
+    return math.isclose(body.mass, 4.0 / 3.0 * math.pi * radius**3 * body.material.density, rel_tol=1e-3)
+
+
+def _target(scene: Scene) -> dict[str, Any]:
+    target = scene.target
+    return {
+        "kind": target.kind,
+        "shape": "ball" if _is_ball(target) else "block",
+        "radius": getattr(target, "radius", None),
+        "mass": min(target.mass, LARGEST_MASS),
+        "length": target.length,
+        "support": target.support if isinstance(target, Waveguide) else None,
+        "held": target.held,
+        "endMass": target.rods[-1].end_mass if target.rods else 0.0,
+    }
+
+
+def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, np.ndarray]]:
+    """Every rod from left to right, and the waves that its ends send: time and value, at a jump the time stands twice.
+
+    A uniform rod that is fixed or free at its far end is its own mirror: one wave says all.
+    """
+    bodies, target = [*scene.impactor.rods, *scene.target.rods], scene.target
+    if not isinstance(target, Waveguide) or not isinstance(exact.motion, SendsWaves):
+        return [], {}
+    trip, reach = scene.time_unit, exact.duration / scene.time_unit
+    first = len(bodies) - len(target.rods)
+    joints = [None] * (first + 1) + ["bonded" if joint.bonded else "touching" for joint in target.joints]
+    mirrored = len(bodies) == 1 and bodies[0].support != "anechoic" and not bodies[0].end_mass
+    waves = len(bodies) * (1 if mirrored else 2)
+    even = np.linspace(0.0, reach, WAVE_NUMBERS // (2 * waves))
+    edge = -bodies[0].length if first else 0.0
+    rods, arrays = [], {}
+    for number, body in enumerate(bodies):
+        rods.append(
+            {
+                "from": edge,
+                "to": edge + body.length,
+                "transit": 0.5 * body.round_trip_time / trip,
+                "impedance": body.impedance / target.impedance,
+                "drift": body.velocity / scene.speed,
+                "area": body.area / target.area,
+                "joint": joints[number],
+                "mirror": (1 if body.fixed else -1) if mirrored else 0,
+            }
+        )
+        edge += body.length
+        for way in (True,) if mirrored else (True, False):
+            time, wave = _wave_history(exact.motion, number, way, even)
+            arrays |= {f"{'f' if way else 'g'}{number}Time": time, f"{'f' if way else 'g'}{number}": wave}
+    return rods, arrays
+
+
+def _wave_history(motion: SendsWaves, rod: int, right_going: bool, even: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    time = np.unique(np.concatenate([even, motion.jumps(rod, right_going, float(even[-1]))[: even.size // 3]]))
+    before, after = motion.sent(rod, right_going, time, False), motion.sent(rod, right_going, time, True)
+    after[-1] = before[-1]  # at the end of the time solved no value after a jump is known
+    return _doubled(time, before, after, 1e-6)
+
+
+def _doubled(time: np.ndarray, before: np.ndarray, after: np.ndarray, least: float) -> tuple[np.ndarray, np.ndarray]:
+    """One history of values before and after each instant: where they differ the time stands twice."""
+    jump = np.abs(after - before) > least
+    order = np.argsort(np.concatenate([time[jump], time]), kind="stable")
+    return np.concatenate([time[jump], time])[order], np.concatenate([before[jump], after])[order]
+
+
+def _balances(other: Solution | Any, trip: float, force_unit: float) -> dict[str, np.ndarray]:
+    """Impulses over the step, of balances that stand at the ends of steps: the circles of thesis figure 6.5."""
+    step = None if other is None else other.method.get("step")
+    if step is None or not isinstance(other.motion, Balances):
+        return {}
+    time, impulse = (values[:FORCE_POINTS] for values in other.motion.impulses)
+    return {"balanceTime": time / trip, "balanceForce": impulse / step / force_unit}
+
+
+def _sampled_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, np.ndarray]:
+    """Fields at (instant, place) for methods whose fields the browser cannot rebuild."""
+    scene, motion = solution.scene, solution.motion
+    start = -scene.impactor.length if scene.impactor.rods else 0.0
+    if scene.target.length == start:
+        return {}
+    time, x = np.linspace(0.0, solution.duration, INSTANTS), np.linspace(start, scene.target.length, PLACES)
+    return {
+        "fieldStress": motion.stress(time, x) / stress_unit,
+        "fieldVelocity": motion.velocity(time, x) / scene.speed,
+        "fieldDisplacement": motion.displacement(time, x) / length_unit,
+    }
+
+
+def _figures(solution: Solution) -> dict[str, Any]:
+    trip, speed = solution.scene.time_unit, solution.scene.speed
+    return {
+        "name": solution.method["name"],
+        "contacts": [
+            [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
+            for contact in solution.contacts
+        ],
+        "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
+        "cutOff": [_cut_off(solution, contact) for contact in solution.contacts],
+        "left": []
+        if solution.impactor_velocity is None
+        else [
+            float(solution.motion.impactor_velocity(np.array([min(contact.end, solution.duration)]))[0]) / speed
+            for contact in solution.contacts
+        ],
+        "final": None if solution.impactor_velocity is None else solution.impactor_velocity / speed,
+        "targetFinal": solution.target_velocity / speed,
+        "peakForce": solution.peak_force,
+        "peakIndentation": solution.peak_indentation,
+        "residualIndentation": solution.residual_indentation,
+        "restitution": solution.restitution,
+        "energy": solution.energy,
+        "diagnostics": solution.diagnostics,
+        "notes": coded(solution.notes),
+    }
+
+
+def _once(other: Solution) -> list[Note]:
+    """Without what the exact solution says of damping, with more figures."""
+    return [note for note in other.notes if note.code != TWICE]
+
+
+def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:
+    """Whether the force was taken away at once by an arriving wave, rather than fading to zero."""
+    if contact.peak_force is None or contact.end < solution.scene.time_unit * (1.0 - 1e-9):
+        return False  # one impulse, or no wave has come back yet
+    shortly_before = contact.end - 0.02 * solution.scene.time_unit
+    if shortly_before <= contact.start:
+        return False
+    return bool(solution.motion.force(np.array([shortly_before]))[0] > 0.1 * contact.peak_force)
+
+
+def rigid_prediction(scene: Scene, restitution: float) -> dict[str, float]:
+    """Velocities that rigid-body theory predicts, in units of the impact speed, (9.1); a fixed rod stays at rest."""
+    common = common_velocity(scene)
+    share = 1.0 if scene.target.held else scene.reduced_mass / scene.impactor.mass
+    impactor = scene.impactor.velocity - share * (1.0 + restitution) * scene.speed
+    target = 0.0 if scene.target.held else common + (common - impactor) / scene.mass_ratio
+    return {"impactor": impactor / scene.speed, "target": target / scene.speed}

@@ -1,0 +1,292 @@
+"""What the browser needs of an impact on a beam, in the layout of app/messages/encoding.py.
+
+SI units, except that times are told in milliseconds. For modes the browser carries the same oscillators through the
+same forces; for other methods it gets fields at (instant, place), closer together at first, where most happens.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from solvers import METHODS, Bending, Method, Modal, Scene, SceneError, Solution
+from solvers.accuracy.reference import MODES_BESIDE, modes_beside
+from solvers.methods.modal.method import ModalMotion
+from solvers.numerics.beams.dispersion import dispersion
+from solvers.solution.motion import Bends
+from solvers.studies.contact_times import compare_with_half_space, contact_times
+from solvers.text.notes import Note
+
+from ..choices.request import Request
+from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+from .solutions import method_options
+
+MS = 1e3  # [ms / s]
+FORCE_STEPS = (
+    10_000  # of the modal force, from which the browser rebuilds the modes; longer ones are averaged in groups
+)
+DRAWN_MODES, PLACES = 48, 81  # of the fields that the browser rebuilds
+INSTANTS, SAMPLED_PLACES = 120, 41  # of fields of other methods
+MOTION_POINTS = 500  # of the motions of impactor and struck place
+EARLY = 0.15  # share of evenly spread instants; the rest lies at first
+CONTACTS = 250  # of each solution, told one by one
+TOLD_RATES = 60  # contacts before and after which velocities are told
+HALF_SPACE_POINTS = 160
+SPEEDS = 60  # points of the dispersion curve
+CYCLE_SAMPLES = 700
+
+
+def chosen_method(request: Request) -> tuple[Method, Note | None]:
+    """The chosen method, or modes where that one cannot solve the scene, with the note why."""
+    method = METHODS[request.method].read(method_options(request.method, request))
+    reason = method.refusal(request.scene)
+    if reason:
+        method = Modal(modes=request.modes)
+    if isinstance(method, Modal):
+        method = replace(method, estimate=False)  # another number of modes is shown beside it
+    return method, reason
+
+
+def main_solution(request: Request) -> tuple[Solution, Note | None]:
+    """The impact by `chosen_method`."""
+    method, reason = chosen_method(request)
+    return method.solve_in_full(request.scene, request.scene.method.get("duration")), reason
+
+
+def beam_frame(request: Request) -> bytes:
+    """The message for one impact on a beam."""
+    scene = request.scene
+    main, reason = main_solution(request)
+    reference = modes_beside(scene, main)
+    header, arrays = _fields(main)
+    time = instants(main.duration, MOTION_POINTS)
+    arrays |= {"time": MS * time} | _paths(main, time, "")
+    arrays |= {"impactorRate": main.motion.impactor_velocity(time), "struckRate": struck_velocity(main, time)}
+    arrays |= _contacts(main) | _rates(main)
+    if reference is not None:
+        arrays |= _paths(reference, time, "reference")
+        arrays |= _history(reference, "reference")
+    refused = refusals(scene)
+    if refused["quasi-static"] is None:
+        arrays |= _static(scene, main)
+    arrays |= _half_space(scene) | _speeds(scene, main) | cycle(main, CYCLE_SAMPLES)
+    header |= {
+        "kind": "beam",
+        "chosen": request.chosen,
+        "acting": request.acting,
+        "refusals": refused,
+        "refused": reason and reason.table(),
+        "title": scene.title,
+        "source": scene.source,
+        "note": scene.note,
+        "unshown": unshown(scene),
+        "trip": 1e-3,
+        "duration": MS * main.duration,
+        "speed": scene.speed,
+        "beam": _beam(scene.target),
+        "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},
+        "law": {"name": scene.contact.NAME, "damps": scene.contact.LOSSY, "yields": scene.contact.PLASTIC},
+        "main": _figures(main),
+        "reference": None if reference is None else _figures(reference),
+        "span": _span(main),
+    }
+    return packed(header, arrays)
+
+
+def instants(duration: float, count: int) -> np.ndarray:
+    """Times [s] from 0 to the end, closer together at first."""
+    even = np.linspace(0.0, 1.0, count)
+    return duration * (EARLY * even + (1.0 - EARLY) * even**2)
+
+
+def _span(solution: Solution) -> dict[str, float | None]:
+    """Times [ms]: first touch to last parting, in true contact, and half a period with the impactor on the beam."""
+    times = contact_times(solution)
+    half = None if times.half_period is None else MS * times.half_period
+    return {"apparent": MS * times.apparent, "real": MS * times.real, "half": half}
+
+
+def _beam(beam: Any) -> dict[str, Any]:
+    return {
+        "length": beam.length,
+        "mass": beam.mass,
+        "support": beam.support,
+        "theory": beam.theory,
+        "place": beam.place,
+        "halfDepth": beam.half_depth,
+        "secondMoment": beam.second_moment,
+        "endMass": beam.end_mass,
+        "held": beam.held,
+        "speedLimit": math.sqrt(beam.material.young / beam.material.density),
+    }
+
+
+def _figures(solution: Solution) -> dict[str, Any]:
+    return {
+        "name": solution.method["name"],
+        "modes": solution.method.get("modes"),
+        "elements": solution.method.get("elements"),
+        "contacts": len(solution.contacts),
+        "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
+        "final": solution.impactor_velocity,
+        "targetFinal": solution.target_velocity,
+        "impulse": solution.impulse,
+        "peakForce": solution.peak_force,
+        "peakIndentation": solution.peak_indentation,
+        "residualIndentation": solution.residual_indentation,
+        "restitution": solution.restitution,
+        "energy": solution.energy,
+        "diagnostics": solution.diagnostics,
+        "notes": coded(solution.notes),
+    }
+
+
+def _paths(solution: Solution, time: np.ndarray, name: str) -> dict[str, np.ndarray]:
+    """Displacement of the impactor and of the struck place [m]."""
+    motion = solution.motion
+    found = {"impactorPath": motion.impactor_position(time), "struckPath": motion.end_position(time)}
+    return {name + key[0].upper() + key[1:] if name else key: values for key, values in found.items()}
+
+
+def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
+    """Of the struck place [m/s]; a modal motion tells it over one of its steps, which costs no sum over its modes."""
+    motion = solution.motion
+    if not isinstance(motion, ModalMotion) or motion.pair.split:
+        return motion.end_velocity(time)
+    before = np.clip(np.floor(time / motion.step) * motion.step, 0.0, motion.duration - motion.step)
+    return (motion.end_position(before + motion.step) - motion.end_position(before)) / motion.step
+
+
+def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
+    """Contact force [N] over time [ms]; of modes in rigid contact as far as they can tell it."""
+    if isinstance(solution.motion, ModalMotion) and solution.scene.rigid_contact:
+        time = instants(solution.duration, FORCE_POINTS)
+        force = solution.motion.resolved_force(time)
+    elif isinstance(solution.motion, ModalMotion):
+        time, force = extremes(solution.motion.step, solution.motion.record.contact_force)
+    else:
+        time, force = force_history(solution)
+    return {f"{name}Time": MS * time, f"{name}Force": force}
+
+
+def extremes(step: float, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Times [s] and least and largest values of a force in groups of steps, so that no contact is thinned away."""
+    group = -(-2 * force.size // FORCE_POINTS)
+    groups = np.pad(force, (0, -force.size % group), mode="edge").reshape(-1, group)
+    middles = (np.arange(groups.shape[0]) + 0.5) * group * step
+    return np.repeat(middles, 2), np.stack([groups.min(axis=1), groups.max(axis=1)], axis=1).ravel()
+
+
+def _contacts(solution: Solution) -> dict[str, np.ndarray]:
+    """Start, end [ms], impulse [N s] and peak force [N] of every contact; an impact of no duration has peak 0."""
+    rows = [[MS * c.start, MS * c.end, c.impulse, c.peak_force or 0.0] for c in solution.contacts[:CONTACTS]]
+    return {"contacts": np.array(rows)}
+
+
+def _rates(solution: Solution) -> dict[str, np.ndarray]:
+    """Velocity of the impactor and of the struck place as each contact begins and ends [m/s]."""
+    edges = [[c.start, min(c.end, solution.duration)] for c in solution.contacts[:TOLD_RATES]]
+    time, motion = np.array(edges).ravel(), solution.motion
+    both = np.stack([motion.impactor_velocity(time), struck_velocity(solution, time)], axis=1)
+    return {"rates": both.reshape(-1, 2, 2)}
+
+
+def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    motion, beam = solution.motion, solution.scene.target
+    if isinstance(motion, ModalMotion):
+        return _modal_fields(motion)
+    assert isinstance(motion, Bends)
+    time, x = instants(solution.duration, INSTANTS), np.linspace(0.0, beam.length, SAMPLED_PLACES)
+    fields = {
+        "Deflection": solution.motion.displacement,
+        "Velocity": solution.motion.velocity,
+        "Moment": motion.moment,
+        "Shear": motion.shear,
+    }
+    arrays = {f"field{name}": whole_numbers(field(time, x)) for name, field in fields.items()}
+    return {"places": SAMPLED_PLACES}, {"fieldTime": MS * time, **arrays} | _history(solution, "main")
+
+
+def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    beam = motion.scene.target
+    modes, x = motion.pair.target, np.linspace(0.0, beam.length, PLACES)
+    group = -(-motion.steps // FORCE_STEPS)
+    force = motion.record.contact_force
+    force = np.pad(force, (0, -force.size % group)).reshape(-1, group).mean(axis=1)
+    count = min(DRAWN_MODES, modes.frequencies.size)
+    arrays = {
+        "modalForce": whole_numbers(force),
+        "modalFrequencies": modes.frequencies[:count],
+        "modalAtContact": modes.at_contact[:count],
+    }
+    drawn = modes.lowest(count)
+    for name, table in (("shape", drawn.shapes), ("moment", drawn.moments), ("shear", drawn.shears)):
+        rows = table(x)
+        scale = np.maximum(np.abs(rows).max(axis=1, initial=0.0), 1e-300)
+        arrays |= {f"{name}Rows": whole_numbers(rows / scale[:, None]), f"{name}Scale": scale}
+    arrays |= {"momentBeside": drawn.left_out("moments", x), "shearBeside": drawn.left_out("shears", x)}
+    free = np.isfinite(modes.rigid_mass)
+    if free:
+        arrays["rigidShape"] = modes.rigid_shape(x)
+    header = {
+        "places": PLACES,
+        "step": motion.step * group,
+        "smoothing": motion.smoothing,  # [s]
+        "damping": beam.damping,
+        "rigidMass": modes.rigid_mass if free else None,
+        "drift": beam.velocity,
+        "drawnModes": count,
+        "keptModes": modes.frequencies.size,
+    }
+    return header, arrays
+
+
+def whole_numbers(values: np.ndarray) -> tuple[np.ndarray, float]:
+    """Two bytes a number, and their unit."""
+    unit = float(np.abs(values).max(initial=0.0)) / 32_767 or 1.0
+    return np.rint(values / unit).astype("<i2"), unit
+
+
+def _static(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
+    """Struck place by the quasi-static estimate [m], and the shape of the beam bent at rest there."""
+    estimate = METHODS["quasi-static"].read({}).solve(scene, main.duration)
+    time = np.linspace(0.0, main.duration, 200)
+    found = {"staticTime": MS * time, "staticPath": estimate.motion.end_position(time)}
+    if scene.target.fixed:
+        modes = scene.target.modes(MODES_BESIDE[0])
+        weights = modes.at_contact / modes.frequencies**2
+        places = PLACES if isinstance(main.motion, ModalMotion) else SAMPLED_PLACES
+        bent = weights @ modes.shapes(np.linspace(0.0, scene.target.length, places))
+        found["staticShape"] = bent / float(weights @ modes.at_contact)
+    return found
+
+
+def _half_space(scene: Scene) -> dict[str, np.ndarray]:
+    """Contact force of the same impactor, by the same law, on a body too large to bend."""
+    try:
+        beside = compare_with_half_space(scene)
+    except SceneError:
+        return {}
+    time = np.linspace(0.0, min(beside.duration, 1.05 * beside.contacts[-1].end), HALF_SPACE_POINTS)
+    return {"halfTime": MS * time, "halfForce": beside.motion.force(time)}
+
+
+def _speeds(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
+    """Angular frequency over wavenumber by the theory in use, and the kept modes on that curve [rad/s, 1/m]."""
+    modes = scene.target.modes(main.method.get("modes") or MODES_BESIDE[0])
+    line, highest = scene.target.known_as(Bending).line, float(modes.frequencies[-1])
+    reach = 1.0 / scene.target.length
+    while float(dispersion(line, np.array([reach]))[0][0]) < 1.15 * highest:
+        reach *= 1.3
+    fine = np.linspace(0.0, reach, 2_000)
+    found = {
+        "modeFrequencies": modes.frequencies,
+        "modeWavenumbers": np.interp(modes.frequencies, dispersion(line, fine)[0], fine),
+    }
+    wavenumbers = np.linspace(0.0, reach, SPEEDS)
+    lower, upper = dispersion(line, wavenumbers)
+    found |= {"wavenumbers": wavenumbers, "lower": lower}
+    if upper is not None and np.all(np.isfinite(upper)):
+        found["upper"] = upper
+    return found

@@ -1,0 +1,100 @@
+"""The layout of a message to the browser, and what messages of all kinds tell alike.
+
+Length of the header (4 bytes, little endian), header (JSON), zeros up to a multiple of four, then float32 arrays in the
+order and shape that the header states, last index fastest; where it states a unit besides, whole numbers of two bytes
+of that unit, filled up with zeros to a multiple of four bytes.
+"""
+
+import json
+from typing import Any
+
+import numpy as np
+
+from solvers import METHODS, Scene, Solution
+from solvers.methods.modal.motion import ModalMotion
+from solvers.text.notes import Note
+
+from .schema import check
+
+FORCE_POINTS = 1_200  # of a contact force
+LARGEST_MASS = 1e12  # [kg] told of what has none or is infinite
+SHOWN = ("name", "duration", "modes", "elements", "restitution")  # keys of a method that the page sets, or shows
+CYCLE_POINTS, BLOW_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
+
+
+def coded(notes: list[Note]) -> list[dict[str, Any]]:
+    """As the browser takes notes, which has the words."""
+    return [note.table() for note in notes]
+
+
+def refusals(scene: Scene) -> dict[str, dict[str, Any] | None]:
+    """Of every method why it cannot solve the scene, or None."""
+    found = {name: method().refusal(scene) for name, method in METHODS.items()}
+    return {name: note and note.table() for name, note in found.items()}
+
+
+def unshown(scene: Scene) -> list[str]:
+    """Keys of its method that the page has no control for."""
+    return [f"method.{key}" for key in scene.method if key not in SHOWN]
+
+
+def force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
+    """Times [s] and contact forces [N], thinned so that every stretch keeps its highest and lowest."""
+    time, force = solution.motion.force_history()
+    inside = time <= solution.duration
+    time, force = time[inside], force[inside]
+    if time.size <= FORCE_POINTS:
+        return time, force
+    stretch = -(-2 * time.size // FORCE_POINTS)
+    starts = np.arange(0, time.size, stretch)
+    padded = np.pad(force, (0, starts.size * stretch - time.size), "edge").reshape(starts.size, stretch)
+    extremes = starts + padded.argmin(axis=1), starts + padded.argmax(axis=1)
+    rows = np.unique(np.concatenate((*extremes, [0, time.size - 1])))
+    return time[rows], force[rows]
+
+
+def cycle(exact: Solution, samples: int = BLOW_POINTS) -> dict[str, np.ndarray]:
+    """The contact law's cycle, slowly to the depth of this impact and back, and what this impact did [m, N]."""
+    law, deepest = exact.scene.contact, exact.peak_indentation
+    if deepest is None or deepest <= 0.0:
+        return {}
+    time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), samples)
+    if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: tell it in the middle
+        time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
+    depth = exact.motion.impactor_position(time) - exact.motion.end_position(time)
+    force = exact.motion.force(time)
+    force[depth <= law.dent(0.0)] = 0.0
+    down = np.linspace(0.0, deepest, CYCLE_POINTS)
+    return {
+        "cycleDepth": down,
+        "cycleLoading": np.array([law.force(a, 0.0, 0.0) for a in down.tolist()]),
+        "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
+        "blowDepth": depth,
+        "blowForce": force,
+    }
+
+
+def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:
+    """One message from a header and its arrays: float32, or whole numbers of two bytes given as (numbers, unit).
+
+    Raises ValueError where they are not as app.messages.schema says.
+    """
+    entries, parts = [], []
+    for name, values in arrays.items():
+        if isinstance(values, tuple):
+            numbers, unit = values
+            entries.append([name, list(numbers.shape), unit])
+            parts.append(numbers.astype("<i2").tobytes() + b"\0" * (2 * (numbers.size % 2)))
+        else:
+            entries.append([name, list(values.shape)])
+            parts.append(values.astype("<f4").tobytes())
+    check(header, {name: tuple(shape) for name, shape, *_ in entries})
+    text = json.dumps(header | {"arrays": entries}, allow_nan=False).encode()
+    text += b" " * (-len(text) % 4)
+    return len(text).to_bytes(4, "little") + text + b"".join(parts)
+
+
+def read_header(message: bytes) -> dict[str, Any]:
+    """The header of a message, for tests and tools."""
+    length = int.from_bytes(message[:4], "little")
+    return json.loads(message[4 : 4 + length])

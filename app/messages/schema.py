@@ -1,0 +1,279 @@
+"""What stands in a message to the browser: every field of its header and every array, with unit and dimensions.
+
+`packed` refuses what is not said here. app/static/shell/message.js says the same as types; a test compares the two.
+"""
+
+import re
+from typing import Any, NamedTuple
+
+
+class Field(NamedTuple):
+    """One entry of a message or of a record in it."""
+
+    form: str  # dimensions of an array, as in "(instants, places)"; else the type by its name in message.js
+    about: str = ""
+    optional: bool = False
+
+    @property
+    def is_array(self) -> bool:
+        """Whether it stands after the header, among the arrays."""
+        return self.form.startswith("(")
+
+
+Fields = dict[str, Field]
+
+
+def _optional(fields: Fields) -> Fields:
+    return {name: field._replace(optional=True) for name, field in fields.items()}
+
+
+COMMON: Fields = {
+    "kind": Field("string", "of the message: axial, beam or bodies"),
+    "chosen": Field("Chosen", "a value for every choice; None outside the page"),
+    "acting": Field("string[]", "choices that act on this scene"),
+    "refusals": Field("Record<string, Note | null>", "by method: why it cannot solve the scene, or None"),
+    "title": Field("string"),
+    "source": Field("string"),
+    "note": Field("string"),
+    "unshown": Field("string[]", "keys that the scene sets and that have no control"),
+    "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
+}
+CYCLE: Fields = _optional(
+    {
+        "cycleDepth": Field("(cycle)", "indentation [m]"),
+        "cycleLoading": Field("(cycle)", "force of the law, slowly to the depth of this impact [N]"),
+        "cycleUnloading": Field("(cycle)", "and back [N]"),
+        "blowDepth": Field("(impact)", "indentation in this impact [m]"),
+        "blowForce": Field("(impact)", "force in it [N]"),
+    }
+)
+STRIKER = Field("Striking")
+AXIAL: Fields = {
+    **COMMON,
+    **CYCLE,
+    "trip": Field("number", "T, the round trip of a wave or the time of a contact [s]"),
+    "rods": Field("RodTold[]", "from left to right; none if no wave runs"),
+    "impactor": STRIKER,
+    "target": Field("TargetTold"),
+    "speed": Field("number", "v, of the impact [m/s]"),
+    "forceUnit": Field("number", "Z v [N]"),
+    "stressUnit": Field("number", "v sqrt(E rho) [Pa]"),
+    "modes": Field("number", "chosen"),
+    "step": Field("number | null", "of the modal force [T]"),
+    "exact": Field("AxialFigures"),
+    "other": Field("AxialFigures | null", "the method beside it"),
+    "prediction": Field("{ impactor: number, target: number } | null", "velocities by rigid-body theory [v]"),
+    "match": Field("number | null", "restitution that would have matched"),
+    "damps": Field("boolean", "whether the contact law does"),
+    "yields": Field("boolean", "whether the contact law does"),
+    "nominal": Field("number | null", "restitution by the usual formula of the law"),
+    "leastRestitution": Field("number", "that a damping law delivers"),
+    "exactMass": Field("(motion)", "displacement of the impactor, evenly in time [v T]"),
+    "exactEnd": Field("(motion)", "and of the struck end [v T]"),
+    "exactTime": Field("(exact force)", "at a jump twice [T]"),
+    "exactForce": Field("(exact force)", "[Z v]"),
+    **_optional(
+        {
+            "f#Time": Field("(wave f#)", "of the wave that the left end of rod # sends; at a jump twice [T]"),
+            "f#": Field("(wave f#)", "[Z v]"),
+            "g#Time": Field("(wave g#)", "likewise of its right end, unless that only mirrors"),
+            "g#": Field("(wave g#)", "[Z v]"),
+            "otherMass": Field("(motion)", "[v T]"),
+            "otherEnd": Field("(motion)", "[v T]"),
+            "otherTime": Field("(other force)", "[T]"),
+            "otherForce": Field("(other force)", "[Z v]"),
+            "modalForce": Field("(steps)", "one for each step, from which the browser rebuilds the modes [Z v]"),
+            "balanceTime": Field("(balances)", "[T]"),
+            "balanceForce": Field("(balances)", "impulse over the step [Z v]"),
+            "fieldStress": Field("(instants, places)", "[v sqrt(E rho)]"),
+            "fieldVelocity": Field("(instants, places)", "[v]"),
+            "fieldDisplacement": Field("(instants, places)", "[v T]"),
+        }
+    ),
+}
+BEAM: Fields = {
+    **COMMON,
+    **CYCLE,
+    "refused": Field("Note | null", "why the chosen method is not shown"),
+    "trip": Field("number", "a unit of time [s]"),
+    "speed": Field("number", "of the impact [m/s]"),
+    "beam": Field("BeamTold"),
+    "impactor": STRIKER,
+    "law": Field("{ name: string, damps: boolean, yields: boolean }"),
+    "main": Field("BeamFigures"),
+    "reference": Field("BeamFigures | null", "the same impact by another number of modes"),
+    "span": Field(
+        "{ apparent: number, real: number, half: number | null }",
+        "first touch to last parting, in contact, half a period with the impactor on the beam [ms]",
+    ),
+    "places": Field("number", "along the beam, of every field"),
+    "time": Field("(time)", "[ms]"),
+    "impactorPath": Field("(time)", "[m]"),
+    "struckPath": Field("(time)", "[m]"),
+    "impactorRate": Field("(time)", "[m/s]"),
+    "struckRate": Field("(time)", "[m/s]"),
+    "contacts": Field("(contacts, 4)", "start, end [ms], impulse [N s], peak force [N]; the first of many"),
+    "rates": Field("(told, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
+    "wavenumbers": Field("(wavenumbers)", "[1/m]"),
+    "lower": Field("(wavenumbers)", "angular frequency [rad/s]"),
+    "modeFrequencies": Field("(kept modes)", "[rad/s]"),
+    "modeWavenumbers": Field("(kept modes)", "[1/m]"),
+    **_optional(
+        {
+            "upper": Field("(wavenumbers)", "of the shear branch [rad/s]"),
+            "referenceImpactorPath": Field("(time)", "[m]"),
+            "referenceStruckPath": Field("(time)", "[m]"),
+            "referenceTime": Field("(reference)", "[ms]"),
+            "referenceForce": Field("(reference)", "[N]"),
+            "mainTime": Field("(main)", "of methods without modes [ms]"),
+            "mainForce": Field("(main)", "[N]"),
+            "staticTime": Field("(static)", "of the quasi-static estimate [ms]"),
+            "staticPath": Field("(static)", "of the struck place [m]"),
+            "staticShape": Field("(places)", "of the beam bent at rest, 1 at the struck place"),
+            "halfTime": Field("(half)", "of the same impact on a half-space [ms]"),
+            "halfForce": Field("(half)", "[N]"),
+            "modalForce": Field("(steps)", "one for each step [N]"),
+            "modalFrequencies": Field("(drawnModes)", "[rad/s]"),
+            "modalAtContact": Field("(drawnModes)", "mass-normalised [kg^-1/2]"),
+            "shapeRows": Field("(drawnModes, places)", "deflection over its scale"),
+            "shapeScale": Field("(drawnModes)", "[kg^-1/2]"),
+            "momentRows": Field("(drawnModes, places)", "bending moment over its scale"),
+            "momentScale": Field("(drawnModes)", "[N m/(m kg^1/2)]"),
+            "shearRows": Field("(drawnModes, places)", "shear force over its scale"),
+            "shearScale": Field("(drawnModes)", "[N/(m kg^1/2)]"),
+            "momentBeside": Field("(places)", "of the modes left out, for a force of 1 N [N m]"),
+            "shearBeside": Field("(places)", "[N]"),
+            "rigidShape": Field("(places)", "movement of the beam as a whole, 1 at the struck place"),
+            "step": Field("number", "of the modal force [s]"),
+            "smoothing": Field("number", "over which the modes left out follow the force [s]"),
+            "damping": Field("number", "of critical"),
+            "rigidMass": Field("number | null", "felt at the struck place; None if the beam is held [kg]"),
+            "drift": Field("number", "of the beam as a whole before the impact [m/s]"),
+            "drawnModes": Field("number"),
+            "keptModes": Field("number"),
+            "fieldTime": Field("(instants)", "of methods without modes, closer together at first [ms]"),
+            "fieldDeflection": Field("(instants, places)", "[m]"),
+            "fieldVelocity": Field("(instants, places)", "[m/s]"),
+            "fieldMoment": Field("(instants, places)", "[N m]"),
+            "fieldShear": Field("(instants, places)", "[N]"),
+        }
+    ),
+}
+BODIES: Fields = {
+    **COMMON,
+    "size": Field("number", "of what is drawn [m]"),
+    "across": Field("Vector", "of the picture, to the right"),
+    "up": Field("Vector", "of the picture"),
+    "normal": Field("Vector", "of the contact"),
+    "impulse": Field("number", "[N s]"),
+    "bodies": Field("{ impactor: BodyTold, target: BodyTold }"),
+    "figures": Field("FigureTold[]", "beside the picture: name, number or vector, unit"),
+    "notes": Field("Note[]"),
+    "impactorPath": Field("(samples, 3)", "of the centre, from the point of impact [m]"),
+    "targetPath": Field("(samples, 3)", "[m]"),
+    "impactorTurn": Field("(samples, 3, 3)", "from the instant of the impact"),
+    "targetTurn": Field("(samples, 3, 3)"),
+}
+MESSAGES = {"axial": AXIAL, "beam": BEAM, "bodies": BODIES}  # by kind
+
+FIGURES: Fields = {
+    "name": Field("string", "of the method"),
+    "stillTouching": Field("boolean", "at the end"),
+    "final": Field("number | null", "velocity of the impactor [v, or m/s of beams]"),
+    "targetFinal": Field("number", "velocity of the target [v, or m/s of beams]"),
+    "peakForce": Field("number | null", "[N]"),
+    "peakIndentation": Field("number | null", "[m]"),
+    "residualIndentation": Field("number | null", "[m]"),
+    "restitution": Field("Restitution"),
+    "energy": Field("Energies", "[J]"),
+    "diagnostics": Field("Diagnostics"),
+    "notes": Field("Note[]"),
+}
+RECORDS: dict[str, Fields] = {
+    "AxialFigures": FIGURES
+    | {
+        "contacts": Field("Contact[]", "start, end [T], impulse [N s], peak force [N]"),
+        "cutOff": Field("boolean[]", "whether a wave ended the contact at once"),
+        "left": Field("number[]", "velocity of the impactor after each contact [v]"),
+    },
+    "BeamFigures": FIGURES
+    | {
+        "modes": Field("number | null"),
+        "elements": Field("number | null"),
+        "contacts": Field("number", "how many"),
+        "impulse": Field("number", "[N s]"),
+    },
+    "RodTold": {
+        "from": Field("number", "from the struck face [m]"),
+        "to": Field("number", "[m]"),
+        "transit": Field("number", "[T]"),
+        "impedance": Field("number", "[Z]"),
+        "drift": Field("number", "velocity before the impact [v]"),
+        "area": Field("number", "over that of the struck rod"),
+        "joint": Field("'bonded' | 'touching' | null", "with the rod before it"),
+        "mirror": Field("-1 | 0 | 1", "what its far end makes of a wave: turns over, sends its own, sends back"),
+    },
+    "Striking": {
+        "kind": Field("string"),
+        "mass": Field("number", "[kg]"),
+        "radius": Field("number | null", "of its face [m]", optional=True),
+    },
+    "TargetTold": {
+        "kind": Field("string"),
+        "shape": Field("'ball' | 'block'", "of a compact body"),
+        "radius": Field("number | null", "of its face [m]"),
+        "mass": Field("number", "[kg]"),
+        "length": Field("number", "[m]"),
+        "support": Field("string | null"),
+        "held": Field("boolean"),
+        "endMass": Field("number", "[kg]"),
+    },
+    "BeamTold": {
+        "length": Field("number", "[m]"),
+        "mass": Field("number", "[kg]"),
+        "support": Field("Support"),
+        "theory": Field("string"),
+        "place": Field("number", "that is struck [m]"),
+        "halfDepth": Field("number", "[m]"),
+        "secondMoment": Field("number", "[m^4]"),
+        "endMass": Field("number", "[kg]"),
+        "held": Field("boolean"),
+        "speedLimit": Field("number", "sqrt(E/rho) [m/s]"),
+    },
+}
+
+
+def check(header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> None:
+    """Raise ValueError if a message is not as said here: names, dimensions, and the keys of records.
+
+    A dimension has one length in a message, and that of the header where a field there has its name.
+    """
+    fields = MESSAGES[header["kind"]]
+    _check_names("message", fields, header | shapes)
+    lengths = {name: size for name, size in header.items() if isinstance(size, int)}
+    for name, shape in shapes.items():
+        number = "".join(re.findall(r"\d+", name))
+        sides = _pattern(fields, name).form.strip("()").replace("#", number).split(", ")
+        said = [
+            int(side) if side.isdigit() else lengths.setdefault(side, size)
+            for side, size in zip(sides, shape, strict=False)
+        ]
+        if len(sides) != len(shape) or said != list(shape):
+            raise ValueError(f"{name}: got {shape}; expected {sides} = {said}")
+    for name, field in fields.items():
+        record = RECORDS.get(field.form.removesuffix("[]").removesuffix(" | null"))
+        value = header.get(name)
+        for each in value if isinstance(value, list) else [value]:
+            if record is not None and each is not None:
+                _check_names(name, record, each)
+
+
+def _check_names(what: str, fields: Fields, found: dict[str, Any]) -> None:
+    names = {re.sub(r"\d+", "#", name) for name in found}
+    needed = {name for name, field in fields.items() if not field.optional}
+    if names - fields.keys() or needed - names:
+        raise ValueError(f"{what}: unknown {sorted(names - fields.keys())}, missing {sorted(needed - names)}")
+
+
+def _pattern(fields: Fields, name: str) -> Field:
+    return fields[re.sub(r"\d+", "#", name)]

@@ -1,0 +1,46 @@
+"""Which solutions the page shows: the exact one, and the chosen method beside it."""
+
+from dataclasses import replace
+from typing import Any
+
+from solvers import METHODS, Modal, Rod, Solution
+from solvers.methods.modal.method import STEPS_PER_PERIOD
+
+from ..choices.request import Request
+from ..choices.scene_of import own_options, resolutions
+
+MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
+LEAST_SWITCHED = 2  # modes that can change with the contact
+
+
+def beside(request: Request, exact: Solution) -> Solution | None:
+    """The chosen method, or modes if waves are chosen; None if it cannot solve this scene or is the exact one."""
+    scene, name = request.scene, request.method_beside
+    if name == exact.method["name"]:
+        name = "quasi-static"
+    method = METHODS[name].read(method_options(name, request, exact))
+    if method.refusal(scene):
+        return None
+    if isinstance(method, Modal):
+        method = replace(method, estimate=False)  # the exact solution tells the error
+    return method.solve(scene, exact.duration)
+
+
+def method_options(name: str, request: Request, exact: Solution | None = None) -> dict[str, Any]:
+    """Those of a method's options that the page sets."""
+    scene = request.scene
+    own = own_options(scene, name)
+    if name == "modal":
+        options = own | {"modes": request.modes}
+        if isinstance(scene.target, Rod) and "steps" not in own:
+            period = scene.target.modes(request.modes).shortest_period
+            touching = exact.contacts[-1].end
+            steps = max(STEPS_PER_PERIOD * exact.duration / period, 500 * exact.duration / touching, 1_000)
+            options["steps"] = int(min(steps, MAX_FORCE_STEPS))
+        return options
+    options = own | {option: getattr(request, option) for option in resolutions(scene, name)}
+    if name == "mode-switch":
+        options["modes"] = max(options["modes"], LEAST_SWITCHED)
+    if name in ("balance", "rigid"):
+        options["restitution"] = request.restitution
+    return options

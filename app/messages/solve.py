@@ -1,0 +1,23 @@
+"""The message for whatever is chosen."""
+
+from typing import Any
+
+from solvers import RigidImpulse
+from solvers.accuracy.reference import exact_solution
+
+from ..choices.request import Request
+from .axial import pack
+from .beam import beam_frame
+from .solutions import beside
+from .space import bodies_frame
+
+
+def solve_frame(chosen: dict[str, Any]) -> bytes:
+    """Solve what is chosen, exactly and by the method shown beside it, and pack what the page draws."""
+    request = Request.of(chosen)
+    if request.kind == "bodies":
+        return bodies_frame(RigidImpulse(restitution=request.restitution).solve(request.scene), request)
+    if request.kind == "beam":
+        return beam_frame(request)
+    exact = exact_solution(request.scene, request.restitution)
+    return pack(request, exact, beside(request, exact))

@@ -1,0 +1,1 @@
+"""The page: its laboratory, panels and address."""

@@ -1,0 +1,104 @@
+"""What is chosen, open on the page and asked there, as its address says it."""
+
+import re
+from typing import Any
+
+import param
+
+from solvers.validation import shown
+
+from ..choices.beam import free_place
+from ..choices.choices import Choices, accepts, refusal
+from ..choices.scene_of import choices_of
+from ..text.catalogues import page
+from ..views.registry import VIEWS
+from .questions import Questions, accepted
+
+PANELS = {view.key: view.opener for view in VIEWS}  # by name in the address: the property that opens it
+_QUESTIONS = {  # by name in the address
+    question.address: (name, view.key, question)
+    for view in VIEWS
+    for name, question in view.asked.items()
+    if question.address
+}
+ASKED = {  # by name in the address: the property, the panel in which it is asked, and what it needs another to be
+    key: (name, panel, question.needs[1] if question.needs else "")
+    for key, (name, panel, question) in _QUESTIONS.items()
+}
+LONGEST_TEXT = 80  # of a value in an address
+
+
+def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
+    """Choices from the query of an address: what can be used, and a sentence for each that cannot.
+
+    A scene in the address brings its own values; the others then change them.
+    """
+    kept: dict[str, Any] = {}
+    refused = []
+    for name in (name for name in Choices.CHOSEN if name in arguments):
+        text = text_of(arguments[name])
+        value: Any = value_of(Choices.param[name], text)
+        if not accepts(name, value):
+            refused.append(refusal(name, shown_of(text, value)))
+            continue
+        if name == "scene":
+            kept |= choices_of(value)
+        kept[name] = value
+    if "support" in arguments and "place" not in arguments and "support" in kept and "place" in kept:
+        kept["place"] = free_place(kept["support"], kept["place"])
+    return kept, refused
+
+
+def text_of(given: list[bytes]) -> str:
+    """What an address says of one key, the last if it says it twice."""
+    return given[-1].decode("utf-8", "replace")[:LONGEST_TEXT]
+
+
+def value_of(parameter: param.Parameter, text: str) -> object:
+    """What the text means to a parameter; the text itself, which it will not accept, where it means nothing."""
+    if isinstance(parameter, param.Boolean):
+        return {"true": True, "false": False}.get(text, text)
+    try:
+        if isinstance(parameter, param.Integer):
+            return int(text)
+        return float(text) if isinstance(parameter, param.Number) else text
+    except ValueError:
+        return text
+
+
+def shown_of(text: str, value: object) -> object:
+    """What may be shown of a value from an address: nothing that could be more than a word or a number."""
+    return value if re.fullmatch(r"[\w.+-]{1,24}", text) else "text"
+
+
+def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
+    """The choices in a query. Raises ValueError with a sentence for each that cannot be."""
+    choices, refused = from_address(arguments)
+    if refused:
+        raise ValueError(" ".join(refused))
+    return Choices(**choices).chosen()
+
+
+def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
+    """Open panels and their questions from the query of an address: what can be used, and a sentence for each that
+    cannot. A budget goes before a tolerance."""
+    kept: dict[str, Any] = {}
+    refused = []
+    for name in filter(None, text_of(arguments["panel"]).split(",") if "panel" in arguments else ()):
+        if name in PANELS:
+            kept[PANELS[name]] = True
+        else:
+            said = {"value": shown(shown_of(name, name)), "options": list(PANELS)}
+            refused.append(page().text("refused.panel", **said))
+    for key, (name, _, question) in _QUESTIONS.items():
+        if key not in arguments:
+            continue
+        text = text_of(arguments[key])
+        value = value_of(question.parameter, text)
+        if not accepted(name, value):
+            refused.append(refusal(name, shown_of(text, value), Questions, key))
+            continue
+        kept[name] = value
+        if question.needs:
+            kept |= dict([question.needs])
+    return kept, refused

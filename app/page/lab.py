@@ -1,0 +1,273 @@
+"""The laboratory: the one component of the page. Python holds the choices and solves; the browser draws and plays."""
+
+import hashlib
+import time
+from collections.abc import Callable
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import panel as pn
+import param
+from panel.io.document import unlocked
+from panel.io.resources import LOCAL_DIST
+from param.parameterized import _syncing
+
+from ..choices.beam import free_place
+from ..choices.choices import Choices, accepts, refusal
+from ..choices.scene_of import choices_of
+from ..jobs.answers import KEPT
+from ..jobs.loops import of_loop
+from ..jobs.runner import Runner
+from ..jobs.turns import Turnstile
+from ..messages.solve import solve_frame
+from ..text.catalogues import LANGUAGES, script
+from .address import ASKED, PANELS, from_address, opened_from_address
+from .panels import Panels
+from .picker import scene_groups
+from .questions import accepted
+
+STATIC = Path(__file__).parents[1] / "static"
+_SERVED = [file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()] + [
+    script(language).encode() for language in LANGUAGES
+]
+VERSION = hashlib.sha256(b"".join(_SERVED)).hexdigest()[:10]
+_LABS: WeakKeyDictionary[Any, "Lab"] = WeakKeyDictionary()  # by document
+
+
+def lab_of(document: Any) -> "Lab | None":
+    """The laboratory in a document."""
+    return _LABS.get(document)
+
+
+class Lab(Choices, Panels, pn.custom.JSComponent):
+    """Choices synchronised with the browser, and the message that answers them.
+
+    Every choice is a bounded parameter of this very class, so that what a hostile client sends over the socket meets
+    the same bounds as a slider: it is refused with a sentence, and the browser is set back.
+    """
+
+    frame = param.Bytes(default=b"", doc="answer to the choices, see app.messages.axial")
+    refused = param.String(default="", doc="why the last change was not taken")
+    waiting = param.String(default="", doc="why the answer takes longer, or nothing")
+    disconnected = param.String(default="", doc="why this page is about to be disconnected")
+    spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
+    shared = param.Dict(default={}, doc="what the address says beside the choices, see app.page.address")
+
+    _bundle = STATIC / "page.js"
+    _priority_changes = [*Choices.CHOSEN, *Panels.ASKED]  # no debounce: the browser waits for each answer
+
+    def __init__(self, **choices):
+        super().__init__(
+            spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, sizing_mode="stretch_width", margin=0, **choices
+        )
+        self._sent = frozenset(self._linked_properties)
+        self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
+        waiting = partial(self._tell, self._wait, solve_frame.__name__)
+        context = pn.state.curdoc.session_context if pn.state.curdoc else None
+        self.visitor = context.id if context else None
+        self._runner = Runner(solve_frame, self._take, self._fail, waiting, visitor=self.visitor)
+        self._away = False
+        self.answered = 0.0  # when the visitor was last told what comes of the choices
+        self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
+        self._quiet = False
+        self.param.watch(self._changed, list(self.CHOSEN))
+        self.open_panels()
+        self._begin()
+        if self.frame and any(getattr(self, name) for name in PANELS.values()):
+            pn.state.onload(self.ask_panels)  # what the address has opened; for nobody who only fetches the page
+
+    @classmethod
+    def _component_resource_path(cls, esm_path: Any, compiled: Any) -> str:
+        return f"assets/{VERSION}/page.js"  # served like all of ours
+
+    @property
+    def choices_model(self) -> str:
+        """Id of the model in the document that holds the choices: all that a browser may set."""
+        return next((model.data.id for model, _ in self._models.values()), "")
+
+    def leave(self) -> None:
+        """The visitor has gone: nothing more is worked out."""
+        self._away = True
+        self._runner.leave()
+        self.leave_panels()
+
+    def come_back(self) -> None:
+        """The socket is open, perhaps again: then what was given up meanwhile is asked anew."""
+        if self._away:
+            self._away = False
+            pn.state.execute(partial(self._runner.want, self.chosen()))
+            self.ask_panels()
+
+    async def _tell(self, act: Callable, *arguments: Any) -> None:
+        """Change properties with the document locked, and have Bokeh send them, each, before the lock is left.
+
+        Of two that change at once outside the lock, one may get lost. All that becomes known while a visitor looks on
+        goes through here.
+        """
+        document, turnstile = pn.state.curdoc, of_loop(Turnstile)
+        await turnstile.enter(self.visitor)
+
+        async def acting(_: Any) -> None:
+            with turnstile.pay(self.visitor):
+                document.hold("collect")
+                try:
+                    act(*arguments)
+                finally:
+                    document.unhold()
+
+        if document is None or document.session_context is None:
+            act(*arguments)
+        else:
+            await document.session_context.with_locked_document(acting)
+
+    def _begin(self) -> None:
+        """The first answer goes out with the page if it is known; else it is asked for when the page is there.
+
+        What is told between the making of a document and the word that it is drawn may be held back, and lost.
+        """
+        if (known := KEPT.known(solve_frame, self.chosen())) is not None:
+            self.frame = known
+            self._answered = self.chosen()
+        elif self.visitor is not None:
+            pn.state.onload(partial(self._runner.want, self.chosen()))
+
+    def _wait(self, name: str, sentence: str) -> None:
+        """Tell the visitor why an answer takes longer; an empty sentence when it has come."""
+        self._waits[name] = sentence
+        self.waiting = next(filter(None, self._waits.values()), "")
+
+    def _changed(self, *events: param.parameterized.Event) -> None:
+        if self._quiet:
+            return
+        if any(event.name == "scene" for event in events):
+            with self._silence():
+                self.param.update(**choices_of(self.scene))
+        if any(event.name == "support" for event in events):
+            with self._silence():
+                self.place = free_place(self.support, self.place)
+        self.refused = ""
+        pn.state.execute(partial(self._runner.want, self.chosen()))
+
+    def choose(self, wanted: dict[str, Any]) -> None:
+        """Set several choices at once, and have their answer."""
+        with self._silence():
+            self.param.update(**wanted)
+        self.refused = ""
+        pn.state.execute(partial(self._runner.want, self.chosen()))
+
+    @contextmanager
+    def _silence(self):
+        """Change parameters, and with them the controls in the browser, without asking for a solve."""
+        self._quiet = True
+        try:
+            yield
+        finally:
+            self._quiet = False
+
+    async def _take(self, message: bytes) -> None:
+        await self._tell(self._show, self._runner.current, message)
+
+    async def _fail(self, sentence: str) -> None:
+        await self._tell(self._set_back, self._runner.current, sentence)
+
+    def _show(self, answered: dict[str, Any], message: bytes) -> None:
+        self.answered = time.monotonic()
+        self._answered = answered
+        self.frame = message
+        self.ask_panels()
+
+    def _set_back(self, failed: dict[str, Any], sentence: str) -> None:
+        """Choices that cannot be solved together are not left standing beside the picture of others."""
+        if self._answered and self.chosen() == failed:
+            with self._silence():
+                self.param.update(**self._answered)
+        self._refuse(sentence)
+
+    def _refuse(self, sentence: str) -> None:
+        self.answered = time.monotonic()
+        self.refused = ""
+        self.refused = sentence
+        before = self.chosen()
+        if self.frame or before | choices_of(self.scene) == before:
+            return
+        with self._silence():  # nothing is shown yet: the scene, as it says itself
+            self.param.update(**choices_of(self.scene))
+        self._begin()
+
+    def _process_events(self, events: dict[str, Any]) -> None:
+        """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
+        with of_loop(Turnstile).pay(self.visitor):
+            self._take_changes(events)
+
+    def _take_changes(self, events: dict[str, Any]) -> None:
+        for name, value in events.items():
+            if name not in self.CHOSEN and name not in self.ASKED:
+                continue
+            if accepts(name, value) if name in self.CHOSEN else accepted(name, value):
+                self._set(name, value)
+            else:
+                self._refuse(refusal(name, value, type(self)))
+                with self._silence():
+                    self.param.trigger(name)
+
+    def _param_change(self, *events: param.parameterized.Event) -> None:
+        """Write what has changed into the model at once, where the document is locked.
+
+        Panel looks for children, references to models and styles in every change first, for 1 ms of each answer.
+        """
+        document = next((model.document for model, _ in self._models.values()), None)
+        own = all(event.name in self._sent for event in events)
+        if document is None or not own or not document.session_context or not pn.state._unblocked(document):
+            super()._param_change(*events)
+            return
+        known = self._in_process__events.get(document, {})  # the browser has these already
+        changed = {each.name: each.new for each in events if (each.name, each.new) not in known.items()}
+        with unlocked():
+            for model, _ in self._models.values():
+                model.data.update(**changed)
+
+    def _set(self, name: str, value: Any) -> None:
+        """As Panel does with what the browser has set, but for what no choice needs and takes 3 ms: telling all who
+        wait that it is busy, and making every read-only parameter writable for a while.
+        """
+        document = pn.state.curdoc
+        self._in_process__events[document] = {name: value}
+        try:
+            with _syncing(self, [name]):  # the browser has it already
+                self.param.update(**{name: value})
+        finally:
+            self._in_process__events.pop(document, None)
+
+
+def _spec() -> dict[str, Any]:
+    """Default, bounds or options of every choice."""
+    found = {}
+    for name in Choices.CHOSEN:
+        parameter = Choices.param[name]
+        if isinstance(parameter, param.Selector):
+            found[name] = {"default": parameter.default, "options": list(parameter.objects)}
+            if name == "scene":
+                found[name]["groups"] = scene_groups()
+        else:
+            low, high = parameter.bounds
+            whole = isinstance(parameter, param.Integer)
+            found[name] = {"default": parameter.default, "low": low, "high": high, "whole": whole}
+    return found
+
+
+def create() -> "Lab":
+    """One visitor's laboratory, with the choices that the address asks for."""
+    choices, refused = from_address(pn.state.session_args)
+    opened, refused_too = opened_from_address(pn.state.session_args)
+    lab = Lab(**choices, **opened)
+    if (document := pn.state.curdoc) is not None:
+        document.config.reconnect_session = False  # the page comes back with a session of its own, see connection.js
+        document.config.notify_connection_status = False
+        document.template_variables["dist_url"] = LOCAL_DIST  # else styles are fetched from another host
+        _LABS[document] = lab
+    if sentences := [*refused, *refused_too, *filter(None, [lab.refused])]:
+        lab.refused = "\n".join(sentences)  # which the browser shows one after the other
+    return lab

@@ -1,0 +1,166 @@
+"""The views beside the solution: who answers what is asked in them, and when."""
+
+from collections import Counter
+from collections.abc import Callable, Coroutine, Hashable
+from functools import partial
+from typing import Any
+
+import panel as pn
+import param
+
+from ..choices.choices import SCENES
+from ..choices.scene_of import kind_of
+from ..jobs.long_run import LongRun
+from ..jobs.runner import Runner
+from ..views.registry import VIEWS, View
+from .questions import Questions
+
+MAX_ANALYSIS_SECONDS = 30.0  # of computing that one answer of a view may take
+REST_SECONDS = 0.4  # for which choices must stand before a view of many solves follows them
+
+
+class Panels(Questions):
+    """Has the questions of a visitor answered; a part of `app.page.lab.Lab`."""
+
+    # What the laboratory gives
+    scene: str
+    chosen: Callable[[], dict[str, Any]]
+    visitor: str | None
+    _refuse: Callable[[str], None]
+    _wait: Callable[[str, str], None]
+    _tell: Callable[..., Coroutine]
+    choose: Callable[[dict[str, Any]], None]
+
+    def open_panels(self) -> None:
+        """Make those who answer, and have them asked whenever a question changes."""
+        self._runners: dict[str, Runner] = {}  # by property of the answer, or of the question that leads somewhere
+        self._long: dict[str, LongRun] = {}  # by view
+        self._pending: Counter[str] = Counter()  # by view: times that it was asked and is not answered
+        self._again: set[str] = set()  # long runs that begin anew when they have ended
+        self._asked: dict[str, Hashable] = {}  # by view: what its last answer, or the one that comes, depends on
+        self.param.watch(self.ask_panels, list(self.FOLLOWED))
+        for view in VIEWS:
+            self._open(view)
+
+    def _open(self, view: View) -> None:
+        for name, work in view.answers.items():
+            self._runners[name] = self._runner_of(view, work, partial(setattr, self, name))
+        for name, question in view.asked.items():
+            if question.leads:
+                self._runners[name] = self._runner_of(view, question.leads, self.choose)
+                self.param.watch(partial(self._go_to, name), name)
+        if view.run and view.kernels:
+            acts = partial(setattr, self, view.name), self._refuse, partial(self._wait, view.name)
+            told = (partial(self._tell, act) for act in acts)
+            self._long[view.name] = LongRun(view.run, view.kernels, *told, visitor=self.visitor)
+            self.param.watch(partial(self._start_or_stop, view), view.running)
+        elif view.stoppable:
+            self.param.watch(partial(self._stop_or_resume, view), view.running)
+
+    def _runner_of(self, view: View, work: Callable, publish: Callable) -> Runner:
+        acts = publish, partial(self._refuse_view, view), partial(self._wait, work.__name__)
+        return Runner(
+            work,
+            *(partial(self._tell, act) for act in acts),
+            visitor=self.visitor,
+            seconds=MAX_ANALYSIS_SECONDS,
+            rest=REST_SECONDS if view.rests else 0.0,
+            stoppable=view.stoppable,
+        )
+
+    def leave_panels(self) -> None:
+        """The visitor has gone; who comes back asks anew."""
+        self._asked.clear()
+        self._again.clear()
+        for run in (*self._runners.values(), *self._long.values()):
+            run.leave()
+
+    def ask_panels(self, *events: param.parameterized.Event) -> None:
+        """Have every open view follow the choices, after the impact itself is answered.
+
+        After an event, only those are asked that it opened or in which it asks something else.
+        """
+        changed = {event.name for event in events}
+        for view in VIEWS:
+            asked = self._asked_of(view)
+            depends_on = self._depends_on(view, asked)
+            concerned = not events or changed & {view.opener, *view.sent}
+            if depends_on is not None and concerned and view.work:
+                self._want(view, asked, depends_on)
+
+    def _asked_of(self, view: View) -> dict[str, Any]:
+        return self.chosen() | {name: getattr(self, name) for name in view.sent}
+
+    def _depends_on(self, view: View, asked: dict[str, Any]) -> Hashable:
+        """What of this the answer depends on; None if the view is closed, or not for this scene."""
+        there = getattr(self, view.opener) and kind_of(SCENES[self.scene]) in view.kinds
+        return view.depends_on(asked) if there else None
+
+    def _want(self, view: View, asked: dict[str, Any], depends_on: Hashable) -> None:
+        """Ask, unless the same, as far as it matters, was asked last, or the visitor has a long run answer it."""
+        measured = view.name in self._long and self._long[view.name].busy
+        if measured or self._asked.get(view.name) == depends_on:
+            return
+        self._asked[view.name] = depends_on
+        if view.stoppable:  # the visitor sees that it is under way, and may stop it
+            self._pending[view.name] += len(view.answers)
+            setattr(self, view.running, True)
+        for name in view.answers:
+            pn.state.execute(partial(self._answer, view, self._runners[name], asked))
+
+    async def _answer(self, view: View, runner: Runner, asked: dict[str, Any]) -> None:
+        await runner.want(asked)
+        if view.stoppable:
+            self._pending[view.name] -= 1
+            if not self._pending[view.name]:
+                await self._tell(self._over, view)
+
+    def _over(self, view: View) -> None:
+        if not self._pending[view.name]:  # nor was anything asked since
+            setattr(self, view.running, False)
+
+    def _refuse_view(self, view: View, sentence: str) -> None:
+        """What was not answered may be asked again."""
+        self._asked.pop(view.name, None)
+        self._refuse(sentence)
+
+    def _go_to(self, name: str, event: param.parameterized.Event) -> None:
+        """Have the sliders follow what is asked; the browser sends the next when this question is cleared."""
+        if event.new:
+            pn.state.execute(partial(self._arrive, name, self.chosen() | {name: event.new}))
+
+    async def _arrive(self, name: str, asked: dict[str, Any]) -> None:
+        await self._runners[name].want(asked)
+        await self._tell(setattr, self, name, self.param[name].default)
+
+    def _stop_or_resume(self, view: View, event: param.parameterized.Event) -> None:
+        """The visitor has had enough, or wants it all the same."""
+        if not event.new:
+            self._runners[view.name].stop()
+        elif not self._pending[view.name]:
+            self._asked.pop(view.name, None)
+            self.ask_panels()
+
+    def _start_or_stop(self, view: View, event: param.parameterized.Event) -> None:
+        run = self._long[view.name]
+        self._again.discard(view.name)
+        if not event.new:
+            run.stop()
+        elif run.busy:  # stopped before, and about to end
+            self._again.add(view.name)
+        else:
+            self._start(view)
+
+    def _start(self, view: View) -> None:
+        asked = self._asked_of(view)
+        pn.state.execute(partial(self._long[view.name].start, asked, partial(self._ended, view, asked)))
+
+    async def _ended(self, view: View, asked: dict[str, Any]) -> None:
+        if view.name in self._again:
+            self._again.discard(view.name)
+            self._start(view)
+            return
+        await self._tell(setattr, self, view.running, False)
+        if view.work:  # what was measured stays, unless the scene has changed meanwhile
+            self._asked[view.name] = view.depends_on(asked)
+            self.ask_panels()

@@ -1,0 +1,37 @@
+"""The picker of scenes: what each is called, and under which heading it stands."""
+
+import re
+from typing import Any
+
+from solvers import Scene
+
+from ..choices.beam import on_beam
+from ..choices.choices import SCENES
+from ..choices.space import in_space
+
+
+def scene_groups() -> list[list[Any]]:
+    """Scenes by heading, each as [name, what it is], for the picker."""
+    groups: dict[str, list[list[str]]] = {}
+    for name, scene in SCENES.items():
+        groups.setdefault(_heading(name, scene), []).append([name, _entry(name, scene)])
+    return [[heading, scenes] for heading, scenes in groups.items()]
+
+
+def _entry(name: str, scene: Scene) -> str:
+    """What the picker says of a scene; one of the thesis by its number first."""
+    title = scene.title or name
+    found = re.fullmatch(r"(figure|table)-(\d+\.\d+)", name)
+    return f"{found[1].capitalize()} {found[2]}: {title}" if found else title
+
+
+def _heading(name: str, scene: Scene) -> str:
+    if found := re.fullmatch(r"(figure|table)-(\d+)\..*", name):
+        return f"Thesis, chapter {found[2]}"
+    if in_space(scene):
+        return "Bodies in space"
+    if on_beam(scene):
+        return "Beams"
+    if scene.impactor.rods or len(scene.target.rods) > 1:
+        return "Several rods"
+    return {"rod": "One rod", "beam": "Beams"}.get(scene.target.kind, "Compact bodies")

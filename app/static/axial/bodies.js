@@ -1,0 +1,200 @@
+// Bodies of the stage that no wave runs through: strikers, walls, masses on springs. Where two press each other in they
+// meet halfway, so that they never lie in one another.
+import { COLORS } from '../charts/styles.js';
+
+/** @import { AxialFrame } from '../shell/message.js' */
+
+/** @typedef {CanvasRenderingContext2D} Context */
+/**
+ * Where a body is, in pixels.
+ * @typedef {object} Place
+ * @property {number} face  that touches
+ * @property {number} middle
+ * @property {number} size
+ * @property {number} [meet]  where the bodies meet while they press each other in
+ */
+
+const EDGE = '#4a5968';
+const WALL = '#55636f';
+const TALL = 4000; // pixels, beyond any picture
+
+/**
+ * Draw on one side of where the bodies meet.
+ * @param {Context} c
+ * @param {number | undefined} meet
+ * @param {-1 | 1} side
+ * @param {() => void} draw
+ */
+function beside(c, meet, side, draw) {
+  c.save();
+  if (meet !== undefined) {
+    c.beginPath();
+    c.rect(side < 0 ? meet - TALL : meet, -TALL, TALL, 2 * TALL);
+    c.clip();
+  }
+  draw();
+  c.restore();
+}
+
+/**
+ * The outline of a compact body, whose face looks to one side.
+ * @param {Context} c
+ * @param {boolean} round
+ * @param {Place} place
+ * @param {-1 | 1} side  of the face on which it lies
+ */
+function outline(c, round, { face, middle, size }, side) {
+  c.beginPath();
+  if (round) c.arc(face + (side * size) / 2, middle, size / 2, 0, 7);
+  else c.roundRect(side < 0 ? face - size : face, middle - size / 2, size, size, 5);
+}
+
+/**
+ * The striker; dashed where rigid-body theory has it.
+ * @param {Context} c
+ * @param {AxialFrame} frame
+ * @param {Place} place
+ * @param {number | null} prediction  its face there
+ */
+export function striker(c, { impactor }, place, prediction) {
+  const { middle, size } = place;
+  const round = impactor.kind === 'sphere';
+  if (prediction !== null) {
+    c.setLineDash([5, 4]);
+    c.strokeStyle = COLORS.prediction;
+    c.lineWidth = 1.5;
+    outline(c, round, { ...place, face: prediction }, -1);
+    c.stroke();
+    c.setLineDash([]);
+  }
+  const fill = c.createLinearGradient(0, middle - size / 2, 0, middle + size / 2);
+  fill.addColorStop(0, '#5d6c7b');
+  fill.addColorStop(1, '#2b3846');
+  beside(c, place.meet, -1, () => {
+    outline(c, round, place, -1);
+    c.fillStyle = fill;
+    c.fill();
+  });
+}
+
+/**
+ * A struck body in which no wave runs.
+ * @param {Context} c
+ * @param {AxialFrame} frame
+ * @param {Place} place
+ * @param {number} width  of the picture
+ */
+export function struckBody(c, { target }, place, width) {
+  const { face, middle, meet, size } = place;
+  if (target.kind === 'stop') {
+    wall(c, face, middle, size);
+    return;
+  }
+  c.fillStyle = '#8fb4d6';
+  c.strokeStyle = EDGE;
+  c.lineWidth = 1.2;
+  if (target.kind === 'half-space') {
+    const tall = 1.2 * size;
+    c.fillRect(face, middle - tall, width - face, 2 * tall);
+    c.beginPath();
+    c.moveTo(face, middle - tall);
+    c.lineTo(face, middle + tall);
+    c.stroke();
+    return;
+  }
+  beside(c, meet, 1, () => {
+    outline(c, target.shape === 'ball', place, 1);
+    c.fill();
+    c.stroke();
+  });
+  if (target.kind === 'spring-mass') spring(c, face + size, width - 30, middle, size);
+}
+
+/**
+ * @param {Context} c
+ * @param {number} from
+ * @param {number} to
+ * @param {number} middle
+ * @param {number} size
+ */
+function spring(c, from, to, middle, size) {
+  const turns = 14;
+  c.beginPath();
+  c.moveTo(from, middle);
+  for (let k = 1; k < turns; k++) c.lineTo(from + (k / turns) * (to - from), middle + (k % 2 ? -9 : 9));
+  c.lineTo(to, middle);
+  c.stroke();
+  wall(c, to, middle, 0.85 * size);
+}
+
+/**
+ * @param {Context} c
+ * @param {number} x
+ * @param {number} middle
+ * @param {number} thick
+ */
+export function wall(c, x, middle, thick) {
+  const tall = thick * 0.95;
+  c.fillStyle = WALL;
+  c.fillRect(x, middle - tall, 5, 2 * tall);
+  c.strokeStyle = '#8a97a3';
+  c.beginPath();
+  for (let y = middle - tall; y < middle + tall; y += 8) {
+    c.moveTo(x + 5, y + 8);
+    c.lineTo(x + 16, y);
+  }
+  c.stroke();
+}
+
+/**
+ * A rod without end.
+ * @param {Context} c
+ * @param {number} x
+ * @param {number} middle
+ * @param {number} thick
+ */
+export function onward(c, x, middle, thick) {
+  c.fillStyle = COLORS.faint;
+  c.font = '18px system-ui, sans-serif';
+  c.textAlign = 'left';
+  c.textBaseline = 'middle';
+  c.fillText('⋯ ∞', x - 2, middle + thick * 0.02);
+}
+
+/**
+ * A mass fixed to the far end.
+ * @param {Context} c
+ * @param {number} x
+ * @param {number} middle
+ * @param {number} thick
+ */
+export function endMass(c, x, middle, thick) {
+  c.fillStyle = '#3b4a59';
+  c.beginPath();
+  c.roundRect(x, middle - thick * 0.7, thick * 0.8, thick * 1.4, 5);
+  c.fill();
+}
+
+/**
+ * The prescribed force, as an arrow on the end while it acts.
+ * @param {Context} c
+ * @param {number} at
+ * @param {number} middle
+ * @param {number} thick
+ */
+export function push(c, at, middle, thick) {
+  c.strokeStyle = c.fillStyle = COLORS.cursor;
+  c.lineWidth = 4;
+  c.beginPath();
+  c.moveTo(at - 70, middle);
+  c.lineTo(at - 14, middle);
+  c.stroke();
+  c.beginPath();
+  c.moveTo(at - 2, middle);
+  c.lineTo(at - 18, middle - 9);
+  c.lineTo(at - 18, middle + 9);
+  c.fill();
+  c.font = '12px system-ui, sans-serif';
+  c.textAlign = 'center';
+  c.fillText('force', at - 44, middle - thick * 0.3);
+}

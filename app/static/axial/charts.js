@@ -1,0 +1,288 @@
+// The views of an impact along one axis: x-t diagram, contact force and displacements over time, and the contact law.
+import { Chart } from '../charts/chart.js';
+import { paint, reader } from '../charts/picture.js';
+import { averaged, between, even, pair, stairs } from '../charts/scale.js';
+import { make } from '../shell/dom.js';
+import { given } from '../shell/message.js';
+import { figures, scaled, signed } from '../text/format.js';
+import { naming } from '../text/words.js';
+
+/** @import { Axis } from '../charts/axis.js' */
+/** @import { Series } from '../charts/chart.js' */
+/** @import { Samples } from '../charts/scale.js' */
+/** @import { AxialFrame, CycleTold, Numbers } from '../shell/message.js' */
+/** @import { Field, What } from './fields.js' */
+
+const COLUMNS = 480;
+const ROWS = 121;
+const MODAL_COLUMNS = 200; // fewer for modes, which cost a sum each
+const MODAL_ROWS = 61;
+const TRAINS = 2.5; // heights of the exact force that another may take: trains of impulses have no height
+
+/**
+ * Whether the pictures show the other method.
+ * @param {AxialFrame} frame
+ */
+export const drawnFromOther = (frame) =>
+  Boolean(frame.other && frame.chosen.method === frame.other.name && frame.other.name !== frame.exact.name);
+
+/**
+ * A tick beside one rod.
+ * @param {number} share  of its length
+ */
+const placeOnRod = (share) => (share === 0 ? 'struck' : share === 1 ? 'far end' : signed(share, 1));
+
+/** @param {number} stress  [Pa] */
+const pressed = (stress) => `${stress < 0 ? 'tension' : 'compression'} ${figures(Math.abs(stress) / 1e6)} MPa`;
+
+export class SpaceTime {
+  several = false; // rods
+
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    this.chart = new Chart({
+      title: 'Where the waves are',
+      about: 'x-t diagram: stress or velocity along the rod against time',
+      axis,
+      xUnit: 'T',
+      y: [1, 0], // the struck end on top
+      caption: () => `place along the rod${this.several ? 's' : ''} ↓${this.several ? ' in m' : ''}, time → in T`,
+      go,
+    });
+    this.image = make('canvas');
+  }
+  /**
+   * Rebuild the picture; `largest` is the end of the colour scale.
+   * @param {AxialFrame} frame
+   * @param {Field} field
+   * @param {What} what
+   * @param {number} largest
+   */
+  load(frame, field, what, largest) {
+    const [columns, rows] = field.coarse ? [MODAL_COLUMNS, MODAL_ROWS] : [COLUMNS, ROWS];
+    const values = new Float32Array(columns * rows);
+    field.image(what, columns, rows, (column, profile) => values.set(profile, column * rows));
+    paint(this.image, values, rows, largest);
+    const { duration, rods } = frame;
+    // places as shares of one rod, or in metres where there are several, of which those that strike lie above zero
+    this.several = rods.length > 1;
+    const reach = this.several ? 1 : field.to || 1;
+    const [from, to] = [field.from / reach, field.to / reach];
+    this.chart.options.y = [to, from];
+    this.chart.label = this.several ? (v, digits) => signed(v, Math.max(digits, 1)) : placeOnRod;
+    const read = reader(values, rows, [0, duration], [from, to]);
+    const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
+      const value = read(t, place);
+      if (Number.isNaN(value)) return '';
+      const said =
+        what === 'stress' ? pressed(value * frame.stressUnit) : `velocity ${figures(value * frame.speed)} m/s`;
+      return `${said} at ${figures(place, 2)}${this.several ? ' m' : ' of its length'}`;
+    };
+    const { contacts } = (drawnFromOther(frame) && frame.other) || frame.exact;
+    this.chart.show({
+      series: [],
+      picture: { image: this.image, x: [0, duration], probe },
+      rules: rods.slice(1).map((rod) => rod.from / reach),
+      bars: { name: 'bar: in contact', spans: contacts, at: 0, least: 2 },
+    });
+  }
+  draw() {
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+}
+
+export class Force {
+  /** @type {Samples} */ exact;
+  /** @type {Samples | null} */ other = null;
+  /** @type {Samples | null} */ raw = null; // of modes, before it is averaged
+
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    this.chart = new Chart({
+      title: 'Contact force',
+      about: 'contact force against time, exact and by the other method',
+      axis,
+      xUnit: 'T',
+      unit: 'N',
+      zero: true,
+      pad: [0.04, 0.25],
+      go,
+    });
+  }
+  /** @param {AxialFrame} frame */
+  load(frame) {
+    const { modalForce, other } = frame;
+    this.exact = { x: frame.exactTime, y: frame.exactForce };
+    this.other = pair(frame.otherTime, frame.otherForce);
+    this.raw = null;
+    if (modalForce && other) {
+      const step = given(frame.step, 'step');
+      const window = given(other.diagnostics.resolved_time, 'resolved_time') / frame.trip;
+      this.raw = stairs(modalForce, step);
+      this.other = averaged(modalForce, step, window);
+    }
+    this.chart.show({ series: this.#series(frame), shades: frame.exact.contacts });
+  }
+  /**
+   * @param {AxialFrame} frame
+   * @returns {Series[]}
+   */
+  #series({ balanceForce, balanceTime, exact, forceUnit: factor, other, record }) {
+    const first = naming(exact.name);
+    /** @type {Series[]} */
+    const found = [{ ...this.exact, factor, name: first, cursor: first, style: 'exact' }];
+    if (this.other && other) {
+      const name = naming(other.name);
+      const reach = this.raw ? Infinity : TRAINS;
+      found.push({ ...this.other, factor, reach, name, cursor: name, style: 'other' });
+    }
+    const impulses = pair(balanceTime, balanceForce);
+    if (impulses) found.push({ ...impulses, factor, name: 'impulse over step', style: 'impulses' });
+    if (this.raw && other) {
+      const touches = other.diagnostics.raw_contacts ?? 0;
+      const name = touches > other.contacts.length ? `raw (${touches} touches)` : 'raw';
+      found.push({ ...this.raw, factor, reach: 0, name, style: 'raw' });
+    }
+    if (record) found.push({ x: record.time, y: record.force, factor, reach: 0, name: 'measured', style: 'record' });
+    return found;
+  }
+  draw() {
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+  /**
+   * Force at t, in units of the message.
+   * @param {number} t
+   */
+  at(t) {
+    return between(this.exact.x, this.exact.y, t);
+  }
+}
+
+// Force against indentation: the law's own curve, and the path of this impact.
+export class Cycle {
+  /** @type {[factor: number, unit: string]} */ across = [1e6, 'µm']; // how the indentation is shown
+
+  constructor() {
+    this.chart = new Chart({
+      title: 'Contact law',
+      about: 'force against indentation: the law and this impact',
+      xName: 'indentation',
+      xUnit: 'µm',
+      unit: 'N',
+      zero: 'whole',
+      pad: [0, 0.08],
+      caption: (unit, xUnit) => `${unit} over ${xUnit}`,
+      points: true,
+    });
+    this.chart.root.classList.add('cycle');
+  }
+  /** @param {CycleTold} frame */
+  load(frame) {
+    this.chart.root.hidden = !frame.cycleDepth;
+    if (!frame.cycleDepth) return;
+    const depth = frame.cycleDepth;
+    const [loading, unloading] = [given(frame.cycleLoading, 'law'), given(frame.cycleUnloading, 'law')];
+    const [path, force] = [given(frame.blowDepth, 'path'), given(frame.blowForce, 'path')];
+    const most = (/** @type {Numbers} */ values) => values.reduce((a, b) => Math.max(a, b), 0);
+    const deep = Math.max(most(depth), most(path));
+    this.across = scaled(deep, 'm');
+    const [factor, xUnit] = this.across;
+    const strong = Math.max(most(loading), most(force));
+    const slow = loading.some((each, k) => Math.abs(each - unloading[k]) > 1e-6 * strong);
+    const x = depth.map((a) => a * factor);
+    /** @type {Series[]} */
+    const series = [
+      { x: path.map((a) => a * factor), y: force, path: true, name: 'this impact', style: 'exact' },
+      { x, y: loading, name: slow ? 'loading slowly' : 'quasi-static loading', style: 'prediction' },
+    ];
+    if (slow) series.push({ x, y: unloading, name: 'and back', style: 'dots' });
+    this.chart.axis.load(0, 1.04 * deep * factor);
+    this.chart.show({ series, xUnit });
+  }
+  draw() {
+    this.chart.draw();
+  }
+  /**
+   * This impact at one instant: depth [m] and force [N].
+   * @param {number} depth
+   * @param {number} force
+   */
+  mark(depth, force) {
+    const { chart } = this;
+    const [factor, unit] = this.across;
+    const deep = `${figures(Math.max(depth, 0) * factor)} ${unit}`;
+    chart.mark(depth * factor, force, `${deep}   ${figures(force * chart.factor)} ${chart.unitShown}`);
+  }
+}
+
+export class Displacements {
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    this.chart = new Chart({
+      title: 'Impactor and struck face',
+      about: 'displacement of the mass and of the struck end against time',
+      axis,
+      xUnit: 'T',
+      unit: 'm',
+      zero: 'whole',
+      go,
+    });
+  }
+  /** @param {AxialFrame} frame */
+  load(frame) {
+    const { duration, prediction, other, target } = frame;
+    const factor = frame.speed * frame.trip;
+    const x = even(frame.exactMass.length, duration);
+    /** @type {Series[]} */
+    const series = [
+      { x, y: frame.exactMass, factor, name: 'impactor', cursor: 'mass', style: 'exact' },
+      { x, y: frame.exactEnd, factor, name: 'face', cursor: 'end', style: 'struck' },
+    ];
+    if (other) {
+      const name = naming(other.name);
+      series.push({ x, y: given(frame.otherMass, 'otherMass'), factor, reach: 0, name, style: 'thinOther' });
+      series.push({ x, y: given(frame.otherEnd, 'otherEnd'), factor, reach: 0, name, style: 'dashedOther' });
+    }
+    if (prediction) {
+      const straight = (/** @type {number} */ rate) => ({ x: [0, duration], y: [0, rate * duration], factor });
+      series.push({
+        ...straight(prediction.impactor),
+        reach: 'whole',
+        name: 'rigid-body prediction',
+        style: 'prediction',
+      });
+      if (!target.held)
+        series.push({
+          ...straight(prediction.target),
+          reach: 0,
+          name: 'rigid-body prediction of target',
+          style: 'dots',
+        });
+    }
+    this.chart.show({ series, shades: frame.exact.contacts });
+  }
+  draw() {
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+}

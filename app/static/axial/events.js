@@ -1,0 +1,98 @@
+// What happens in an impact along an axis, one event after the other.
+import { family, text } from '../text/catalogue.js';
+import { pretty } from '../text/format.js';
+
+/** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
+/** @import { Event } from '../shell/story.js' */
+
+const STANDS = 5e-4; // of the impact speed; what is slower stands
+
+/**
+ * The events of an impact, in the order of time [T].
+ * @param {AxialFrame} frame
+ * @returns {Event[]}
+ */
+export function eventsOf(frame) {
+  const found = frame.rods.length === 1 && frame.rods[0].mirror ? eventsOnOneRod(frame) : plainEvents(frame);
+  return found.filter(([t]) => t <= frame.duration + 1e-9).sort((a, b) => a[0] - b[0]);
+}
+
+/**
+ * Where something goes, and how fast.
+ * @param {number} velocity  [v]
+ */
+const going = (velocity) => ({
+  way: Math.abs(velocity) < STANDS ? 'stands' : velocity < 0 ? 'back' : 'on',
+  speed: Math.abs(velocity).toFixed(3),
+});
+
+/**
+ * For bodies of any other kind: the contacts, and what the impactor does after each.
+ * @param {AxialFrame} frame
+ * @returns {Event[]}
+ */
+function plainEvents(frame) {
+  const { exact, rods, impactor, target } = frame;
+  if (impactor.kind === 'pulse') return pulseEvents(exact.contacts);
+  const striker = family('axial.striker')[impactor.kind] ?? impactor.kind;
+  const struck = family('axial.struck')[target.kind] ?? target.kind;
+  return exact.contacts.flatMap(([start, end], k) => {
+    const touches = k
+      ? text('axial.event.meets-again', { number: k + 1 })
+      : text('axial.event.touches', { striker, struck, waves: rods.length > 0 });
+    const last = k === exact.contacts.length - 1;
+    const gone = { striker, last, ...going(exact.left[k]) };
+    const parts = text(end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);
+    /** @type {Event[]} */
+    const both = [
+      [start, touches],
+      [end, last && exact.stillTouching ? text('axial.event.still-touching') : parts],
+    ];
+    return both;
+  });
+}
+
+/**
+ * @param {Contact[]} contacts
+ * @returns {Event[]}
+ */
+const pulseEvents = (contacts) => [
+  [0, text('axial.event.pulse')],
+  [contacts[contacts.length - 1][1], text('axial.event.pulse-over')],
+];
+
+/**
+ * A mass on a uniform rod, fixed or free at its far end.
+ * @param {AxialFrame} frame
+ * @returns {Event[]}
+ */
+function eventsOnOneRod(frame) {
+  const { exact, duration, chosen } = frame;
+  const fixed = frame.rods[0].mirror > 0;
+  const rigid = chosen.law === 'rigid';
+  const pressure = pretty(frame.stressUnit / 1e6);
+  /** @type {Event[]} */
+  const found = [[0, text(rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', { pressure })]];
+  if (duration > 0.5) found.push([0.5, text(fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid })]);
+  if (exact.contacts[0][1] > 1 + 1e-9)
+    found.push([1, text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back')]);
+  exact.contacts.forEach(([start, end], k) => {
+    if (k > 0) found.push([start, text('axial.event.recontact', { number: k + 1 })]);
+    const last = k === exact.contacts.length - 1;
+    found.push([end, last && exact.stillTouching ? text('axial.event.still-touching') : parting(exact, k, fixed)]);
+  });
+  return found;
+}
+
+/**
+ * How a contact on a rod ends.
+ * @param {AxialFigures} exact
+ * @param {number} k  its number
+ * @param {boolean} fixed  the far end
+ */
+const parting = ({ contacts, cutOff, left }, k, fixed) =>
+  text('axial.event.ends', {
+    pulled: cutOff[k] && !fixed,
+    last: k === contacts.length - 1,
+    ...going(left[k]),
+  });

@@ -1,0 +1,186 @@
+// Fields of an impact along an axis, rebuilt from the message. Time in round trips T, places in m from the struck end,
+// displacement in v T, velocity in v, stress in v sqrt(E rho); compression positive.
+import { given, arrayOf } from '../shell/message.js';
+import { Mirrored, Wave } from './wave.js';
+
+/** @import { AxialFrame, Numbers } from '../shell/message.js' */
+
+/** @typedef {'stress' | 'velocity' | 'displacement'} What */
+/** @typedef {(column: number, values: Float64Array) => void} Visit */
+
+/**
+ * Value at t of samples spread evenly over [0, duration].
+ * @param {Numbers} samples
+ * @param {number} t
+ * @param {number} duration
+ */
+export function at(samples, t, duration) {
+  const place = Math.min(Math.max(t / duration, 0), 1) * (samples.length - 1);
+  const i = Math.min(Math.floor(place), samples.length - 2);
+  return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
+}
+
+/** The field of one solution between two places; here of bodies that move as a whole, in which no wave runs. */
+export class Field {
+  from = 0;
+  to = 0;
+  coarse = false; // dear to compute: fewer points will do
+
+  /**
+   * @param {AxialFrame} frame
+   * @param {'exact' | 'other'} solution
+   */
+  constructor(frame, solution) {
+    this.frame = frame;
+    this.solution = solution;
+    const exact = solution === 'exact';
+    this.ends = exact ? frame.exactEnd : given(frame.otherEnd, 'otherEnd');
+    this.masses = exact ? frame.exactMass : given(frame.otherMass, 'otherMass');
+  }
+  /**
+   * The end of the colours.
+   * @param {What} _what
+   */
+  largest(_what) {
+    return 1;
+  }
+  /**
+   * Values at places spread evenly from `from` to `to`.
+   * @param {number} t
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  profile(t, what, out) {
+    return out.fill(what === 'displacement' ? this.end(t) : 0);
+  }
+  /**
+   * Visit the profiles of instants spread evenly over the whole impact.
+   * @param {What} what
+   * @param {number} columns
+   * @param {number} rows
+   * @param {Visit} visit
+   */
+  image(what, columns, rows, visit) {
+    const column = new Float64Array(rows);
+    for (let c = 0; c < columns; c++) visit(c, this.profile(((c + 0.5) / columns) * this.frame.duration, what, column));
+  }
+  /**
+   * Displacement of the struck end.
+   * @param {number} t
+   */
+  end(t) {
+    return at(this.ends, t, this.frame.duration);
+  }
+  /**
+   * Displacement of the impactor.
+   * @param {number} t
+   */
+  mass(t) {
+    return at(this.masses, t, this.frame.duration);
+  }
+}
+
+/** The field of any number of rods, from the waves that their ends send. */
+export class WaveField extends Field {
+  /** @param {AxialFrame} frame */
+  constructor(frame) {
+    super(frame, 'exact');
+    const { rods, duration } = frame;
+    const wave = (/** @type {string} */ name) =>
+      new Wave(arrayOf(frame, `${name}Time`), arrayOf(frame, name), duration);
+    this.from = rods[0].from;
+    this.to = rods[rods.length - 1].to;
+    this.rods = rods.map((rod, i) => {
+      const f = wave(`f${i}`);
+      return { ...rod, f, g: rod.mirror ? new Mirrored(f, rod.mirror, rod.transit) : wave(`g${i}`) };
+    });
+  }
+  /**
+   * The largest stress or velocity anywhere: waves add up where they meet.
+   * @param {What} what
+   */
+  largest(what) {
+    let most = 1e-12;
+    const columns = 120;
+    const profile = new Float64Array(this.rods.length === 1 && this.rods[0].mirror ? 0 : 121);
+    for (const { f, mirror, area, impedance } of this.rods) {
+      // at a wall the stress doubles, at a free end the velocity
+      const doubled = mirror > 0 === (what === 'stress') ? 2 : 1;
+      if (mirror) most = Math.max(most, (doubled * f.strongest) / (what === 'stress' ? area : impedance));
+    }
+    const seen = [];
+    for (let c = 0; c < columns && profile.length; c++) {
+      for (const v of this.profile(((c + 0.5) / columns) * this.frame.duration, what, profile))
+        if (v !== 0) seen.push(Math.abs(v));
+    }
+    if (seen.length) {
+      // a thin specimen must not take all the colour: few values are beyond the scale
+      seen.sort((a, b) => a - b);
+      return Math.max(seen[Math.floor(0.985 * (seen.length - 1))], 0.15 * seen[seen.length - 1], 1e-12);
+    }
+    if (what === 'stress') for (const v of this.frame.exactForce) most = Math.max(most, v);
+    return most;
+  }
+  /**
+   * @param {number} t
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  profile(t, what, out) {
+    const n = out.length - 1;
+    const { rods, from, to } = this;
+    for (let i = 0, r = 0; i <= n; i++) {
+      const x = from + ((to - from) * i) / n;
+      while (r < rods.length - 1 && x > rods[r].to) r++;
+      const { f, g, transit, impedance, drift, area, from: left, to: right } = rods[r];
+      const s = ((x - left) / (right - left)) * transit;
+      if (what === 'stress') out[i] = (f.at(t - s) + g.at(t - transit + s)) / area;
+      else if (what === 'velocity') out[i] = drift + (f.at(t - s) - g.at(t - transit + s)) / impedance;
+      else out[i] = drift * t + (f.total(t - s) - g.total(t - transit + s)) / impedance;
+    }
+    return out;
+  }
+}
+
+/** Fields sampled by the server, for methods whose fields cannot be rebuilt here. */
+export class SampledField extends Field {
+  coarse = true;
+
+  /** @param {AxialFrame} frame */
+  constructor(frame) {
+    super(frame, 'other');
+    this.from = frame.rods[0]?.from ?? 0;
+    this.to = frame.rods.at(-1)?.to ?? 0;
+    this.tables = {
+      stress: given(frame.fieldStress, 'fieldStress'),
+      velocity: given(frame.fieldVelocity, 'fieldVelocity'),
+      displacement: given(frame.fieldDisplacement, 'fieldDisplacement'),
+    };
+    const [instants, places] = frame.shapes.fieldStress;
+    this.instants = instants;
+    this.places = places;
+  }
+  /**
+   * @param {number} t
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  profile(t, what, out) {
+    const { frame, instants, places } = this;
+    const n = out.length - 1;
+    const field = this.tables[what];
+    const row = Math.min(Math.max(t / frame.duration, 0), 1) * (instants - 1);
+    const i = Math.min(Math.floor(row), instants - 2);
+    const a = row - i;
+    for (let k = 0; k <= n; k++) {
+      const place = (k / n) * (places - 1);
+      const j = Math.min(Math.floor(place), places - 2);
+      const b = place - j;
+      const p = i * places + j;
+      out[k] =
+        (1 - a) * ((1 - b) * field[p] + b * field[p + 1]) +
+        a * ((1 - b) * field[p + places] + b * field[p + places + 1]);
+    }
+    return out;
+  }
+}

@@ -1,0 +1,120 @@
+// The field of one rod by its modes.
+import { given } from '../shell/message.js';
+import { Field } from './fields.js';
+
+/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { What } from './fields.js' */
+
+const SAVED_NUMBERS = 400_000; // of states that are kept, to go back to
+
+/** The modal field: the browser carries the same oscillators through the same forces as the server did. */
+export class ModalField extends Field {
+  coarse = true;
+  at = 0; // number of the step that is reached
+  rigid = [0, 0]; // displacement and velocity of the rod as a whole
+  /** @type {{ q: Float32Array, w: Float32Array, rigid: number[] }[]} */ saved = [];
+  /** @type {Map<number, { cosines: Float64Array, sines: Float64Array }>} */ shapes = new Map();
+
+  /** @param {AxialFrame} frame */
+  constructor(frame) {
+    super(frame, 'other');
+    this.force = given(frame.modalForce, 'modalForce');
+    this.h = given(frame.step, 'step');
+    this.from = frame.rods[0].from;
+    this.to = frame.rods[0].to;
+    const fixed = frame.rods[0].mirror > 0;
+    this.free = !fixed;
+    const n = frame.modes;
+    const { h } = this;
+    this.steps = this.force.length;
+    this.stride = Math.max(1, Math.ceil((this.steps * n) / SAVED_NUMBERS));
+    this.omega = Float64Array.from({ length: n }, (_, i) => 2 * Math.PI * (fixed ? i + 0.5 : i + 1));
+    this.cosine = this.omega.map((w) => Math.cos(w * h));
+    this.sine = this.omega.map((w) => Math.sin(w * h));
+    this.kickQ = this.omega.map((w) => (8 / (w * w)) * Math.sin((w * h) / 2) ** 2);
+    this.kickW = this.omega.map((w) => (4 / (w * w)) * Math.sin(w * h));
+    this.q = new Float64Array(n);
+    this.w = new Float64Array(n);
+  }
+  step() {
+    const { q, w, cosine, sine, kickQ, kickW, h } = this;
+    const force = this.force[this.at];
+    for (let i = 0; i < q.length; i++) {
+      const a = q[i];
+      const b = w[i];
+      q[i] = cosine[i] * a + sine[i] * b + kickQ[i] * force;
+      w[i] = cosine[i] * b - sine[i] * a + kickW[i] * force;
+    }
+    if (this.free) {
+      // the free rod as a whole: x'' = 2 F
+      this.rigid[0] += h * (this.rigid[1] + h * force);
+      this.rigid[1] += 2 * h * force;
+    }
+    this.at++;
+  }
+  /**
+   * Bring the oscillators to the instant next to t.
+   * @param {number} t
+   */
+  seek(t) {
+    const target = Math.min(Math.max(Math.round(t / this.h), 0), this.steps);
+    const row = Math.floor(target / this.stride);
+    if (target < this.at || row * this.stride > this.at + this.stride) {
+      const from = Math.min(row, this.saved.length - 1);
+      if (from < 0) {
+        this.q.fill(0);
+        this.w.fill(0);
+        this.rigid = [0, 0];
+        this.at = 0;
+      } else {
+        const s = this.saved[from];
+        this.q.set(s.q);
+        this.w.set(s.w);
+        this.rigid = [...s.rigid];
+        this.at = from * this.stride;
+      }
+    }
+    for (;;) {
+      if (this.at % this.stride === 0 && this.at / this.stride === this.saved.length)
+        this.saved.push({ q: Float32Array.from(this.q), w: Float32Array.from(this.w), rigid: [...this.rigid] });
+      if (this.at >= target) break;
+      this.step();
+    }
+  }
+  /**
+   * Cosines and sines of every mode at every place.
+   * @param {number} points
+   */
+  table(points) {
+    const known = this.shapes.get(points);
+    if (known) return known;
+    const n = this.omega.length;
+    const made = { cosines: new Float64Array(n * points), sines: new Float64Array(n * points) };
+    for (let i = 0; i < n; i++)
+      for (let j = 0; j < points; j++) {
+        const angle = (this.omega[i] * j) / (points - 1) / 2;
+        made.cosines[i * points + j] = Math.cos(angle);
+        made.sines[i * points + j] = Math.sin(angle);
+      }
+    this.shapes.set(points, made);
+    return made;
+  }
+  /**
+   * @param {number} t
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  profile(t, what, out) {
+    this.seek(t);
+    const points = out.length;
+    const { cosines, sines } = this.table(points);
+    out.fill(what === 'stress' ? 0 : what === 'velocity' ? this.rigid[1] : this.rigid[0]);
+    for (let i = 0; i < this.omega.length; i++) {
+      const shape = what === 'stress' ? sines : cosines;
+      const amplitude =
+        what === 'stress' ? this.q[i] * this.omega[i] : what === 'velocity' ? this.w[i] * this.omega[i] : this.q[i];
+      for (let j = 0, k = i * points; j < points; j++, k++) out[j] += amplitude * shape[k];
+    }
+    return out;
+  }
+}

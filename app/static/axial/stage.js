@@ -1,0 +1,326 @@
+// The stage: the bodies themselves, movement exaggerated by a stated factor.
+import { cleared } from '../charts/canvas.js';
+import { roundBelow } from '../charts/scale.js';
+import { COLORS, css } from '../charts/styles.js';
+import { make } from '../shell/dom.js';
+import { figures, scaled } from '../text/format.js';
+import { endMass, onward, push, striker, struckBody, wall } from './bodies.js';
+
+/** @import { AxialFrame, RodTold } from '../shell/message.js' */
+/** @import { Striker } from '../shell/striker.js' */
+/** @import { Field, What } from './fields.js' */
+
+const SLICES = 241;
+const RINGS = 24; // over all rods; half as many on one
+
+const BODY = 56; // pixels of a striker as heavy as what it strikes
+const PRESSED = 0.16; // of the striker that the deepest indentation may take
+const REACH = 0.16; // of what is drawn that the largest movement takes
+
+const WORDS = {
+  about: 'the bodies, coloured by stress or velocity',
+  movement: 'movement drawn ×',
+  bar: 'of movement',
+};
+
+export class Stage {
+  /** @type {AxialFrame} */ frame;
+  /** @type {Field} */ field;
+  /** @type {What} */ what;
+  /** @type {Striker | null} */ striker = null; // by which a hand takes hold
+  largest = 1; // the end of the colours
+  span = 1; // length drawn [m]; 0 where nothing has one
+  reach = 1; // the largest movement [m]
+  pressed = 0; // the deepest indentation [m]
+  factor = 1; // by which movement is exaggerated
+  scale = 1; // pixels in a unit of displacement
+  values = new Float64Array(SLICES);
+  moved = new Float64Array(SLICES);
+
+  constructor() {
+    this.canvas = make('canvas', { role: 'img', ariaLabel: WORDS.about });
+    this.root = make('section', { className: 'stage' }, this.canvas);
+  }
+  /**
+   * @param {AxialFrame} frame
+   * @param {Field} field
+   * @param {What} what
+   * @param {number} largest
+   */
+  load(frame, field, what, largest) {
+    this.frame = frame;
+    this.field = field;
+    this.what = what;
+    this.largest = largest;
+    let reach = 1e-12;
+    let pressed = 0;
+    for (let k = 0; k <= 200; k++) {
+      const t = (k / 200) * frame.duration;
+      reach = Math.max(reach, Math.abs(field.mass(t)), Math.abs(field.end(t)));
+      pressed = Math.max(pressed, field.mass(t) - field.end(t));
+    }
+    this.span = field.to - field.from;
+    this.reach = reach * frame.speed * frame.trip;
+    this.pressed = ['rod', 'pulse'].includes(frame.impactor.kind) ? 0 : pressed * frame.speed * frame.trip;
+  }
+  /**
+   * How movement is drawn: its largest takes a share of the picture, and the deepest indentation one of the striker.
+   * Beside a length, of a rod or of a ball, it is exaggerated by a factor, which is rounded to 1, 2 or 5.
+   * @param {number} length  of what is drawn [px]
+   * @param {number} size  of the striker
+   */
+  #fit(length, size) {
+    const { frame, pressed, reach, span } = this;
+    const most = Math.min((REACH * length) / reach, pressed > 0 ? (PRESSED * size) / pressed : Infinity); // [px/m]
+    const radius = frame.impactor.radius ?? 0;
+    const true_ = span > 0 ? length / span : radius > 0 ? size / (2 * radius) : 0;
+    this.factor = true_ > 0 ? roundBelow(most / true_) : 0;
+    this.scale = (true_ > 0 ? this.factor * true_ : most) * frame.speed * frame.trip;
+  }
+  /**
+   * Sizes of the striker and of a struck body without waves: by the radii of two balls, else by their masses.
+   * @param {number} width
+   * @param {number} height
+   * @returns {[striker: number, struck: number]}
+   */
+  #sizes(width, height) {
+    const { impactor, target } = this.frame;
+    const most = Math.min(0.16 * width, 0.62 * height);
+    if (target.shape === 'ball' && target.radius && impactor.kind === 'sphere' && impactor.radius) {
+      const larger = Math.max(impactor.radius, target.radius);
+      return [(most * impactor.radius) / larger, (most * target.radius) / larger];
+    }
+    const heavy = target.held && !this.span ? 1 : impactor.mass / target.mass; // a wall has no mass to compare with
+    const own = Math.min(Math.max(BODY * heavy ** (1 / 6), 22), most);
+    return [own, Math.min(0.36 * height, 68)];
+  }
+  /** @param {number} t */
+  draw(t) {
+    const { canvas, field, frame } = this;
+    if (!frame) return;
+    const sheet = cleared(canvas, this.root);
+    if (!sheet) return;
+    const { c, width, height } = sheet;
+    const { rods, impactor } = frame;
+    const left = impactor.kind === 'rod' ? 40 : (width < 560 ? 0.25 : 0.21) * width;
+    const right = frame.target.held ? width - 30 : width * (impactor.kind === 'rod' ? 0.86 : 0.82);
+    const middle = height * 0.47;
+    const thick = Math.min(height * 0.3, 56);
+    const [size, struck] = this.#sizes(width, height);
+    this.#fit(right - left, size);
+    const meeting = field.mass(t) > field.end(t);
+    const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : 0.45 * width;
+    const face = rest + field.end(t) * this.scale;
+    const own = rest + field.mass(t) * this.scale;
+    const meet = meeting ? (face + own) / 2 : undefined;
+    if (!rods.length) struckBody(c, frame, { face, middle, size: struck, meet }, width);
+    const contact = this.touching(t);
+    if (impactor.kind === 'pulse') {
+      if (contact) push(c, rest, middle, thick);
+    } else if (impactor.kind === 'rod') this.#rod(c, rest, face, middle, thick, contact);
+    else {
+      const prediction = frame.prediction && rest + frame.prediction.impactor * t * this.scale;
+      striker(c, frame, { face: own, middle, size, meet }, prediction);
+      if (contact) this.#touch(c, meet ?? own, middle, size);
+      const drawn = { x: own - size / 2, y: middle, width: size, height: size };
+      this.striker?.draw(c, { ...drawn, way: [1, 0], sized: frame.target.shape !== 'ball' });
+    }
+    if (rods.length === 1 && rods[0].mirror) this.front(c, t, left, right - left, middle - thick / 2);
+    this.#measure(c, width, height);
+  }
+  /**
+   * The rods, and what is at their far end; returns where the struck face is at rest.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   * @param {number} left
+   * @param {number} right
+   * @param {number} middle
+   * @param {number} thick
+   */
+  #chain(c, t, left, right, middle, thick) {
+    const { target } = this.frame;
+    this.field.profile(t, this.what, this.values);
+    this.field.profile(t, 'displacement', this.moved);
+    const rest = this.rods(c, left, right - left, middle, thick, this.scale);
+    if (target.support === 'fixed') wall(c, right, middle, thick);
+    if (target.support === 'anechoic') onward(c, right, middle, thick);
+    if (target.endMass) endMass(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
+    return rest;
+  }
+  /**
+   * A rod that strikes: where it presses, and what can be taken hold of.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} rest
+   * @param {number} face
+   * @param {number} middle
+   * @param {number} thick
+   * @param {boolean} contact
+   */
+  #rod(c, rest, face, middle, thick, contact) {
+    if (contact) this.#touch(c, face, middle, thick + 6);
+    const width = rest - 40;
+    this.striker?.draw(c, { x: 40 + width / 2, y: middle, width, height: thick, way: [1, 0], sized: false });
+  }
+  /**
+   * Where two bodies press on each other.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} x
+   * @param {number} middle
+   * @param {number} size
+   */
+  #touch(c, x, middle, size) {
+    c.fillStyle = COLORS.cursor;
+    c.fillRect(x - 1.5, middle - size / 2 - 5, 3, size + 10);
+  }
+  /** @param {number} t */
+  touching(t) {
+    const { frame, field } = this;
+    return Boolean(frame[field.solution]?.contacts.some(([a, b]) => t >= a && t <= b));
+  }
+  /**
+   * How movement is drawn, beside the bodies where these are to scale, else by a length; and the colours.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} width
+   * @param {number} height
+   */
+  #measure(c, width, height) {
+    const { factor, frame } = this;
+    c.fillStyle = c.strokeStyle = COLORS.faint;
+    c.font = '12px system-ui, sans-serif';
+    c.textBaseline = 'alphabetic';
+    c.textAlign = 'left';
+    if (factor) {
+      const times = factor >= 1 ? factor.toLocaleString('en') : factor.toPrecision(1);
+      c.fillText(`${WORDS.movement} ${times}`, 12, height - 10);
+    }
+    if (frame.rods.length) {
+      this.scaleBar(c, width, height);
+      return;
+    }
+    const perMetre = this.scale / (frame.speed * frame.trip);
+    const long = roundBelow(90 / perMetre);
+    const [times, unit] = scaled(long, 'm');
+    c.lineWidth = 2;
+    c.beginPath();
+    c.moveTo(12, 14);
+    c.lineTo(12 + long * perMetre, 14);
+    c.stroke();
+    c.fillText(`${figures(long * times)} ${unit} ${WORDS.bar}`, 12, 30);
+  }
+  /**
+   * Every rod slice by slice, its height by the side of its section; returns where the struck face is at rest.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} left
+   * @param {number} length
+   * @param {number} middle
+   * @param {number} thick
+   * @param {number} scale
+   */
+  rods(c, left, length, middle, thick, scale) {
+    const { frame, field } = this;
+    const widest = Math.max(...frame.rods.map((rod) => rod.area));
+    const place = (/** @type {number} */ x) => left + ((x - field.from) / this.span) * length;
+    frame.rods.forEach((rod, number) => {
+      const tall = thick * Math.max(Math.sqrt(rod.area / widest), 0.18);
+      const top = middle - tall / 2;
+      const [first, last] = this.#slices(rod);
+      const ends = [place(rod.from) + this.moved[first] * scale, place(rod.to) + this.moved[last] * scale];
+      const at = (/** @type {number} */ k) => left + (k / (SLICES - 1)) * length + this.moved[k] * scale;
+      const x = (/** @type {number} */ k) => (k <= first ? ends[0] : k >= last ? ends[1] : at(k));
+      if (first === last) {
+        c.fillStyle = css(this.values[first], this.largest);
+        c.fillRect(ends[0], top, ends[1] - ends[0], tall);
+      }
+      for (let i = first; i < last; i++) {
+        c.fillStyle = css(0.5 * (this.values[i] + this.values[i + 1]), this.largest);
+        c.fillRect(x(i), top, x(i + 1) - x(i) + 0.7, tall);
+      }
+      c.strokeStyle = '#4a5968';
+      c.lineWidth = 1.2;
+      c.strokeRect(ends[0], top, ends[1] - ends[0], tall);
+      c.strokeStyle = 'rgba(28,39,51,.28)'; // rings painted on the rods, evenly spaced before the impact
+      c.beginPath();
+      for (let k = 1; k < RINGS; k++) {
+        const i = Math.round((k * (SLICES - 1)) / (frame.rods.length > 1 ? RINGS : RINGS / 2));
+        if (i <= first || i >= last) continue;
+        c.moveTo(at(i), top);
+        c.lineTo(at(i), top + tall);
+      }
+      c.stroke();
+      if (number && rod.joint === 'bonded') {
+        c.fillStyle = '#4a5968';
+        c.fillRect(ends[0] - 1, top - 3, 2, tall + 6);
+      }
+    });
+    return place(0);
+  }
+  /**
+   * First and last slice of a rod, a hair inside: at a joint that has opened the field jumps.
+   * @param {RodTold} rod
+   */
+  #slices({ from, to }) {
+    const inside = (to - from) * 1e-6;
+    const slot = (/** @type {number} */ x) => ((x - this.field.from) / this.span) * (SLICES - 1);
+    const first = Math.ceil(slot(from + inside));
+    return [first, Math.max(Math.floor(slot(to - inside)), first)];
+  }
+  /**
+   * Where the front that set out at first touch is now, and which way it runs.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   * @param {number} left
+   * @param {number} length
+   * @param {number} top
+   */
+  front(c, t, left, length, top) {
+    const trip = t - Math.floor(t);
+    const outward = trip < 0.5;
+    const place = outward ? 2 * trip : 2 - 2 * trip;
+    const i = Math.round(place * (SLICES - 1));
+    const x = left + place * length + this.moved[i] * this.scale;
+    const y = top - 9;
+    const way = outward ? 1 : -1;
+    c.fillStyle = COLORS.cursor;
+    c.beginPath();
+    c.moveTo(x, y + 6);
+    c.lineTo(x - 5, y - 3);
+    c.lineTo(x + 5, y - 3);
+    c.fill();
+    c.strokeStyle = COLORS.cursor;
+    c.lineWidth = 1.6;
+    c.beginPath();
+    c.moveTo(x, y - 7);
+    c.lineTo(x + 22 * way, y - 7);
+    c.lineTo(x + 16 * way, y - 11);
+    c.moveTo(x + 22 * way, y - 7);
+    c.lineTo(x + 16 * way, y - 3);
+    c.stroke();
+    c.font = '11px system-ui, sans-serif';
+    c.textAlign = outward ? 'right' : 'left';
+    c.fillText(this.frame.chosen.law === 'rigid' ? 'front' : 'wave', x - 8 * way, y - 4);
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} width
+   * @param {number} height
+   */
+  scaleBar(c, width, height) {
+    const bar = Math.min(150, width * 0.3);
+    const x = width - bar - 16;
+    const y = height - 22;
+    const unit = this.what === 'stress' ? this.frame.stressUnit / 1e6 : this.frame.speed;
+    const largest = this.largest * unit;
+    const show = (/** @type {number} */ v) => (Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
+    for (let k = 0; k < bar; k++) {
+      c.fillStyle = css((k / bar) * 2 - 1, 1);
+      c.fillRect(x + k, y, 1.2, 7);
+    }
+    c.fillStyle = COLORS.faint;
+    c.font = '11px system-ui, sans-serif';
+    c.textAlign = 'left';
+    const names = this.what === 'stress' ? ['tension', 'compression', 'MPa'] : ['back', 'forward', 'm/s'];
+    c.fillText(`${show(-largest)} ${names[0]}`, x, y - 4);
+    c.textAlign = 'right';
+    c.fillText(`${names[1]} ${show(largest)} ${names[2]}`, x + bar, y + 18);
+  }
+}

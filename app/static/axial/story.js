@@ -1,0 +1,160 @@
+// What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
+import { headOf, make, rowOf } from '../shell/dom.js';
+import { contactHead, Warnings, Events, heading, lookCloser, scrolled, showEnergy } from '../shell/story.js';
+import { percent, pretty, signed } from '../text/format.js';
+import { family, numeral, said, text } from '../text/catalogue.js';
+import { noteOf, shortly } from '../text/words.js';
+import { eventsOf } from './events.js';
+
+/** @import { AxialFigures, AxialFrame } from '../shell/message.js' */
+
+const LISTED = 24; // events
+const CONTACTS = 12; // of each solution, in the table
+const ENERGIES = Object.entries(family('axial.energy'));
+const RESTITUTIONS = /** @type {const} */ (['newton', 'poisson', 'newton_at_contact']);
+
+/** @param {number | null} value */
+const kilo = (value) => (value === null ? '–' : pretty(value / 1e3));
+/** @param {number | null} value */
+const micro = (value, none = '–') => (value === null ? none : pretty(value * 1e6));
+/** @param {number | null} value */
+const velocity = (value) => (value === null ? '–' : signed(value, 4));
+/** @param {number | null} error */
+const estimated = (error) => (error === null ? '–' : error < 1e-9 ? '< 1e-9' : error.toExponential(0));
+/** @param {number} error */
+const residual = (error) => (error === 0 ? text('axial.nothing') : numeral(Math.abs(error), '.0e'));
+/** @param {number} t */
+const when = (t) => `${Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))} T`;
+
+/**
+ * What T is.
+ * @param {AxialFrame} frame
+ */
+function unitsOf({ rods, target, trip }) {
+  const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
+  const what = !rods.length ? 'contact' : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : 'one';
+  return text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
+}
+
+export class Story {
+  /** @type {AxialFrame} */ frame;
+
+  /**
+   * @param {(t: number) => void} go
+   * @param {(start: number, end: number) => void} zoom
+   */
+  constructor(go, zoom) {
+    this.zoom = zoom;
+    this.events = new Events(go, when, 1e-6);
+    this.units = make('p', { className: 'symbols' });
+    this.match = make('p', { className: 'match' });
+    this.table = make('table', { className: 'contacts' });
+    this.figures = make('table', { className: 'figures' });
+    this.energy = make('div', { className: 'energy' });
+    this.trust = make('p', { className: 'trust' });
+    this.warnings = new Warnings();
+    const { heading: warningsHeading, list: warnings } = this.warnings;
+    this.root = make('div', { className: 'story' }, heading(text('story.events')), this.units, this.events.root);
+    this.root.append(warningsHeading, warnings, heading(text('axial.one-number')), this.match);
+    this.root.append(heading(text('story.energy')), this.energy);
+    this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
+    this.numbers.append(heading(text('story.after')), scrolled(this.figures), this.trust);
+  }
+  /** @param {AxialFrame} frame */
+  load(frame) {
+    this.frame = frame;
+    this.events.load(eventsOf(frame), LISTED);
+    this.units.textContent = unitsOf(frame);
+    this.contacts();
+    this.answers();
+    this.match.replaceChildren(...this.#match());
+    showEnergy(this.energy, frame.exact.energy, ENERGIES);
+    this.warn();
+    this.tell();
+  }
+  contacts() {
+    const { exact, other } = this.frame;
+    /** @type {['exact' | 'other', AxialFigures][]} */
+    const both = other
+      ? [
+          ['exact', exact],
+          ['other', other],
+        ]
+      : [['exact', exact]];
+    const rows = both.flatMap(([kind, { contacts, name }]) =>
+      contacts.slice(0, CONTACTS).map(([start, end, impulse, peak], k) => {
+        const look = lookCloser(`${shortly(name)} ${k + 1}`, () => this.zoom(start, end), kind);
+        return rowOf([look, start.toFixed(4), end.toFixed(4), pretty(impulse), kilo(peak)]);
+      }),
+    );
+    this.table.replaceChildren(contactHead(['', 'T', 'T', 'N s', 'kN']), make('tbody', {}, ...rows));
+  }
+  answers() {
+    const { chosen, exact, prediction, modalForce, other } = this.frame;
+    const both = other ? [exact, other] : [exact];
+    /** @type {string[][]} */
+    const rows = [];
+    const row = (/** @type {string} */ name, /** @type {(s: AxialFigures) => string} */ show, last = '–') =>
+      rows.push([name, ...both.map(show), last]);
+    row('impactor', (s) => velocity(s.final), prediction ? signed(prediction.impactor) : '');
+    row('target', (s) => velocity(s.targetFinal), prediction ? signed(prediction.target) : '');
+    for (const name of RESTITUTIONS) {
+      const last = name === 'newton' ? Number(chosen.restitution).toFixed(3) : '';
+      row(name, (s) => velocity(s.restitution[name]), last);
+    }
+    row('peak-force', (s) => kilo(s.peakForce));
+    row('indentation', (s) => micro(s.peakIndentation, text('axial.none')));
+    if (both.some((s) => s.residualIndentation)) row('dent', (s) => micro(s.residualIndentation));
+    const away = (/** @type {number | null} */ v) => percent(Math.abs((v ?? 0) - (exact.final ?? 0)));
+    const errors = [...(other ? [away(other.final)] : []), prediction ? away(prediction.impactor) : '–'];
+    rows.push(['error', estimated(exact.diagnostics.estimated_error), ...errors]);
+    row('solved', (s) => pretty(s.diagnostics.wall_time * 1e3));
+    const column = (/** @type {AxialFigures} */ s) =>
+      s.name === 'modal' && modalForce ? text('method.modal.modes', { modes: Number(chosen.modes) }) : shortly(s.name);
+    const meaning = family('axial.meaning');
+    const lines = rows.map(([name, ...cells]) =>
+      rowOf([text(`axial.row.${name}`), ...cells], { title: meaning[name] ?? '' }),
+    );
+    const head = headOf(['', ...both.map(column), text('axial.prediction')]);
+    this.figures.replaceChildren(head, make('tbody', {}, ...lines));
+  }
+  // Which restitution would have matched, and what it would have left out.
+  #match() {
+    const { chosen, exact, prediction, match } = this.frame;
+    if (!prediction) return [text('axial.match.nothing-strikes')];
+    const says = text('axial.match.says', {
+      restitution: Number(chosen.restitution),
+      predicted: signed(prediction.impactor),
+      waves: exact.name === 'waves',
+      found: signed(exact.final ?? 0),
+    });
+    const e = match === null ? text('axial.match.none') : text('axial.match.needed', { restitution: match });
+    const needed = make('b', { textContent: e });
+    const verdict = text('axial.match.misses', { contacts: exact.contacts.length });
+    const { newton, newton_at_contact: faces } = exact.restitution;
+    if (newton === null || faces === null || Math.abs(newton - faces) <= 0.01) return [says, needed, verdict];
+    return [says, needed, verdict, text('axial.match.faces', { faces: signed(faces), whole: signed(newton) })];
+  }
+  warn() {
+    const { exact, other } = this.frame;
+    const known = exact.notes.map(said);
+    const own = (other?.notes ?? []).filter((note) => !known.includes(said(note)));
+    const method = shortly(other?.name ?? '');
+    this.warnings.load([...known, ...own.map((note) => text('story.beside', { method, note }))]);
+  }
+  tell() {
+    const { frame } = this;
+    const { exact, other } = frame;
+    const parts = [exact, ...(other ? [other] : [])].map(
+      ({ diagnostics, name }) => `${shortly(name)} ${residual(diagnostics.energy_error)}`,
+    );
+    const words = [text('axial.trust', { parts: parts.join(', ') })];
+    const { resolved_time: time, raw_contacts: touches = 0 } = other?.diagnostics ?? {};
+    if (time) words.push(text('axial.resolution', { time, touches }));
+    this.trust.textContent = [...words, text('story.source', frame), noteOf(frame)].filter(Boolean).join(' ');
+  }
+  /** @param {number} t */
+  at(t) {
+    this.events.at(t);
+  }
+}

@@ -1,0 +1,151 @@
+// Everything that is shown of an impact along one axis: stage, views over time, contact law, story.
+import { Axis } from '../charts/axis.js';
+import { between } from '../charts/scale.js';
+import { make, segments } from '../shell/dom.js';
+import { Stack } from '../shell/stack.js';
+import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
+import { at, Field, SampledField, WaveField } from './fields.js';
+import { ModalField } from './modal_field.js';
+import { Stage } from './stage.js';
+import { Story } from './story.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { What } from './fields.js' */
+
+const LEAST_ROOM = 1e-4; // of the whole impact, about what is looked at closely
+
+export class AxialView {
+  /** @type {What} */ what = 'stress'; // that the colours show
+  after = 2e-4;
+  /** @type {AxialFrame} */ frame;
+  /** @type {Field} */ exactField;
+  /** @type {Field | null} */ #otherField = null; // made when it is first asked for
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.axis = new Axis();
+    const go = (/** @type {number} */ t) => page.player.seek(t);
+    this.stage = new Stage();
+    this.spaceTime = new SpaceTime(this.axis, go);
+    this.force = new Force(this.axis, go);
+    this.displacements = new Displacements(this.axis, go);
+    this.charts = [this.spaceTime, this.force, this.displacements];
+    this.cycle = new Cycle();
+    this.story = new Story(
+      (t) => page.player.seek(t + this.after),
+      (start, end) => page.zoom(start, end),
+    );
+    this.axis.watch(() => this.zoomed());
+    const press = (/** @type {string} */ what) => {
+      this.what = /** @type {What} */ (what);
+      this.dress();
+      this.page.player.go(this.page.player.t);
+    };
+    this.colours = segments('Colour shows', ['stress', 'velocity'], press);
+    this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole impact' });
+    this.whole.onclick = () => this.page.zoom();
+    this.spaceTime.chart.title.after(this.colours.root);
+    const [waves, force, moved] = this.charts.map(({ chart }) => chart);
+    this.stack = new Stack('axial', { waves, force, moved }, () => page.redraw());
+    this.strip = force; // is seen on a phone, whatever else is
+    this.buttons = [this.whole];
+    this.story.numbers.prepend(this.cycle.chart.root);
+    this.hide(true);
+  }
+  /** @param {boolean} hidden */
+  hide(hidden) {
+    for (const part of [this.stage.root, this.stack.root, this.whole]) part.hidden = hidden;
+  }
+  /** @param {AxialFrame} frame */
+  load(frame) {
+    this.frame = frame;
+    this.exactField = frame.rods.length ? new WaveField(frame) : new Field(frame, 'exact');
+    this.#otherField = null;
+    this.axis.load(0, frame.duration);
+    this.whole.hidden = true;
+    this.spaceTime.chart.root.hidden = !frame.rods.length;
+    this.stack.arrange();
+    this.force.load(frame);
+    this.displacements.load(frame);
+    this.cycle.load(frame);
+    this.dress();
+  }
+  // The field that the pictures show.
+  get field() {
+    return drawnFromOther(this.frame) ? this.otherField : this.exactField;
+  }
+  get otherField() {
+    return (this.#otherField ??= otherFieldOf(this.frame));
+  }
+  // Colours of stage and x-t diagram.
+  dress() {
+    const { field, frame, what } = this;
+    const largest = this.exactField.largest(what);
+    if (frame.rods.length) this.spaceTime.load(frame, field, what, largest);
+    this.stage.load(frame, field, what, largest);
+    this.colours.show(what);
+    this.draw();
+  }
+  draw() {
+    for (const { chart } of [...this.charts, this.cycle]) if (!chart.root.hidden) chart.draw();
+  }
+  /**
+   * A measured force has come, or gone.
+   * @param {AxialFrame} frame
+   */
+  overlay(frame) {
+    if (frame === this.frame) this.force.load(frame);
+  }
+  /** @param {number} t */
+  show(t) {
+    const { frame } = this;
+    this.stage.draw(t);
+    for (const part of this.charts) if (!part.chart.root.hidden) part.cursor(t);
+    if (!frame.cycleDepth) return;
+    const moved = at(frame.exactMass, t, frame.duration) - at(frame.exactEnd, t, frame.duration);
+    this.cycle.mark(moved * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit);
+  }
+  // Another stretch of time fills the views.
+  zoomed() {
+    this.whole.hidden = !this.axis.zoomed;
+    for (const { chart } of this.charts) if (!chart.root.hidden) chart.redraw();
+  }
+  /**
+   * A stretch and some room about it fill the views; all of the impact without one.
+   * @param {number} [start]
+   * @param {number} [end]
+   */
+  zoom(start, end) {
+    if (start === undefined || end === undefined) {
+      this.axis.reset();
+      return;
+    }
+    this.axis.lookAt(start, end, LEAST_ROOM);
+    this.page.player.go(start);
+  }
+  // Histories as rows of comma-separated values.
+  rows(points = 2000) {
+    const { frame } = this;
+    const length = frame.speed * frame.trip;
+    const fields = frame.other ? [this.exactField, this.otherField] : [this.exactField];
+    const forces = frame.other ? [this.force.exact, this.force.other] : [this.force.exact];
+    const called = fields.map(({ solution }) => frame[solution]?.name.replaceAll('-', '_'));
+    const places = called.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
+    const found = [['time_s', ...called.map((name) => `force_${name}_N`), ...places].join(',')];
+    for (let k = 0; k <= points; k++) {
+      const t = (k / points) * frame.duration;
+      const force = forces.map((each) => (each ? between(each.x, each.y, t) : NaN) * frame.forceUnit);
+      const moved = fields.flatMap((field) => [field.mass(t) * length, field.end(t) * length]);
+      found.push([t * frame.trip, ...force, ...moved].map((v) => v.toPrecision(7)).join(','));
+    }
+    return found;
+  }
+}
+
+/** @param {AxialFrame} frame */
+function otherFieldOf(frame) {
+  if (frame.modalForce) return new ModalField(frame);
+  return frame.fieldStress ? new SampledField(frame) : new Field(frame, 'other');
+}

@@ -1,0 +1,95 @@
+// Waves that run through a rod, as the picture reads them.
+
+/** @import { Numbers } from '../shell/message.js' */
+
+const CELLS = 8192; // of the time that is shown
+
+/** One wave that a rod end sends, on even cells: value, and integral from the beginning. */
+export class Wave {
+  strongest = 0;
+  /** @type {Float64Array | null} */ bold = null;
+  boldPerTrip = 0;
+
+  /**
+   * @param {Numbers} time
+   * @param {Numbers} value
+   * @param {number} duration
+   */
+  constructor(time, value, duration) {
+    this.duration = duration;
+    this.perTrip = CELLS / duration;
+    this.value = new Float64Array(CELLS + 1);
+    this.sum = new Float64Array(CELLS + 1);
+    const sums = new Float64Array(time.length);
+    for (let j = 1; j < time.length; j++)
+      sums[j] = sums[j - 1] + 0.5 * (value[j] + value[j - 1]) * (time[j] - time[j - 1]);
+    for (let k = 0, j = 0; k <= CELLS; k++) {
+      const t = (k + 0.5) / this.perTrip; // cell middles: jumps stay within one cell
+      const u = k / this.perTrip;
+      while (j < time.length - 2 && time[j + 1] <= t) j++;
+      const part = time[j + 1] > time[j] ? Math.min((t - time[j]) / (time[j + 1] - time[j]), 1) : 1;
+      this.value[k] = value[j] + part * (value[j + 1] - value[j]);
+      let i = j;
+      while (i > 0 && time[i] > u) i--;
+      const step = Math.max(u - time[i], 0);
+      const width = time[i + 1] - time[i];
+      const slope = width > 0 ? (value[i + 1] - value[i]) / width : 0;
+      this.sum[k] = sums[i] + Math.min(step, width) * (value[i] + 0.5 * slope * Math.min(step, width));
+    }
+    for (const v of value) this.strongest = Math.max(this.strongest, Math.abs(v));
+    this.embolden();
+  }
+  // Pulses narrower than a pixel are drawn a pixel wide: of every pixel's worth of time, the strongest value.
+  embolden() {
+    const pixel = Math.max(0.0045, this.duration / 480);
+    const count = Math.min(Math.ceil(this.duration / pixel), CELLS);
+    const each = (CELLS + 1) / count;
+    let whole = 0;
+    let seen = 0;
+    const bold = new Float64Array(count + 1);
+    for (let k = 0; k <= CELLS; k++) {
+      const cell = Math.min(Math.floor(k / each), count);
+      const v = this.value[k];
+      if (Math.abs(v) > Math.abs(bold[cell])) bold[cell] = v;
+      whole = Math.max(whole, Math.abs(v));
+    }
+    for (let k = 0; k < count; k += 2) seen = Math.max(seen, Math.abs(this.value[Math.floor((k + 0.9) * each)]));
+    if (seen > 0.6 * whole) return;
+    this.bold = bold;
+    this.boldPerTrip = count / this.duration;
+  }
+  /** @param {number} t */
+  at(t) {
+    if (this.bold) return t < 0 ? 0 : this.bold[Math.min(Math.floor(t * this.boldPerTrip), this.bold.length - 1)];
+    return t < 0 ? 0 : this.value[Math.min(Math.floor(t * this.perTrip), CELLS)];
+  }
+  /** @param {number} t */
+  total(t) {
+    if (t <= 0) return 0;
+    const place = Math.min(t * this.perTrip, CELLS - 1e-9);
+    const i = Math.floor(place);
+    return this.sum[i] + (place - i) * (this.sum[i + 1] - this.sum[i]);
+  }
+}
+
+/** The same wave a transit time later, as it was or turned over: what the far end of a uniform rod sends back. */
+export class Mirrored {
+  /**
+   * @param {Wave} wave
+   * @param {number} sign
+   * @param {number} transit
+   */
+  constructor(wave, sign, transit) {
+    this.wave = wave;
+    this.sign = sign;
+    this.transit = transit;
+  }
+  /** @param {number} t */
+  at(t) {
+    return this.sign * this.wave.at(t - this.transit);
+  }
+  /** @param {number} t */
+  total(t) {
+    return this.sign * this.wave.total(t - this.transit);
+  }
+}

@@ -1,0 +1,349 @@
+// The views of a struck beam that share the axis of time: x-t diagram, contact force, motions; and the dispersion of
+// its waves. Times in milliseconds.
+import { Chart } from '../charts/chart.js';
+import { paint, reader } from '../charts/picture.js';
+import { averaged, between, pair, stairs } from '../charts/scale.js';
+import { make, segments } from '../shell/dom.js';
+import { given } from '../shell/message.js';
+import { figures, prefixed } from '../text/format.js';
+import { called } from '../text/words.js';
+
+const ENDS = {
+  cantilever: ['clamp', 'tip'],
+  'pinned-pinned': ['pin', 'roller'],
+  'clamped-clamped': ['clamp', 'clamp'],
+  'free-free': ['free', 'free'],
+  'pinned-free': ['pin', 'free'],
+};
+/** @import { Axis } from '../charts/axis.js' */
+/** @import { Content, Picture, Series } from '../charts/chart.js' */
+/** @import { Range, Samples } from '../charts/scale.js' */
+/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { BeamField, What } from './field.js' */
+
+/**
+ * What an ensemble of impacts reached at each instant [ms].
+ * @typedef {{ lowest: number[], low: number[], high: number[], highest: number[] }} Spread
+ * @typedef {{ time: number[], force: Spread, displacement: Spread }} Band
+ */
+
+const UNITS = { moment: 'N m', velocity: 'm/s', shear: 'N', deflection: 'm' };
+const BAND = 'rgba(122,94,168,.14)';
+const WIDE = 'rgba(122,94,168,.09)';
+const SPREAD = 'rgba(122,94,168,.3)';
+const REST = 150; // ms without a zoom, after which the picture is computed for what is in view
+const OVER = 2; // times the height of the curve that matters, which others may take
+
+const XT = { title: 'How bending runs along the beam', about: 'x-t diagram: the beam against time, in colours' };
+
+export class BeamSpaceTime {
+  /** @type {BeamFrame} */ frame;
+  /** @type {BeamField} */ field;
+  /** @type {What} */ what;
+  /** @type {Content} */ content = { series: [] };
+  /** @type {Picture | null} */ whole = null; // of all of the impact, and of what is in view
+  /** @type {Picture | null} */ fine = null;
+  images = [make('canvas'), make('canvas')];
+  /** @type {number | undefined} */ resting;
+
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    this.chart = new Chart({ ...XT, axis, xUnit: 'ms', y: [1, 0], caption: () => 'place ↓, time → in ms', go });
+  }
+  /**
+   * @param {BeamFrame} frame
+   * @param {BeamField} field
+   * @param {What} what
+   */
+  load(frame, field, what) {
+    this.frame = frame;
+    this.field = field;
+    this.what = what;
+    const [first, last] = ENDS[frame.beam.support];
+    this.chart.label = (v) => (v === 0 ? first : v === 1 ? last : v.toFixed(1));
+    this.whole = this.fine = null;
+    const place = frame.beam.place / frame.beam.length;
+    const arrival = (1e3 * frame.beam.length) / frame.beam.speedLimit; // nothing in the material runs faster
+    const wedge = { x: [arrival, 0, arrival], y: [place - 1, place, place + 1], path: true };
+    const red = `red: ${what} ${what === 'moment' || what === 'shear' ? 'positive' : 'forward'}`;
+    this.content = {
+      series: [{ ...wedge, name: 'fastest possible, √(E/ρ)', style: 'limit' }],
+      bars: { name: 'contact', spans: frame.contacts, at: place, least: 1 },
+      keys: [{ text: red, color: '#de693e', mark: 'chip' }],
+    };
+  }
+  draw() {
+    const { axis } = this.chart;
+    clearTimeout(this.resting);
+    this.whole ??= this.#picture(this.images[0], axis.whole);
+    const fine = this.fine?.x[0] === axis.view[0] && this.fine.x[1] === axis.view[1] ? this.fine : null;
+    if (axis.zoomed && !fine) this.resting = window.setTimeout(() => this.#refine(), REST);
+    this.#show((axis.zoomed && fine) || this.whole);
+  }
+  #refine() {
+    this.fine = this.#picture(this.images[1], this.chart.axis.view);
+    this.#show(this.fine);
+  }
+  /** @param {Picture} picture */
+  #show(picture) {
+    this.chart.show({ ...this.content, picture });
+    this.chart.draw();
+  }
+  /**
+   * The picture of a stretch of time, on a canvas.
+   * @param {HTMLCanvasElement} image
+   * @param {Range} x
+   * @returns {Picture}
+   */
+  #picture(image, x) {
+    const { field, what } = this;
+    const values = field.picture(x, what);
+    paint(image, values, field.places, field.usualOf(values, 0));
+    const read = reader(values, field.places, x, [0, 1]);
+    const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
+      const value = read(t, place);
+      return Number.isNaN(value) ? '' : `${what} ${written(value, what)} at ${figures(place, 2)} of its length`;
+    };
+    return { image, x: [...x], probe };
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+}
+
+/**
+ * A value of a field with its unit.
+ * @param {number} value
+ * @param {What} what
+ */
+function written(value, what) {
+  if (what === 'deflection') return `${figures(1e6 * value)} µm`;
+  const [factor, prefix] = what === 'velocity' ? [1, ''] : prefixed(Math.abs(value));
+  return `${figures(value * factor)} ${prefix}${UNITS[what]}`;
+}
+
+/**
+ * 5 to 95 % of an ensemble over the range of all of it.
+ * @param {number[]} time
+ * @param {Spread} spread
+ */
+const bandOf = (time, { low, high, lowest, highest }) => ({
+  name: 'spread',
+  color: SPREAD,
+  x: time,
+  areas: [
+    { low: lowest, high: highest, color: WIDE },
+    { low, high, color: BAND },
+  ],
+});
+
+export class BeamForce {
+  /** @type {BeamFrame} */ frame;
+  /** @type {Samples} */ main;
+  /** @type {Samples | null} */ raw = null; // of modes, where the force is averaged
+  /** @type {Band | null} */ band = null;
+  shown = true; // the half-space
+
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    this.chart = new Chart({
+      title: 'Contact force',
+      about: 'contact force against time, with every contact shaded',
+      axis,
+      xUnit: 'ms',
+      unit: 'N',
+      zero: true,
+      pad: [0.04, 0.12],
+      go,
+    });
+    this.half = make('button', { type: 'button', className: 'whole small', textContent: 'On a half-space' });
+    this.half.title = 'the same impactor, by the same contact law, on a body of this material too large to bend';
+    this.half.onclick = () => {
+      this.shown = !this.shown;
+      this.#show();
+      this.chart.redraw();
+    };
+    this.chart.value.before(this.half);
+  }
+  /** @param {BeamFrame} frame */
+  load(frame) {
+    this.frame = frame;
+    const { law, mainForce, mainTime, modalForce, step } = frame;
+    this.raw = null;
+    if (modalForce) {
+      // what modes say is one force for each step; chatter at the shortest kept period says nothing
+      const h = 1e3 * given(step, 'step');
+      const window = law.name === 'rigid' ? frame.main.diagnostics.resolved_time : 0;
+      this.raw = window ? stairs(modalForce, h) : null;
+      this.main = window ? averaged(modalForce, h, 1e3 * window) : stairs(modalForce, h);
+    } else this.main = given(pair(mainTime, mainForce), 'mainForce');
+    this.half.hidden = !frame.halfForce;
+    this.#show();
+  }
+  #show() {
+    const { frame, band } = this;
+    this.half.ariaPressed = String(this.shown);
+    /** @type {Series[]} */
+    const series = [{ ...this.main, name: called(frame.main), cursor: '', style: 'exact' }];
+    const reference = pair(frame.referenceTime, frame.referenceForce);
+    if (reference && frame.reference)
+      series.push({ ...reference, reach: OVER, name: `${called(frame.reference)}, to compare`, style: 'other' });
+    const half = this.shown && pair(frame.halfTime, frame.halfForce);
+    if (half) {
+      const most = Math.max(...Array.from(half.y));
+      const [factor, prefix] = prefixed(most);
+      const name = `on a body too large to bend, up to ${figures(most * factor, 2)} ${prefix}N`;
+      series.push({ ...half, reach: OVER, name, style: 'halfSpace' });
+    }
+    if (this.raw) series.push({ ...this.raw, reach: OVER, name: 'raw', style: 'rawExact' });
+    this.chart.show({ series, shades: frame.contacts, band: band && bandOf(band.time, band.force) });
+  }
+  /** @param {Band | null} band */
+  draw(band) {
+    if (band !== this.band) {
+      this.band = band;
+      this.#show();
+    }
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+  /** @param {number} t */
+  at(t) {
+    return between(this.main.x, this.main.y, t);
+  }
+}
+
+/** @typedef {'displacement' | 'velocity'} Kind */
+
+// Impactor and struck place: where they are, or how fast they go.
+export class BeamMotion {
+  /** @type {BeamFrame} */ frame;
+  /** @type {Band | null} */ band = null;
+  /** @type {Kind} */ kind = 'displacement';
+
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    const about = 'displacement or velocity of the impactor and of the struck place against time';
+    this.chart = new Chart({ title: 'Impactor and struck place', about, axis, xUnit: 'ms', unit: 'm', go });
+    this.switch = segments('Shown', ['displacement', 'velocity'], (kind) => {
+      this.kind = /** @type {Kind} */ (kind);
+      this.#show();
+      this.chart.redraw();
+    });
+    this.switch.root.classList.add('small');
+    this.chart.value.before(this.switch.root);
+  }
+  /** @param {BeamFrame} frame */
+  load(frame) {
+    this.frame = frame;
+    this.#show();
+  }
+  #show() {
+    const { frame, kind, band } = this;
+    const { time: x, reference } = frame;
+    this.switch.show(kind);
+    const places = kind === 'displacement';
+    const [impactor, struck] = places ? [frame.impactorPath, frame.struckPath] : [frame.impactorRate, frame.struckRate];
+    /** @type {Series[]} */
+    const series = [
+      { x, y: impactor, name: 'impactor', cursor: 'impactor', style: 'exact' },
+      { x, y: struck, name: 'struck place', cursor: 'struck', style: 'struck' },
+    ];
+    if (places && reference) {
+      const name = `${called(reference)}, to compare`;
+      const [mass, place] = [frame.referenceImpactorPath, frame.referenceStruckPath];
+      series.push({ x, y: given(mass, 'referenceImpactorPath'), reach: 0, name, style: 'thinOther' });
+      series.push({ x, y: given(place, 'referenceStruckPath'), reach: 0, name, style: 'dashedOther' });
+    }
+    const still = places && pair(frame.staticTime, frame.staticPath);
+    if (still) series.push({ ...still, reach: 0, name: 'quasi-static', style: 'prediction' });
+    const spread = places && band ? bandOf(band.time, band.displacement) : null;
+    this.chart.show({ series, unit: places ? 'm' : 'm/s', shades: frame.contacts, band: spread });
+  }
+  /** @param {Band | null} band */
+  draw(band) {
+    if (band !== this.band) {
+      this.band = band;
+      this.#show();
+    }
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+}
+
+// Frequency over wavenumber by the theory in use, the kept modes on it, and the fastest wave of the material.
+export class Dispersion {
+  constructor() {
+    this.chart = new Chart({
+      title: 'Dispersion',
+      about: 'frequency against wavenumber, with the kept modes as dots',
+      xName: 'wavenumber',
+      xUnit: '1/m',
+      unit: 'Hz',
+      zero: true,
+      pad: [0, 0],
+      caption: (unit, xUnit) => `${unit} over wavenumber in ${xUnit}`,
+      points: true,
+    });
+    this.chart.root.classList.add('square');
+  }
+  /** @param {BeamFrame} frame */
+  load(frame) {
+    const { wavenumbers: x, lower, upper, beam } = frame;
+    const factor = 0.5 / Math.PI;
+    const far = x[x.length - 1];
+    const theory = beam.theory === 'timoshenko' ? 'Timoshenko' : 'Euler–Bernoulli';
+    const [slow, fast] = this.#modes(frame);
+    const limit = { x: [0, far], y: [0, beam.speedLimit * far] };
+    /** @type {Series[]} */
+    const series = [
+      { ...slow, factor, reach: 0, style: 'mode' },
+      { ...fast, factor, reach: 0, style: 'fastMode' },
+      { x, y: lower, factor, name: theory, style: 'exact' },
+    ];
+    if (upper) series.push({ x, y: upper, factor, reach: 0, name: 'shear branch', style: 'struck' });
+    series.push({ ...limit, factor, reach: 0, name: '√(E/ρ)', style: 'limit' });
+    const [all, beyond] = [frame.modeWavenumbers.length, fast.x.length];
+    this.chart.axis.load(0, far);
+    this.chart.show({
+      series,
+      readout: beyond ? `${beyond} of ${all} modes too fast` : `${all} mode${all === 1 ? '' : 's'}, none too fast`,
+    });
+  }
+  /**
+   * Kept modes that the material can carry, and those that would outrun its fastest wave.
+   * @param {BeamFrame} options
+   */
+  #modes({ modeWavenumbers, modeFrequencies, beam }) {
+    /** @type {{ x: number[], y: number[] }[]} */
+    const found = [
+      { x: [], y: [] },
+      { x: [], y: [] },
+    ];
+    modeWavenumbers.forEach((x, i) => {
+      const kind = found[Number(modeFrequencies[i] > beam.speedLimit * x)];
+      kind.x.push(x);
+      kind.y.push(modeFrequencies[i]);
+    });
+    return found;
+  }
+  draw() {
+    this.chart.draw();
+  }
+}

@@ -1,0 +1,367 @@
+// The stage of a struck beam: the beam bending, and under it the engineer's diagrams of shear force and moment.
+import { cleared } from '../charts/canvas.js';
+import { between, roundBelow } from '../charts/scale.js';
+import { COLORS, css } from '../charts/styles.js';
+import { make } from '../shell/dom.js';
+import { figures, prefixed } from '../text/format.js';
+import { drawSupports } from './supports.js';
+
+/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { Striker } from '../shell/striker.js' */
+/** @import { BeamField, Out, What } from './field.js' */
+
+/** @typedef {'shear' | 'moment'} Diagram */
+/** @type {[Diagram, label: string, unit: string][]} */
+const DIAGRAMS = [
+  ['shear', 'Shear force V', 'N'],
+  ['moment', 'Bending moment M', 'N m'],
+];
+const UNITS = { moment: 'MPa', velocity: 'm/s', shear: 'N', deflection: 'mm' };
+const ENDS = {
+  moment: ['tension', 'compression'],
+  velocity: ['back', 'forward'],
+  shear: ['−', '+'],
+  deflection: ['back', 'forward'],
+}; // of the scale of colours
+const SMALL = '11px system-ui, sans-serif';
+
+export class BeamStage {
+  /** @type {BeamFrame} */ frame;
+  /** @type {BeamField} */ field;
+  /** @type {What} */ what;
+  /** @type {Out} */ values; // of what the colours show, at the instant drawn
+  /** @type {Out} */ moved;
+  reach = 1; // the largest deflection [m]
+  factor = 1; // by which movement would be exaggerated if there were room
+  scales = { shear: 1, moment: 1 }; // values at the ends of the diagrams
+  stressUnit = 1; // MPa in N m
+  // places of the picture, in pixels
+  width = 0;
+  narrow = false;
+  left = 0;
+  long = 0;
+  middle = 0;
+  scale = 1; // pixels in a metre of deflection
+  thick = 0;
+  hit = { x: 0, y: 0, size: 0 }; // where the impactor touches
+  /** @type {Striker | null} */ striker = null; // by which a hand takes hold
+
+  constructor() {
+    const ariaLabel = 'the beam bending under the impact, and the shear force and bending moment along it';
+    this.canvas = make('canvas', { role: 'img', ariaLabel });
+    this.root = make('section', { className: 'stage beam' }, this.canvas);
+  }
+  /**
+   * @param {BeamFrame} frame
+   * @param {BeamField} field
+   * @param {What} what
+   */
+  load(frame, field, what) {
+    this.frame = frame;
+    this.field = field;
+    this.what = what;
+    const lasting = frame.contacts.at(-1)?.[1] ?? frame.duration; // the impactor counts until it has gone
+    let reach = field.largest.deflection;
+    for (let k = 0; k < frame.time.length; k++)
+      if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
+    this.factor = roundBelow((0.13 * frame.beam.length) / reach);
+    this.reach = reach;
+    // of both signs alike, so that the zero line stays
+    this.scales = { shear: field.usual.shear * 1.25, moment: field.largest.moment * 1.2 };
+    this.stressUnit = frame.beam.halfDepth / frame.beam.secondMoment / 1e6;
+  }
+  /** @param {number} t */
+  draw(t) {
+    const { canvas, frame, root } = this;
+    if (!frame) return;
+    const sheet = cleared(canvas, root);
+    if (!sheet) return;
+    const { c, width, height } = sheet;
+    const narrow = width < 560;
+    const margin = narrow ? 30 : 64;
+    const top = 0.56 * height;
+    this.width = width;
+    this.narrow = narrow;
+    this.left = margin;
+    this.long = width - 2 * margin;
+    this.middle = 0.62 * top;
+    this.scale = Math.min((this.factor * this.long) / frame.beam.length, (0.36 * top) / this.reach);
+    this.thick = Math.min(Math.max(((2 * frame.beam.halfDepth) / frame.beam.length) * this.long, 5), 0.1 * top);
+    this.values = this.field.profile(t, this.what);
+    this.moved = this.field.profile(t, 'deflection');
+    this.grid(c, 0, height);
+    this.impactor(c, t);
+    this.beam(c);
+    this.prediction(c, t);
+    this.supports(c);
+    this.touch(c, t);
+    this.words(c, top);
+    this.hold(c);
+    DIAGRAMS.forEach(([name, label, unit], k) =>
+      this.diagram(c, t, name, label, unit, top + (k * (height - top)) / 2, (height - top) / 2),
+    );
+  }
+  /** @param {number} j */
+  px(j) {
+    return this.left + (j / (this.field.places - 1)) * this.long;
+  }
+  get struck() {
+    return this.left + (this.frame.beam.place / this.frame.beam.length) * this.long;
+  }
+  /** @param {CanvasRenderingContext2D} c */
+  line(c) {
+    c.beginPath();
+    for (let j = 0; j < this.field.places; j++) c.lineTo(this.px(j), this.middle + this.moved[j] * this.scale);
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} top
+   * @param {number} bottom
+   */
+  grid(c, top, bottom) {
+    // the struck place, through all three pictures
+    c.strokeStyle = COLORS.grid;
+    c.lineWidth = 1;
+    c.setLineDash([3, 4]);
+    c.beginPath();
+    c.moveTo(this.struck, top + this.middle);
+    c.lineTo(this.struck, bottom - 4);
+    c.stroke();
+    c.setLineDash([]);
+  }
+  /**
+   * The outer fibres in the colours of their stress, which is opposite above and below.
+   * @param {CanvasRenderingContext2D} c
+   */
+  beam(c) {
+    const { field, frame, thick, middle, scale, what } = this;
+    const half = thick / 2;
+    const largest = field.usual[what];
+    const last = field.places - 1;
+    for (const [above, below, sign] of what === 'moment'
+      ? [
+          [-half, 0, -1],
+          [0, half, 1],
+        ]
+      : [[-half, half, 1]]) {
+      const colours = c.createLinearGradient(this.left, 0, this.left + this.long, 0);
+      for (let j = 0; j <= last; j++) colours.addColorStop(j / last, css(sign * this.values[j], largest));
+      c.fillStyle = colours;
+      c.beginPath();
+      for (let j = 0; j <= last; j++) c.lineTo(this.px(j), middle + this.moved[j] * scale + above);
+      for (let j = last; j >= 0; j--) c.lineTo(this.px(j), middle + this.moved[j] * scale + below);
+      c.fill();
+    }
+    c.strokeStyle = '#4a5968';
+    c.lineWidth = 1.1;
+    for (const side of [-half, half]) {
+      c.beginPath();
+      for (let j = 0; j < field.places; j++) c.lineTo(this.px(j), middle + this.moved[j] * scale + side);
+      c.stroke();
+    }
+    const ends = [0, field.places - 1].map((j) => [this.px(j), middle + this.moved[j] * scale]);
+    for (const [x, y] of ends) {
+      c.beginPath();
+      c.moveTo(x, y - half);
+      c.lineTo(x, y + half);
+      c.stroke();
+    }
+    if (frame.beam.endMass) {
+      const [x, y] = ends[1];
+      const size = Math.min(Math.max(3 * thick, 16), 34);
+      c.fillStyle = '#3b4a59';
+      c.beginPath();
+      c.roundRect(x - size * 0.2, y - size / 2, size, size, 4);
+      c.fill();
+    }
+  }
+  /** @param {CanvasRenderingContext2D} c */
+  supports(c) {
+    const { frame, thick, middle } = this;
+    const last = this.field.places - 1;
+    drawSupports(c, frame.beam.support, [this.px(0), this.px(last)], middle, thick);
+  }
+  /**
+   * The bending that the same deflection would have at rest, at the height of the quasi-static estimate.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   */
+  prediction(c, t) {
+    const { frame } = this;
+    const { staticPath, staticShape, staticTime } = frame;
+    if (!staticShape || !staticPath || !staticTime) return;
+    const size = between(staticTime, staticPath, t) * this.scale;
+    c.strokeStyle = COLORS.prediction;
+    c.lineWidth = 1.4;
+    c.setLineDash([5, 4]);
+    c.beginPath();
+    for (let j = 0; j < this.field.places; j++) c.lineTo(this.px(j), this.middle + staticShape[j] * size);
+    c.stroke();
+    c.setLineDash([]);
+  }
+  get face() {
+    return this.middle - this.thick / 2;
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   */
+  impactor(c, t) {
+    const { frame } = this;
+    const { impactor } = frame;
+    const x = this.struck;
+    const y = this.face + between(frame.time, frame.impactorPath, t) * this.scale;
+    const size = Math.min(Math.max(44 * (impactor.mass / frame.beam.mass) ** (1 / 6), 18), 56);
+    const fill = c.createLinearGradient(0, y - size, 0, y);
+    fill.addColorStop(0, '#5d6c7b');
+    fill.addColorStop(1, '#2b3846');
+    c.fillStyle = fill;
+    c.beginPath();
+    if (impactor.kind === 'sphere') c.arc(x, y - size / 2, size / 2, 0, 7);
+    else if (impactor.kind === 'rod') c.roundRect(x - size / 5, y - 1.9 * size, 0.4 * size, 1.9 * size, 2);
+    else if (impactor.kind === 'beam') {
+      c.roundRect(x - size / 2, y - size / 2, size, size / 2, 2);
+    } else c.roundRect(x - size / 2, y - size, size, size, 5);
+    c.fill();
+    if (impactor.kind === 'beam') {
+      c.fillStyle = COLORS.faint;
+      c.font = SMALL;
+      c.textAlign = 'center';
+      c.textBaseline = 'bottom';
+      c.fillText('beam, seen from its end', x, y - size / 2 - 3);
+    }
+    this.hit = { x, y, size };
+  }
+  /** @param {CanvasRenderingContext2D} c */
+  hold(c) {
+    const { x, y, size } = this.hit;
+    const sized = !['rod', 'beam'].includes(this.frame.impactor.kind);
+    this.striker?.draw(c, { x, y: y - size / 2, width: size, height: size, way: [0, 1], sized });
+  }
+  /** @param {number} t */
+  touching(t) {
+    return this.frame.contacts.some(([a, b]) => t >= a && t <= b);
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   */
+  touch(c, t) {
+    if (!this.touching(t)) return;
+    const { x, y, size } = this.hit;
+    c.fillStyle = COLORS.cursor;
+    c.fillRect(x - size / 2 - 5, y - 1.5, size + 10, 3);
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} top
+   */
+  words(c, top) {
+    const { frame, narrow } = this;
+    c.fillStyle = COLORS.faint;
+    c.font = '12px system-ui, sans-serif';
+    c.textBaseline = 'alphabetic';
+    c.textAlign = 'left';
+    const factor = (this.scale * frame.beam.length) / this.long;
+    c.fillText(`movement drawn × ${figures(factor, 2)}`, 12, 18);
+    if (frame.staticShape && frame.staticPath && !narrow)
+      c.fillText('dashed: bent as at rest, by the quasi-static estimate', 12, top - 8);
+    this.#colours(c);
+  }
+  /**
+   * The scale of colours, away from the impactor, which flies back over the struck place.
+   * @param {CanvasRenderingContext2D} c
+   */
+  #colours(c) {
+    const { frame, narrow, what, width } = this;
+    const bar = narrow ? 90 : 130;
+    const beside = narrow ? 165 : 0.3 * width; // what is written at the left
+    const x = frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
+    const y = 22;
+    const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
+    const largest = this.field.usual[what] * unit;
+    const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
+    const colours = c.createLinearGradient(x, 0, x + bar, 0);
+    for (let k = 0; k <= 6; k++) colours.addColorStop(k / 6, css(k / 3 - 1, 1));
+    c.fillStyle = colours;
+    c.fillRect(x, y, bar, 6);
+    c.fillStyle = COLORS.faint;
+    c.font = SMALL;
+    const [low, high] = ENDS[what];
+    const most = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
+    c.textAlign = 'right';
+    c.fillText(narrow ? most : high, x + bar, y - 4);
+    if (narrow) return; // a small picture has no room for more
+    c.fillText(most, x + bar, y + 18);
+    c.textAlign = 'left';
+    c.fillText(low, x, y - 4);
+  }
+  /**
+   * Value along the beam on a scale that stays the same over the whole impact.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   * @param {Diagram} name
+   * @param {string} label
+   * @param {string} unit
+   * @param {number} top
+   * @param {number} height
+   */
+  diagram(c, t, name, label, unit, top, height) {
+    const values = name === this.what ? this.values : this.field.profile(t, name);
+    const most = this.scales[name];
+    const zero = top + 0.54 * height;
+    const reach = (0.32 * height) / most;
+    this.#curve(c, values, name, zero, reach, 0.42 * height);
+    const [factor, prefix] = prefixed(most);
+    const { left, long, narrow } = this;
+    c.strokeStyle = COLORS.edge;
+    c.lineWidth = 1;
+    c.beginPath();
+    c.moveTo(left, zero);
+    c.lineTo(left + long, zero);
+    for (const side of [-1, 1]) {
+      c.moveTo(left - 4, zero + side * most * reach);
+      c.lineTo(left, zero + side * most * reach);
+    }
+    c.stroke();
+    c.fillStyle = COLORS.faint;
+    c.font = SMALL;
+    c.textBaseline = 'middle';
+    c.textAlign = 'right';
+    for (const side of narrow ? [] : [-1, 0, 1])
+      c.fillText(figures(-side * most * factor, 2), left - 8, zero + side * most * reach);
+    c.textBaseline = 'top';
+    c.textAlign = 'left';
+    const scale = narrow ? ` (± ${figures(most * factor, 2)})` : '';
+    c.fillText(`${label}, ${prefix}${unit}${scale}`, narrow ? 12 : left + 4, top + 3);
+    let peak = 0;
+    for (let j = 0; j < values.length; j++) if (Math.abs(values[j]) > Math.abs(values[peak])) peak = j;
+    c.textAlign = 'right';
+    c.fillStyle = COLORS.cursor;
+    const where = figures(peak / (values.length - 1), 2);
+    c.fillText(`${figures(values[peak] * factor)} ${prefix}${unit} at ${where} L`, left + long, top + 3);
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {Out} values
+   * @param {Diagram} name
+   * @param {number} zero
+   * @param {number} reach  pixels for a unit
+   * @param {number} room  pixels to both sides
+   */
+  #curve(c, values, name, zero, reach, room) {
+    const last = values.length - 1;
+    const at = (/** @type {number} */ j) => zero - Math.min(Math.max(values[j] * reach, -room), room);
+    c.fillStyle = name === 'moment' ? 'rgba(222,105,62,.30)' : 'rgba(66,133,200,.30)';
+    c.beginPath();
+    c.moveTo(this.px(0), zero);
+    for (let j = 0; j <= last; j++) c.lineTo(this.px(j), at(j));
+    c.lineTo(this.px(last), zero);
+    c.fill();
+    c.strokeStyle = name === 'moment' ? '#b4481f' : COLORS.waves;
+    c.lineWidth = 1.6;
+    c.beginPath();
+    for (let j = 0; j <= last; j++) c.lineTo(this.px(j), at(j));
+    c.stroke();
+  }
+}

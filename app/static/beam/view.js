@@ -1,0 +1,154 @@
+// Everything that is shown of an impact on a beam: stage, views over time, dispersion, contact law, story.
+import { Cycle } from '../axial/charts.js';
+import { Axis } from '../charts/axis.js';
+import { between } from '../charts/scale.js';
+import { make, segments } from '../shell/dom.js';
+import { InView } from '../shell/in_view.js';
+import { Stack } from '../shell/stack.js';
+import { called } from '../text/words.js';
+import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
+import { fieldOf, FIELDS } from './field.js';
+import { BeamStage } from './stage.js';
+import { BeamStory } from './story.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { Band } from './charts.js' */
+/** @import { BeamField, What } from './field.js' */
+
+/** @typedef {BeamSpaceTime | BeamForce | BeamMotion | Dispersion | Cycle} Part  what has a chart */
+
+const SLOW_SECONDS = 16;
+const SLOW_CONTACTS = 4;
+const LEAST_ROOM = 1e-5; // of the whole impact, about what is looked at closely
+
+export class BeamView {
+  /** @type {What} */ what = 'moment'; // that the colours show
+  after = 1e-6;
+  /** @type {BeamFrame} */ frame;
+  /** @type {BeamField} */ field;
+  /** @type {Band | null} */ band = null; // of an ensemble, behind the curves
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.axis = new Axis();
+    const go = (/** @type {number} */ t) => page.player.seek(t);
+    this.stage = new BeamStage();
+    this.spaceTime = new BeamSpaceTime(this.axis, go);
+    this.force = new BeamForce(this.axis, go);
+    this.motion = new BeamMotion(this.axis, go);
+    this.dispersion = new Dispersion();
+    this.cycle = new Cycle();
+    this.charts = [this.spaceTime, this.force, this.motion];
+    this.axis.watch(() => this.zoomed());
+    /** @type {Part[]} */
+    const parts = [...this.charts, this.cycle, this.dispersion];
+    this.inView = new InView(parts, (part) => this.paint(part));
+    this.story = new BeamStory(page);
+    this.colours = segments('Colour shows', FIELDS, (what) => {
+      this.what = /** @type {What} */ (what);
+      this.dress();
+      this.draw(true);
+      this.show(this.page.player.t);
+    });
+    this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole impact' });
+    this.whole.onclick = () => this.page.zoom();
+    this.slow = make('button', { type: 'button', className: 'whole slow-motion', textContent: '▶ Slow motion' });
+    this.slow.title = 'the first contacts, filling the views, in 16 seconds';
+    this.slow.onclick = () => this.slowly();
+    this.spaceTime.chart.title.after(this.colours.root);
+    const [waves, force, moved] = this.charts.map(({ chart }) => chart);
+    this.stack = new Stack('beam', { waves, force, moved }, () => page.redraw());
+    this.strip = force; // is seen on a phone, whatever else is
+    this.buttons = [this.slow, this.whole];
+    this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
+    this.hide(true);
+  }
+  /** @param {boolean} hidden */
+  hide(hidden) {
+    for (const part of [this.stage.root, this.stack.root, ...this.buttons]) part.hidden = hidden;
+  }
+  /** @param {BeamFrame} frame */
+  load(frame) {
+    this.frame = frame;
+    this.field = fieldOf(frame);
+    this.axis.load(0, frame.duration);
+    this.whole.hidden = true;
+    this.slow.hidden = this.frame.contacts.length < 2;
+    this.force.load(frame);
+    this.motion.load(frame);
+    this.cycle.load(frame);
+    this.dispersion.load(frame);
+    this.dress();
+    this.draw();
+  }
+  dress() {
+    this.stage.load(this.frame, this.field, this.what);
+    this.spaceTime.load(this.frame, this.field, this.what);
+    this.colours.show(this.what);
+  }
+  draw(all = false) {
+    if (this.frame && !this.stack.root.hidden) this.inView.draw(all);
+  }
+  /** @param {Part} part */
+  paint(part) {
+    if (!this.frame) return;
+    part.draw(this.band);
+    this.point(part, this.page.player.t);
+  }
+  /** @param {number} t */
+  show(t) {
+    this.stage.draw(t);
+    for (const part of this.inView.seen) this.point(part, t);
+  }
+  /**
+   * What a chart shows of one instant.
+   * @param {Part} part
+   * @param {number} t
+   */
+  point(part, t) {
+    const { time, impactorPath, struckPath, cycleDepth } = this.frame;
+    if (!(part instanceof Cycle)) {
+      if (!(part instanceof Dispersion)) part.cursor(t);
+    } else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t));
+  }
+  // Another stretch of time fills the views.
+  zoomed() {
+    this.whole.hidden = !this.axis.zoomed;
+    this.draw();
+  }
+  /**
+   * A stretch and some room about it fill the views; all of the impact without one.
+   * @param {number} [start]
+   * @param {number} [end]
+   */
+  zoom(start, end) {
+    if (start === undefined || end === undefined) {
+      this.axis.reset();
+      return;
+    }
+    this.axis.lookAt(start, end, LEAST_ROOM);
+    this.page.player.go(start);
+  }
+  // The first contacts, filling the views, and slowly.
+  slowly() {
+    const { contacts, duration } = this.frame;
+    const end = contacts[Math.min(SLOW_CONTACTS, contacts.length) - 1][1];
+    this.page.zoom(0, end);
+    this.page.player.through(0, Math.min(1.15 * end, duration), SLOW_SECONDS);
+  }
+  // Histories as rows of comma-separated values.
+  rows(points = 2000) {
+    const { frame } = this;
+    const name = called(frame.main).replaceAll(/\W+/g, '_');
+    const found = [`time_s,force_${name}_N,impactor_m,struck_place_m,impactor_m_per_s,struck_place_m_per_s`];
+    for (let k = 0; k <= points; k++) {
+      const t = (k / points) * frame.duration;
+      const moved = [frame.impactorPath, frame.struckPath, frame.impactorRate, frame.struckRate];
+      const values = [t / 1e3, this.force.at(t), ...moved.map((history) => between(frame.time, history, t))];
+      found.push(values.map((v) => v.toPrecision(7)).join(','));
+    }
+    return found;
+  }
+}

@@ -1,0 +1,77 @@
+// What part of an axis is in view. Charts that share one zoom together.
+
+/** @typedef {import('./scale.js').Range} Range */
+
+const LEAST = 1e-5; // share of the whole that can fill the view
+const ROOM = 0.35; // about a stretch that is looked at, as a share of it
+
+export class Axis {
+  /** @type {Range} */ whole = [0, 1];
+  /** @type {Range} */ view = [0, 1];
+  /** @type {(() => void)[]} */ #watchers = [];
+
+  /**
+   * Begin with another whole, all of it in view; nobody is told.
+   * @param {number} low
+   * @param {number} high
+   */
+  load(low, high) {
+    this.whole = [low, high];
+    this.view = [low, high];
+  }
+
+  /** Whether less than the whole is in view. */
+  get zoomed() {
+    return this.view[0] > this.whole[0] || this.view[1] < this.whole[1];
+  }
+
+  /**
+   * Have a stretch fill the view, as far as the whole reaches, and tell those who watch.
+   * @param {Range} stretch
+   */
+  show([low, high]) {
+    const [first, last] = this.whole;
+    const span = Math.min(Math.max(high - low, LEAST * (last - first)), last - first);
+    const start = Math.min(Math.max(0.5 * (low + high - span), first), last - span);
+    this.view = span < last - first ? [start, start + span] : [first, last];
+    for (const watcher of this.#watchers) watcher();
+  }
+
+  /**
+   * Show so many times as much, keeping one value where it is.
+   * @param {number} factor
+   * @param {number} about
+   */
+  zoom(factor, about) {
+    const [low, high] = this.view;
+    this.show([about - (about - low) * factor, about + (high - about) * factor]);
+  }
+
+  /**
+   * Show a stretch and some room about it, as far as the whole reaches.
+   * @param {number} start
+   * @param {number} end
+   * @param {number} least  room, as a share of the whole
+   */
+  lookAt(start, end, least) {
+    const [first, last] = this.whole;
+    const room = Math.max(ROOM * (end - start), least * (last - first));
+    this.show([Math.max(first, start - room), Math.min(last, end + room)]);
+  }
+
+  /** @param {number} distance */
+  pan(distance) {
+    const [low, high] = this.view;
+    const moved = Math.min(Math.max(distance, this.whole[0] - low), this.whole[1] - high);
+    this.show([low + moved, high + moved]);
+  }
+
+  reset() {
+    this.show(this.whole);
+  }
+
+  /** @param {() => void} watcher  called after every change of the view */
+  watch(watcher) {
+    this.#watchers.push(watcher);
+  }
+}

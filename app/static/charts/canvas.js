@@ -1,0 +1,72 @@
+// Canvases as large as the elements that hold them.
+
+/** @type {WeakMap<Element, [number, number] | null>} */
+const sizes = new WeakMap();
+/** @type {ResizeObserver | undefined} */
+let resized;
+
+/**
+ * Width and height of an element, read anew only once it has changed: to read them the browser must lay out the page.
+ * @param {Element} root
+ * @returns {[width: number, height: number]}
+ */
+export function sizeOf(root) {
+  resized ??= new ResizeObserver((entries) => {
+    for (const { target } of entries) sizes.set(target, null);
+  });
+  if (!sizes.has(root)) resized.observe(root);
+  const known = sizes.get(root);
+  if (known) return known;
+  /** @type {[number, number]} */
+  const size = [root.clientWidth, root.clientHeight];
+  sizes.set(root, size[0] && size[1] ? size : null);
+  return size;
+}
+
+/**
+ * What to draw on a canvas with.
+ * @param {HTMLCanvasElement} canvas
+ */
+export function contextOf(canvas) {
+  const c = canvas.getContext('2d');
+  if (!c) throw new Error('this browser gives no canvas to draw on');
+  return c;
+}
+
+/**
+ * Make a canvas so large, in pixels of the page; returns how many of its own stand for one of these.
+ * @param {HTMLCanvasElement} canvas
+ * @param {number} width
+ * @param {number} height
+ */
+export function sized(canvas, width, height) {
+  const ratio = window.devicePixelRatio || 1;
+  const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
+  if (canvas.width !== across || canvas.height !== down) Object.assign(canvas, { width: across, height: down });
+  return ratio;
+}
+
+/**
+ * Wipe a canvas, to be drawn on in pixels of the page.
+ * @param {HTMLCanvasElement} canvas
+ * @param {number} width
+ * @param {number} height
+ * @param {number} ratio
+ */
+export function wiped(canvas, width, height, ratio) {
+  const c = contextOf(canvas);
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.clearRect(0, 0, width, height);
+  return c;
+}
+
+/**
+ * A canvas as large as its element, wiped: what to draw with, and the size in pixels of the page; null while hidden.
+ * @param {HTMLCanvasElement} canvas
+ * @param {Element} root
+ */
+export function cleared(canvas, root) {
+  const [width, height] = sizeOf(root);
+  if (!width || !height) return null;
+  return { c: wiped(canvas, width, height, sized(canvas, width, height)), width, height };
+}

@@ -1,0 +1,258 @@
+// A chart that is said, not programmed: axes, series and what else is to be seen; it finds its range and unit, writes
+// its legend, and can be zoomed, read, saved and listened to.
+import { figures, scaled, signed } from '../text/format.js';
+import { Axis } from './axis.js';
+import { listen } from './gestures.js';
+import { keysOf } from './legend.js';
+import * as marks from './marks.js';
+import { Numbers } from './numbers.js';
+import { Plot } from './plot.js';
+import { between, rangeOf, ticks } from './scale.js';
+import { COLORS, STYLES } from './styles.js';
+import { Tip } from './tip.js';
+import { Tools } from './tools.js';
+
+/** @typedef {import('./legend.js').Key} Key */
+/** @typedef {import('./scale.js').Range} Range */
+/** @typedef {import('./marks.js').Span} Span */
+
+/**
+ * @typedef {object} Series
+ * @property {string} [name]  in the legend; curves of one name stand there once
+ * @property {ArrayLike<number>} x  ascending, in the unit of the axis; where it stands twice, a jump
+ * @property {ArrayLike<number>} y
+ * @property {number} [factor]  y times this is in the unit of the chart; 1 by default
+ * @property {keyof typeof STYLES} style
+ * @property {boolean} [path]  x is in any order
+ * @property {import('./scale.js').Reach} [reach]  how far it may widen the range; by default it leads
+ * @property {string} [cursor]  what its value at the clock is called in the head; none by default
+ */
+
+/**
+ * @typedef {object} Picture  colours over x and y, in place of a range of y
+ * @property {HTMLCanvasElement} image
+ * @property {Range} x  of its left and right edge
+ * @property {(x: number, y: number) => string} probe  the value there, with its name and unit; '' beside it
+ */
+
+/**
+ * @typedef {object} Band  areas between two curves each, the widest first
+ * @property {string} name
+ * @property {string} color  in the legend
+ * @property {ArrayLike<number>} x
+ * @property {{ low: ArrayLike<number>, high: ArrayLike<number>, color: string }[]} areas
+ */
+
+/**
+ * @typedef {object} Content
+ * @property {Series[]} series  the most important first, which is drawn last
+ * @property {Span[]} [shades]  stretches of x behind all
+ * @property {Band | null} [band]
+ * @property {Picture} [picture]
+ * @property {{ name: string, spans: Span[], at: number, least: number }} [bars]
+ * @property {number[]} [rules]  dashed lines across
+ * @property {Key[]} [keys]  of the legend, besides the names
+ * @property {string} [unit]  in place of the unit of the chart
+ * @property {string} [xUnit]  in place of that of the axis
+ * @property {string} [readout]  in the head, where no clock writes there
+ */
+
+/**
+ * @typedef {object} Options
+ * @property {string} title
+ * @property {string} about  what is to be seen, for those who do not see it
+ * @property {Axis} [axis]  shared with other charts; its own by default
+ * @property {string} [xName]  'time' by default
+ * @property {string} xUnit
+ * @property {string} [unit]  of y, without prefix
+ * @property {boolean | 'whole'} [zero]  nought belongs to the range: always, or while nothing is zoomed
+ * @property {[below: number, above: number]} [pad]  room about the range, as shares of it
+ * @property {Range} [y]  in place of a range that follows the series
+ * @property {(unit: string, xUnit: string) => string} [caption]  beside the title; the unit by default
+ * @property {(x: number) => void} [go]  set the clock
+ * @property {boolean} [points]  single samples are read, not all values at one x
+ */
+
+export class Chart extends Plot {
+  /** @type {Content} */ content = { series: [] };
+  /** @type {{ x: number, y?: number, text?: string } | null} */ now = null; // what the clock shows
+  /** @type {import('./tip.js').Reading | null} */ inspected = null; // what a pointer or a key reads
+  /** @type {Range | null} */ selected = null; // what a drag has passed over
+  factor = 1; // of values, for the unit shown
+  unitShown = '';
+  #longest = 0;
+
+  /** @param {Options} options */
+  constructor(options) {
+    super(options.title, options.about);
+    this.options = options;
+    this.axis = options.axis ?? new Axis();
+    if (!options.axis) this.axis.watch(() => this.redraw());
+    this.tip = new Tip(this);
+    this.numbers = new Numbers(this);
+    this.tools = new Tools(this);
+    this.head.append(this.tools.root);
+    this.root.append(this.numbers.root);
+    listen(this);
+  }
+
+  get xName() {
+    return this.options.xName ?? 'time';
+  }
+
+  /** @param {Content} content */
+  show(content) {
+    this.content = content;
+    this.xUnit = content.xUnit ?? this.options.xUnit;
+    this.inspected = null;
+    this.tip.hide();
+    this.key(keysOf(content));
+    if (content.readout !== undefined) this.say(content.readout);
+  }
+
+  /** Draw all that changes with a solve or a zoom. */
+  draw() {
+    const { content, options, axis } = this;
+    this.x = axis.view;
+    if (options.y) this.y = options.y;
+    else {
+      const { zero, pad = [0.08, 0.08] } = options;
+      const [low, high] = rangeOf(content.series, axis.view, { zoomed: axis.zoomed, zero, pad });
+      const most = Math.max(Math.abs(low), Math.abs(high));
+      [this.factor, this.unitShown] = scaled(most, content.unit ?? options.unit ?? '');
+      this.y = [low * this.factor, high * this.factor];
+    }
+    const caption = options.caption?.(this.unitShown, this.xUnit) ?? this.unitShown;
+    if (this.unit.textContent !== caption) this.unit.textContent = caption;
+    this.numbers.wait();
+    if (this.fit()) this.paint(this.begin(this.below));
+  }
+
+  /** After a change of the view of this chart alone. */
+  redraw() {
+    this.draw();
+    if (this.box) this.point();
+  }
+
+  /**
+   * Draw on whatever draws like a canvas.
+   * @param {CanvasRenderingContext2D} c
+   */
+  paint(c) {
+    const { picture, series, shades, band, bars, rules } = this.content;
+    if (picture) this.#picture(c, picture);
+    this.axes(c, !picture);
+    this.clip(c);
+    if (shades) marks.shades(c, this, shades, COLORS.contact);
+    for (const area of band?.areas ?? []) marks.between(c, this, { x: band?.x ?? [], ...area }, this.factor);
+    if (rules) marks.rules(c, this, rules);
+    for (const over of [false, true])
+      for (let k = series.length - 1; k >= 0; k--) {
+        const style = STYLES[series[k].style];
+        if (Boolean(style.over) === over) marks.curve(c, this, series[k], this.scaleOf(series[k]), style);
+      }
+    c.restore();
+    if (bars) marks.bars(c, this, bars);
+  }
+
+  /** @param {Series} series */
+  scaleOf({ factor = 1 }) {
+    return factor * this.factor;
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {Picture} picture
+   */
+  #picture(c, { image, x: [start, end] }) {
+    const { x, y, w, h } = this.frame;
+    const perUnit = image.width / (end - start);
+    const from = Math.max(this.x[0], start);
+    const to = Math.min(this.x[1], end);
+    const wide = (to - from) * perUnit;
+    if (wide <= 0) return;
+    c.imageSmoothingEnabled = wide < image.width / 3 || image.width < w / 2;
+    const across = w / (this.x[1] - this.x[0]);
+    const left = x + (from - this.x[0]) * across;
+    c.drawImage(image, (from - start) * perUnit, 0, wide, image.height, left, y, (to - from) * across, h);
+  }
+
+  /**
+   * Show the instant of the clock.
+   * @param {number} x
+   */
+  cursor(x) {
+    this.now = { x };
+    if (this.box) this.point();
+  }
+
+  /**
+   * Show the state at the instant of the clock, where x is no time.
+   * @param {number} x
+   * @param {number} y
+   * @param {string} text
+   */
+  mark(x, y, text) {
+    this.now = { x, y, text };
+    if (this.box) this.point();
+  }
+
+  /** Draw what lies above the curves: clock, selection, what is read. */
+  point() {
+    const c = this.begin(this.above);
+    const { now, selected, inspected } = this;
+    if (selected) marks.shades(c, this, [selected], 'rgba(200,30,74,.14)');
+    if (inspected) marks.upright(c, this, inspected.x, COLORS.faint, 1);
+    if (now?.y !== undefined) {
+      if (now.x > 0) marks.dot(c, this, now.x, now.y * this.factor, COLORS.cursor);
+      this.say(now.text ?? '');
+    } else if (now) this.#clock(c, now.x);
+    for (const { x, y, color } of inspected?.rows ?? []) if (y !== undefined) marks.dot(c, this, x, y, color);
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   */
+  #clock(c, t) {
+    marks.upright(c, this, t, COLORS.cursor, 1.4);
+    const said = [];
+    for (let k = this.content.series.length - 1; k >= 0; k--) {
+      const series = this.content.series[k];
+      if (series.cursor === undefined) continue;
+      const value = between(series.x, series.y, t) * this.scaleOf(series);
+      marks.dot(c, this, t, value, STYLES[series.style].color);
+      said.unshift(`${series.cursor} ${this.written(value)}`.trim());
+    }
+    if (said.length) this.say(`${said.join('   ')} ${this.unitShown}`);
+  }
+
+  /**
+   * A value in the unit shown; what is lost in the range of the chart is nought.
+   * @param {number} value
+   * @param {number} [digits]
+   */
+  written(value, digits) {
+    return figures(Math.abs(value) < 1e-6 * Math.abs(this.y[1] - this.y[0]) ? 0 : value, digits);
+  }
+
+  /**
+   * A place on the axis, with as many digits as can be told apart on it.
+   * @param {number} x
+   */
+  writtenX(x) {
+    return `${signed(x, ticks(this.x[0], this.x[1], 10).digits + 2)} ${this.xUnit}`;
+  }
+
+  /**
+   * Write into the head. Its room only grows, so that nothing moves while the clock runs.
+   * @param {string} text
+   */
+  say(text) {
+    if (this.value.textContent === text) return;
+    this.value.textContent = text;
+    if (text.length <= this.#longest) return;
+    this.#longest = text.length;
+    this.value.style.minWidth = `${0.92 * text.length}ch`;
+  }
+}

@@ -1,0 +1,40 @@
+// Bokeh's plots in the type and the colours of the page around them.
+
+const SIZE = 12 / 14; // of the letters around
+const NARROW = 480; // pixels of a plot whose legend has two columns
+const ENTRY = 150; // pixels of an entry of a legend, else
+
+/**
+ * @param {any} plot
+ * @param {HTMLElement} place  where it is shown
+ */
+export function dress(plot, place) {
+  const style = getComputedStyle(place);
+  const of = (/** @type {string} */ name, /** @type {string} */ usual) => style.getPropertyValue(name).trim() || usual;
+  const [ink, faint, line, panel] = [
+    style.color,
+    of('--faint', '#5b6c7d'),
+    of('--line', '#dbe3ea'),
+    of('--panel', '#fff'),
+  ];
+  const type = (/** @type {string} */ what, /** @type {string} */ color) => ({
+    [`${what}_text_font`]: style.fontFamily,
+    [`${what}_text_font_size`]: `${SIZE * parseFloat(style.fontSize)}px`,
+    [`${what}_text_font_style`]: 'normal',
+    [`${what}_text_color`]: color,
+  });
+  plot.setv({ background_fill_color: panel, border_fill_color: panel, outline_line_color: line });
+  plot.title.setv({ text_font: style.fontFamily, text_font_size: style.fontSize, text_color: ink });
+  for (const part of [...plot.below, ...plot.left]) {
+    if ('axis_label' in part.properties) {
+      part.setv({ ...type('axis_label', ink), ...type('major_label', faint), axis_label_standoff: 6 });
+      part.setv({ axis_line_color: line, major_tick_line_color: line, minor_tick_line_color: null });
+    } else if ('label_text_font' in part.properties) {
+      const columns = place.clientWidth < NARROW ? 2 : Math.floor(place.clientWidth / ENTRY);
+      part.setv({ ...type('label', ink), ncols: columns, ...LEGEND, background_fill_color: null });
+    }
+  }
+  for (const part of plot.center) if ('grid_line_color' in part.properties) part.setv({ grid_line_color: line });
+}
+
+const LEGEND = { border_line_color: null, padding: 0, margin: 4, spacing: 2, label_height: 16, glyph_height: 18 };

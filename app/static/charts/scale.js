@@ -1,0 +1,201 @@
+// Axes and curves as numbers: ticks, ranges, values between samples. Nothing here draws.
+
+/** @typedef {[low: number, high: number]} Range */
+/** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Samples  ascending in x; where x stands twice, a jump */
+
+/**
+ * @param {number} value
+ * @param {Range} range
+ */
+export const within = (value, [low, high]) => Math.min(Math.max(value, low), high);
+
+/**
+ * Round numbers along a linear axis, and how many digits after the point tell them apart.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} about  how many are wanted
+ * @returns {{ found: number[], digits: number }}
+ */
+export function ticks(low, high, about) {
+  const rough = (high - low) / Math.max(about, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 5, 10].find((f) => f * power >= rough * 0.999) ?? 10);
+  const found = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + step * 1e-9; k++) found.push(k === 0 ? 0 : k * step);
+  return { found, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
+}
+
+/**
+ * The largest of 1, 2 and 5 times a power of ten that is no larger than this.
+ * @param {number} value
+ */
+export function roundBelow(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * ([5, 2, 1].find((f) => f * power <= value) ?? 1);
+}
+
+/**
+ * Exponents of the powers of ten along a logarithmic axis.
+ * @param {Range} range
+ * @param {number} most  that have room
+ */
+export function decades([low, high], most) {
+  const first = Math.ceil(Math.log10(low) - 1e-9);
+  const last = Math.floor(Math.log10(high) + 1e-9);
+  const every = Math.max(1, Math.ceil((last - first + 1) / most));
+  const found = [];
+  for (let power = first; power <= last; power += every) found.push(power);
+  return found;
+}
+
+/**
+ * Place of a value on a logarithmic axis, from 0 to 1.
+ * @param {number} value
+ * @param {Range} range
+ */
+export const logPlace = (value, [low, high]) => Math.log(value / low) / Math.log(high / low);
+
+/**
+ * The last sample at or before t; 0 if there is none.
+ * @param {ArrayLike<number>} x  ascending
+ * @param {number} t
+ */
+export function indexAt(x, t) {
+  let low = 0;
+  let high = x.length;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] <= t) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/**
+ * Value at t of a history; at a jump the value after it, beyond the ends the last one.
+ * @param {ArrayLike<number>} x  ascending
+ * @param {ArrayLike<number>} y
+ * @param {number} t
+ */
+export function between(x, y, t) {
+  const k = Math.min(indexAt(x, t), x.length - 2);
+  if (k < 0) return x.length ? y[0] : NaN;
+  const part = x[k + 1] > x[k] ? Math.min(Math.max((t - x[k]) / (x[k + 1] - x[k]), 0), 1) : 1;
+  return y[k] + part * (y[k + 1] - y[k]);
+}
+
+/**
+ * Instants spread evenly over [0, end].
+ * @param {number} count
+ * @param {number} end
+ */
+export const even = (count, end) => Float64Array.from({ length: count }, (_, k) => (k / (count - 1)) * end);
+
+/**
+ * Samples of a history, if there is one.
+ * @param {ArrayLike<number> | undefined} x
+ * @param {ArrayLike<number> | undefined} y
+ * @returns {Samples | null}
+ */
+export const pair = (x, y) => (x && y ? { x, y } : null);
+
+/**
+ * A history that holds each of its values for one step.
+ * @param {ArrayLike<number>} values
+ * @param {number} step
+ * @returns {{ x: Float64Array, y: Float64Array }}
+ */
+export function stairs(values, step) {
+  const x = new Float64Array(2 * values.length);
+  const y = new Float64Array(2 * values.length);
+  for (let k = 0; k < x.length; k++) {
+    x[k] = step * ((k + 1) >> 1);
+    y[k] = values[k >> 1];
+  }
+  return { x, y };
+}
+
+/**
+ * The mean of such a history over a window about the end of every step.
+ * @param {ArrayLike<number>} values
+ * @param {number} step
+ * @param {number} window
+ * @returns {{ x: Float64Array, y: Float64Array }}  one sample more than there are values
+ */
+export function averaged(values, step, window) {
+  const n = values.length;
+  const sums = new Float64Array(n + 1);
+  for (let k = 0; k < n; k++) sums[k + 1] = sums[k] + values[k] * step;
+  const upTo = (/** @type {number} */ t) => {
+    const place = Math.min(Math.max(t / step, 0), n);
+    const k = Math.min(Math.floor(place), n - 1);
+    return sums[k] + (place - k) * (sums[k + 1] - sums[k]);
+  };
+  const x = Float64Array.from(sums, (_, k) => k * step);
+  const y = x.map((t) => (upTo(t + window / 2) - upTo(t - window / 2)) / window);
+  return { x, y };
+}
+
+/**
+ * Lowest and highest value within a view, the values at its edges included; null if there is none.
+ * @param {Samples & { path?: boolean }} samples  `path`: in any order of x
+ * @param {Range} view
+ * @returns {Range | null}
+ */
+export function extremes({ x, y, path }, view) {
+  let low = Infinity;
+  let high = -Infinity;
+  if (!path && x.length && x[0] <= view[1] && x[x.length - 1] >= view[0]) {
+    for (const edge of [Math.max(view[0], x[0]), Math.min(view[1], x[x.length - 1])]) {
+      const value = between(x, y, edge);
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+  }
+  const first = path ? 0 : indexAt(x, view[0]);
+  for (let k = first; k < x.length; k++) {
+    if (x[k] > view[1] && !path) break;
+    if (x[k] < view[0] || x[k] > view[1]) continue;
+    if (y[k] < low) low = y[k];
+    if (y[k] > high) high = y[k];
+  }
+  return low <= high ? [low, high] : null;
+}
+
+/**
+ * How far a series may widen the range of its chart: `Infinity` those that lead; so many times the range of what came
+ * before it; 0 not at all. 'whole': leads, but only while nothing is zoomed.
+ * @typedef {number | 'whole'} Reach
+ */
+
+/**
+ * The range of y for what lies in view.
+ * @param {(Samples & { path?: boolean, factor?: number, reach?: Reach })[]} series  values are y times factor
+ * @param {Range} view
+ * @param {object} how
+ * @param {boolean} how.zoomed
+ * @param {boolean | 'whole'} [how.zero]  nought belongs to the range: always, or while nothing is zoomed
+ * @param {[below: number, above: number]} how.pad  as shares of the range
+ * @returns {Range}
+ */
+export function rangeOf(series, view, { zoomed, zero = false, pad }) {
+  const withZero = zero === true || (zero === 'whole' && !zoomed);
+  let low = withZero ? 0 : Infinity;
+  let high = withZero ? 0 : -Infinity;
+  const reaches = series.map(({ reach = Infinity }) => (reach === 'whole' ? (zoomed ? 0 : Infinity) : reach));
+  const order = [...series.keys()].sort((a, b) => Number(reaches[b] === Infinity) - Number(reaches[a] === Infinity));
+  for (const k of order) {
+    const seen = reaches[k] > 0 ? extremes(series[k], view) : null;
+    if (!seen) continue;
+    const [least, most] = seen.map((value) => value * (series[k].factor ?? 1));
+    const bounded = reaches[k] < Infinity && high > 0;
+    low = Math.min(low, bounded ? Math.max(least, reaches[k] * Math.min(low, 0)) : least);
+    high = Math.max(high, bounded ? Math.min(most, reaches[k] * high) : most);
+  }
+  if (!(high > low)) {
+    const middle = Number.isFinite(low) ? low : 0;
+    const reach = Math.abs(middle) || 1;
+    [low, high] = withZero ? [0, reach] : [middle - reach, middle + reach];
+  }
+  return [low - pad[0] * (high - low), high + pad[1] * (high - low)];
+}

@@ -1,0 +1,143 @@
+// What the panels beside the solution share: a button, a section, and whether an answer is that to the choices drawn.
+import { make } from '../shell/dom.js';
+import { said, text } from '../text/catalogue.js';
+
+/** @import { Figure } from '../charts/figure.js' */
+/** @import { Page } from '../page.js' */
+/** @import { Answer } from '../shell/model.js' */
+
+/** @type {Record<string, string>} */
+export const QUANTITIES = {
+  rebound: 'final velocity',
+  impulse: 'impulse',
+  'peak-force': 'peak force',
+  'force-history': 'force over time',
+  'contact-time': 'first touch to last parting',
+};
+const OF_THE_METHOD = ['method', 'modes', 'elements'];
+
+export class Panel {
+  /** @type {string | undefined} */ text; // of the answer, and what was read of it
+  /** @type {Answer | null} */ read = null;
+  /** @type {Figure | null} */ figure = null; // that is shown while the panel is open
+
+  /**
+   * `name`: of the properties of the model; `asked`: those that are asked besides the choices.
+   * @param {Page} page
+   * @param {string} name
+   * @param {string} label
+   * @param {string} title
+   * @param {string} heading
+   * @param {string[]} [asked]
+   */
+  constructor(page, name, label, title, heading, asked = []) {
+    this.page = page;
+    this.name = name;
+    this.asked = asked;
+    this.button = make('button', { type: 'button', textContent: label, title });
+    this.root = make('section', { className: `analysis ${name}`, hidden: true }, make('h2', { textContent: heading }));
+    for (const each of [name, ...asked]) page.model.on(each, () => this.fill());
+  }
+  get open() {
+    return this.page.model[`${this.name}_shown`];
+  }
+  toggle() {
+    this.page.model[`${this.name}_shown`] = !this.open;
+    this.take();
+    this.opened();
+  }
+  /** Whether there is nothing to be said of this scene. */
+  get away() {
+    return false;
+  }
+  take() {
+    this.button.ariaPressed = String(this.open);
+    this.button.hidden = this.away;
+    this.root.hidden = !this.open || this.away;
+    this.frame();
+    this.fill();
+  }
+  /** Show the figure while the panel is open. */
+  frame() {
+    if (this.root.hidden) this.figure?.close();
+    else this.figure?.open().then(() => this.show(this.page.player.t));
+  }
+  /** @returns {Answer | null} */
+  get answer() {
+    const answer = this.page.model[this.name];
+    if (answer !== this.text) {
+      this.text = answer;
+      this.read = answer ? JSON.parse(answer) : null;
+    }
+    return this.read;
+  }
+  /**
+   * Whether an answer is that to the scene drawn, by whatever method, and to what is asked.
+   * @param {Answer | null} found
+   * @returns {boolean}
+   */
+  fresh(found) {
+    const { page } = this;
+    if (!found) return false;
+    return (
+      page.names.every((key) => OF_THE_METHOD.includes(key) || found.chosen[key] === page.frame.chosen[key]) &&
+      this.asked.every((key) => found.chosen[key] === page.model[key])
+    );
+  }
+  fill() {
+    if (!this.root.hidden && this.page.frame) this.told(this.answer, this.fresh(this.answer));
+  }
+  /** After it was opened or closed. */
+  opened() {}
+  /**
+   * Say what was found, or that it is awaited.
+   * @param {any} _found
+   * @param {boolean} _fresh
+   */
+  told(_found, _fresh) {}
+  /** @param {number} _t  the instant of the clock */
+  show(_t) {}
+  draw() {}
+}
+
+/** @typedef {{ name: string, modes?: number, elements?: number }} Shown  a method with its resolution */
+const RESOLUTIONS = /** @type {const} */ (['modes', 'elements']);
+
+/**
+ * Show a method and its resolution on the page, as far as its sliders reach.
+ * @param {Page} page
+ * @param {Shown} method
+ */
+export function showMethod(page, method) {
+  const { spec } = page.model;
+  /** @type {Record<string, number>} */
+  const choices = {};
+  const left = [];
+  if (!spec.method.options?.includes(method.name)) {
+    page.complain(text('panel.cannot-show', { method: method.name }));
+    return;
+  }
+  const refused = page.frame.refusals?.[method.name];
+  if (refused && method.name !== 'waves') {
+    page.complain(said(refused));
+    return;
+  }
+  for (const name of RESOLUTIONS) {
+    const wanted = method[name];
+    if (!wanted) continue;
+    choices[name] = Math.min(Math.max(wanted, spec[name].low), spec[name].high);
+    if (choices[name] !== wanted)
+      left.push(`${choices[name]} ${name}, as many as its slider has, instead of ${wanted}`);
+  }
+  Object.assign(page.waiting, choices);
+  page.send('method', method.name);
+  if (left.length) page.complain(`Shown with ${left.join(' and ')}.`);
+}
+/**
+ * Whether the page shows it.
+ * @param {Page} page
+ * @param {Shown} method
+ */
+export const shown = (page, method) =>
+  page.frame.chosen.method === method.name &&
+  RESOLUTIONS.every((name) => !method[name] || page.frame.chosen[name] === method[name]);

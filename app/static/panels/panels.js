@@ -1,0 +1,164 @@
+// All panels that answer questions beside the solution, and the buttons that open them.
+import { make } from '../shell/dom.js';
+import { Energy } from './energy.js';
+import { framed } from './frame.js';
+import { MassRatios } from './mass_ratios.js';
+import { Methods } from './methods.js';
+import { Needs } from './plan.js';
+import { Measurement } from './record.js';
+import { Stability } from './stability.js';
+import { Tolerance } from './tolerance.js';
+import { TradeOff } from './tradeoff.js';
+import { Convergence, Trust } from './trust.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Layout } from '../shell/layout.js' */
+/** @import { Frame } from '../shell/message.js' */
+
+const WORDS = { menu: 'Analyses' };
+
+/**
+ * @typedef {object} View  what a button opens
+ * @property {HTMLButtonElement} button
+ * @property {HTMLElement} root
+ * @property {boolean} open
+ * @property {(frame: Frame) => void} take  another message
+ * @property {() => void} toggle
+ * @property {() => void} [opened]  after it was opened or closed
+ * @property {(t: number) => void} show  what belongs to the instant
+ * @property {() => void} draw
+ */
+
+/**
+ * Whether it is open, and for this scene.
+ * @param {View} view
+ */
+const seen = ({ root }) => !root.hidden && !root.classList.contains('away');
+
+export class Analyses {
+  /** @type {Layout} */ layout;
+  /** @type {View[]} */ order = []; // the one that was opened last at the end
+  /** @type {Set<View>} */ widened = new Set(); // by hand
+  menu = make('nav', { className: 'menu', ariaLabel: WORDS.menu });
+  side = make('div', { className: 'side' });
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.energy = new Energy(page);
+    this.methods = new Methods(page);
+    this.ratios = new MassRatios(page);
+    this.record = new Measurement(page);
+    this.trust = new Trust(page);
+    this.convergence = new Convergence(page);
+    this.needs = new Needs(page);
+    this.tolerance = new Tolerance(page);
+    this.tradeoff = new TradeOff(page);
+    this.stability = new Stability(page);
+    /** @type {View[]} */
+    this.all = [
+      this.energy,
+      this.needs,
+      this.tolerance,
+      this.tradeoff,
+      this.trust,
+      this.convergence,
+      this.methods,
+      this.stability,
+      this.ratios,
+      this.record,
+    ];
+    /** @type {Set<View>} */
+    this.beside = new Set([this.tolerance, this.trust, this.record]); // have room in the dock; the charts stay
+    this.menu.append(...this.all.map(({ button }) => button));
+    for (const view of this.all) {
+      framed(view, { widen: () => this.#widen(view), close: () => this.#close(view) });
+      view.button.onclick = () => (view.open && this.#top(view) ? this.#close(view) : this.open(view));
+    }
+  }
+  /**
+   * Take the places that the page has for analyses.
+   * @param {Layout} layout
+   */
+  settle(layout) {
+    this.layout = layout;
+    layout.tabs.panel('analysis').append(this.menu, this.side);
+    this.arrange();
+  }
+  /**
+   * Whether it is the one that is seen in its place.
+   * @param {View} view
+   */
+  #top(view) {
+    return this.#there(this.#isWide(view)).at(-1) === view;
+  }
+  /** @param {View} view */
+  #isWide(view) {
+    return !this.beside.has(view) || this.widened.has(view);
+  }
+  /**
+   * Those that are open in one of the two places, the one that was opened last at the end.
+   * @param {boolean} wide
+   */
+  #there(wide) {
+    return this.order.filter((view) => seen(view) && this.#isWide(view) === wide);
+  }
+  /**
+   * By hand: it takes the place of the one that is there.
+   * @param {View} view
+   */
+  open(view) {
+    const before = this.#there(this.#isWide(view)).at(-1);
+    if (before && before !== view) before.toggle();
+    if (!view.open) view.toggle();
+    this.order = [...this.order.filter((each) => each !== view), view];
+    this.arrange();
+    if (!this.#isWide(view) || this.layout.mode === 'phone') this.layout.show('analysis');
+    view.root.focus({ preventScroll: true });
+  }
+  /** @param {View} view */
+  #close(view) {
+    this.widened.delete(view);
+    if (view.open) view.toggle();
+    this.arrange();
+    view.button.focus({ preventScroll: true });
+  }
+  /** @param {View} view */
+  #widen(view) {
+    this.widened[this.widened.has(view) ? 'delete' : 'add'](view);
+    this.arrange();
+  }
+  /** Each in its place, and of several only the last. */
+  arrange() {
+    const { layout, side } = this;
+    const wide = this.#there(true).at(-1);
+    const narrow = this.#there(false).at(-1);
+    for (const view of this.all) {
+      const place = this.#isWide(view) ? layout.wide : side;
+      if (view.root.parentElement !== place) place.append(view.root);
+      view.root.classList.toggle('behind', view !== wide && view !== narrow);
+    }
+    layout.take(Boolean(wide), wide !== undefined && !this.beside.has(wide) && this.widened.has(wide));
+  }
+  /** @param {Frame} frame */
+  take(frame) {
+    const before = this.order.map(seen).join();
+    for (const view of this.all) view.take(frame);
+    if (this.order.map(seen).join() !== before) this.arrange();
+  }
+  // Those that are open from the first on.
+  resume() {
+    const open = this.all.filter((view) => view.open);
+    this.order = open.toReversed();
+    if (open.length) this.layout.show('analysis');
+    this.arrange();
+    for (const view of open) view.opened?.();
+  }
+  /** @param {number} t */
+  show(t) {
+    for (const view of this.order) view.show(t);
+  }
+  draw() {
+    for (const view of this.order) view.draw();
+  }
+}

@@ -1,0 +1,218 @@
+// Which model is enough?: the smallest adequate model for a question, and where the impact lies among all others.
+import { headOf, make, rowOf } from '../shell/dom.js';
+import { modelled, said } from '../text/catalogue.js';
+import { share } from '../text/format.js';
+import { RegimeMap } from './regime_map.js';
+import { percentField } from './unit_field.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Chosen } from '../shell/message.js' */
+/** @import { Note, Parts } from '../text/catalogue.js' */
+/** @import { Regimes } from './regime_map.js' */
+
+/**
+ * @typedef {object} Candidate
+ * @property {Parts} model
+ * @property {number | null} error
+ * @property {boolean} [unknown]  nobody has measured it
+ * @property {Chosen | null} choices  of the page, that show it
+ */
+/**
+ * @typedef {object} Plan
+ * @property {string} [error]  why there is none
+ * @property {Record<string, any>} chosen
+ * @property {Candidate[]} candidates  from the smallest up
+ * @property {number} picked
+ * @property {Note} why
+ * @property {{ contact_time: number, mass_ratio: number }} groups
+ * @property {boolean} measured
+ */
+
+/** @type {Record<string, string>} */
+const QUESTIONS = {
+  'final-velocities': 'final velocities',
+  'peak-force': 'peak force',
+  'contact-times': 'first touch to last parting',
+  stresses: 'largest stress inside',
+};
+/** @type {Record<string, string>} */
+const FAMILIES = {
+  'fixed-rod': 'a rod fixed at its far end',
+  'free-rod': 'a free rod',
+  cantilever: 'a cantilever',
+  'pinned-pinned': 'a beam pinned at both ends',
+  'clamped-clamped': 'a beam clamped at both ends',
+  'free-free': 'a free beam',
+};
+
+/**
+ * Choices of the page that show one model, all at once.
+ * @param {Page} page
+ * @param {Chosen} choices
+ */
+export function choose(page, choices) {
+  const [[name, value], ...rest] = Object.entries(choices);
+  Object.assign(page.waiting, Object.fromEntries(rest));
+  page.send(name, value);
+}
+
+/**
+ * What is written below the map.
+ * @param {Regimes} map
+ * @param {boolean} measured
+ */
+function aboutMap(map, measured) {
+  return (
+    `A compact body strikes ${FAMILIES[map.family]}${map.law === 'hertz' ? ', Hertzian contact' : ''}; the dot is ` +
+    `this scene, with the time that its contact would last between rigid bodies${
+      measured ? '' : '; it lies outside what was measured'
+    }. Each point of the map was solved by the cheap model and in full; error in the ${QUESTIONS[map.question]}. ` +
+    'Click or drag to move the sliders there.'
+  );
+}
+
+export class Needs {
+  /** @type {string | null} */ point = null; // that was asked for on the map, and not sent
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.button = make('button', { type: 'button', textContent: 'Which model is enough?' });
+    this.button.title = 'the smallest model that answers your question, and where cheap models fail';
+    const options = Object.entries(QUESTIONS).map(([value, textContent]) => make('option', { value, textContent }));
+    this.question = make('select', { ariaLabel: 'Question' }, ...options);
+    this.question.onchange = () => this.ask('question', this.question.value);
+    const send = (/** @type {number} */ value) => this.ask('plan_tolerance', value);
+    this.tolerance = percentField('Allowed error', 1e-4, 0.5, send, (sentence) => page.complain(sentence));
+    this.said = make('p', { className: 'verdict' });
+    this.reason = make('p', { className: 'help' });
+    this.table = make('table', { className: 'methods plan' });
+    this.map = new RegimeMap((point) => {
+      this.point = point;
+      this.go();
+    });
+    page.model.on('map_point', () => this.go());
+    const asked = make('label', { className: 'part' }, 'I want to know', this.question);
+    const form = make('div', { className: 'record-form' }, asked, this.tolerance.root);
+    const scroll = make('div', { className: 'scroll' }, this.table);
+    const left = make('div', { className: 'plan-told' }, form, this.said, scroll, this.reason);
+    const sides = make('div', { className: 'sides' }, left, this.map.root);
+    const heading = make('h2', { textContent: 'Which model is enough?' });
+    this.root = make('section', { className: 'analysis needs', hidden: true }, heading, sides);
+    for (const name of ['plan', 'regimes', 'question', 'plan_tolerance']) page.model.on(name, () => this.fill());
+  }
+  get open() {
+    return this.page.model.plan_shown;
+  }
+  toggle() {
+    this.page.model.plan_shown = !this.open;
+    this.take();
+  }
+  /**
+   * @param {string} name
+   * @param {number | string} value
+   */
+  ask(name, value) {
+    this.page.model[name] = value;
+    this.fill();
+  }
+  // The newest place that was asked for on the map, when the server is done with the one before.
+  go() {
+    const { model } = this.page;
+    if (model.map_point || !this.point) return;
+    const { point } = this;
+    this.point = null;
+    model.map_point = point;
+  }
+  take() {
+    this.button.ariaPressed = String(this.open);
+    this.root.hidden = !this.open;
+    this.fill();
+  }
+  fill() {
+    if (this.root.hidden) return;
+    const { page } = this;
+    const { model } = page;
+    /** @type {Plan | null} */
+    const found = model.plan ? JSON.parse(model.plan) : null;
+    this.question.value = model.question;
+    this.tolerance.set(model.plan_tolerance);
+    const fresh =
+      found &&
+      found.chosen.question === model.question &&
+      found.chosen.plan_tolerance === model.plan_tolerance &&
+      page.names.every((key) => found.chosen[key] === page.frame.chosen[key]);
+    this.root.ariaBusy = String(!fresh);
+    if (!found) {
+      this.said.textContent = 'Looking it up …';
+      return;
+    }
+    if (!fresh) return; // what is shown stays until the answer comes
+    if (found.error) this.fail(found.error);
+    else this.tell(found);
+  }
+  /** @param {string} sentence */
+  fail(sentence) {
+    this.said.textContent = sentence;
+    this.reason.textContent = '';
+    this.table.replaceChildren();
+    this.map.load('');
+  }
+  /** @param {Plan} found */
+  tell(found) {
+    const { candidates, picked } = found;
+    const best = candidates[picked];
+    const within = best.error !== null && best.error <= found.chosen.plan_tolerance;
+    const expected =
+      best.error === null
+        ? 'by how much it misses nobody has measured'
+        : best.error === 0
+          ? 'which leaves out nothing'
+          : `expected to miss ${share(best.error)}`;
+    this.said.replaceChildren(
+      within ? 'Enough: ' : 'The best there is: ',
+      make('b', { textContent: modelled(best.model) }),
+      `, ${expected}.`,
+    );
+    this.reason.textContent = said(found.why);
+    const rows = candidates.map((candidate, k) => this.row(candidate, k === picked));
+    this.table.replaceChildren(headOf(['Model, from the smallest up', 'misses', '']), make('tbody', {}, ...rows));
+    this.drawMap(found);
+  }
+  /** @param {Plan} found */
+  drawMap(found) {
+    const drawn = this.map.shown;
+    const { map, tolerance } = this.map;
+    this.map.load(this.page.model.regimes);
+    this.map.tolerance = found.chosen.plan_tolerance;
+    if (this.map.map) {
+      this.map.move(found.groups);
+      this.map.about.textContent = aboutMap(this.map.map, found.measured);
+    }
+    if (map !== this.map.map || tolerance !== this.map.tolerance || drawn !== this.map.shown) this.map.paint();
+    else this.map.mark();
+  }
+  /**
+   * @param {Candidate} candidate
+   * @param {boolean} picked
+   */
+  row({ choices, error, model, unknown }, picked) {
+    const { page } = this;
+    const { chosen } = page.frame;
+    const missed = error === null ? (unknown ? 'not measured' : 'does not tell') : share(error);
+    const line = rowOf([modelled(model), missed, '']);
+    if (picked) line.ariaCurrent = 'true';
+    if (!choices) return line;
+    const here = Object.entries(choices).every(([name, value]) => chosen[name] === value);
+    const show = make('button', { type: 'button', className: 'when', textContent: here ? 'shown' : 'show it' });
+    show.disabled = here;
+    show.onclick = () => choose(page, choices);
+    const refused = page.frame.refusals?.[choices.method];
+    line.lastElementChild?.append(refused ? make('small', { textContent: 'not on this page' }) : show);
+    return line;
+  }
+  show() {}
+  draw() {
+    if (!this.root.hidden) this.map.draw();
+  }
+}

@@ -1,0 +1,355 @@
+// A measured record beside the scene: sent to the server with the choices, drawn as it is moved and scaled.
+import { Figure } from '../charts/figure.js';
+import { between } from '../charts/scale.js';
+import { make } from '../shell/dom.js';
+import { said } from '../text/catalogue.js';
+import { figures, signed } from '../text/format.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { AxialFrame, Frame } from '../shell/message.js' */
+/** @import { Note } from '../text/catalogue.js' */
+
+/** @typedef {'strain' | 'stress' | 'force'} Kind */
+/**
+ * @typedef {object} Compared  times in round trips, values in SI units
+ * @property {Kind} kind
+ * @property {number[]} time  of the record, shifted and scaled to fit
+ * @property {number[]} values
+ * @property {{ time: number[], model: number[] }} computed
+ * @property {{ time: number[], force: number[] } | null} [recovered]  the contact force that the record implies
+ * @property {number} shift  [s]
+ * @property {number} scale
+ * @property {number} residual
+ * @property {Note[]} notes
+ * @property {number} trip  [s]
+ */
+
+const LIMIT = 2e6; // bytes
+const EXAMPLE = { scene: 'bronze-rod-steel-ball', at: '1.0', kind: 'strain' };
+/** @type {Record<Kind, [factor: number, unit: string]>} */
+const UNITS = { strain: [1e6, 'µm/m'], stress: [1e-6, 'MPa'], force: [1e-3, 'kN'] };
+const KINDS = { '': 'as the file says', strain: 'strain', stress: 'stress', force: 'contact force' };
+const STEPS = 1000; // of the sliders
+const ROWS = 21; // of the table
+const LATER = 0.5; // T to both sides of the automatic shift
+const LARGER = 5; // times the automatic scale, and as many times less
+
+/**
+ * @param {string} label
+ * @param {HTMLElement} input
+ */
+const field = (label, input, unit = '') =>
+  make('label', { className: 'part' }, make('span', {}, label), input, make('span', { className: 'unit' }, unit));
+
+/**
+ * @param {string} textContent
+ * @param {() => void} onclick
+ */
+const button = (textContent, onclick) => make('button', { type: 'button', className: 'whole', textContent, onclick });
+
+export class Measurement {
+  /** @type {File | null} */ file = null;
+  /** @type {Compared | null} */ answer = null;
+  /** @type {string | null} */ refusal = null;
+  asking = false;
+  again = false;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.button = make('button', { type: 'button', textContent: 'Compare with measured data', ariaPressed: 'false' });
+    const about = 'the measured record and what the exact solution says of the same place, against time';
+    const numbers = () => this.#numbers();
+    this.figure = new Figure('record', [{ name: 'record', title: 'Measured and computed', about, numbers }]);
+    this.figure.whenReady(() => {
+      const go = (/** @type {{ x: number }} */ { x }) => page.player.seek(Math.max(x, 0));
+      this.figure.model('record').on_event('tap', go);
+    });
+    const onchange = () => this.ask();
+    this.picker = make('input', { type: 'file', accept: '.csv,.txt,.tsv,.dat,text/*', hidden: true });
+    const kinds = Object.entries(KINDS).map(([value, textContent]) => make('option', { value, textContent }));
+    this.kind = make('select', { onchange }, ...kinds);
+    this.at = make('input', { type: 'text', inputMode: 'decimal', className: 'number', placeholder: '–', onchange });
+    this.sign = make('input', { type: 'checkbox', onchange });
+    this.name = make('span', { className: 'file-name' });
+    this.name.textContent = 'or drop one here: a table with time and strain, stress or force, units in its first row';
+    this.shift = this.#slider('Shift of the record');
+    this.scale = this.#slider('Scale of the record');
+    this.shiftSaid = make('output', { className: 'unit' });
+    this.scaleSaid = make('output', { className: 'unit' });
+    this.residual = make('output', { className: 'residual' });
+    this.automatic = button('Automatic', () => this.reset());
+    this.automatic.title = 'the shift and the scale with the least residual';
+    this.said = make('p', { className: 'help' });
+    this.result = make('div', { hidden: true }, this.figure.root, this.#movers(), this.said);
+    const heading = make('h2', { textContent: 'A measured record' });
+    this.root = make(
+      'section',
+      { className: 'analysis record-panel', hidden: true },
+      heading,
+      this.#form(),
+      this.result,
+    );
+    this.#listen();
+  }
+  #listen() {
+    this.picker.onchange = () => {
+      if (this.picker.files?.length) this.takeFile(this.picker.files[0]);
+      this.picker.value = '';
+    };
+    this.root.ondragover = (event) => event.preventDefault();
+    this.root.ondrop = (event) => {
+      event.preventDefault();
+      if (event.dataTransfer?.files.length) this.takeFile(event.dataTransfer.files[0]);
+    };
+  }
+  /** @param {string} ariaLabel */
+  #slider(ariaLabel) {
+    const middle = { min: 0, max: STEPS, value: STEPS / 2 };
+    return make('input', { type: 'range', ...middle, ariaLabel, oninput: () => this.moved() });
+  }
+  #form() {
+    const form = make(
+      'div',
+      { className: 'record-form' },
+      button('Choose a file', () => this.picker.click()),
+    );
+    form.append(
+      this.picker,
+      button('Try the example', () => this.example()),
+      this.name,
+    );
+    form.append(field('Values', this.kind), field('Gauge at', this.at, 'm from the struck end'));
+    form.append(field('Other sign', this.sign));
+    return form;
+  }
+  #movers() {
+    const shift = make('label', {}, make('span', { textContent: 'Shift' }), this.shift, this.shiftSaid);
+    const scale = make('label', {}, make('span', { textContent: 'Scale' }), this.scale, this.scaleSaid);
+    return make('div', { className: 'movers' }, shift, scale, this.residual, this.automatic);
+  }
+  get open() {
+    return !this.root.hidden;
+  }
+  toggle() {
+    this.root.hidden = !this.root.hidden;
+    this.button.ariaPressed = String(this.open);
+    if (!this.open) this.figure.close();
+    else {
+      if (this.answer) this.#plot(this.answer);
+      this.ask();
+    }
+    this.overlay();
+    this.page.drawCharts();
+  }
+  /** @param {File} file */
+  takeFile(file, asks = true) {
+    this.file = file;
+    this.name.textContent = file.name;
+    this.answer = this.refusal = null;
+    this.result.hidden = true;
+    if (asks) this.ask();
+  }
+  async example() {
+    const text = await (await fetch(new URL('../example-record.csv', import.meta.url))).blob();
+    this.kind.value = EXAMPLE.kind;
+    this.at.value = EXAMPLE.at;
+    this.sign.checked = false;
+    const other = this.page.frame.chosen.scene !== EXAMPLE.scene;
+    if (other) this.page.send('scene', EXAMPLE.scene); // and its answer asks for the comparison
+    this.takeFile(new File([text], 'example-record.csv (synthetic)'), !other);
+  }
+  /**
+   * A new scene: the record in hand is drawn in its units at once, and compared anew.
+   * @param {Frame} frame
+   */
+  take(frame) {
+    const away = frame.kind !== 'axial';
+    this.button.disabled = away;
+    this.button.hidden = frame.kind === 'beam';
+    this.button.title = away
+      ? 'An impact in space has no history to lay a record on'
+      : 'a record of strain, stress or force beside this scene';
+    this.root.classList.toggle('away', away);
+    if (away) return;
+    this.overlay();
+    this.ask();
+  }
+  // One question at a time; when it is answered, the newest one is asked.
+  async ask() {
+    const { frame, names, waiter } = this.page;
+    if (!this.file || !this.open || frame.kind !== 'axial') return;
+    if (this.asking) {
+      this.again = true;
+      return;
+    }
+    this.asking = true;
+    const sign = this.sign.checked ? '-1' : '1';
+    const query = new URLSearchParams({ at: this.at.value.trim(), kind: this.kind.value, sign });
+    for (const name of names) query.set(name, String(frame.chosen[name]));
+    this.root.ariaBusy = 'true';
+    waiter.soon('record', 'Comparing the record with the scene …');
+    const answer = await this.#send(query, this.file);
+    this.asking = false;
+    this.root.ariaBusy = 'false';
+    waiter.over('record');
+    if (this.again) {
+      this.again = false;
+      this.ask();
+    } else this.answered(answer, frame);
+  }
+  /**
+   * @param {URLSearchParams} query
+   * @param {File} body
+   * @returns {Promise<Compared | { error: string }>}
+   */
+  async #send(query, body) {
+    const headers = { 'Content-Type': 'application/octet-stream' };
+    try {
+      const response = await fetch(new URL(`record?${query}`, document.baseURI), { method: 'POST', body, headers });
+      return await response.json();
+    } catch {
+      return { error: `The file could not be sent. Files may have up to ${LIMIT / 1e6} MB.` };
+    }
+  }
+  /**
+   * @param {Compared | { error: string }} answer
+   * @param {AxialFrame} frame
+   */
+  answered(answer, frame) {
+    const refusal = 'error' in answer ? answer.error : null;
+    if (refusal && refusal !== this.refusal) this.page.complain(refusal); // once, not at every step of a slider
+    this.refusal = refusal;
+    this.answer = 'error' in answer ? null : { ...answer, trip: frame.trip };
+    this.result.hidden = !this.answer;
+    if (this.answer) {
+      this.reset();
+    } else {
+      this.overlay();
+      this.page.drawCharts();
+    }
+  }
+  reset() {
+    this.shift.value = this.scale.value = String(STEPS / 2);
+    this.moved();
+  }
+  moved() {
+    for (const slider of [this.shift, this.scale])
+      slider.style.setProperty('--fill', `${(100 * Number(slider.value)) / STEPS}%`);
+    this.overlay();
+    if (this.answer) {
+      this.#plot(this.answer);
+      this.#tell(this.answer);
+    }
+    this.page.drawCharts();
+    this.page.show(this.page.player.t);
+  }
+  // How far the record is moved beyond the automatic shift [T], and by what factor beyond the automatic scale.
+  get later() {
+    return LATER * ((2 * Number(this.shift.value)) / STEPS - 1);
+  }
+  get larger() {
+    return LARGER ** ((2 * Number(this.scale.value)) / STEPS - 1);
+  }
+  // The recovered force on the page's own chart of the force, in the units of the frame that is shown.
+  overlay() {
+    const { frame } = this.page;
+    if (frame?.kind !== 'axial') return;
+    const { answer, later, larger } = this;
+    delete frame.record;
+    if (this.open && answer?.recovered) {
+      const { time, force } = answer.recovered;
+      frame.record = {
+        time: time.map((t) => ((t + later) * answer.trip) / frame.trip),
+        force: force.map((f) => (f * larger) / frame.forceUnit),
+      };
+    }
+    this.page.axial.overlay(frame);
+  }
+  /**
+   * What was computed at t; nought before the impact, NaN where nothing is known.
+   * @param {Compared} answer
+   * @param {number} t
+   */
+  model({ computed: { time, model } }, t) {
+    if (t > time[time.length - 1]) return NaN;
+    return t < Math.min(time[0], 0) ? 0 : between(time, model, t);
+  }
+  /**
+   * As on the server: the difference in the L2 norm, where the solution is known, over that of the solution.
+   * @param {Compared} answer
+   */
+  remains(answer) {
+    const { later, larger } = this;
+    if (!later && larger === 1) return answer.residual;
+    let difference = 0;
+    let norm = 0;
+    answer.time.forEach((t, k) => {
+      const model = this.model(answer, t + later);
+      if (!Number.isFinite(model)) return;
+      norm += model ** 2;
+      difference += (answer.values[k] * larger - model) ** 2;
+    });
+    return norm ? Math.sqrt(difference / norm) : NaN;
+  }
+  /** @param {Compared} answer */
+  #plot(answer) {
+    const { later, larger } = this;
+    const [factor, unit] = UNITS[answer.kind];
+    const { time, model } = answer.computed;
+    const values = answer.values.map((value) => value * larger * factor);
+    const computed = model.map((value) => value * factor);
+    const { kind } = answer;
+    this.figure.fill('computed', { time, value: computed });
+    this.figure.fill('measured', { time: answer.time.map((t) => t + later), value: values });
+    const [low, high] = [Math.min(...computed, 0), Math.max(...computed, 0)];
+    const room = 0.15 * (high - low) || 1;
+    this.figure.range('record-x', [Math.min(-0.05, Math.max(answer.time[0], -0.5)), time[time.length - 1]]);
+    this.figure.range('record-y', [low - room, high + room]);
+    const upward = kind === 'strain' ? 'tension' : 'compression';
+    this.figure.set('record-up', { axis_label: `${kind} in ${unit}, ${upward} up` });
+    this.figure.open().then(() => this.show(this.page.player.t));
+  }
+  #numbers() {
+    const { answer, later, larger } = this;
+    if (!answer) return [[]];
+    const [factor, unit] = UNITS[answer.kind];
+    const last = answer.time.length - 1;
+    const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
+    return [
+      ['time, T', `measured, ${unit}`, `computed, ${unit}`],
+      ...rows.map((i) => {
+        const t = answer.time[i] + later;
+        const values = [answer.values[i] * larger, this.model(answer, t)];
+        return [signed(t), ...values.map((value) => (Number.isFinite(value) ? figures(factor * value, 4) : '–'))];
+      }),
+    ];
+  }
+  /** @param {Compared} answer */
+  #tell(answer) {
+    const { later, larger } = this;
+    const shift = answer.shift + later * answer.trip;
+    const share = this.remains(answer);
+    this.shiftSaid.textContent = `${signed(1e6 * shift, 2)} µs`;
+    this.scaleSaid.textContent = `× ${(answer.scale * larger).toPrecision(4)}`;
+    this.residual.textContent = Number.isFinite(share)
+      ? `Residual ${(100 * share).toPrecision(3)} %`
+      : 'Nothing to compare';
+    this.automatic.disabled = !later && larger === 1;
+    const drawn =
+      answer.kind === 'force'
+        ? 'The record is also drawn, in green, over the contact force.'
+        : 'The contact force recovered from this record alone is drawn, in green, over the computed one, ' +
+          'moved and scaled alike.';
+    this.said.textContent = [
+      `Residual: what is left of the difference in the L2 norm, as a share of the computed ${answer.kind}.`,
+      ...(answer.recovered ? [drawn] : []),
+      ...answer.notes.map(said),
+    ].join(' ');
+  }
+  draw() {}
+  /** @param {number} t */
+  show(t) {
+    this.figure.cursor('record-cursor', t);
+  }
+}

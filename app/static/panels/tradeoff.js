@@ -1,0 +1,343 @@
+// Speed against accuracy: wall time and error of every method from coarse to fine; the best of them are joined.
+import { Figure } from '../charts/figure.js';
+import { METHODS, OTHER } from '../charts/styles.js';
+import { headOf, make, rowOf, segments } from '../shell/dom.js';
+import { described, said } from '../text/catalogue.js';
+import { figures, share } from '../text/format.js';
+import { naming } from '../text/words.js';
+import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Note } from '../text/catalogue.js' */
+/** @import { Shown } from './panel.js' */
+
+/**
+ * @typedef {object} Row  one method at one resolution
+ * @property {string} label
+ * @property {string} ladder  rows of one ladder differ in resolution only
+ * @property {Shown} method
+ * @property {number} wall_time  [s]
+ * @property {[least: number, most: number] | null} [spread]  of several runs
+ * @property {Record<string, number | null>} errors  by quantity
+ * @property {number | null} estimated_error
+ * @property {string[]} best_for  quantities
+ * @property {number} true_contacts
+ * @property {number} true_contacts_found
+ * @property {number} invented_contacts
+ * @property {Note[]} note_codes
+ */
+/** @typedef {Row & { time: number, size: number }} Point  a row with its place: milliseconds and size of the error */
+
+/**
+ * @typedef {object} Table
+ * @property {string} [error]
+ * @property {Record<string, any>} chosen
+ * @property {Row[]} points
+ * @property {{ note: Note | null, uncertainty: Record<string, number> }} reference
+ * @property {Note[]} remarks
+ * @property {{ processor: string, cores: number, python: string }} machine
+ * @property {boolean} here  measured on this machine
+ * @property {string} date
+ * @property {number} seconds  that it took
+ * @property {number} budget
+ * @property {string | null} stopped  why it is not whole
+ */
+
+const [USUAL, BEST] = [8, 12]; // pixels of a marker
+const PICKED = '#c81e4a';
+const NEAR = 24; // pixels from a point that is meant
+const LEAST = 1e-12; // error that can be told from none
+const LEFT = 200; // times below the least error that is told, at most
+/** @type {Record<string, number>} */
+const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+
+/** @param {number} seconds */
+const ms = (seconds) => `${figures(1e3 * seconds, 3)} ms`;
+/** @param {number | null} error */
+const signed = (error) =>
+  error === null ? 'does not tell' : error === 0 ? 'none' : `${error < 0 ? '−' : ''}${share(Math.abs(error))}`;
+/** @param {Row} row */
+const lookOf = ({ method }) => METHODS[method.name] ?? OTHER;
+
+/**
+ * Where it was measured, against what, and how far.
+ * @param {Table} found
+ * @param {boolean} running
+ */
+function wordsOf(found, running) {
+  const { processor, cores, python } = found.machine ?? {};
+  const where = found.here
+    ? 'on this machine'
+    : `on ${processor} (${cores} cores, Python ${python}), another machine than this`;
+  const number = found.points.length;
+  const points = `${number} point${number === 1 ? '' : 's'}`;
+  const state = running
+    ? `${points} so far, ${figures(found.seconds, 2)} s`
+    : found.stopped
+      ? `${points}, then ${found.stopped}`
+      : `${points}, ${found.date}`;
+  const reference = found.reference.note ? said(found.reference.note) : 'not known yet';
+  return `Measured ${where}: ${state}. Errors are against the reference, ${reference}.`;
+}
+
+export class TradeOff extends Panel {
+  quantity = 'peak-force';
+  drawn = ''; // what the points depend on
+  /** @type {Point[]} */ points = [];
+  /** @type {Point | null} */ picked = null;
+
+  /** @param {Page} page */
+  constructor(page) {
+    const title = 'what each method costs at each resolution, and what it misses';
+    super(page, 'tradeoff', 'Cost vs. accuracy', title, 'Cost vs. accuracy: what each method costs, and its error');
+    const press = (/** @type {string} */ name) => {
+      this.quantity = name;
+      this.plot();
+      this.pick(null);
+    };
+    this.kinds = segments('Error of', Object.keys(QUANTITIES), press, (name) => QUANTITIES[name]);
+    this.kinds.root.classList.add('small');
+    const about = 'wall time against error of every method at each resolution';
+    this.figure = new Figure('tradeoff', [
+      { name: 'tradeoff', title: 'Time and error of every method', about, numbers: () => this.#numbers() },
+    ]);
+    this.area = make('div', { className: 'points' }, this.figure.root);
+    this.start = make('button', { type: 'button', className: 'whole', onclick: () => this.measure() });
+    this.said = make('p', { className: 'help', role: 'status' });
+    this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: 'Measured so far' });
+    this.point = make('div', { className: 'point', ariaLive: 'polite' });
+    this.remarks = make('details', { className: 'help' });
+    this.sides = make('div', { className: 'sides scatter' }, this.point);
+    this.sides.append(make('div', {}, this.kinds.root, this.area));
+    const form = make('div', { className: 'record-form' }, this.start, this.bar);
+    this.root.append(this.said, form, this.sides, this.remarks);
+    page.model.on('tradeoff_running', () => this.fill());
+    this.listen();
+  }
+  listen() {
+    const { area } = this;
+    area.tabIndex = 0;
+    area.role = 'application';
+    area.ariaLabel = 'Points of wall time and error: arrow keys go from one to the next, Enter shows it on the page';
+    area.onfocus = (event) => {
+      if (event.target === area && !this.picked) this.step(0);
+    };
+    area.onpointerleave = () => this.pick(null);
+    area.onkeydown = (event) => {
+      if (event.target !== area) return;
+      const way = ARROWS[event.key];
+      if (way) {
+        event.preventDefault();
+        this.step(way);
+      }
+      if (event.key === 'Enter' && this.picked) showMethod(this.page, this.picked.method);
+    };
+    this.figure?.whenReady(() => this.wire(this.figure?.model('points')));
+  }
+  /**
+   * What a pointer does on the figure: over a point it is read, a click near one shows it on the page.
+   * @param {any} source
+   */
+  wire(source) {
+    source.inspect.connect(() => {
+      const read = this.points[source.inspected.indices[0]];
+      if (read) this.pick(read);
+    });
+    this.figure?.model('tradeoff').on_event('tap', (/** @type {{ sx: number, sy: number }} */ { sx, sy }) => {
+      const point = this.nearest(sx, sy);
+      this.pick(point);
+      if (point) showMethod(this.page, point.method);
+    });
+  }
+  /**
+   * The point that a click means, or null.
+   * @param {number} left
+   * @param {number} top
+   */
+  nearest(left, top) {
+    let [found, least] = [/** @type {Point | null} */ (null), NEAR];
+    for (const point of this.points) {
+      const [x, y] = this.figure?.placeOf('tradeoff', point.time, point.size) ?? [];
+      const away = Math.hypot(x - left, y - top);
+      if (away < least) [found, least] = [point, away];
+    }
+    return found;
+  }
+  measure() {
+    const { model } = this.page;
+    model.tradeoff_running = !model.tradeoff_running;
+    this.fill();
+  }
+  /**
+   * @param {Table | null} found
+   * @param {boolean} fresh
+   */
+  told(found, fresh) {
+    const running = this.page.model.tradeoff_running;
+    const points = found?.points ?? [];
+    this.root.ariaBusy = String(!fresh && !running);
+    const again = points.length && found?.here ? 'Measure again' : 'Measure on this machine';
+    this.start.textContent = running ? 'Cancel' : again;
+    this.start.ariaPressed = String(running);
+    this.bar.hidden = !running;
+    this.bar.value = Math.min((found?.seconds ?? 0) / (found?.budget ?? 12), 1);
+    const other = running && !fresh ? ' What is measured now are the choices of before.' : '';
+    if (!found || found.error) this.said.textContent = found?.error ?? 'Looking for a table …';
+    else if (points.length) this.said.textContent = wordsOf(found, running) + other;
+    else {
+      const idle = 'Measuring it takes some twelve seconds; the page goes on meanwhile.';
+      this.said.textContent = `No table of this scene is known yet. ${running ? 'Measuring …' : idle}`;
+    }
+    const remarks = (found?.remarks ?? []).map((remark) => make('p', { textContent: said(remark) }));
+    const summary = make('summary', { textContent: 'What does not get better, and what was left out' });
+    this.remarks.replaceChildren(...(remarks.length ? [summary, ...remarks] : []));
+    this.sides.hidden = !points.length;
+    if (points.length) this.plot();
+  }
+  // What the chosen quantity makes of the points.
+  plot() {
+    const found = /** @type {Table | null} */ (this.answer);
+    const { figure, quantity } = this;
+    const { method, modes, elements } = this.page.frame.chosen;
+    const drawn = JSON.stringify([this.text, quantity, method, modes, elements]);
+    if (!found?.points?.length || !figure || drawn === this.drawn) return;
+    this.drawn = drawn;
+    this.kinds.show(quantity);
+    const sizeOf = (/** @type {Row} */ row) => Math.abs(row.errors[quantity] ?? NaN);
+    const floor = Math.max(found.reference.uncertainty?.[quantity] ?? 0, LEAST);
+    const told = found.points.map(sizeOf).filter((error) => error > 10 * floor);
+    const least = Math.max(floor / 2, Math.min(...told, 1) / LEFT); // what is nearer by far lies at the lower edge
+    this.points = found.points
+      .filter((row) => Number.isFinite(sizeOf(row)))
+      .map((row) => ({ ...row, time: 1e3 * row.wall_time, size: 100 * Math.max(sizeOf(row), least) }))
+      .sort((a, b) => a.time - b.time);
+    const unknown = 100 * Math.max(floor, 2 * least); // below the uncertainty of the truth nothing can be told
+    const times = this.points.map((p) => p.time);
+    const sizes = this.points.map((p) => p.size);
+    figure.range('tradeoff-x', [0.6 * Math.min(...times, 1), 1.7 * Math.max(...times, 10)]);
+    figure.range('tradeoff-y', [0.5 * Math.min(...sizes, unknown), 2.5 * Math.max(...sizes, 10)]);
+    figure.set('tradeoff-unknown', { top: unknown });
+    figure.set('tradeoff-up', { axis_label: `error in the ${QUANTITIES[quantity]}, %` });
+    const { label } = this.picked ?? {};
+    this.picked = this.points.find((p) => p.label === label) ?? null;
+    this.#fill(figure);
+    this.mark();
+  }
+  /** @param {Figure} figure */
+  #fill(figure) {
+    const { points, quantity } = this;
+    const column = (/** @type {Point[]} */ from) => ({ time: from.map((p) => p.time), size: from.map((p) => p.size) });
+    const ladders = [...new Set(points.map((p) => p.ladder))].map((one) => points.filter((p) => p.ladder === one));
+    const joined = ladders.map(column);
+    figure.fill('ladders', {
+      times: joined.map(({ time }) => time),
+      sizes: joined.map(({ size }) => size),
+      colour: ladders.map((own) => lookOf(own[0]).color),
+    });
+    figure.fill('front', column(this.front()));
+    figure.fill('rest', column(this.rest()));
+    const claimed = quantity === 'rebound' ? points.filter((p) => (p.estimated_error ?? 0) > 0) : [];
+    figure.fill('claims', {
+      ...column(claimed),
+      claim: claimed.map((p) => 100 * Number(p.estimated_error)),
+      colour: claimed.map((p) => lookOf(p).color),
+      label: claimed.map((p) => described(p.label)),
+      claimed: claimed.map((p) => share(Number(p.estimated_error))),
+    });
+    figure.set('tradeoff-key-3', { visible: claimed.length > 0 });
+    const here = points.map((p) => shown(this.page, p.method));
+    figure.fill('points', {
+      ...column(points),
+      colour: points.map((p) => lookOf(p).color),
+      marker: points.map((p) => lookOf(p).marker),
+      diameter: points.map((p) => lookOf(p).size * (p.best_for.includes(quantity) ? BEST : USUAL)),
+      edge: points.map((p, k) => (here[k] ? PICKED : p.best_for.includes(quantity) ? '#1c2733' : '#fff')),
+      width: here.map((each) => (each ? 2.5 : 1)),
+      label: points.map((p) => described(p.label)),
+      method: points.map((p) => naming(p.method.name)),
+      solve: points.map((p) => ms(p.wall_time)),
+      error: points.map((p) => signed(p.errors[quantity])),
+      contacts: points.map((p) => `${p.true_contacts_found} of ${p.true_contacts}`),
+    });
+  }
+  #numbers() {
+    const { points, quantity } = this;
+    const best = (/** @type {Point} */ p) => (p.best_for.includes(quantity) ? 'nothing is quicker and nearer' : '');
+    return [
+      ['method', 'one solve', `error in the ${QUANTITIES[quantity]}`, 'contacts found', ''],
+      ...points.map((p) => [
+        ...[described(p.label), ms(p.wall_time), signed(p.errors[quantity])],
+        ...[`${p.true_contacts_found} of ${p.true_contacts}`, best(p)],
+      ]),
+    ];
+  }
+  // What nothing beats in time and error at once; and the same without exact waves.
+  front() {
+    return this.points.filter((p) => p.best_for.includes(this.quantity));
+  }
+  rest() {
+    let best = Infinity;
+    if (!this.front().some((p) => p.method.name === 'waves')) return [];
+    return this.points.filter((p) => p.method.name !== 'waves' && p.size < best && (best = p.size));
+  }
+  /** @param {number} way */
+  step(way) {
+    const { points, picked } = this;
+    if (!points.length) return;
+    const at = picked ? points.indexOf(picked) : -1;
+    this.pick(points[at < 0 ? 0 : (at + way + points.length) % points.length]);
+  }
+  /** @param {Point | null} point */
+  pick(point) {
+    if (point === this.picked) return;
+    this.picked = point;
+    this.mark();
+  }
+  mark() {
+    const { points, picked } = this;
+    const selected = this.figure?.model('points')?.selected;
+    if (selected) selected.indices = picked ? [points.indexOf(picked)] : [];
+    this.point.replaceChildren(...(picked ? this.#about(picked) : this.#best()));
+  }
+  // The best there are.
+  #best() {
+    const rest = this.rest();
+    const line = (/** @type {Point} */ p) => {
+      const show = make('button', { type: 'button', className: 'when', textContent: described(p.label) });
+      show.onclick = () => showMethod(this.page, p.method);
+      const here = shown(this.page, p.method) ? { ariaCurrent: 'true' } : {};
+      return rowOf([show, ms(p.wall_time), signed(p.errors[this.quantity])], here);
+    };
+    const text = 'and without the exact waves (dashed)';
+    const between = make('tr', {}, make('th', { scope: 'rowgroup', colSpan: 3, textContent: text }));
+    const rows = [...this.front().map(line), ...(rest.length ? [between, ...rest.map(line)] : [])];
+    const head = headOf(['Pareto-optimal methods', 'one solve', 'error']);
+    const help = 'Point at a dot to read it; a click shows that method and resolution on the page.';
+    return [
+      make('table', { className: 'methods' }, head, make('tbody', {}, ...rows)),
+      make('p', { className: 'help', textContent: help }),
+    ];
+  }
+  /**
+   * One point.
+   * @param {Point} p
+   */
+  #about(p) {
+    const spread = p.spread ? ` (${ms(p.spread[0])} to ${ms(p.spread[1])})` : '';
+    const none = p.invented_contacts === 1 ? 'is none' : 'are none';
+    const invented = p.invented_contacts ? `, and ${p.invented_contacts} that ${none}` : '';
+    const rows = [
+      ['One solve', ms(p.wall_time) + spread],
+      ...Object.entries(QUANTITIES)
+        .filter(([name]) => name in p.errors)
+        .map(([name, text]) => [`Error in the ${text}`, signed(p.errors[name])]),
+      ['Says of its own rebound', p.estimated_error === null ? '–' : `± ${share(p.estimated_error)}`],
+      ['Contacts found', `${p.true_contacts_found} of ${p.true_contacts}${invented}`],
+    ];
+    return [
+      make('h3', { textContent: described(p.label) }),
+      make('table', {}, make('tbody', {}, ...rows.map((cells) => rowOf(cells)))),
+      ...p.note_codes.slice(0, 2).map((note) => make('p', { className: 'help', textContent: said(note) })),
+    ];
+  }
+}

@@ -1,0 +1,324 @@
+// How far to trust an impact on a beam: the same impact many times with tiny changes; its band goes behind the curves.
+import { Figure } from '../charts/figure.js';
+import { SERIES } from '../charts/styles.js';
+import { headOf, make, rowOf } from '../shell/dom.js';
+import { named, said } from '../text/catalogue.js';
+import { duration, figures, prefixed, scaled } from '../text/format.js';
+
+/** @import { Band } from '../beam/charts.js' */
+/** @import { Page } from '../page.js' */
+/** @import { Frame } from '../shell/message.js' */
+/** @import { Note } from '../text/catalogue.js' */
+
+/**
+ * @typedef {object} Spread  of one figure over all runs
+ * @property {string} quantity
+ * @property {string} unit
+ * @property {string} verdict
+ * @property {number | null} unperturbed
+ * @property {number | null} lowest
+ * @property {number | null} highest
+ * @property {number} half_range  as a share
+ * @property {number} sensitivity  what a change of 1 % does [%]
+ */
+/**
+ * @typedef {object} Words
+ * @property {string} [error]
+ * @property {Record<string, any>} chosen
+ */
+/** @typedef {Record<typeof EDGES[number], number[]>} Edges  of what 90 % of the runs do, and of what all do */
+/** @typedef {{ velocity: Edges }} Moving */
+/** @typedef {Words & Band & Moving & { summary: Note, runs: number, notes: Note[], spread: Spread[] }} Ensemble */
+/**
+ * @typedef {object} Columns
+ * @property {string} kind  of what there are more and more
+ * @property {number[]} counts
+ * @property {Record<string, (number | null)[]>} values
+ * @property {Record<string, (number | null)[]>} differences  to the finest, as shares
+ * @property {Record<string, string>} units
+ * @property {Record<string, Note>} summary_codes
+ * @property {Record<string, number | null>} order
+ */
+/** @typedef {Words & Columns} Orders */
+
+const COLUMNS = ['', '', 'this impact', 'lowest', 'highest', 'half range', 'a change of 1 % does'];
+/** @type {Record<string, string>} */
+const VERDICTS = { firm: '✓ firm', loose: '~ loose', 'not to be trusted': '✗ not to be trusted' };
+
+const EDGES = /** @type {const} */ (['lowest', 'low', 'high', 'highest']);
+/** @type {[name: 'force' | 'displacement' | 'velocity', title: string, unit: string][]} */
+const BANDS = [
+  ['force', 'Contact force', 'N'],
+  ['displacement', 'Displacement of the struck point', 'm'],
+  ['velocity', 'Velocity of the impactor', 'm/s'],
+];
+const ROWS = 21; // of the table of a band
+const DIAMETER = 8; // pixels of a marker
+const LEAST = 1e-8; // share of a value that can be told from none
+
+/**
+ * A figure in the units of the page.
+ * @param {number | null} value
+ * @param {string} unit
+ */
+function shown(value, unit) {
+  if (value === null) return '–';
+  if (unit === 's') return duration(value * 1e3);
+  if (unit === 'm') return `${figures(value * 1e6, 4)} µm`;
+  if (unit === 'N') {
+    const [factor, prefix] = prefixed(Math.abs(value));
+    return `${figures(value * factor, 4)} ${prefix}N`;
+  }
+  return `${figures(value, 4)}${unit ? ` ${unit}` : ''}`;
+}
+
+/**
+ * What is asked of the slow pool and drawn when it comes: opened by a button, stale while the choices have changed.
+ * @template {Words} Found
+ */
+export class Study {
+  /** @type {Figure | null} */ figure = null; // that is shown while it is open
+  text = ''; // of the answer that the figure shows
+  changed = false; // since then
+
+  /**
+   * `name`: of the two properties of the model; `idle`: said while it is worked out.
+   * @param {Page} page
+   * @param {string} name
+   * @param {string} label
+   * @param {string} title
+   * @param {string} heading
+   * @param {string} idle
+   */
+  constructor(page, name, label, title, heading, idle) {
+    this.page = page;
+    this.name = name;
+    this.title = title;
+    this.idle = idle;
+    this.button = make('button', { type: 'button', textContent: label });
+    this.said = make('p', { className: 'help' });
+    this.table = make('table', { className: 'methods' });
+    const scroll = make('div', { className: 'scroll' }, this.table);
+    this.root = make('section', { className: `analysis study-${name}`, hidden: true });
+    this.root.append(make('h2', { textContent: heading }), this.said, scroll);
+    page.model.on(name, () => {
+      this.fill();
+      page.drawCharts();
+      page.show(page.player.t);
+    });
+  }
+  get open() {
+    return this.page.model[`${this.name}_shown`];
+  }
+  toggle() {
+    this.page.model[`${this.name}_shown`] = !this.open;
+    this.take(this.page.frame);
+    this.page.drawCharts();
+    this.page.show(this.page.player.t);
+  }
+  /** @param {Frame} frame */
+  take(frame) {
+    const away = frame.kind !== 'beam';
+    this.button.ariaPressed = String(this.open && !away);
+    this.button.hidden = away;
+    this.button.title = this.title;
+    this.root.hidden = !this.open || away;
+    if (this.root.hidden) this.figure?.close();
+    else this.figure?.open().then(() => this.show(this.page.player.t));
+    this.fill();
+  }
+  /**
+   * The answer to the choices that are drawn, or null.
+   * @returns {Found | null}
+   */
+  get fresh() {
+    const { page, name } = this;
+    const found = page.model[name] ? JSON.parse(page.model[name]) : null;
+    const same = found && page.names.every((key) => found.chosen[key] === page.frame.chosen[key]);
+    return !this.root.hidden && same ? found : null;
+  }
+  fill() {
+    const found = this.fresh;
+    const text = this.page.model[this.name];
+    this.changed = text !== this.text;
+    this.drawn(found?.error ? null : found);
+    if (found) this.text = text;
+    if (this.root.hidden) return;
+    this.root.ariaBusy = String(!found);
+    this.said.textContent = !found ? this.idle : (found.error ?? this.words(found));
+    if (found?.error) this.table.replaceChildren();
+    else if (found) this.rows(found);
+  }
+  /**
+   * What else is to be drawn of it.
+   * @param {Found | null} _found
+   */
+  drawn(_found) {}
+  /**
+   * @param {Found} _found
+   * @returns {string}
+   */
+  words(_found) {
+    return '';
+  }
+  /**
+   * Fill the table.
+   * @param {Found} _found
+   */
+  rows(_found) {}
+  /** @param {number} _t  the instant of the clock */
+  show(_t) {}
+  draw() {}
+}
+
+/** @extends {Study<Ensemble>} */
+export class Trust extends Study {
+  /** @param {Page} page */
+  constructor(page) {
+    const title =
+      'the same impact 200 times with tiny changes: which figures follow them in proportion, and which jump';
+    const idle = 'Striking 200 times with tiny changes; this takes a second or two …';
+    super(page, 'trust', 'Sensitivity', title, 'Sensitivity of this impact', idle);
+    const parts = BANDS.map(([name, heading]) => ({
+      ...{ name: `trust-${name}`, title: heading, about: `${heading} over time: the bands of all runs and of 90 %` },
+      numbers: () => this.#numbers(name),
+    }));
+    this.figure = new Figure('trust', parts);
+    this.root.append(this.figure.root);
+  }
+  /** @param {Ensemble | null} found */
+  drawn(found) {
+    this.page.beam.band = found;
+    if (!found || !this.figure || !this.changed) return;
+    /** @type {Record<string, number[]>} */
+    const columns = { time: found.time };
+    for (const [name, , unit] of BANDS) {
+      const [low, high] = [Math.min(...found[name].lowest), Math.max(...found[name].highest)];
+      const [factor, written] = scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
+      for (const edge of EDGES) columns[`${name}-${edge}`] = found[name][edge].map((value) => factor * value);
+      const room = 0.06 * (high - low) * factor || 1;
+      this.figure.range(`trust-${name}-y`, [low * factor - room, high * factor + room]);
+      this.figure.set(`trust-${name}-up`, { axis_label: `${name}, ${written}` });
+    }
+    this.figure.range('trust-force-x', [found.time[0], found.time[found.time.length - 1]]);
+    this.figure.fill('bands', columns);
+  }
+  /** @param {number} t */
+  show(t) {
+    for (const [name] of BANDS) this.figure?.cursor(`trust-cursor-${name}`, t);
+  }
+  /** @param {'force' | 'displacement' | 'velocity'} name */
+  #numbers(name) {
+    const found = this.fresh;
+    if (!found || found.error) return [[]];
+    const unit = BANDS.find(([each]) => each === name)?.[2] ?? '';
+    const last = found.time.length - 1;
+    const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
+    return [
+      ['time', ...EDGES],
+      ...rows.map((i) => [duration(found.time[i]), ...EDGES.map((edge) => shown(found[name][edge][i], unit))]),
+    ];
+  }
+  /** @param {Ensemble} found */
+  words({ summary, runs, notes }) {
+    const band = 'The band behind the curves of force and displacement holds 90 % of them, the paler one all.';
+    return `${said(summary)} Result of ${runs} perturbed runs. ${band} ${notes.map(said).join(' ')}`;
+  }
+  /** @param {Ensemble} found */
+  rows({ spread }) {
+    const rows = spread.map((row) => {
+      const firm = row.verdict === 'firm';
+      const values = [row.unperturbed, row.lowest, row.highest].map((value) => shown(value, row.unit));
+      const shares = [`${figures(100 * row.half_range, 2)} %`, firm ? `${figures(row.sensitivity, 2)} %` : 'jumps'];
+      const cells = [named('figure', row.quantity), VERDICTS[row.verdict], ...values, ...shares];
+      return rowOf(cells, { className: row.verdict.replaceAll(' ', '-') });
+    });
+    this.table.replaceChildren(headOf(COLUMNS), make('tbody', {}, ...rows));
+  }
+}
+
+const SETTLING = new Set(['same-for-all', 'converges', 'contacts-settle']); // notes of figures that have a limit
+const STUDIED = [
+  'final_velocity',
+  'impulse',
+  'peak_force',
+  'support_shear',
+  'peak_shear',
+  'peak_deflection',
+  'contacts',
+  'first_parting',
+  'last_parting',
+  'energy_lost',
+];
+
+/** @extends {Study<Orders>} */
+export class Convergence extends Study {
+  /** @param {Page} page */
+  constructor(page) {
+    const title = 'the same impact with 3, 5, 10, 20 and 40 modes: which figures settle';
+    const idle = 'Striking with 3, 5, 10, 20 and 40 modes; this takes some seconds …';
+    super(page, 'convergence', 'Convergence in modes', title, 'Does one more mode change the answer?', idle);
+    const about = 'how far each quantity is from its value with the most modes, against their number';
+    this.figure = new Figure('convergence', [{ name: 'convergence', title: 'Convergence', about }]);
+    this.root.append(this.figure.root);
+  }
+  /** @param {Orders | null} found  quantities that differ by nothing have no place on the logarithmic axis */
+  drawn(found) {
+    if (!found?.differences || !this.figure || !this.changed) return;
+    const { counts, differences, kind, units, values } = found;
+    const points = STUDIED.filter((name) => name in differences).flatMap((name, k) => {
+      const { color, marker, size: scale } = SERIES[k % SERIES.length];
+      return differences[name].flatMap((difference, i) => {
+        const there = difference !== null && difference > LEAST && i < counts.length - 1;
+        const value = shown(values[name][i], units[name]);
+        const quantity = name.replaceAll('_', ' ');
+        return there ? [{ count: counts[i], size: 100 * difference, color, marker, scale, quantity, value }] : [];
+      });
+    });
+    const quantities = [...new Set(points.map(({ quantity }) => quantity))];
+    const lines = quantities.map((one) => points.filter(({ quantity }) => quantity === one));
+    this.figure.fill('lines', {
+      counts: lines.map((line) => line.map(({ count }) => count)),
+      sizes: lines.map((line) => line.map(({ size }) => size)),
+      colour: lines.map(([first]) => first.color),
+    });
+    this.figure.fill('differences', {
+      count: points.map(({ count }) => count),
+      size: points.map(({ size }) => size),
+      colour: points.map(({ color }) => color),
+      marker: points.map(({ marker }) => marker),
+      diameter: points.map(({ scale }) => DIAMETER * scale),
+      quantity: points.map(({ quantity }) => quantity),
+      value: points.map(({ value }) => value),
+    });
+    const sizes = points.map(({ size }) => size);
+    this.figure.set('convergence-across', { axis_label: kind });
+    this.figure.set('convergence-counts', { ticks: counts, minor_ticks: [] });
+    this.figure.range('convergence-x', [0.8 * counts[0], 1.25 * counts[counts.length - 2]]);
+    this.figure.range('convergence-y', [0.5 * Math.min(...sizes, 10), 2 * Math.max(...sizes, 10)]);
+  }
+  /** @param {Orders} found */
+  words({ kind }) {
+    return (
+      `The same impact solved with more and more ${kind}. A figure that does not settle is no property of the ` +
+      `impact, but of the number of ${kind}.`
+    );
+  }
+  /** @param {Orders} found */
+  rows(found) {
+    const { counts, kind, summary_codes: summary, units, values } = found;
+    const rows = STUDIED.filter((name) => name in values).map((name) => {
+      const settles = SETTLING.has(summary[name].code);
+      const cells = [
+        named('figure', name),
+        said(summary[name]),
+        ...values[name].map((value) => shown(value, units[name])),
+      ];
+      const line = rowOf(cells, { className: settles ? 'firm' : 'loose' });
+      line.children[1].className = 'summary';
+      return line;
+    });
+    const head = headOf(['', '', ...counts.map((count) => `${count} ${kind}`)]);
+    this.table.replaceChildren(head, make('tbody', {}, ...rows));
+  }
+}

@@ -1,0 +1,80 @@
+// Fields for numbers in the unit that a visitor thinks in.
+import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
+
+/**
+ * @typedef {object} Unit
+ * @property {string} sign
+ * @property {string} many  "percent", of the label
+ * @property {number} times  what is shown over what is sent
+ */
+
+/**
+ * @typedef {object} UnitField
+ * @property {HTMLElement} root
+ * @property {(value: number) => void} set  show a value, unless the visitor is writing one
+ */
+
+const NUMBER = /^\d*\.?\d+(e[+-]?\d+)?$/i;
+
+/**
+ * A number from `low` to `high` that is shown in another unit than the one that is sent.
+ * @param {string} label
+ * @param {Unit} unit
+ * @param {number} low
+ * @param {number} high
+ * @param {(value: number) => void} send
+ * @param {(sentence: string) => void} complain
+ * @returns {UnitField}
+ */
+function unitField(label, { sign, many, times }, low, high, send, complain) {
+  const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 12 });
+  input.autocomplete = 'off';
+  input.ariaLabel = `${label}, in ${many}`;
+  let last = '';
+  input.onchange = () => {
+    const given = input.value.trim().replace(',', '.').replace(sign, '').trim();
+    const value = Number(given) / times;
+    if (NUMBER.test(given) && value >= low && value <= high) {
+      send(value);
+      return;
+    }
+    const range = { low: times * low, high: times * high, unit: sign, whole: false };
+    complain(text('refused.number', { control: label, value: `“${input.value.slice(0, 24)}”`, ...range }));
+    input.value = last;
+  };
+  const root = make(
+    'label',
+    { className: 'part' },
+    label,
+    input,
+    make('span', { className: 'unit', textContent: sign }),
+  );
+  const set = (/** @type {number} */ value) => {
+    last = String(Number((times * value).toPrecision(4)));
+    if (!input.matches(':focus')) input.value = last;
+  };
+  return { root, set };
+}
+
+/**
+ * A share, shown as a percentage.
+ * @param {string} label
+ * @param {number} low
+ * @param {number} high
+ * @param {(value: number) => void} send
+ * @param {(sentence: string) => void} complain
+ */
+export const percentField = (label, low, high, send, complain) =>
+  unitField(label, { sign: '%', many: 'percent', times: 100 }, low, high, send, complain);
+
+/**
+ * A time [s], shown in milliseconds.
+ * @param {string} label
+ * @param {number} low
+ * @param {number} high
+ * @param {(value: number) => void} send
+ * @param {(sentence: string) => void} complain
+ */
+export const msField = (label, low, high, send, complain) =>
+  unitField(label, { sign: 'ms', many: 'milliseconds', times: 1000 }, low, high, send, complain);

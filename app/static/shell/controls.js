@@ -1,0 +1,130 @@
+// The form: one control for each choice, made from the bounds that the server holds.
+import { said, text } from '../text/catalogue.js';
+import { LABELS, METHODS } from '../text/words.js';
+import { make } from './dom.js';
+import { Slider } from './slider.js';
+
+/** @import { AxialFrame, Frame } from './message.js' */
+/** @import { Spec } from './model.js' */
+
+const ORDER = [
+  'scene',
+  'mass_ratio',
+  'speed',
+  'place',
+  'support',
+  'theory',
+  'slenderness',
+  'damping',
+  'law',
+  'linear_stiffness',
+  'hertz_stiffness',
+  'force_at_depth',
+  'exponent',
+  'yield_indentation',
+  'restitution',
+  'modes',
+  'elements',
+  'method',
+];
+
+/**
+ * @typedef {object} Control
+ * @property {HTMLElement} root
+ * @property {(value: any, refused: boolean) => void} set
+ */
+
+export class Controls {
+  /** @type {Record<string, Control>} */ fields = {};
+
+  /**
+   * @param {Spec} spec
+   * @param {(name: string, value: number | string) => void} send  takes every change that the visitor makes
+   * @param {(sentence: string) => void} complain  of what is no number at all
+   */
+  constructor(spec, send, complain) {
+    this.spec = spec;
+    this.send = send;
+    this.complain = complain;
+    this.root = make('form', { className: 'controls' });
+    this.root.onsubmit = (event) => event.preventDefault();
+    for (const name of ORDER) {
+      this.fields[name] = spec[name].options ? this.#select(name) : this.#slider(name);
+      if (name !== 'scene') this.root.append(this.fields[name].root); // which stands in the bar
+    }
+    this.method = /** @type {HTMLSelectElement} */ (this.root.querySelector('#choice-method'));
+    this.note = make('p', { className: 'help' });
+    this.fields.restitution.root.append(this.note);
+  }
+  /** @param {string} name */
+  #select(name) {
+    const { title, options = {} } = LABELS[name];
+    const id = `choice-${name}`;
+    const input = make('select', { id });
+    /** @type {[string, [string, string][]][]} */
+    const plain = [['', (this.spec[name].options ?? []).map((option) => [option, options[option] ?? option])]];
+    for (const [heading, choices] of this.spec[name].groups ?? plain) {
+      const made = choices.map(([value, textContent]) => make('option', { value, textContent }));
+      input.append(...(heading ? [make('optgroup', { label: heading }, ...made)] : made));
+    }
+    input.onchange = () => this.send(name, input.value);
+    const label = make('label', { htmlFor: id, textContent: title, className: name === 'scene' ? 'unseen' : '' });
+    label.dataset.term = name;
+    const root = make('div', { className: `field field-${name}` }, label, input);
+    const set = (/** @type {string} */ value) => {
+      input.value = value;
+      input.title = input.selectedOptions[0]?.textContent ?? '';
+    };
+    return { root, set };
+  }
+  /** @param {string} name */
+  #slider(name) {
+    return new Slider(name, LABELS[name], this.spec[name], (value) => this.send(name, value), this.complain);
+  }
+  /**
+   * `refused`: back to this value, also where the hand still holds the slider.
+   * @param {string} name
+   * @param {any} value
+   */
+  show(name, value, refused = false) {
+    this.fields[name]?.set(value, refused);
+  }
+  /**
+   * Only what acts on this scene is shown; methods that cannot solve it say why.
+   * @param {Frame} frame
+   */
+  arrange(frame) {
+    for (const name of ORDER) this.fields[name].root.hidden = !frame.acting.includes(name);
+    const onBeam = frame.kind === 'beam';
+    const label = this.fields.method.root.querySelector('label');
+    if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');
+    for (const option of this.method.options) {
+      if (option.value === 'waves') option.textContent = onBeam ? text('controls.travelling-waves') : METHODS.waves;
+      const reason = frame.refusals[option.value];
+      option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
+      option.title = reason ? said(reason) : '';
+    }
+    if (frame.kind === 'bodies') this.note.textContent = text('controls.in-space');
+    else if (frame.kind === 'beam')
+      this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
+    else this.note.textContent = axialNote(frame);
+  }
+}
+
+/**
+ * What the restitution does in an impact along an axis.
+ * @param {AxialFrame} frame
+ */
+function axialNote(frame) {
+  const { chosen, damps, leastRestitution: least, match, nominal, yields } = frame;
+  const method = String(chosen.method);
+  const raised = Number(chosen.restitution) < least;
+  const acts = damps
+    ? text('controls.of-contact-and-prediction', { least, nominal, raised })
+    : method === 'balance'
+      ? text('controls.of-balances-and-prediction')
+      : text('controls.of-prediction', { yields });
+  const refused = method === 'waves' ? null : frame.refusals[method];
+  const matched = match === null ? '' : text('controls.match', { restitution: match });
+  return [acts, matched, refused ? said(refused) : ''].filter(Boolean).join(' ');
+}

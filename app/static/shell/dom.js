@@ -1,0 +1,69 @@
+// Elements of the page, made in one call; files given to the visitor.
+
+/**
+ * Properties of an element; numbers may stand for strings.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @typedef {{ [Key in keyof HTMLElementTagNameMap[Tag]]?: HTMLElementTagNameMap[Tag][Key] extends string
+ *   ? string | number : HTMLElementTagNameMap[Tag][Key] }} PropertiesOf
+ */
+
+/**
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {PropertiesOf<Tag>} [properties]
+ * @param {...(Node | string)} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
+export function make(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  Object.assign(element, properties);
+  element.append(...children);
+  return element;
+}
+
+/**
+ * The head of a table.
+ * @param {string[]} texts
+ */
+export const headOf = (texts) =>
+  make('thead', {}, make('tr', {}, ...texts.map((textContent) => make('th', { scope: 'col', textContent }))));
+
+/**
+ * A row of a table.
+ * @param {(string | number | Node)[]} cells
+ * @param {PropertiesOf<'tr'>} [properties]
+ */
+export const rowOf = (cells, properties = {}) =>
+  make('tr', properties, ...cells.map((cell) => make('td', {}, cell instanceof Node ? cell : String(cell))));
+
+/**
+ * Buttons of which one is pressed, as a group.
+ * @param {string} ariaLabel
+ * @param {string[]} names
+ * @param {(name: string) => void} press
+ * @param {(name: string) => string} [written]  what a button says
+ */
+export function segments(ariaLabel, names, press, written = (name) => name) {
+  const root = make('div', { className: 'segments', role: 'group', ariaLabel });
+  const buttons = names.map((name) => {
+    const button = make('button', { type: 'button', textContent: written(name), onclick: () => press(name) });
+    button.dataset.kind = name;
+    return button;
+  });
+  root.append(...buttons);
+  const show = (/** @type {string} */ pressed) => {
+    for (const button of buttons) button.ariaPressed = String(button.dataset.kind === pressed);
+  };
+  return { root, show };
+}
+
+/**
+ * Have the browser save a file.
+ * @param {Blob} blob
+ * @param {string} name
+ */
+export function download(blob, name) {
+  const link = make('a', { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}

@@ -1,0 +1,111 @@
+// The first minute: what is seen, in one sentence, and three things to try. It can be put away for good.
+import { make } from './dom.js';
+import { keep, kept } from './store.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Frame } from './message.js' */
+
+const WORDS = { title: 'What you see', try: 'Try', hide: 'Put away' };
+const SEEN = {
+  rod:
+    'A mass strikes the end of a rod. Colour is the stress that runs through it; the charts show the same waves over ' +
+    'time, the force between the two, and how both move.',
+  rods:
+    'Waves of stress run through a chain of rods; at each change of section or material part of them turns back. The ' +
+    'charts show them over time, with the force of contact.',
+  compact:
+    'Two compact bodies meet and press each other in. The charts show the force between them, and how both move.',
+  beam:
+    'A beam is struck from the side and bends. Below it are its shear force and bending moment; the charts show how ' +
+    'the bending runs along it, the force, and how both move.',
+  bodies: 'Two bodies meet in one point in space: faint before the impact, full after it, with velocities and spins.',
+};
+const TRIES = {
+  faster: 'Strike twice as fast (or pull the striker back)',
+  heavier: 'A hammer four times as heavy (or drag its corner)',
+  free: 'Let the far end of the rod go free',
+  fixed: 'Hold the far end of the rod',
+  softer: 'A contact that gives way: Hertz',
+  losing: 'A contact that loses energy: Hunt–Crossley',
+  middle: 'Strike it in the middle',
+  few: 'Keep 5 modes only',
+  elastic: 'Let nothing be lost: restitution 1',
+  centre: 'Hit it in the centre',
+};
+
+/** @typedef {[text: string, choice: string, value: number | string]} Try */
+
+/**
+ * What this impact shows.
+ * @param {Frame} frame
+ */
+export function seenIn(frame) {
+  if (frame.kind !== 'axial') return SEEN[frame.kind];
+  return frame.rods.length > 1 ? SEEN.rods : frame.rods.length ? SEEN.rod : SEEN.compact;
+}
+
+/**
+ * What could be tried with it, the most telling first.
+ * @param {Frame} frame
+ * @returns {Try[]}
+ */
+export function triesOf({ chosen, kind, acting }) {
+  const far = chosen.scene === 'free-rod' ? 'fixed' : 'free';
+  /** @type {Try[]} */
+  const all = [
+    [TRIES.faster, 'speed', 2 * Number(chosen.speed)],
+    [TRIES.heavier, 'mass_ratio', Number(chosen.mass_ratio) / 4],
+  ];
+  if (kind === 'beam') all.unshift([TRIES.middle, 'place', 0.5], [TRIES.few, 'modes', 5]);
+  if (kind === 'bodies') all.push([TRIES.elastic, 'restitution', 1], [TRIES.centre, 'place', 0.5]);
+  if (['fixed-rod', 'free-rod'].includes(String(chosen.scene))) all.push([TRIES[far], 'scene', `${far}-rod`]);
+  if (kind === 'axial') all.push([TRIES.losing, 'law', 'hunt-crossley'], [TRIES.softer, 'law', 'hertz']);
+  const acts = (/** @type {string} */ name) => name === 'scene' || acting.includes(name);
+  return all.filter(([, name, value]) => acts(name) && chosen[name] !== value);
+}
+
+export class First {
+  kind = '';
+  /** @type {Try[]} */ offered = [];
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.seen = make('p');
+    this.tries = make('ul');
+    const hide = make('button', { type: 'button', className: 'sign', textContent: '✕' });
+    hide.title = hide.ariaLabel = WORDS.hide;
+    hide.onclick = () => {
+      this.root.hidden = true;
+      keep('first', false);
+    };
+    const head = make('header', { className: 'panel-head' }, make('h2', { textContent: WORDS.title }), hide);
+    this.root = make('section', { className: 'first', hidden: !kept('first', true) });
+    this.root.append(head, this.seen, make('h3', { textContent: WORDS.try }), this.tries);
+  }
+  /** @param {Frame} frame */
+  load(frame) {
+    if (this.root.hidden) return;
+    const tries = triesOf(frame).slice(0, 3);
+    const kind = [frame.kind, frame.chosen.scene, ...tries.map(([text]) => text)].join();
+    this.offered = tries;
+    if (kind === this.kind) return; // what the buttons do changes with every solve, what they say does not
+    this.kind = kind;
+    this.seen.textContent = seenIn(frame);
+    this.tries.replaceChildren(
+      ...tries.map(([textContent], k) => {
+        const act = make('button', { type: 'button', className: 'when', textContent });
+        act.onclick = () => this.#try(k);
+        return make('li', {}, act);
+      }),
+    );
+  }
+  /** @param {number} k */
+  #try(k) {
+    const [, name, value] = this.offered[k] ?? [];
+    if (name === undefined || value === undefined) return;
+    const { low, high, options } = this.page.model.spec[name];
+    const within = options ? value : Math.min(Math.max(Number(value), low), high);
+    this.page.choose(name, within);
+  }
+}

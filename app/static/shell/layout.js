@@ -1,0 +1,189 @@
+// Where everything is on the page. A wide window has a dock at either side of the centre; a narrower one has the second
+// dock as a sheet at its lower end; a phone has all but the stage in tabs. Stage and clock never leave, and what opens
+// takes the place of the charts.
+import { make } from './dom.js';
+import { gripOf } from './grip.js';
+import { keep, kept } from './store.js';
+import { Tabs } from './tabs.js';
+
+const WORDS = {
+  tabs: 'Views',
+  titles: { controls: 'Controls', charts: 'Charts', story: 'Story', numbers: 'Numbers', analysis: 'Analysis' },
+  left: 'Controls',
+  right: 'Story, numbers and analysis',
+  widthOfLeft: 'Width of the controls',
+  widthOfRight: 'Width of story and numbers',
+  heightOfSheet: 'Height of story and numbers',
+};
+const PHONE = window.matchMedia('(max-width: 719px)');
+const TABLET = window.matchMedia('(max-width: 1099px)');
+const LARGE = window.matchMedia('(min-width: 1800px)');
+const BESIDE = ['story', 'numbers', 'analysis'];
+const ALL = ['controls', 'charts', ...BESIDE];
+const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
+const CENTRE = 420; // pixels that the docks leave to the centre
+const LEAST = 180; // pixels of a dock
+
+/** @typedef {'desk' | 'tablet' | 'phone'} Mode */
+/** @typedef {{ left?: number, right?: number, sheet?: number, folded?: Record<string, boolean> }} Sizes */
+
+export class Layout {
+  /** @type {Mode} */ mode = 'desk';
+  /** @type {Sizes} */ sizes = kept('docks', {});
+  full = false; // what is open takes the right dock's place too
+
+  /**
+   * @param {{ bar: HTMLElement, choices: HTMLElement, pinned: HTMLElement[], charts: HTMLElement[] }} parts
+   * @param {() => void} changed  after anything has moved
+   */
+  constructor({ bar, choices, pinned, charts }, changed) {
+    this.changed = changed;
+    this.choices = choices;
+    this.tabs = new Tabs(WORDS.tabs, WORDS.titles, (name, again) => this.#chosen(name, again));
+    this.strip = make('div', { className: 'strip' });
+    this.pinned = make('div', { className: 'pinned' }, ...pinned, this.strip);
+    this.charts = make('div', { className: 'charts' }, ...charts);
+    this.wide = make('div', { className: 'wide', hidden: true });
+    this.left = make('section', { className: 'dock left', ariaLabel: WORDS.left });
+    this.centre = make('main', { className: 'centre' }, this.pinned);
+    this.right = make('section', { className: 'dock right', ariaLabel: WORDS.right }, this.tabs.root);
+    this.right.append(...this.tabs.panels);
+    this.grips = ['left', 'right', 'sheet'].map((name) => this.#grip(/** @type {any} */ (name)));
+    this.folders = {
+      left: this.#folder('left', WORDS.left, '◧'),
+      right: this.#folder('right', WORDS.right, '◨'),
+    };
+    bar.prepend(this.folders.left);
+    bar.append(this.folders.right);
+    this.root = make('div', { className: 'page' }, bar, this.left, this.centre, this.right, ...this.grips);
+    this.tabs.select('story');
+    const moved = () => this.place();
+    for (const query of [PHONE, TABLET, LARGE]) query.addEventListener('change', moved);
+    window.addEventListener('resize', moved);
+    this.leave = () => {
+      for (const query of [PHONE, TABLET, LARGE]) query.removeEventListener('change', moved);
+      window.removeEventListener('resize', moved);
+    };
+    this.place();
+  }
+  /** @param {'left' | 'right'} name */
+  folded(name) {
+    return Boolean(this.sizes.folded?.[name]);
+  }
+  /** Put everything where it belongs at this width. */
+  place() {
+    /** @type {Mode} */
+    const mode = PHONE.matches ? 'phone' : TABLET.matches ? 'tablet' : 'desk';
+    const phone = mode === 'phone';
+    if (mode !== this.mode || !this.choices.parentElement) {
+      this.mode = mode;
+      this.root.dataset.mode = mode;
+      (phone ? this.tabs.panel('controls') : this.left).append(this.choices);
+      (phone ? this.tabs.panel('charts') : this.centre).append(this.charts);
+      if (phone) this.tabs.panel('analysis').prepend(this.wide);
+      else this.centre.append(this.wide);
+      this.tabs.offer(phone ? ALL : BESIDE);
+      if (phone) this.tabs.select('controls');
+    }
+    this.#measure();
+    this.changed();
+  }
+  /** How wide the docks are, and how high the sheet. */
+  #measure() {
+    const { root, sizes } = this;
+    const room = window.innerWidth - CENTRE;
+    const left = Math.min(sizes.left ?? 256, room / 2);
+    const right = Math.min(sizes.right ?? (LARGE.matches ? 560 : 380), room - left);
+    root.style.setProperty('--left', `${this.folded('left') ? 0 : this.mode === 'tablet' ? 230 : left}px`);
+    root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
+    root.style.setProperty('--sheet', `${100 * (sizes.sheet ?? SNAPS[1])}dvh`);
+    this.left.hidden = this.mode === 'phone' || this.folded('left');
+    this.right.hidden = this.mode === 'desk' && (this.folded('right') || this.full);
+    root.classList.toggle('closed', this.mode === 'tablet' && sizes.sheet === 0);
+    this.folders.left.ariaPressed = String(!this.folded('left'));
+    this.folders.right.ariaPressed = String(!this.folded('right') && !this.full);
+  }
+  /** @param {'left' | 'right' | 'sheet'} name */
+  #grip(name) {
+    const label = { left: WORDS.widthOfLeft, right: WORDS.widthOfRight, sheet: WORDS.heightOfSheet }[name];
+    const size = () =>
+      name === 'sheet' ? this.right.clientHeight : (name === 'left' ? this.left : this.right).clientWidth;
+    const resize = (/** @type {number} */ wanted) => {
+      if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / window.innerHeight, 0), SNAPS[2]);
+      else this.sizes[name] = Math.max(wanted, LEAST);
+      this.#measure();
+    };
+    const rest = () => {
+      const { sheet = SNAPS[1] } = this.sizes;
+      if (name === 'sheet')
+        this.sizes.sheet = SNAPS.reduce((a, b) => (Math.abs(b - sheet) < Math.abs(a - sheet) ? b : a));
+      this.#keep();
+    };
+    return gripOf({ label, name, size, resize, rest });
+  }
+  /**
+   * The button in the bar that folds a dock.
+   * @param {'left' | 'right'} name
+   * @param {string} title
+   * @param {string} textContent
+   */
+  #folder(name, title, textContent) {
+    const button = make('button', {
+      type: 'button',
+      className: `folder ${name}`,
+      title,
+      ariaLabel: title,
+      textContent,
+    });
+    button.onclick = () => {
+      const folded = name === 'right' && this.full ? true : this.folded(name);
+      if (name === 'right') this.full = false;
+      this.sizes.folded = { ...this.sizes.folded, [name]: !folded };
+      this.#keep();
+    };
+    return button;
+  }
+  #keep() {
+    keep('docks', this.sizes);
+    this.#measure();
+    this.changed();
+  }
+  /**
+   * A tab was chosen by hand. The sheet opens for it, and closes when it is chosen again.
+   * @param {string} _name
+   * @param {boolean} again
+   */
+  #chosen(_name, again) {
+    if (this.mode !== 'tablet') {
+      this.changed();
+      return;
+    }
+    const closed = this.sizes.sheet === 0;
+    this.sizes.sheet = closed ? SNAPS[1] : again ? 0 : this.sizes.sheet;
+    this.#keep();
+  }
+  /**
+   * Have a tab seen.
+   * @param {string} name
+   */
+  show(name) {
+    this.tabs.select(name);
+    if (this.mode === 'tablet' && this.sizes.sheet === 0) this.sizes.sheet = SNAPS[1];
+    if (this.mode === 'desk' && this.folded('right')) this.sizes.folded = { ...this.sizes.folded, right: false };
+    this.#measure();
+    this.changed();
+  }
+  /**
+   * Something takes the place of the charts, or gives it back.
+   * @param {boolean} taken
+   * @param {boolean} full  and that of the right dock
+   */
+  take(taken, full) {
+    this.wide.hidden = !taken;
+    this.charts.hidden = taken && this.mode !== 'phone';
+    this.root.classList.toggle('studying', taken);
+    this.full = taken && full;
+    this.#measure();
+    this.changed();
+  }
+}

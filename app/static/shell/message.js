@@ -1,0 +1,323 @@
+// The message of the server: a header and arrays of numbers. app/messages/schema.py says what each field is; these are
+// the same fields as types, and a test compares the two.
+
+/** @typedef {Record<string, number | string>} Chosen  a value for every choice */
+/** @typedef {Float64Array} Numbers */
+/** @import { Note } from '../text/catalogue.js' */
+/** @typedef {[start: number, end: number, impulse: number, peak: number | null]} Contact */
+
+/**
+ * What a message of any kind says.
+ * @typedef {object} Common
+ * @property {Record<string, number[]>} shapes  of the arrays, by name
+ * @property {Chosen} chosen
+ * @property {string[]} acting  choices that act on this scene
+ * @property {Record<string, Note | null>} refusals  by method: why it cannot solve the scene, or nothing
+ * @property {string} title
+ * @property {string} source
+ * @property {string} note
+ * @property {string[]} unshown  keys that the scene sets and that have no control
+ * @property {number} duration  axial: in round trips; beam: in milliseconds; bodies: seconds on either side of it
+ */
+
+/**
+ * Energies [J]; `initial` is what the others are shares of.
+ * @typedef {{ initial: number, [part: string]: number }} Energies
+ */
+
+/** @typedef {{ newton: number | null, poisson: number | null, newton_at_contact: number | null }} Restitution */
+
+/**
+ * @typedef {object} Diagnostics
+ * @property {number} wall_time  [s]
+ * @property {number} energy_error  as a share
+ * @property {number | null} estimated_error
+ * @property {number} [resolved_time]  the finest that modes can tell [s]
+ * @property {number} [raw_contacts]
+ */
+
+/**
+ * What a solution says of itself. Velocities of axial messages in impact speeds, of beams in m/s.
+ * @typedef {object} Figures
+ * @property {string} name  of the method
+ * @property {boolean} stillTouching
+ * @property {number | null} final  velocity of the impactor, as a whole
+ * @property {number} targetFinal
+ * @property {number | null} peakForce  [N]
+ * @property {number | null} peakIndentation  [m]
+ * @property {number | null} residualIndentation  [m]
+ * @property {Restitution} restitution
+ * @property {Energies} energy
+ * @property {Diagnostics} diagnostics
+ * @property {Note[]} notes
+ */
+
+/**
+ * @typedef {object} OfContacts
+ * @property {Contact[]} contacts  [T, T, N s, N]
+ * @property {boolean[]} cutOff  whether a wave ended the contact at once
+ * @property {number[]} left  velocities of the impactor after each contact
+ */
+/** @typedef {Figures & OfContacts} AxialFigures */
+/**
+ * @typedef {object} OfResolution
+ * @property {number | null} modes
+ * @property {number | null} elements
+ * @property {number} contacts
+ * @property {number} impulse
+ */
+/** @typedef {Figures & OfResolution} BeamFigures */
+
+/**
+ * @typedef {object} RodTold  places in m from the struck face, the rest in units of the message
+ * @property {number} from
+ * @property {number} to
+ * @property {number} transit
+ * @property {number} impedance
+ * @property {number} drift  velocity before the impact
+ * @property {number} area
+ * @property {'bonded' | 'touching' | null} joint
+ * @property {-1 | 0 | 1} mirror  what its far end makes of a wave: turns it over, sends one of its own, sends it back
+ */
+
+/**
+ * @typedef {object} Striking
+ * @property {string} kind
+ * @property {number} mass  [kg]
+ * @property {number | null} [radius]  of its face [m]
+ */
+
+/**
+ * @typedef {object} TargetTold
+ * @property {string} kind
+ * @property {'ball' | 'block'} shape  of a compact body
+ * @property {number | null} radius  [m]
+ * @property {number} mass
+ * @property {number} length
+ * @property {string | null} support
+ * @property {boolean} held
+ * @property {number} endMass
+ */
+
+/**
+ * The path of force over indentation: slowly by the law, and in this impact [m, N].
+ * @typedef {object} CycleTold
+ * @property {Numbers} [cycleDepth]
+ * @property {Numbers} [cycleLoading]
+ * @property {Numbers} [cycleUnloading]
+ * @property {Numbers} [blowDepth]
+ * @property {Numbers} [blowForce]
+ */
+
+/**
+ * An impact along one axis. Times in round trips T, velocities in the impact speed v, displacements in v T, forces in
+ * `forceUnit`, stresses in `stressUnit`.
+ * @typedef {object} AxialOnly
+ * @property {'axial'} kind
+ * @property {number} trip  T [s]
+ * @property {RodTold[]} rods
+ * @property {Striking} impactor
+ * @property {TargetTold} target
+ * @property {number} speed  v [m/s]
+ * @property {number} forceUnit  [N]
+ * @property {number} stressUnit  [Pa]
+ * @property {number} modes
+ * @property {number | null} step  of the modal force
+ * @property {AxialFigures} exact
+ * @property {AxialFigures | null} other
+ * @property {{ impactor: number, target: number } | null} prediction  velocities by rigid-body theory
+ * @property {number | null} match  restitution that would have matched
+ * @property {boolean} damps
+ * @property {boolean} yields
+ * @property {number | null} nominal
+ * @property {number} leastRestitution
+ * @property {Numbers} exactMass
+ * @property {Numbers} exactEnd
+ * @property {Numbers} exactTime
+ * @property {Numbers} exactForce
+ * @property {Numbers} [otherMass]
+ * @property {Numbers} [otherEnd]
+ * @property {Numbers} [otherTime]
+ * @property {Numbers} [otherForce]
+ * @property {Numbers} [modalForce]  one for each step
+ * @property {Numbers} [balanceTime]
+ * @property {Numbers} [balanceForce]
+ * @property {Numbers} [fieldStress]  (instant, place), flat
+ * @property {Numbers} [fieldVelocity]
+ * @property {Numbers} [fieldDisplacement]
+ * @property {{ time: number[], force: number[] }} [record]  not of the message: a measured force laid over the others
+ */
+/** @typedef {Common & AxialOnly & CycleTold} AxialFrame */
+
+/**
+ * An impact on a beam: SI units, but times in milliseconds. What is optional depends on the method.
+ * @typedef {object} BeamOnly
+ * @property {'beam'} kind
+ * @property {Note | null} refused  why the chosen method is not shown
+ * @property {number} trip
+ * @property {number} speed
+ * @property {BeamTold} beam
+ * @property {Striking} impactor
+ * @property {{ name: string, damps: boolean, yields: boolean }} law
+ * @property {BeamFigures} main
+ * @property {BeamFigures | null} reference
+ * @property {{ apparent: number, real: number, half: number | null }} span
+ * @property {number} places  of every field
+ * @property {Numbers} time
+ * @property {Numbers} impactorPath
+ * @property {Numbers} struckPath
+ * @property {Numbers} impactorRate
+ * @property {Numbers} struckRate
+ * @property {Contact[]} contacts  [ms, ms, N s, N], the first of many
+ * @property {Numbers} rates  (contact, begin and end, impactor and struck place), flat
+ * @property {Numbers} [referenceImpactorPath]
+ * @property {Numbers} [referenceStruckPath]
+ * @property {Numbers} [referenceTime]
+ * @property {Numbers} [referenceForce]
+ * @property {Numbers} [mainTime]
+ * @property {Numbers} [mainForce]
+ * @property {Numbers} [staticTime]
+ * @property {Numbers} [staticPath]
+ * @property {Numbers} [staticShape]
+ * @property {Numbers} [halfTime]
+ * @property {Numbers} [halfForce]
+ * @property {Numbers} wavenumbers
+ * @property {Numbers} lower
+ * @property {Numbers} [upper]
+ * @property {Numbers} modeFrequencies
+ * @property {Numbers} modeWavenumbers
+ */
+/**
+ * @typedef {object} BeamTold
+ * @property {number} length
+ * @property {number} mass
+ * @property {Support} support
+ * @property {string} theory
+ * @property {number} place
+ * @property {number} halfDepth
+ * @property {number} secondMoment
+ * @property {number} endMass
+ * @property {boolean} held
+ * @property {number} speedLimit
+ */
+/** @typedef {'cantilever' | 'pinned-pinned' | 'clamped-clamped' | 'free-free' | 'pinned-free'} Support */
+
+/**
+ * Fields of a beam by its modes.
+ * @typedef {object} ModalTold
+ * @property {Numbers} modalForce
+ * @property {Numbers} modalFrequencies
+ * @property {Numbers} modalAtContact
+ * @property {Numbers} shapeRows
+ * @property {Numbers} shapeScale
+ * @property {Numbers} momentRows
+ * @property {Numbers} momentScale
+ * @property {Numbers} shearRows
+ * @property {Numbers} shearScale
+ * @property {Numbers} momentBeside
+ * @property {Numbers} shearBeside
+ * @property {Numbers} [rigidShape]
+ * @property {number} step
+ * @property {number} smoothing
+ * @property {number} damping
+ * @property {number | null} rigidMass
+ * @property {number} drift
+ * @property {number} drawnModes
+ * @property {number} keptModes
+ */
+/**
+ * Fields of a beam as sampled by the server, (instant, place), flat.
+ * @typedef {object} SampledTold
+ * @property {Numbers} fieldTime
+ * @property {Numbers} fieldDeflection
+ * @property {Numbers} fieldVelocity
+ * @property {Numbers} fieldMoment
+ * @property {Numbers} fieldShear
+ */
+/** @typedef {Common & BeamOnly & CycleTold & Partial<ModalTold> & Partial<SampledTold>} BeamFrame */
+
+/** @typedef {[number, number, number]} Vector */
+/** @typedef {{ velocity: Vector, spin: Vector }} Moving */
+/** @typedef {[name: string, value: number | number[] | null, unit: string]} FigureTold */
+/**
+ * @typedef {object} BodyTold
+ * @property {'stop' | 'point' | 'ball' | 'box'} shape
+ * @property {number} [mass]
+ * @property {number} [radius]
+ * @property {Vector} [sides]
+ * @property {Vector[]} [axes]
+ * @property {Moving} before
+ * @property {Moving} after
+ */
+/**
+ * One impulse between bodies in space, SI units; places from the point of impact, times from -1 to 1 in durations.
+ * @typedef {object} SpaceOnly
+ * @property {'bodies'} kind
+ * @property {number} size
+ * @property {Vector} across
+ * @property {Vector} up
+ * @property {Vector} normal
+ * @property {number} impulse
+ * @property {{ impactor: BodyTold, target: BodyTold }} bodies
+ * @property {FigureTold[]} figures
+ * @property {Note[]} notes
+ * @property {Numbers} impactorPath  (time, 3), flat
+ * @property {Numbers} targetPath
+ * @property {Numbers} impactorTurn  (time, 3, 3), flat
+ * @property {Numbers} targetTurn
+ */
+/** @typedef {Common & SpaceOnly} SpaceFrame */
+/** @typedef {AxialFrame | BeamFrame | SpaceFrame} Frame */
+
+/**
+ * @param {ArrayBuffer} buffer
+ * @returns {Frame}
+ */
+export function decode(buffer) {
+  const bytes = new Uint8Array(buffer);
+  const length = new DataView(bytes.buffer, bytes.byteOffset, 4).getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+  /** @type {Record<string, Numbers>} */
+  const data = {};
+  /** @type {Record<string, number[]>} */
+  const shapes = {};
+  let offset = 4 + length;
+  for (const [name, shape, unit] of header.arrays) {
+    shapes[name] = shape;
+    const size = shape.reduce((/** @type {number} */ a, /** @type {number} */ b) => a * b);
+    const width = unit ? 2 : 4; // with a unit: whole numbers of two bytes
+    const part = bytes.slice(offset, offset + width * size).buffer;
+    data[name] = new Float64Array(unit ? new Int16Array(part) : new Float32Array(part));
+    if (unit) for (let k = 0; k < size; k++) data[name][k] *= unit;
+    offset += 4 * Math.ceil((width * size) / 4);
+  }
+  const contacts = data.contacts && { contacts: rowsOf(data.contacts, shapes.contacts[1]) };
+  return { ...header, ...data, shapes, ...contacts };
+}
+
+/**
+ * @param {Numbers} flat
+ * @param {number} columns
+ */
+const rowsOf = (flat, columns) =>
+  Array.from({ length: flat.length / columns }, (_, k) => [...flat.subarray(columns * k, columns * (k + 1))]);
+
+/**
+ * One of the arrays that stand in a message under a number, as the waves of each rod do.
+ * @param {Frame} frame
+ * @param {string} name
+ * @returns {Numbers}
+ */
+export const arrayOf = (frame, name) => given(/** @type {any} */ (frame)[name], name);
+
+/**
+ * What this kind of message must hold. Raises an error where it does not.
+ * @template Value
+ * @param {Value | null | undefined} value
+ * @param {string} name
+ * @returns {Value}
+ */
+export function given(value, name) {
+  if (value === null || value === undefined) throw new Error(`the message has no ${name}`);
+  return value;
+}

@@ -1,0 +1,36 @@
+// What the page knows of Panel: the properties that Python and the browser share.
+
+/**
+ * The component of Panel. Any property can be read, and set where the server allows it.
+ * @typedef {object} Properties
+ * @property {(name: string, act: () => void) => void} on  call when a property has changed
+ * @property {ArrayBuffer} frame  the message that answers the choices
+ * @property {string} refused
+ * @property {string} waiting
+ * @property {string} disconnected
+ * @property {Spec} spec
+ * @property {Shared} shared
+ */
+/**
+ * What the address says besides the choices: which property opens a panel, and which says what is asked in it.
+ * @typedef {object} Shared
+ * @property {Record<string, string>} panels
+ * @property {Record<string, [name: string, panel: string, within?: string]>} asked
+ */
+/** @typedef {Properties & Record<string, any>} Model */
+
+/**
+ * Bounds or options of one choice.
+ * @typedef {object} Bounds
+ * @property {number | string} default
+ * @property {number} low
+ * @property {number} high
+ * @property {boolean} whole
+ * @property {string[]} [options]
+ * @property {[heading: string, options: [value: string, text: string][]][]} [groups]
+ */
+/** @typedef {Record<string, Bounds>} Spec */
+
+/** @typedef {Record<string, any>} Answer  what the server found, as JSON; app/views says what is in it */
+
+export {};

@@ -1,0 +1,313 @@
+// The clock: play, step, jump from event to event, loop, pace. It runs in the browser alone; nothing is sent meanwhile.
+import { make } from './dom.js';
+import { PaceMenu } from './pace.js';
+
+/** @import { BeamFrame, Frame } from './message.js' */
+/** @import { Event } from './story.js' */
+
+const WORDS = {
+  play: 'Play',
+  pause: 'Pause',
+  previous: 'Previous event',
+  next: 'Next event',
+  back: 'Step back',
+  forward: 'Step forward',
+  loop: 'Loop what is in view',
+  time: 'Time',
+};
+const SECONDS_PER_TRIP = 3;
+const SECONDS_PER_BEAM = 24; // at normal speed
+const STEP = 1 / 250; // of what is in view
+const AGAIN = 900; // ms at the end of a loop before it begins again
+const HAND = 700; // ms for which time stands still after a slider has moved: what changes then, the slider did
+const READING = 220; // ms for a word of a caption
+/** @type {[least: number, most: number]} */
+const CAPTION = [1800, 6500]; // ms for which a caption is waited for
+const EARLY = 0.01; // of the whole
+const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means the event before the last
+
+/**
+ * Where an impact on a beam is shown at first: as on rods, in the first contact, once waves have set out.
+ * @param {BeamFrame} frame
+ */
+const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
+
+/**
+ * What the clock asks of the page. Times as those that `show` is given.
+ * @typedef {object} Score
+ * @property {() => Event[]} events
+ * @property {() => [start: number, end: number]} range  in view
+ * @property {(holding: boolean) => void} hold  the clock waits for the caption to be read, or goes on
+ */
+
+export class Player {
+  t = 0; // from the beginning of what is shown
+  start = 0;
+  duration = 0;
+  trip = 0; // seconds in a unit of time
+  inTrips = true;
+  perSecond = 1; // units of time in a second of playback
+  usual = 1;
+  until = Infinity;
+  last = 0; // when the last frame was drawn
+  playing = false;
+  played = false; // ever, by hand
+  looping = true;
+  touring = false; // waits at every event for its caption to be read
+  waits = 0; // until when the clock stands
+  scene = '';
+  /** @type {Frame['kind'] | null} */ was = null;
+
+  /**
+   * `show(t)` draws the instant t [round trips].
+   * @param {(t: number) => void} show
+   * @param {Score} score
+   */
+  constructor(show, score) {
+    this.show = show;
+    this.score = score;
+    const button = (/** @type {string} */ name, /** @type {string} */ sign, /** @type {() => void} */ onclick) =>
+      make('button', { type: 'button', className: `move ${name}`, textContent: sign, onclick });
+    this.button = make('button', { type: 'button', className: 'play', onclick: () => this.toggle() });
+    this.moves = [
+      this.#named(
+        button('previous', '|◀', () => this.jump(-1)),
+        WORDS.previous,
+        '[',
+      ),
+      this.#named(
+        button('back', '◂', () => this.step(-1)),
+        WORDS.back,
+        ',',
+      ),
+      this.#named(
+        button('forward', '▸', () => this.step(1)),
+        WORDS.forward,
+        '.',
+      ),
+      this.#named(
+        button('next', '▶|', () => this.jump(1)),
+        WORDS.next,
+        ']',
+      ),
+    ];
+    this.scrub = make('input', { type: 'range', min: 0, max: 10000, step: 1, className: 'scrub' });
+    this.scrub.ariaLabel = WORDS.time;
+    this.ticks = make('div', { className: 'ticks', ariaHidden: 'true' });
+    this.pace = new PaceMenu(() => this.label());
+    this.clock = make('output', { className: 'clock', ariaLive: 'off' });
+    this.loops = this.#named(
+      button('loop', '⟲', () => this.loop()),
+      WORDS.loop,
+      'L',
+    );
+    const track = make('div', { className: 'track' }, this.ticks, this.scrub);
+    this.root = make('div', { className: 'player' }, this.button, ...this.moves, track, this.clock);
+    this.root.append(this.pace.root, this.loops);
+    this.scrub.oninput = () => this.seek((Number(this.scrub.value) / 10000) * this.duration);
+    this.run = this.run.bind(this);
+    this.label();
+  }
+  /**
+   * @param {HTMLButtonElement} button
+   * @param {string} name
+   * @param {string} key  that does the same
+   */
+  #named(button, name, key) {
+    button.ariaLabel = name;
+    button.title = `${name} (${key})`;
+    button.setAttribute('aria-keyshortcuts', key);
+    return button;
+  }
+  /** @param {Frame} frame */
+  load(frame) {
+    const first = !this.duration;
+    // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
+    this.start = frame.kind === 'bodies' ? -1 : 0;
+    this.duration = frame.kind === 'bodies' ? 2 : frame.duration;
+    this.trip = frame.kind === 'bodies' ? frame.duration : frame.trip;
+    // long impacts play in about half a minute; on a beam, where no wave comes back as it went, all of them in less
+    this.inTrips = frame.kind === 'axial';
+    this.clock.dataset.term = this.inTrips ? 'T' : '';
+    this.perSecond =
+      frame.kind === 'beam' ? this.duration / SECONDS_PER_BEAM : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
+    this.usual = this.perSecond;
+    this.until = Infinity;
+    if (first) this.t = Math.min(0.36, 0.4 * this.duration);
+    if (frame.kind === 'bodies' && this.was !== 'bodies') this.t = 1.7; // after the impact
+    if (frame.kind === 'beam' && this.was !== 'beam') this.t = opening(frame);
+    if (this.playing && this.scene !== frame.chosen.scene) this.t = 0;
+    this.was = frame.kind;
+    this.scene = String(frame.chosen.scene);
+    this.t = Math.min(this.t, this.duration);
+    this.label();
+    this.go(this.t);
+  }
+  label() {
+    this.button.textContent = this.playing ? '❚❚' : '▶';
+    this.button.ariaLabel = this.playing ? WORDS.pause : WORDS.play;
+    this.button.title = `${this.button.ariaLabel} (space)`;
+    this.loops.ariaPressed = String(this.looping);
+    if (this.trip) this.pace.load(this.usual * this.trip);
+  }
+  /** Where events are, on the scrubber. */
+  mark() {
+    const signs = this.score.events().map(([t, sentence]) => {
+      const sign = make('i', { title: sentence });
+      sign.style.left = `${(100 * (t - this.start)) / this.duration}%`;
+      return sign;
+    });
+    this.ticks.replaceChildren(...signs);
+  }
+  /** Play from the beginning, waiting at every event; the second time round without. */
+  tour() {
+    this.touring = true;
+    this.go(0);
+    this.#play();
+  }
+  #play() {
+    const idle = !this.playing;
+    this.playing = true;
+    this.last = 0;
+    this.label();
+    if (idle) requestAnimationFrame(this.run);
+  }
+  /** @param {Event} event  whose caption is to be read */
+  #wait(event) {
+    const [least, most] = CAPTION;
+    this.waits = performance.now() + Math.min(Math.max(READING * event[1].split(' ').length, least), most);
+    this.score.hold(true);
+  }
+  /** The hand has taken the clock: nothing is waited for any more. */
+  #taken() {
+    this.played = true;
+    this.touring = false;
+    this.waits = 0;
+    this.score.hold(false);
+  }
+  /**
+   * Play a stretch of time, to last so many seconds.
+   * @param {number} start
+   * @param {number} end
+   * @param {number} seconds
+   */
+  through(start, end, seconds) {
+    this.#taken();
+    this.perSecond = (end - start) / seconds;
+    this.until = end;
+    this.go(start);
+    this.#play();
+  }
+  toggle() {
+    this.#taken();
+    this.perSecond = this.usual;
+    this.until = Infinity;
+    if (this.playing) {
+      this.playing = false;
+      this.label();
+      return;
+    }
+    if (this.t >= this.duration - 1e-9) this.go(0);
+    this.#play();
+  }
+  loop() {
+    this.looping = !this.looping;
+    this.label();
+  }
+  /**
+   * A hand sets the clock; it plays on from there if it was playing.
+   * @param {number} t
+   */
+  seek(t) {
+    this.#taken();
+    this.go(t);
+  }
+  /** @param {number} way  steps */
+  step(way) {
+    const [start, end] = this.score.range();
+    if (this.playing) this.toggle();
+    this.seek(this.t + way * STEP * (end - start));
+  }
+  /** @param {number} way  to the event before or after */
+  jump(way) {
+    const now = this.t + this.start;
+    const times = this.score.events().map(([t]) => t);
+    const before = this.playing ? EARLIER * this.perSecond * this.pace.speed : 0;
+    const to = way > 0 ? times.find((t) => t > now + 1e-9) : times.findLast((t) => t < now - Math.max(before, 1e-9));
+    this.seek(to === undefined ? (way > 0 ? this.duration : 0) : to - this.start);
+  }
+  /** A slider moves: time stands still meanwhile. */
+  rest() {
+    if (this.playing) this.waits = Math.max(this.waits, performance.now() + HAND);
+  }
+  /** @param {number} now */
+  run(now) {
+    if (!this.playing || !this.root.isConnected) return;
+    requestAnimationFrame(this.run);
+    const elapsed = this.last ? Math.min(now - this.last, 100) / 1000 : 0;
+    this.last = now;
+    if (now < this.waits) return;
+    if (this.waits) this.score.hold(false);
+    this.waits = 0;
+    const [low, high] = this.score.range().map((t) => t - this.start);
+    const end = Math.min(this.duration, this.until, this.looping && high > this.t ? high : Infinity);
+    if (this.t >= end) this.#ended(this.until < Infinity ? 0 : low);
+    else this.#onwards(Math.min(this.t + elapsed * this.perSecond * this.pace.speed, end), end);
+  }
+  /**
+   * @param {number} t
+   * @param {number} end
+   */
+  #onwards(t, end) {
+    const from = this.t + this.start;
+    const early = this.start + EARLY * this.duration; // what it begins with is said while it moves
+    const meets = (/** @type {Event} */ [when]) => when > Math.max(from, early) && when <= t + this.start;
+    const met = this.touring ? this.score.events().find(meets) : undefined;
+    this.go(met ? met[0] - this.start : t);
+    if (met) this.#wait(met);
+    else if (t >= end && this.looping) this.waits = performance.now() + AGAIN;
+  }
+  /** @param {number} start  of what is looped */
+  #ended(start) {
+    this.touring = false;
+    if (this.looping) {
+      this.go(start);
+      return;
+    }
+    this.playing = false;
+    this.label();
+  }
+  /** @param {number} t */
+  go(t) {
+    this.t = Math.min(Math.max(t, 0), this.duration);
+    this.scrub.value = String(Math.round((this.t / this.duration) * 10000));
+    const now = this.t + this.start;
+    const real = now * this.trip;
+    const size = Math.abs(real);
+    const [factor, unit] = size < 1e-3 ? [1e6, 'µs'] : size < 1 ? [1e3, 'ms'] : [1, 's'];
+    const trips = !this.inTrips ? '' : `${this.t.toFixed(3)} T = `;
+    this.clock.textContent = `${trips}${(real * factor).toFixed(1).replace('-', '−')} ${unit}`;
+    this.scrub.ariaValueText = this.clock.textContent;
+    this.show(now);
+  }
+  /**
+   * What a key does to the clock. Whether it does anything.
+   * @param {KeyboardEvent} event
+   */
+  key(event) {
+    /** @type {Record<string, () => void>} */
+    const keys = {
+      ' ': () => this.toggle(),
+      ',': () => this.step(-1),
+      '.': () => this.step(1),
+      '[': () => this.jump(-1),
+      ']': () => this.jump(1),
+      l: () => this.loop(),
+      '<': () => this.pace.next(-1),
+      '>': () => this.pace.next(1),
+    };
+    const act = keys[event.key.toLowerCase()];
+    act?.();
+    return Boolean(act);
+  }
+}

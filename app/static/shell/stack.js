@@ -1,0 +1,81 @@
+// Charts one below the other on one axis of time, all in view: each can be folded to its head, and where there is no
+// room for all, the last are.
+import { make } from './dom.js';
+import { keep, kept } from './store.js';
+
+/** @import { Chart } from '../charts/chart.js' */
+
+const WORDS = { fold: 'Fold', unfold: 'Unfold' };
+const LEAST = 148; // pixels that an open chart needs, its head included
+const HEAD = 30; // of a folded one
+
+export class Stack {
+  /** @type {Record<string, boolean>} */ folded; // what a hand has folded or opened, by name
+  /** @type {HTMLButtonElement[]} */ buttons = [];
+
+  /**
+   * @param {string} name  under which is kept what is folded
+   * @param {Record<string, Chart>} charts  by name, from the top
+   * @param {() => void} changed
+   */
+  constructor(name, charts, changed) {
+    this.name = name;
+    this.charts = Object.entries(charts);
+    this.changed = changed;
+    this.folded = kept(`folded.${name}`, {});
+    this.root = make('div', { className: 'time-views' });
+    for (const [key, chart] of this.charts) {
+      const button = make('button', { type: 'button', className: 'fold', onclick: () => this.#toggle(key) });
+      chart.head.prepend(button);
+      this.buttons.push(button);
+    }
+    this.gather();
+    new ResizeObserver(() => this.arrange()).observe(this.root);
+  }
+  /** All charts in their order, also one that was shown elsewhere. */
+  gather() {
+    this.root.append(...this.charts.map(([, chart]) => chart.root));
+  }
+  /**
+   * Which are open: as a hand has left them, else as many as there is room for.
+   * @returns {boolean[]}
+   */
+  get open() {
+    const here = this.charts.map(([, chart]) => chart.root.parentElement === this.root && !chart.root.hidden);
+    let room = this.root.clientHeight - HEAD * here.filter(Boolean).length;
+    return this.charts.map(([key], k) => {
+      if (!here[k]) return true;
+      const fits = room >= LEAST - HEAD;
+      const open = this.folded[key] === undefined ? fits : !this.folded[key];
+      if (open) room -= LEAST - HEAD;
+      return open;
+    });
+  }
+  arrange() {
+    if (!this.root.clientHeight) return;
+    this.open.forEach((open, k) => {
+      const [, chart] = this.charts[k];
+      const button = this.buttons[k];
+      if (button.ariaExpanded === String(open)) return;
+      chart.root.classList.toggle('folded', !open);
+      button.ariaExpanded = String(open);
+      button.ariaLabel = `${open ? WORDS.fold : WORDS.unfold}: ${chart.title.textContent}`;
+      button.textContent = open ? '▾' : '▸';
+    });
+  }
+  /** @param {string} key */
+  #toggle(key) {
+    const k = this.charts.findIndex(([name]) => name === key);
+    const opening = !this.open[k];
+    this.folded[key] = !opening;
+    // where there is no room for another, the last of the others that are open gives its own
+    const open = this.open;
+    const room = Math.floor((this.root.clientHeight - HEAD * open.length) / (LEAST - HEAD));
+    const last = open.findLastIndex((each, i) => each && i !== k);
+    if (opening && open.filter(Boolean).length > Math.max(room, 1) && last >= 0)
+      this.folded[this.charts[last][0]] = true;
+    keep(`folded.${this.name}`, this.folded);
+    this.arrange();
+    this.changed();
+  }
+}

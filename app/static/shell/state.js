@@ -1,0 +1,42 @@
+// What the page shows besides what its address says, to come back with: clock, zoom, tab, choices not yet answered.
+
+/** @import { Page } from '../page.js' */
+
+/** @param {Page} page */
+export function stateOf(page) {
+  const { controls, frame, layout, model, names, player, waiting } = page;
+  const unanswered = names.filter((name) => frame && model[name] !== frame.chosen[name]);
+  return {
+    search: window.location.search,
+    t: player.t,
+    playing: player.playing,
+    looping: player.looping,
+    pace: player.pace.value,
+    range: page.range(),
+    tab: layout.tabs.selected,
+    colour: 'what' in page.view ? page.view.what : null,
+    wanted: { ...Object.fromEntries(unanswered.map((name) => [name, model[name]])), ...waiting },
+    scrolled: controls.root.parentElement?.parentElement?.scrollTop ?? 0,
+  };
+}
+
+/**
+ * Go on with it.
+ * @param {Page} page
+ * @param {Record<string, any>} state
+ */
+export function goOn(page, state) {
+  const { layout, model, player, view } = page;
+  if (state.search !== window.location.search) return; // another page of the same browser
+  player.looping = state.looping;
+  player.pace.value = state.pace;
+  layout.tabs.select(state.tab);
+  /** @type {HTMLElement[]} */
+  const colours = [...(view.colours?.root.querySelectorAll('button') ?? [])];
+  colours.find(({ dataset }) => dataset.kind === state.colour)?.click();
+  const [start, end] = state.range;
+  if (view.axis && (start > view.axis.whole[0] || end < view.axis.whole[1])) view.axis.show([start, end]);
+  player.go(state.t);
+  if (state.playing) player.toggle();
+  for (const [name, value] of Object.entries(state.wanted)) if (name in model.spec) page.choose(name, value);
+}

@@ -1,0 +1,106 @@
+// Arrows and words on the stage for bodies in space.
+
+/** @typedef {[x: number, y: number]} Point  in pixels */
+/** @typedef {CanvasRenderingContext2D} Context */
+
+/**
+ * @param {Context} c
+ * @param {Point} from
+ * @param {Point} to
+ * @param {number} wide
+ */
+export function arrow(c, from, to, wide) {
+  const long = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  if (long < 2) return;
+  /** @type {Point} */
+  const way = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
+  const tip = Math.min(10, long);
+  c.lineWidth = wide;
+  c.beginPath();
+  c.moveTo(...from);
+  c.lineTo(to[0] - way[0] * tip * 0.7, to[1] - way[1] * tip * 0.7);
+  c.stroke();
+  head(c, to, way, tip);
+}
+
+/**
+ * The head of an arrow.
+ * @param {Context} c
+ * @param {Point} tip
+ * @param {Point} way  of length 1
+ * @param {number} long
+ */
+export function head(c, [x, y], [dx, dy], long) {
+  c.beginPath();
+  c.moveTo(x, y);
+  c.lineTo(x - dx * long - dy * long * 0.45, y - dy * long + dx * long * 0.45);
+  c.lineTo(x - dx * long + dy * long * 0.45, y - dy * long - dx * long * 0.45);
+  c.closePath();
+  c.fill();
+}
+
+/**
+ * Text beyond a point, on the side where `way` points; a white edge keeps it legible on bodies.
+ * @param {Context} c
+ * @param {string} text
+ * @param {Point} place
+ * @param {Point} way
+ */
+export function label(c, text, [x, y], [dx, dy]) {
+  const long = Math.hypot(dx, dy) || 1;
+  c.textAlign = Math.abs(dx) < 0.4 * long ? 'center' : dx > 0 ? 'left' : 'right';
+  c.textBaseline = Math.abs(dy) < 0.4 * long ? 'middle' : dy > 0 ? 'top' : 'bottom';
+  c.save();
+  c.lineWidth = 3;
+  c.strokeStyle = '#ffffff';
+  c.strokeText(text, x + (6 * dx) / long, y + (4 * dy) / long);
+  c.fillText(text, x + (6 * dx) / long, y + (4 * dy) / long);
+  c.restore();
+}
+
+/**
+ * A length to measure by, at the lower right corner.
+ * @param {Context} c
+ * @param {number} right
+ * @param {number} bottom
+ * @param {number} long  in pixels
+ * @param {string} text
+ */
+export function measure(c, right, bottom, long, text) {
+  const left = right - long;
+  c.lineWidth = 1.4;
+  c.beginPath();
+  c.moveTo(left, bottom - 4);
+  c.lineTo(left, bottom);
+  c.lineTo(right, bottom);
+  c.lineTo(right, bottom - 4);
+  c.stroke();
+  c.textAlign = 'center';
+  c.textBaseline = 'bottom';
+  c.fillText(text, (left + right) / 2, bottom - 5);
+}
+
+/**
+ * A wall, short, as a body may swing past the place where it was stopped.
+ * @param {CanvasRenderingContext2D} c
+ * @param {Point} place
+ * @param {Point} normal
+ * @param {number} reach  pixels to both sides
+ */
+export function stopAt(c, [x, y], [nx, ny], reach) {
+  c.strokeStyle = '#55636f';
+  c.lineWidth = 4;
+  c.beginPath();
+  c.moveTo(x - ny * reach, y - nx * reach);
+  c.lineTo(x + ny * reach, y + nx * reach);
+  c.stroke();
+  c.lineWidth = 1;
+  c.beginPath();
+  for (let s = -reach; s < reach; s += 10) {
+    const px = x + ny * s;
+    const py = y + nx * s;
+    c.moveTo(px, py);
+    c.lineTo(px + nx * 12 + ny * 8, py - ny * 12 + nx * 8);
+  }
+  c.stroke();
+}

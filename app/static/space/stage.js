@@ -1,0 +1,393 @@
+// The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
+// of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
+import { cleared } from '../charts/canvas.js';
+import { roundBelow } from '../charts/scale.js';
+import { COLORS } from '../charts/styles.js';
+import { make } from '../shell/dom.js';
+import { brief } from '../text/format.js';
+import { arrow, head, label, measure, stopAt } from './arrows.js';
+import { poseAt } from './pose.js';
+import { add, cross, dot, size, times, triple } from './vectors.js';
+
+/** @import { BodyTold, SpaceFrame, Vector } from '../shell/message.js' */
+/** @import { Striker } from '../shell/striker.js' */
+/** @import { Point } from './arrows.js' */
+/** @import { Pose } from './pose.js' */
+
+/** @typedef {'impactor' | 'target'} Which */
+/** @typedef {CanvasRenderingContext2D} Context */
+
+/** @type {Which[]} */
+const BOTH = ['target', 'impactor']; // the one that strikes is drawn last
+const INK = { impactor: '#33475b', target: '#2f6fa8' };
+const FILL = { impactor: [93, 108, 123], target: [120, 170, 212] };
+const EDGES = [
+  [0, 1, 2],
+  [1, 2, 0],
+  [2, 0, 1],
+]; // normal of a face, and its two sides
+const CORNERS = [
+  [1, 1],
+  [1, -1],
+  [-1, -1],
+  [-1, 1],
+];
+/** @type {Vector[]} */
+const AXES = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+const CIRCLE = Array.from({ length: 49 }, (_, k) => [Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI)]);
+const FONT = '12px system-ui, sans-serif';
+
+export class BodiesStage {
+  /** @type {SpaceFrame} */ frame;
+  /** @type {Vector} */ toward = [0, 0, 1]; // who looks
+  box = [0, 1, 0, 1]; // left, right, low and high of all that moves [m]
+  speed = 0; // the largest
+  spin = 0;
+  // of the picture: pixels in a metre, where the bodies meet, and the length of the largest velocity
+  scale = 1;
+  x = 0;
+  y = 0;
+  long = 0;
+  /** @type {Striker | null} */ striker = null; // by which a hand takes hold
+
+  constructor() {
+    const ariaLabel = 'two bodies before and after an impulse, with velocities and spins';
+    this.canvas = make('canvas', { role: 'img', ariaLabel });
+    this.canvas.style.cssText = 'width:100%;height:100%;display:block';
+    this.root = make('section', { className: 'stage bodies' }, this.canvas);
+  }
+  /** @param {SpaceFrame} frame */
+  load(frame) {
+    this.frame = frame;
+    this.toward = cross(frame.across, frame.up);
+    const box = [Infinity, -Infinity, Infinity, -Infinity];
+    const both = BOTH.map((name) => frame.bodies[name]).flatMap(({ before, after }) => [before, after]);
+    this.speed = Math.max(...both.map(({ velocity }) => size(velocity)));
+    this.spin = Math.max(...both.map(({ spin }) => size(spin)));
+    for (const name of BOTH) {
+      const body = frame.bodies[name];
+      if (body.shape === 'stop') continue;
+      const half = body.radius ?? (body.sides ? size(body.sides) / 2 : 0);
+      const path = this.#path(name);
+      for (let k = 0; k < path.length; k += 3) {
+        const [x, y] = this.flat(triple(path, k));
+        box[0] = Math.min(box[0], x - half);
+        box[1] = Math.max(box[1], x + half);
+        box[2] = Math.min(box[2], y - half);
+        box[3] = Math.max(box[3], y + half);
+      }
+    }
+    this.box = box;
+  }
+  /** @param {Which} name */
+  #path(name) {
+    return name === 'impactor' ? this.frame.impactorPath : this.frame.targetPath;
+  }
+  /**
+   * @param {Vector} p
+   * @returns {Point}
+   */
+  flat(p) {
+    return [dot(p, this.frame.across), dot(p, this.frame.up)];
+  }
+  /**
+   * Time from -1 to 1.
+   * @param {number} t
+   */
+  draw(t) {
+    const { canvas, frame, root } = this;
+    if (!frame) return;
+    const sheet = cleared(canvas, root);
+    if (!sheet) return;
+    const { c, width, height } = sheet;
+    this.fit(width, height);
+    const now = Math.min(Math.max(t, -1), 1);
+    const when = now < 0 ? 'before' : 'after';
+    for (const name of BOTH)
+      if (frame.bodies[name].shape === 'stop')
+        stopAt(c, [this.x, this.y], this.flat(frame.normal), Math.max(0.1 * frame.size * this.scale, 16));
+    c.globalAlpha = 0.28;
+    for (const name of BOTH) {
+      this.trail(c, name);
+      this.body(c, name, -1);
+      if (now >= 0) this.moves(c, name, -1, 'before', false);
+    }
+    c.globalAlpha = 1;
+    const struck = now >= 0 && frame.impulse > 0;
+    if (struck) this.impulse(c, 1 - 0.45 * now);
+    for (const name of BOTH) this.body(c, name, now);
+    for (const name of BOTH) this.moves(c, name, now, when, true);
+    if (struck) this.impulseLabel(c);
+    this.hold(c, now);
+    this.legend(c, now, width, height);
+  }
+  /**
+   * @param {Context} c
+   * @param {number} now
+   */
+  hold(c, now) {
+    const { before, radius = 0, shape } = this.frame.bodies.impactor;
+    if (!this.striker || shape === 'stop') return;
+    const [x, y] = this.at(this.pose('impactor', now).centre);
+    const [across, up] = this.flat(before.velocity);
+    const fast = Math.hypot(across, up) || 1;
+    const width = Math.max(2 * radius * this.scale, 24);
+    this.striker.draw(c, { x, y, width, height: width, way: [across / fast, -up / fast], sized: false });
+  }
+  /**
+   * @param {number} width
+   * @param {number} height
+   */
+  fit(width, height) {
+    const [left, right, low, high] = this.box;
+    const margin = Math.min(70, 0.14 * Math.min(width, height) + 20);
+    const span = Math.max(right - left, high - low, 1e-9);
+    this.scale = Math.min(
+      (width - 2 * margin) / Math.max(right - left, 0.05 * span),
+      (height - 2 * margin) / Math.max(high - low, 0.05 * span),
+    );
+    this.x = width / 2 - (this.scale * (left + right)) / 2;
+    this.y = height / 2 + (this.scale * (low + high)) / 2;
+    this.long = 0.2 * Math.min(width, height); // pixels of the longest velocity
+  }
+  /**
+   * @param {Vector} p
+   * @returns {Point}
+   */
+  at(p) {
+    const [x, y] = this.flat(p);
+    return [this.x + this.scale * x, this.y - this.scale * y];
+  }
+  /**
+   * @param {Which} name
+   * @param {number} t
+   */
+  pose(name, t) {
+    const { impactorTurn, targetTurn } = this.frame;
+    return poseAt(this.#path(name), name === 'impactor' ? impactorTurn : targetTurn, t);
+  }
+  /**
+   * @param {Context} c
+   * @param {Which} name
+   */
+  trail(c, name) {
+    if (this.frame.bodies[name].shape === 'stop') return;
+    const path = this.#path(name);
+    c.strokeStyle = INK[name];
+    c.lineWidth = 1.2;
+    c.setLineDash([3, 5]);
+    c.beginPath();
+    for (let k = 0; k < path.length; k += 3) c.lineTo(...this.at(triple(path, k)));
+    c.stroke();
+    c.setLineDash([]);
+  }
+  /**
+   * @param {Context} c
+   * @param {Which} name
+   * @param {number} t
+   */
+  body(c, name, t) {
+    const body = this.frame.bodies[name];
+    if (body.shape === 'stop') return;
+    const pose = this.pose(name, t);
+    const [x, y] = this.at(pose.centre);
+    c.strokeStyle = INK[name];
+    c.fillStyle = `rgb(${FILL[name]})`;
+    c.lineWidth = 1.3;
+    c.lineJoin = c.lineCap = 'round';
+    if (body.shape === 'box') this.boxed(c, name, body, pose);
+    else if (body.shape === 'ball') this.ball(c, body, pose, x, y);
+    else {
+      c.beginPath();
+      c.arc(x, y, 8, 0, 7);
+      c.fill();
+      c.stroke();
+    }
+    c.fillStyle = INK[name];
+    c.beginPath();
+    c.arc(x, y, 2.2, 0, 7);
+    c.fill();
+  }
+  /**
+   * The faces that look this way; a rod, which has one side only, as a thick line.
+   * @param {Context} c
+   * @param {Which} name
+   * @param {BodyTold} body
+   * @param {Pose} pose
+   */
+  boxed(c, name, { axes = AXES, sides = [0, 0, 0] }, { centre, turned }) {
+    const half = axes.map((axis, i) => turned(times(axis, sides[i] / 2)));
+    if (sides.filter((side) => side === 0).length === 2) {
+      this.#stick(c, name, centre, half[sides.findIndex((side) => side > 0)]);
+      return;
+    }
+    for (const [out, one, two] of EDGES) {
+      const normal = turned(axes[out]);
+      const facing = dot(normal, this.toward);
+      const way = Math.sign(facing);
+      if (Math.abs(facing) < 1e-6) continue;
+      const middle = add(centre, half[out], way);
+      const light = 0.72 + 0.28 * Math.abs(facing);
+      c.fillStyle = `rgb(${FILL[name].map((v) => Math.round(v * light))})`;
+      c.beginPath();
+      for (const [a, b] of CORNERS) c.lineTo(...this.at(add(add(middle, half[one], a), half[two], b)));
+      c.closePath();
+      c.fill();
+      c.stroke();
+    }
+  }
+  /**
+   * @param {Context} c
+   * @param {Which} name
+   * @param {Vector} centre
+   * @param {Vector} along  half of it
+   */
+  #stick(c, name, centre, along) {
+    /** @type {[color: string, wide: number][]} */
+    const strokes = [
+      [INK[name], 10],
+      [`rgb(${FILL[name]})`, 7.5],
+    ];
+    for (const [color, wide] of strokes) {
+      c.strokeStyle = color;
+      c.lineWidth = wide;
+      c.beginPath();
+      c.moveTo(...this.at(add(centre, along, -1)));
+      c.lineTo(...this.at(add(centre, along)));
+      c.stroke();
+    }
+  }
+  /**
+   * A ball with three painted circles, of each the half that looks this way.
+   * @param {Context} c
+   * @param {BodyTold} body
+   * @param {Pose} pose
+   * @param {number} x
+   * @param {number} y
+   */
+  ball(c, { radius = 0 }, { centre, turned }, x, y) {
+    c.beginPath();
+    c.arc(x, y, Math.max(radius * this.scale, 3), 0, 7);
+    c.fill();
+    c.stroke();
+    c.lineWidth = 0.9;
+    for (let k = 0; k < 3; k++) {
+      const a = turned(AXES[k]);
+      const b = turned(AXES[(k + 1) % 3]);
+      c.beginPath();
+      let drawing = false;
+      for (const [cosine, sine] of CIRCLE) {
+        const out = add(times(a, cosine), b, sine);
+        const seen = dot(out, this.toward) >= 0;
+        const place = this.at(add(centre, out, radius));
+        if (seen && drawing) c.lineTo(...place);
+        else if (seen) c.moveTo(...place);
+        drawing = seen;
+      }
+      c.stroke();
+    }
+  }
+  /**
+   * Velocity as an arrow from the centre, spin as an arc about it.
+   * @param {Context} c
+   * @param {Which} name
+   * @param {number} t
+   * @param {'before' | 'after'} when
+   * @param {boolean} labelled
+   */
+  moves(c, name, t, when, labelled) {
+    const body = this.frame.bodies[name];
+    if (body.shape === 'stop') return;
+    const { velocity, spin } = body[when];
+    const from = this.at(this.pose(name, t).centre);
+    c.fillStyle = c.strokeStyle = INK[name];
+    c.font = FONT;
+    if (size(velocity) > 1e-9 * this.speed) {
+      const [vx, vy] = this.flat(times(velocity, this.long / this.speed));
+      /** @type {Point} */
+      const to = [from[0] + vx, from[1] - vy];
+      arrow(c, from, to, 2);
+      if (labelled) label(c, `${brief(size(velocity))} m/s`, to, [vx, -vy]);
+    }
+    if (size(spin) > 1e-9 * this.spin) this.arc(c, from, spin, labelled);
+  }
+  /**
+   * @param {Context} c
+   * @param {Point} centre
+   * @param {Vector} spin
+   * @param {boolean} labelled
+   */
+  arc(c, [x, y], spin, labelled) {
+    const seen = dot(spin, this.toward) / this.spin;
+    const way = seen < 0 ? -1 : 1;
+    const radius = 20;
+    const sweep = Math.max(Math.abs(seen) * 1.6 * Math.PI, 0.5);
+    const start = 0.35 * Math.PI;
+    const end = start + way * sweep;
+    c.lineWidth = 1.6;
+    c.beginPath();
+    c.arc(x, y, radius, -start, -end, way > 0);
+    c.stroke();
+    head(c, [x + radius * Math.cos(end), y - radius * Math.sin(end)], [-way * Math.sin(end), -way * Math.cos(end)], 7);
+    if (labelled) label(c, `${brief(size(spin))} rad/s`, [x, y + radius + 8], [0, 1]);
+  }
+  /**
+   * @param {Context} c
+   * @param {number} strength
+   */
+  impulse(c, strength) {
+    const [nx, ny] = this.flat(this.frame.normal);
+    const long = 0.9 * this.long;
+    const { bodies } = this.frame;
+    c.globalAlpha = strength;
+    c.strokeStyle = c.fillStyle = COLORS.cursor;
+    for (const name of BOTH) {
+      const way = name === 'target' ? long : -long;
+      if (bodies[name].shape !== 'stop') arrow(c, [this.x, this.y], [this.x + way * nx, this.y - way * ny], 3.2);
+    }
+    c.beginPath();
+    c.arc(this.x, this.y, 4, 0, 7);
+    c.fill();
+    c.globalAlpha = 1;
+  }
+  /** @param {Context} c */
+  impulseLabel(c) {
+    /** @type {Point} */
+    const side = Math.abs(this.flat(this.frame.normal)[0]) > 0.5 ? [0, -1] : [1, 0];
+    c.fillStyle = COLORS.cursor;
+    c.font = 'bold 13px system-ui, sans-serif';
+    label(c, `J = ${brief(this.frame.impulse)} N s`, [this.x + 12 * side[0], this.y + 14 * side[1]], side);
+  }
+  /**
+   * Time, a length to measure by, and which way the axes of the world run.
+   * @param {Context} c
+   * @param {number} t
+   * @param {number} width
+   * @param {number} height
+   */
+  legend(c, t, width, height) {
+    const { frame } = this;
+    const bar = roundBelow((0.2 * width) / this.scale);
+    c.strokeStyle = c.fillStyle = COLORS.faint;
+    c.font = FONT;
+    measure(c, width - 16, height - 14, bar * this.scale, `${brief(bar)} m`);
+    c.textAlign = 'left';
+    c.textBaseline = 'top';
+    const when = `${brief(t * frame.duration * 1e3)} ms ${t < 0 ? 'before' : 'after'} the impact`;
+    c.fillText(when.replace('−', ''), 12, 10);
+    /** @type {Point} */
+    const origin = [34, height - 34];
+    ['x', 'y', 'z'].forEach((axis, i) => {
+      const [dx, dy] = [frame.across[i] * 24, -frame.up[i] * 24];
+      if (Math.hypot(dx, dy) < 5) return;
+      /** @type {Point} */
+      const tip = [origin[0] + dx, origin[1] + dy];
+      arrow(c, origin, tip, 1.2);
+      label(c, axis, tip, [dx, dy]);
+    });
+  }
+}

@@ -1,0 +1,52 @@
+// One impulse between bodies in space: a sentence and the figures.
+import { make, rowOf } from '../shell/dom.js';
+import { Warnings, Events, heading, scrolled } from '../shell/story.js';
+import { pretty } from '../text/format.js';
+import { said, text } from '../text/catalogue.js';
+import { noteOf } from '../text/words.js';
+
+/** @import { SpaceFrame } from '../shell/message.js' */
+
+/** @param {number | number[] | null} value */
+function written(value) {
+  if (value === null) return '–';
+  if (!Array.isArray(value)) return pretty(value);
+  return value.map((part) => pretty(Math.abs(part) < 1e-12 ? 0 : part)).join(', ');
+}
+
+export class SpaceStory {
+  constructor() {
+    this.units = make('p', { className: 'symbols' });
+    this.figures = make('table', { className: 'figures' });
+    this.trust = make('p', { className: 'trust' });
+    this.warnings = new Warnings();
+    this.root = make('div', { className: 'story' }, heading(text('story.events')), this.units);
+    this.root.append(this.warnings.heading, this.warnings.list);
+    this.numbers = make(
+      'div',
+      { className: 'story' },
+      heading(text('story.after')),
+      scrolled(this.figures),
+      this.trust,
+    );
+    this.events = new Events(() => {}, String, 0);
+  }
+  /** @param {SpaceFrame} frame */
+  load(frame) {
+    const { figures, impulse, notes, source, title } = frame;
+    this.units.textContent =
+      impulse > 0
+        ? 'The bodies touch in one point and press on each other along the normal, without friction, in no time at ' +
+          `all. The impulse is ${pretty(impulse)} N s.`
+        : 'The bodies move apart: no impulse.';
+    this.events.load([[0, this.units.textContent]]);
+    const rows = figures.map(([name, value, unit]) => rowOf([name, written(value), unit]));
+    this.figures.replaceChildren(make('tbody', {}, ...rows));
+    this.warnings.load(notes.map(said));
+    this.trust.textContent = [`${title}. Source: ${source}.`, noteOf(frame)].filter(Boolean).join(' ');
+  }
+  /** @param {number} t */
+  at(t) {
+    this.events.at(t);
+  }
+}

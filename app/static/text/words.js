@@ -1,0 +1,55 @@
+// What choices and their values are called on the page.
+import { family, named, text } from './catalogue.js';
+
+/** @param {string} name */
+export const naming = (name) => named('method', name);
+/** @param {string} name */
+export const shortly = (name) => named('method-short', name);
+
+/**
+ * A method with its resolution, as a reader calls it.
+ * @param {{ name: string, modes?: number | null, elements?: number | null }} solution
+ */
+export const called = ({ name, modes, elements }) =>
+  modes && name in COUNTED.modes
+    ? text(`method.${name}.modes`, { modes })
+    : elements && name in COUNTED.elements
+      ? text(`method.${name}.elements`, { elements })
+      : naming(name);
+
+const COUNTED = {
+  modes: { modal: true, 'mode-switch': true, 'fe-modal': true },
+  elements: { 'fe-nodal': true },
+};
+
+/**
+ * What a choice is called, its unit, what its options are called, and whether its slider is logarithmic.
+ * @typedef {{ title: string, unit?: string, options?: Record<string, string>, log?: boolean }} Label
+ */
+/** @type {Record<string, string>} */
+const OPTIONS = { method: 'method-choice', law: 'law', support: 'support', theory: 'theory' };
+const LOGARITHMIC = new Set(
+  ['mass_ratio', 'speed', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth'].concat([
+    'yield_indentation',
+    'modes',
+    'elements',
+    'slenderness',
+  ]),
+);
+/** @param {string} name */
+const labelOf = (name) => ({
+  title: text(`control.${name}`),
+  unit: family('unit')[name],
+  options: name in OPTIONS ? family(`name.${OPTIONS[name]}`) : undefined,
+  log: LOGARITHMIC.has(name),
+});
+/** @type {Record<string, Label>} */
+export const LABELS = Object.fromEntries(Object.keys(family('control')).map((name) => [name, labelOf(name)]));
+export const METHODS = family('name.method-choice');
+
+/**
+ * What a scene says of itself, and which of its keys have no control here.
+ * @param {{ note: string, unshown: string[] }} scene
+ */
+export const noteOf = ({ note, unshown }) =>
+  [note, unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : ''].filter(Boolean).join(' ');

@@ -1,0 +1,35 @@
+"""One impact by every method, for the table below the page: what each misses, and what it costs."""
+
+import json
+from typing import Any
+
+from solvers import Row, Scene, compare
+from solvers.accuracy.reference import exact_solution
+
+from ..choices.request import Request
+from ..messages.solutions import method_options
+
+
+def methods_table(chosen: dict[str, Any]) -> str:
+    """The comparison for these choices as JSON: `chosen` and `rows`, or `error`, a sentence why there is none."""
+    answer: dict[str, Any] = {"chosen": chosen}
+    try:
+        answer["rows"] = [_shown(row) for row in compare(_with_method(Request.of(chosen)), repeats=1)]
+    except ValueError as refusal:  # SceneError: no exact solution to measure by
+        answer["error"] = str(refusal)
+    return json.dumps(answer, allow_nan=False)
+
+
+def _with_method(request: Request) -> Scene:
+    """The chosen scene, naming the method beside the exact one with its options as they are set on the page."""
+    name, exact = request.method_beside, exact_solution(request.scene, request.restitution)
+    options = method_options(name, request, exact)
+    return request.scene.replace({"method": {"name": name, **options}})
+
+
+def _shown(row: Row) -> dict[str, Any]:
+    return {key: value for key, value in row.table().items() if key != "method"} | {
+        "reason": row.reason and row.reason.table(),
+        "name": row.method["name"],
+        "label": row.label,
+    }

@@ -1,0 +1,113 @@
+"""All views: one line here makes a view's properties, its place in the address, its workers and its compilation."""
+
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
+
+from ..choices.questions import Question
+from . import plan, stability, tolerance
+from .energy import energy_data, energy_figure
+from .mass_ratios import one_rod_support, ratios_data, ratios_figure
+from .methods import methods_table
+from .record import record_figure
+from .tradeoff import stored_data, tradeoff_data, tradeoff_figure, tradeoff_kernels
+from .trust import convergence_data, convergence_figure, trust_data, trust_figure
+
+KINDS = frozenset(("axial", "beam", "bodies"))  # of scene, see app.choices.scene_of.kind_of
+
+
+def everything(asked: dict[str, Any]) -> Hashable:
+    """What an answer depends on: all that was asked."""
+    return tuple(asked.items())
+
+
+def any_method(asked: dict[str, Any]) -> Hashable:
+    """What was asked, without the method and its resolution."""
+    return tuple((name, value) for name, value in asked.items() if name not in ("method", "modes", "elements"))
+
+
+@dataclass(frozen=True)
+class View:
+    """What can be opened beside the solution: property `NAME_shown` opens it, and its answer is in property `NAME`.
+
+    Works take a dict of the choices and of what is asked, and return text.
+    """
+
+    name: str
+    work: Callable | None = None  # follows the choices while the view is open
+    more: Mapping[str, Callable] = field(default_factory=dict)  # further answers: property, and its work
+    run: Callable | None = None  # of many seconds, (asked, cancelled, tell): the visitor starts and stops it
+    kernels: Callable | None = None  # a little of `run`, by which what it needs is compiled first
+    asked: Mapping[str, Question] = field(default_factory=dict)  # by property
+    address: str = ""  # its name there, where it is another
+    kinds: frozenset[str] = KINDS  # of scene that it is for
+    depends_on: Callable[[dict[str, Any]], Hashable] = everything  # of what was asked; None: not for this scene
+    figure: Callable | None = None  # draws the plots that the browser fills from the answers, see app.views.figures
+    rests: bool = False  # whether choices must stand a moment before they are asked about
+    stoppable: bool = False  # whether `work` takes `cancelled`, and the visitor may stop it
+    every_law: bool = False  # whether it is compiled ahead for every contact law
+    late: bool = False  # whether few ask for it, so that it is compiled after all others
+
+    @property
+    def opener(self) -> str:
+        """Property: whether it is open."""
+        return f"{self.name}_shown"
+
+    @property
+    def running(self) -> str:
+        """Property: whether it is under way, where the visitor may stop it."""
+        return f"{self.name}_running"
+
+    @property
+    def key(self) -> str:
+        """Its name in the address."""
+        return self.address or self.name
+
+    @property
+    def answers(self) -> dict[str, Callable]:
+        """By property: the works that follow the choices."""
+        return ({self.name: self.work} if self.work else {}) | dict(self.more)
+
+    @property
+    def sent(self) -> list[str]:
+        """Questions that its works are asked."""
+        return [name for name, question in self.asked.items() if question.sent]
+
+    @property
+    def compiled(self) -> list[Callable]:
+        """Works whose kernels are compiled before they are needed; a long run is compiled by its `kernels`."""
+        leading = [question.leads for question in self.asked.values() if question.leads]
+        return [*self.answers.values(), *leading, *([self.kernels] if self.kernels else [])]
+
+    @property
+    def compiled_kinds(self) -> frozenset[str]:
+        """Kinds of scene for which they are; what is for all scenes meets most of its kernels on an axis."""
+        return self.kinds if self.kinds != KINDS else frozenset(("axial",))
+
+    @property
+    def examples(self) -> dict[str, Any]:
+        """A value of every question that a work is asked, as long as nobody changes it."""
+        works = {name: question for name, question in self.asked.items() if question.sent or question.leads}
+        return {name: each.example if each.leads else each.parameter.default for name, each in works.items()}
+
+
+BEAMS, AXIAL = frozenset(("beam",)), frozenset(("axial",))
+VIEWS = (  # in the order in which an address names them
+    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BEAMS),
+    View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs"),
+    View("auto", tolerance.auto_data, asked=tolerance.QUESTIONS, address="tolerance", depends_on=any_method,
+         stoppable=True),
+    View("tradeoff", stored_data, run=tradeoff_data, kernels=tradeoff_kernels, figure=tradeoff_figure,
+         depends_on=any_method),
+    View("trust", trust_data, figure=trust_figure, kinds=BEAMS, rests=True),
+    View("convergence", convergence_data, figure=convergence_figure, kinds=BEAMS, rests=True),
+    View("methods", methods_table, kinds=AXIAL, rests=True, every_law=True),
+    View("stability", run=stability.stability_data, kernels=stability.stability_kernels,
+         figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
+    View("ratios", ratios_data, figure=ratios_figure, kinds=AXIAL, depends_on=one_rod_support),
+)  # fmt: skip
+FIGURES = {view.name: view.figure for view in VIEWS if view.figure} | {
+    "stability-linear": partial(stability.stability_figure, "linear"),
+    "record": record_figure,  # whose answers come by another door, as they need a file
+}

@@ -1,0 +1,48 @@
+import js from '@eslint/js';
+
+const BROWSER = [
+  ...['window', 'document', 'location', 'history', 'navigator', 'performance', 'fetch', 'console'],
+  ...['setTimeout', 'clearTimeout', 'clearInterval', 'AbortSignal', 'requestAnimationFrame', 'cancelAnimationFrame'],
+  ...[
+    'ResizeObserver',
+    'matchMedia',
+    'Node',
+    'NodeFilter',
+    'PointerEvent',
+    'Element',
+    'IntersectionObserver',
+    'URL',
+    'URLSearchParams',
+    'Blob',
+    'File',
+    'Image',
+  ],
+  ...['TextDecoder', 'XMLSerializer', 'getComputedStyle'],
+];
+
+export default [
+  { ignores: ['.venv/', 'build/'] },
+  js.configs.recommended,
+  {
+    files: ['app/static/**/*.js'],
+    languageOptions: { globals: Object.fromEntries(BROWSER.map((name) => [name, 'readonly'])) },
+  },
+  {
+    files: ['tests/js/**/*.js'],
+    languageOptions: { globals: { Buffer: 'readonly', TextEncoder: 'readonly' } },
+  },
+  {
+    rules: {
+      eqeqeq: 'error',
+      'max-len': ['error', { code: 120 }],
+      'max-lines': ['error', 400],
+      'max-lines-per-function': ['error', 60],
+      'no-shadow': 'error',
+      'no-unused-vars': ['error', { argsIgnorePattern: '^_' }],
+      'no-var': 'error',
+      'one-var': ['error', 'never'],
+      'object-shorthand': 'error',
+      'prefer-const': ['error', { destructuring: 'all' }],
+    },
+  },
+];

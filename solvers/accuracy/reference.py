@@ -1,0 +1,69 @@
+"""What others are measured by: the one place that decides it, for each use the cheapest that is near enough."""
+
+from typing import Any
+
+from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
+from ..scene import Scene
+from ..solution.solution import Solution
+from ..validation import SceneError
+
+# Where no exact solution is known; usual: more than any method beside it keeps. With fewer, 'modal' with as many modes
+# seems exact. Orders in the number of modes: `tests/solvers/methods/test_orders.py`.
+REFERENCE_MODES = 80
+# Of waves that errors down to 1e-9 are told by, `auto` and the trade-off. Larger, and finer rungs seem to be wrong.
+EXACT_TOLERANCE = 1e-11
+# Of the sweeps behind the regime maps, whose levels are 1 % and more; `bench/measure_regimes.py` solves thousands.
+SWEEP_TOLERANCE, SWEEP_MODES = 1e-6, 30
+# Modes shown beside others on a beam, the second where the first are what is shown; and steps, at which a slider is
+# still answered at once.
+MODES_BESIDE, STEPS_BESIDE = (40, 20), 20_000
+
+
+def reference(scene: Scene) -> Solution:
+    """The solution that others are measured by: exact waves, or else many modes, whose estimate is its uncertainty.
+
+    Where neither can, as nothing gives way, the scene's usual method. Raises SceneNotSupported for bodies in space.
+    """
+    for method in (Waves(), Modal(modes=REFERENCE_MODES)):
+        if scene.normal is not None or method.refusal(scene) is None:
+            return method.solve(scene)
+    return METHODS[usual_method(scene)].read({}).solve(scene)
+
+
+def exact_waves(scene: Scene) -> Waves | None:
+    """Waves as exact as they come, if they can solve the scene."""
+    method = Waves(tolerance=EXACT_TOLERANCE)
+    return method if method.refusal(scene) is None else None
+
+
+def swept_reference(scene: Scene) -> Solution:
+    """Of the sweeps of a regime map: waves, or many modes of a beam."""
+    waves = Waves(tolerance=SWEEP_TOLERANCE)
+    return (waves if scene.target.rods else Modal(modes=SWEEP_MODES, estimate=False)).solve(scene)
+
+
+def exact_solution(scene: Scene, restitution: float) -> Solution:
+    """Waves; for bodies without waves one integrated to rounding.
+
+    Where nothing gives way at the contact of bodies without waves, the restitution stands for it. Raises SceneError for
+    beams, of which no exact solution is known.
+    """
+    if scene.bends:
+        raise SceneError("target.kind", scene.target.kind, "a body other than a beam, whose blow has no exact solution")
+    for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
+        if not method.refusal(scene):
+            return method.solve_in_full(scene, scene.method.get("duration"))
+    raise SceneError("method.name", None, "a scene that some method can solve")
+
+
+def modes_beside(scene: Scene, shown: Solution) -> Solution | None:
+    """The same blow by modes, of another number than the one shown; None if modes cannot solve it."""
+    own = shown.method["modes"] if shown.method["name"] == Modal.NAME else None
+    modes = next(count for count in MODES_BESIDE if count != own)
+    method = Modal(modes=modes, steps=STEPS_BESIDE, estimate=False)
+    return None if method.refusal(scene) else method.solve(scene, shown.duration)
+
+
+def rebound(solution: Solution) -> Any:
+    """Final velocity [m/s] of the impactor, or of the target where a prescribed force has pushed it; see `Solution`."""
+    return solution.target_velocity if solution.impactor_velocity is None else solution.impactor_velocity

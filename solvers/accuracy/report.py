@@ -1,0 +1,135 @@
+"""What a search has found, in figures and in words."""
+
+import math
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+from ..solution.solution import Solution
+from ..text.notes import Note, Severity
+from .trial import Tried, Wish, difference, remainder
+
+CHOSEN = "chosen"  # the code of the note that says so
+HARDLY = 0.2  # order of convergence that is none
+
+
+class Outcome(NamedTuple):
+    """What was asked for, all that was solved, and what of it is the answer."""
+
+    wish: Wish
+    tried: list[Tried]
+    chosen: Tried
+    proof: Tried | None  # None: nothing that could be refined, or nothing proved
+    notes: list[Note]
+    unsure: bool  # whether no estimate can be believed
+    spent: float  # [s]
+    limit: float | None  # s at which the search was ended, though no budget was given
+    cancelled: bool
+    finer: float  # s that one more solve, the next finer, is expected to take
+
+    @property
+    def met(self) -> bool | None:
+        """Whether the tolerance is kept to, proved; None if only a budget was given."""
+        tolerance, error = self.wish.tolerance, self.chosen.error
+        if tolerance is None:
+            return None
+        # without a proof the error is only what is left of the last differences, which may mislead
+        unproved = self.proof is None and self.chosen.ladder.converges
+        return error is not None and error <= tolerance and not unproved and not self.unsure
+
+
+def summary(found: Outcome) -> Solution:
+    """What was chosen, with the reasons in its diagnostics and notes.
+
+    `diagnostics["chosen"]`, all a page needs to show and prove the choice: quantity, tolerance, budget as asked for;
+    estimated_error of that quantity; met, None if only a budget was given; why, a sentence; proof, the table `[method]`
+    of the solution it was held against; tried, each with method, label, cost (expected time of a warm solve [s]),
+    wall_time (of this one) and estimated_error; wall_time of everything.
+    """
+    chosen, wish = found.chosen, found.wish
+    why = _why(found)
+    reasons = {
+        "quantity": wish.quantity,
+        "tolerance": wish.tolerance,
+        "budget": wish.budget,
+        "estimated_error": chosen.error,
+        "met": found.met,
+        "why": str(why),
+        "proof": None if found.proof is None else found.proof.solution.method,
+        "tried": [tried.row() for tried in found.tried],
+        "wall_time": found.spent,
+    }
+    diagnostics = chosen.solution.diagnostics | {"estimated_error": _rebound_error(found), "chosen": reasons}
+    return replace(chosen.solution, diagnostics=diagnostics, notes=[*chosen.solution.notes, why, *found.notes])
+
+
+def _rebound_error(found: Outcome) -> float | None:
+    """Of the very solution returned, relative to the impact speed, whatever was asked for."""
+    chosen, proof = found.chosen, found.proof
+    if found.wish.quantity == "rebound":
+        return chosen.error
+    if proof is not None and proof is not chosen:
+        return difference(chosen, proof, "rebound")
+    if chosen.ladder.converges:
+        return remainder([tried for tried in found.tried if tried.ladder is chosen.ladder], "rebound")
+    return chosen.solution.diagnostics["estimated_error"]
+
+
+def _why(found: Outcome) -> Note:
+    """What was chosen, and how well it does what was asked."""
+    chosen, wish, proof = found.chosen, found.wish, found.proof
+    compared, outcome = proof is not None and proof is not chosen, _outcome(found)
+    return Note(
+        CHOSEN,
+        Severity.WARNING if found.met is False else Severity.REMARK,
+        cancelled=found.cancelled,
+        method=chosen.label,
+        known=chosen.error is not None,
+        error=chosen.error,
+        quantity=wish.quantity,
+        compared=compared,
+        proof=proof.label if compared else None,
+        outcome=outcome,
+        solved=len(found.tried),
+        tolerance=wish.tolerance,
+        budget=wish.budget,
+        spent=found.spent,
+        finer=_finer(found) if outcome in ("within", "over") else None,
+        limit=found.limit if outcome in ("unproved", "missed") else None,
+        resolution=chosen.ladder.knob,
+        **_needed(found),
+    )
+
+
+def _outcome(found: Outcome) -> str:
+    """An option of the note: how what was chosen stands to what was asked."""
+    error, wish = found.chosen.error, found.wish
+    if found.met:
+        return "met"
+    if found.met is None:
+        return "stopped" if found.cancelled else "within" if wish.budget >= found.spent else "over"
+    return "unproved" if error is not None and error <= wish.tolerance else "missed"
+
+
+def _finer(found: Outcome) -> float | None:
+    """Seconds that it would take to tell an error that the time was too short for."""
+    known = found.chosen.error is not None or not found.chosen.ladder.converges or found.unsure
+    return None if known else found.finer
+
+
+def _needed(found: Outcome) -> dict[str, Any]:
+    """What the tolerance would take, by how the errors have fallen so far."""
+    chosen = found.chosen
+    nothing = {"size": None, "seconds": None}
+    if found.wish.tolerance is None:
+        return {"needed": None, **nothing}
+    own = [tried for tried in found.tried if tried.ladder is chosen.ladder and tried.error]
+    if not chosen.ladder.converges:
+        return {"needed": "nothing", **nothing}
+    if found.unsure or chosen.error is None or len(own) < 3:
+        return {"needed": "unknown", **nothing}
+    order = math.log(own[0].error / own[-1].error) / math.log(own[-1].size / own[0].size)
+    if abs(order) < HARDLY or (order > 0.0) != (own[-1].size > own[0].size):
+        return {"needed": "slow", **nothing}
+    times = (own[-1].error / found.wish.tolerance) ** (1.0 / order)
+    seconds = own[-1].cost * times * max(1.0, times)
+    return {"needed": "known", "size": own[-1].size * times, "seconds": seconds}

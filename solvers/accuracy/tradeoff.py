@@ -1,0 +1,318 @@
+"""Speed against accuracy: every method that can solve a scene, from coarse to fine, and what each point costs."""
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import date
+from statistics import median
+from typing import Any
+
+from .. import validation
+from ..methods.base import Method, SceneNotSupported, no_method
+from ..provenance import machine, version
+from ..scene import Scene
+from ..solution.solution import Solution
+from ..text.notes import Note, Severity
+from ..validation import SceneError
+from . import store
+from .quantities import QUANTITIES, Answer, Truth
+from .reference import exact_waves
+from .refinement import Ladder, label, ladders, ranked, refusals
+from .tradeoff_table import Point, Reference, TradeOff
+
+MEASUREMENT_SECONDS = 12.0  # for all of it, unless told otherwise
+REPEATS, TIMED = 7, 0.12  # of one point: solves at most, and seconds of them
+TIME_GROWTH = 2.5  # of the time from one rung to the next, until it is known
+REFERENCE_HEAD_START = 4  # rungs of the ladder that gives the truth, before all others
+MAX_LEVEL_SHARE = 0.15  # share of all the time that one rung may take
+
+
+def tradeoff(
+    scene: Scene,
+    quantities: Sequence[str] | None = None,
+    cancel: Callable[[], bool] | None = None,
+    progress: Callable[[TradeOff], None] | None = None,
+    *,
+    fresh: bool = False,
+    seconds: float = MEASUREMENT_SECONDS,
+) -> TradeOff:
+    """Every method that can solve the scene, a ladder of resolutions each: wall time against error.
+
+    `progress` is given the table so far after each point, coarse and cheap ones first. Once `cancel` says True, what is
+    known is returned, with `stopped`. A complete table is kept in the user's cache, for this scene, machine and state
+    of the library, and given from there unless `fresh`.
+    Cost: about `seconds` of one core, less if nothing is left to refine.
+    Raises SceneNotSupported if no method can solve the scene, SceneError for a quantity that does not exist.
+    """
+    chosen = tuple(validation.choice("quantity", name, QUANTITIES) for name in quantities or QUANTITIES)
+    seconds = validation.number("seconds", seconds, 0.1, 3600.0, "s")
+    table = None if fresh else store.measured_here(scene, machine(), version())
+    if table is not None:
+        return _narrowed(TradeOff.from_table(table), chosen)
+    survey = Survey(scene, seconds)
+    try:
+        for _ in survey.points(cancel):
+            if progress is not None:
+                progress(_narrowed(survey.found(), chosen))
+    finally:
+        survey.close()
+    found = survey.found()
+    if found.stopped is None:
+        store.keep(scene, found.table())
+    return _narrowed(found, chosen)
+
+
+def stored_tradeoff(scene: Scene) -> TradeOff | None:
+    """The table at once, if there is one: measured on this machine, or one that the library brings; `machine` says."""
+    table = store.measured_here(scene, machine(), version()) or store.shipped(scene)
+    return None if table is None else _narrowed(TradeOff.from_table(table), tuple(QUANTITIES))
+
+
+def _narrowed(found: TradeOff, quantities: Sequence[str]) -> TradeOff:
+    return replace(found, quantities={name: QUANTITIES[name] for name in quantities})
+
+
+@dataclass
+class _Solved:
+    """One point before its errors are known."""
+
+    ladder: Ladder
+    answer: Answer
+    solution: Solution | Any  # of the finest of each ladder only, as motions are large
+    figures: dict[str, Any]  # fields of the Point
+
+
+class Survey:
+    """The measurement under way: solves in an order that shows the whole field early, stops in time."""
+
+    def __init__(self, scene: Scene, seconds: float):
+        self.scene, self._seconds = scene, seconds
+        self._ladders, self._refused = ladders(scene), refusals(scene)
+        if not self._ladders:
+            raise SceneNotSupported("scene", scene.title or "this one", no_method(self._refused))
+        self._started = time.perf_counter()
+        self._solved: list[_Solved] = []
+        self._remarks: list[Note] = []
+        self._stopped: str | None = "under way"
+        self._truth: Truth | Any = None
+        self._judged: dict[int, Point] = {}  # by number of the solve, as long as the truth is this one
+        self._kind, self._main = self._reference_ladder()
+        self._begun, self._compiling = time.perf_counter(), 0.0
+
+    def close(self) -> None:
+        """What is only needed while solving."""
+        if self._stopped == "under way":
+            self._stopped = "interrupted"
+
+    def _spent(self) -> float:
+        """Seconds of solving, without what compilers took."""
+        return time.perf_counter() - self._begun - self._compiling
+
+    def _reference_ladder(self) -> tuple[str, Ladder | None]:
+        """How the truth is found, and the ladder whose finest rung it is; none if it is known beforehand."""
+        exact = exact_waves(self.scene)
+        if exact is not None:
+            self._truth = Truth.of(exact.solve(self.scene))
+            return "exact", None
+        best = ranked(self._ladders)
+        converging = [ladder for ladder in best if ladder.converges]
+        if converging:
+            return "converged", converging[0]
+        self._truth = Truth.of(best[0].rungs[0].solve(self.scene))
+        return "closed form", None
+
+    def points(self, cancel: Callable[[], bool] | None) -> Iterator[None]:
+        """Solve one point after the other, always the one expected to be quickest; of each ladder one at first."""
+        waiting = {id(ladder): (ladder, 0) for ladder in self._ladders}
+        while waiting:
+            if cancel is not None and cancel():
+                self._stopped = "cancelled"
+                return
+            key = min(waiting, key=lambda key: self._expected(*waiting[key]))
+            ladder, rung = waiting.pop(key)
+            if not (self._worth(ladder, rung) and self._solve(ladder, rung)):
+                continue
+            if rung + 1 < len(ladder.rungs):
+                waiting[key] = ladder, rung + 1
+            yield
+        self._stopped = None
+
+    def _expected(self, ladder: Ladder, rung: int) -> float:
+        """Seconds that a rung will take, judged by those below it; the first ones of the truth come before all else."""
+        own = [point.figures["wall_time"] for point in self._solved if point.ladder is ladder]
+        if ladder is self._main and rung < REFERENCE_HEAD_START:
+            return -1.0
+        if not own:
+            return 0.0
+        return own[-1] * (max(TIME_GROWTH, own[-1] / own[-2]) if len(own) > 1 else TIME_GROWTH)
+
+    def _worth(self, ladder: Ladder, rung: int) -> bool:
+        """Whether there is time for it."""
+        expected, left = self._expected(ladder, rung), self._seconds - self._spent()
+        if rung == 0:
+            return left > 0.0
+        if expected > left or (expected > MAX_LEVEL_SHARE * self._seconds and ladder is not self._main):
+            size = ladder.size(rung - 1)
+            self._remark("not-refined", ladder=ladder.name, resolution=ladder.knob, size=size, seconds=expected)
+            return False
+        return True
+
+    def _solve(self, ladder: Ladder, rung: int) -> bool:
+        """Solve and time one rung; whether a finer one may differ from it."""
+        method = ladder.rungs[rung]
+        begun = time.perf_counter()
+        try:
+            solution = method.solve(self.scene)
+        except SceneError as refusal:
+            self._remark("refused-point", method=label(method.table()), refusal=str(refusal))
+            return False
+        first = time.perf_counter() - begun
+        coarser = [point for point in self._solved if point.ladder is ladder]
+        times = self._timed(method, [first] if coarser else [])  # what a coarser one needed is compiled
+        self._compiling += max(0.0, first - 2.0 * median(times))
+        answer = Answer.of(solution)
+        if coarser and answer.same(coarser[-1].answer):
+            self._remark("finer-changes-nothing", ladder=ladder.name, resolution=ladder.knob)
+            return False
+        if coarser:
+            coarser[-1].solution = None
+        self._solved.append(_Solved(ladder, answer, solution, self._figures(ladder, rung, solution, first, times)))
+        if ladder is self._main or self._truth is None:
+            self._truth = Truth(self.scene, solution, answer)
+            self._judged.clear()
+        return True
+
+    def _remark(self, code: str, **values: Any) -> None:
+        self._remarks.append(Note(code, Severity.REMARK, **values))
+
+    def _timed(self, method: Method, times: list[float]) -> list[float]:
+        """Wall times of warm solves; but one if it is long."""
+        while len(times) < REPEATS and (sum(times) < TIMED or not times):
+            begun = time.perf_counter()
+            method.solve(self.scene)
+            times.append(time.perf_counter() - begun)
+        return times
+
+    def _figures(self, ladder: Ladder, rung: int, solution: Solution, first: float, times: list[float]):
+        return {
+            "method": solution.method,
+            "ladder": ladder.name if ladder.knob is None else f"{ladder.name} by {ladder.knob}",
+            "knob": ladder.knob,
+            "size": ladder.size(rung),
+            "wall_time": median(times),
+            "spread": (min(times), max(times)) if len(times) > 1 else None,
+            "repeats": len(times),
+            "first_time": first,
+            "estimated_error": solution.diagnostics["estimated_error"],
+            "contacts": len(solution.contacts),
+            "notes": list(solution.notes),
+        }
+
+    def found(self) -> TradeOff:
+        """All that is known by now."""
+        points, remarks = [], list(self._remarks)
+        for ladder in self._ladders:
+            own = [self._point(solved) for solved in self._solved if solved.ladder is ladder]
+            shown = own[:-1] if ladder is self._main and len(own) > 1 else own  # its finest is the truth itself
+            points += shown
+            remarks += _stagnant(ladder, shown)
+        return TradeOff(
+            scene=self.scene.table(),
+            quantities=dict(QUANTITIES),
+            reference=self._reference(),
+            points=points,
+            refused=self._refused,
+            remarks=remarks,
+            machine=machine(),
+            version=version(),
+            date=str(date.today()),
+            seconds=time.perf_counter() - self._started,
+            stopped=self._stopped,
+        )
+
+    def _point(self, solved: _Solved) -> Point:
+        if id(solved) not in self._judged:
+            self._judged[id(solved)] = self._judge(solved)
+        return self._judged[id(solved)]
+
+    def _judge(self, solved: _Solved) -> Point:
+        seen, invented = self._truth.contacts(solved.answer)
+        return Point(
+            **solved.figures,
+            errors=self._truth.errors(solved.answer),
+            true_contacts=len(self._truth.answer.contacts),
+            true_contacts_found=seen,
+            invented_contacts=invented,
+        )
+
+    def _reference(self) -> Reference | None:
+        """The truth in words, and how far it can be trusted."""
+        if self._truth is None:
+            return None
+        solution = self._truth.solution
+        name, uncertainty = label(solution.method), dict.fromkeys(QUANTITIES)
+        if self._kind == "exact":
+            own = solution.diagnostics["estimated_error"]
+            uncertainty |= {"rebound": own, "impulse": own, "peak-force": own}
+            note = Note("reference-exact", Severity.REMARK, error=own)
+            return Reference("exact", solution.method, uncertainty, note)
+        if self._kind == "closed form":
+            note = Note("reference-closed-form", Severity.REMARK, method=name)
+            return Reference("closed form", solution.method, uncertainty, note)
+        own = [solved for solved in self._solved if solved.ladder is self._main]
+        coarser, other = own[-2:-1], self._finest_of_another()
+        differences: list[dict[str, Any]] = [self._truth.errors(solved.answer) for solved in coarser]
+        beside = label(coarser[0].figures["method"]) if coarser else None
+        third = label(other[-1].figures["method"]) if other else None
+        note = Note("reference-converged", Severity.REMARK, method=name, coarser=beside, other=third)
+        if other:
+            between = self._truth.errors(other[-1].answer)
+            own = Truth(self.scene, other[-1].solution, other[-1].answer).errors(other[-2].answer)
+            differences.append({name: _beyond(between[name], own[name]) for name in QUANTITIES})
+        for quantity in QUANTITIES:
+            known = [abs(each[quantity]) for each in differences if each[quantity] is not None]
+            uncertainty[quantity] = max(known, default=None)
+        return Reference("converged", solution.method, uncertainty, note)
+
+    def _finest_of_another(self) -> list[_Solved]:
+        """The two finest of the ladder of another method that comes nearest."""
+        found: dict[int, list[_Solved]] = {}
+        for solved in self._solved:
+            if solved.ladder.converges and solved.ladder.rungs[0].NAME != self._main.rungs[0].NAME:
+                found.setdefault(id(solved.ladder), []).append(solved)
+        pairs = [own[-2:] for own in found.values() if len(own) > 1]
+        return min(pairs, key=lambda pair: abs(self._truth.errors(pair[-1].answer)["rebound"] or 0.0), default=[])
+
+
+def _beyond(between: float | None, own: float | None) -> float | None:
+    """How far two methods differ by more than the coarser of them knows of itself."""
+    if between is None or own is None:
+        return None
+    return abs(between) if abs(between) > abs(own) else 0.0
+
+
+LIMITS = ("peak-force", "force-history", "resolved-force")  # quantities that need not tend to the true ones
+STAGNANT_RATIO = 0.85  # of an error that three refinements do not reach: even order 1/2 would bring 0.35
+NOTICEABLE_ERROR = 0.02
+
+
+def _stagnant(ladder: Ladder, points: list[Point]) -> list[Note]:
+    """Which quantities a ladder does not bring nearer to the truth: they have no limit, or another one."""
+    found = []
+    for quantity in LIMITS if len(points) >= 4 else ():
+        errors = [abs(error) for point in points if (error := point.errors[quantity]) is not None]
+        if len(errors) == len(points) and errors[-1] > max(NOTICEABLE_ERROR, STAGNANT_RATIO * errors[-4]):
+            found.append(
+                Note(
+                    "another-limit",
+                    Severity.REMARK,
+                    ladder=ladder.name,
+                    quantity=quantity,
+                    resolution=ladder.knob,
+                    last=100 * errors[-1],
+                    finest=points[-1].size,
+                    first=100 * errors[0],
+                    coarsest=points[0].size,
+                )
+            )
+    return found

@@ -1,0 +1,152 @@
+"""The table of a trade-off: points of wall time and error, what they are measured by, which of them nothing beats."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from ..text.notes import Note, coded
+from .refinement import label
+
+EQUAL_ERRORS = 1e-12  # errors below it are equal
+
+
+@dataclass(frozen=True)
+class Point:
+    """One method at one resolution. Errors are found minus true, see `accuracy.quantities`; None: no such thing.
+
+    A true contact is found if the method has a contact of its own that overlaps it.
+    """
+
+    method: dict[str, Any]  # name and options, as in a scene file
+    ladder: str  # the method with what all its resolutions share, and the knob
+    knob: str | None  # the option that makes it finer
+    size: float | None  # of the knob
+    wall_time: float  # of a whole warm solve with its own error estimate, median of repeats [s]
+    spread: tuple[float, float] | None  # shortest and longest of the repeats [s]; None: solved but once
+    repeats: int
+    first_time: float  # of the first solve, with what had to be compiled for it [s]
+    estimated_error: float | None  # of the rebound, as the solution itself says
+    errors: dict[str, float | Any]  # None: not known
+    contacts: int
+    true_contacts: int
+    true_contacts_found: int
+    invented_contacts: int
+    notes: list[Note] = field(default_factory=list)
+
+    @property
+    def label(self) -> str:
+        return label(self.method, always=self.knob)
+
+    def table(self) -> dict[str, Any]:
+        return {each.name: getattr(self, each.name) for each in fields(self)} | coded(self.notes)
+
+    @classmethod
+    def from_table(cls, row: Mapping[str, Any]) -> "Point":
+        """The same from what `table` gave."""
+        given: dict[str, Any] = {
+            key: value for key, value in row.items() if key not in ("label", "best_for", "note_codes")
+        }
+        given["notes"] = [Note.from_table(note) for note in row["note_codes"]]
+        given["spread"] = row["spread"] and tuple(row["spread"])
+        return cls(**given)
+
+
+@dataclass(frozen=True)
+class Reference:
+    """What errors are measured by.
+
+    kind "exact": travelling waves; "converged": the finest that was affordable, itself uncertain by how much it differs
+    from the next coarser and from another method; "closed form": nothing that can solve the scene can be refined, and
+    errors are only differences from one of the answers.
+    """
+
+    kind: str
+    method: dict[str, Any]
+    uncertainty: dict[str, float | None]  # by quantity, as errors are; None: not known
+    note: Note  # the same in a sentence
+
+    @property
+    def words(self) -> str:
+        return str(self.note)
+
+    def table(self) -> dict[str, Any]:
+        table = {each.name: getattr(self, each.name) for each in fields(self)}
+        return table | {"note": self.note.table(), "words": self.words}
+
+    @classmethod
+    def from_table(cls, table: Mapping[str, Any]) -> "Reference":
+        """The same from what `table` gave."""
+        return cls(table["kind"], table["method"], table["uncertainty"], Note.from_table(table["note"]))
+
+
+@dataclass(frozen=True)
+class TradeOff:
+    """The table, sorted by method and resolution, with all that is needed to draw it."""
+
+    scene: dict[str, Any]
+    quantities: dict[str, str]  # name: what it is
+    reference: Reference | None  # None: not known yet, so no errors
+    points: list[Point]
+    refused: dict[str, Note]  # method: why it cannot
+    remarks: list[Note]  # what does not get better however fine it is, and what was left out
+    machine: dict[str, Any]
+    version: str
+    date: str
+    seconds: float  # that all of it took
+    stopped: str | None = None  # why it is not complete; None: it is
+
+    def front(self, quantity: str) -> list[Point]:
+        """Points that nothing beats in time and error at once (Pareto), quickest first.
+
+        Errors below the uncertainty of the reference are equal.
+        """
+        floor = max((self.reference.uncertainty.get(quantity) if self.reference else None) or 0.0, EQUAL_ERRORS)
+        known = [point for point in self.points if point.errors.get(quantity) is not None]
+        kept, best = [], float("inf")
+        for point in sorted(known, key=lambda point: (point.wall_time, abs(point.errors[quantity]))):
+            error = max(abs(point.errors[quantity]), floor)
+            if error < best:
+                kept.append(point)
+                best = error
+        return kept
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.tradeoff_card(self)
+
+    def table(self) -> dict[str, Any]:
+        """Plain tables for JSON. Each point besides says its `label` and in `best_for` on which fronts it lies.
+
+        A page needs: `points[].wall_time` and `.spread` across, `.errors[quantity]` upward (its size), `.label`,
+        `.estimated_error`, `.note_codes`, `.contacts` and `.true_contacts_found` for the hover, `.method` for a click,
+        which is the table `[method]` of a scene file; `.ladder` to join points by a line; `best_for` for the front;
+        `reference.words` and `reference.uncertainty[quantity]` for the grey band below which nothing can be told;
+        `remarks`, `refused`, `machine` as text.
+        """
+        fronts = {quantity: self.front(quantity) for quantity in self.quantities}
+        table = {each.name: getattr(self, each.name) for each in fields(self)}
+        table |= {
+            "reference": self.reference and self.reference.table(),
+            "points": [point.table() for point in self.points],
+            "refused": {name: str(note) for name, note in self.refused.items()},
+            "refused_codes": {name: note.table() for name, note in self.refused.items()},
+            "remarks": [str(note) for note in self.remarks],
+            "remark_codes": [note.table() for note in self.remarks],
+        }
+        for point, row in zip(self.points, table["points"], strict=True):
+            row["label"] = point.label
+            row["best_for"] = [quantity for quantity, front in fronts.items() if point in front]
+        return table
+
+    @classmethod
+    def from_table(cls, table: Mapping[str, Any]) -> "TradeOff":
+        """The same from what `table` gave."""
+        given = {key: value for key, value in table.items() if key not in ("refused_codes", "remark_codes")}
+        given |= {
+            "points": [Point.from_table(row) for row in table["points"]],
+            "reference": table["reference"] and Reference.from_table(table["reference"]),
+            "refused": {name: Note.from_table(note) for name, note in table["refused_codes"].items()},
+            "remarks": [Note.from_table(note) for note in table["remark_codes"]],
+        }
+        return cls(**given)

@@ -1,0 +1,40 @@
+"""How long two compact bodies touch by a contact law, and how stiff it becomes between them."""
+
+import math
+from functools import lru_cache
+
+import numpy as np
+
+from .elastic import Linear, Rigid
+from .protocol import Law, OfPower
+from .viscous import KelvinVoigt
+
+
+def exponent_of(law: Law) -> float:
+    """The power of the indentation with which the force of a law grows at first."""
+    if isinstance(law, (Linear, KelvinVoigt)):
+        return 1.0
+    return law.exponent if isinstance(law, OfPower) else 1.5
+
+
+@lru_cache(maxsize=256)  # the unit of time of a scene is asked for often
+def contact_time(law: Law, mass: float, speed: float) -> float:
+    """About how long two compact bodies of this reduced mass [kg] touch [s]: half a swing on the secant stiffness."""
+    if isinstance(law, Rigid):
+        return 1e-3  # a blow of no duration at all: something to draw it on
+    depth = speed * 1e-4
+    for _ in range(200):
+        stiffness = law.force(depth, 0.0, 0.0) / depth
+        depth = math.sqrt(depth * speed * math.sqrt(mass / stiffness))
+    return math.pi * math.sqrt(mass / stiffness)
+
+
+def steepest_stiffness(law: Law, mass: float, speed: float) -> float:
+    """Largest stiffness of the law [N/m] that a blow of this reduced mass [kg] can reach: it stores all its energy."""
+    energy = 0.5 * mass * speed**2
+    depth = 1e-3 * speed * contact_time(law, mass, speed)
+    for _ in range(300):
+        if law.stored(depth, depth) >= energy:
+            break
+        depth *= 1.25
+    return max(float(law.slopes(part * depth, 0.0, 0.0)[0]) for part in np.linspace(1e-3, 1.0, 200).tolist())

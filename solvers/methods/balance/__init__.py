@@ -1,0 +1,1 @@
+"""Repeated balances of impulse and momentum."""

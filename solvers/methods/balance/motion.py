@@ -1,0 +1,214 @@
+"""Two bodies as oscillators between balances, and what the balances found as a motion."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...numerics import balances
+from ...numerics.balances import Bank, Events, Joined
+from ...numerics.elements.line import two_sided
+from ...numerics.modes import Modes
+from ...scene import Scene
+from ...solution.sampled_motion import SampledMotion, ShapeField
+from ...solution.solution import ContactPeriod
+
+MOST_NUMBERS = 4_000_000  # doubles kept: coordinates after every balance
+DRAWN = 1500  # instants at which fields are known
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Both bodies as one bank of oscillators; the first `split` are the impactor's."""
+
+    bank: Bank
+    start: np.ndarray  # rates at the first touch
+    bodies: tuple[Any, Any]
+    modes: tuple[Modes, Modes]
+    split: int
+    shortest_period: float
+    resolved_time: float  # [s] apart for less is still in contact, as far as these modes can tell
+    patience: float  # [s] apart for so long and moving apart: for good
+
+    @classmethod
+    def of(cls, scene: Scene, modes_of) -> "Pair":
+        bodies = (scene.impactor, scene.target)
+        modes = tuple(modes_of(body) for body in bodies)
+        frequencies, closing, start, places = [], [], [], []
+        for body, own, sign in zip(bodies, modes, (1.0, -1.0), strict=True):
+            places.append(sum(part.size for part in frequencies))
+            if np.isfinite(own.rigid_mass):
+                root = np.sqrt(own.rigid_mass)
+                frequencies.append(np.zeros(1))
+                closing.append(np.full(1, sign / root))
+                start.append(np.full(1, root * body.velocity))
+            else:
+                places[-1] = -1 if sign < 0.0 else 0
+            frequencies.append(own.frequencies)
+            closing.append(sign * own.at_contact)
+            start.append(np.zeros(own.frequencies.size))
+        bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1])
+        highest = float(bank.frequencies.max())
+        shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
+        rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
+        split = modes[0].frequencies.size + 1
+        patience = 2.0 * max((body.time_unit or 0.0 for _, body in rings), default=scene.time_unit)
+        # bending waves disperse: no front runs through a beam
+        resolved = (own.shortest_period if body.bends else own.front_time for own, body in rings)
+        return cls(bank, np.concatenate(start), bodies, modes, split, shortest, max(resolved, default=0.0), patience)
+
+    def fields(self) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
+        """Shapes, slopes (stress in tension), moments and shears, (modes + 2, x); the impactor is where x is negative.
+
+        The last two rows are how far each body has come untouched, of which a motion as a whole that turns is told.
+        """
+        drifts = two_sided(*((lambda x, own=own: 1.0 - own.rigid_shape(x)[None, :]) for own in self.modes), 1.0)  # pyright: ignore[reportCallIssue]
+
+        def with_drift(own, moved):
+            return lambda x: np.vstack((own(x), drifts(x) if moved else np.zeros((2, np.size(x)))))
+
+        stresses = (_stresses(body, own) for body, own in zip(self.bodies, self.modes, strict=True))
+        found = {"shapes": with_drift(two_sided(*(own.with_rigid() for own in self.modes), 1.0), True)}  # pyright: ignore[reportCallIssue]
+        found["slopes"] = with_drift(two_sided(*stresses, -1.0), False)  # pyright: ignore[reportCallIssue]
+        for name in ("moments", "shears"):
+            found[name] = with_drift(two_sided(*(own.with_rigid(name) for own in self.modes), 1.0), False)  # pyright: ignore[reportCallIssue]
+        return found
+
+
+def _stresses(body: Any, modes: Modes) -> Callable[[np.ndarray], np.ndarray]:
+    """Tension per 1 of each coordinate [Pa], with that as a whole."""
+    name, factor = body.stress_source
+    return lambda x: factor * modes.with_rigid(name)(x)
+
+
+@dataclass(frozen=True)
+class Run:
+    """What the kernel found."""
+
+    pair: Pair
+    joined: Joined
+    flight: np.ndarray
+    events: Events
+    duration: float
+    full: bool
+    steps: int
+
+    @property
+    def balances(self) -> np.ndarray:
+        """Which events are balances, and not the end of a stretch in which the faces moved as one."""
+        return ~np.append(False, self.events.stuck[:-1])
+
+    @property
+    def final_velocity(self) -> float:
+        struck = self.pair.bank.closing[0] * self.events.rates[-1, 0]
+        return float(self.pair.modes[0].mean_velocity(self.pair.bodies[0].velocity, struck))
+
+    def states(self, after: np.ndarray, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Coordinates and rates at `times`, each later than the event named by `after`; -1: before the first."""
+        delay = times - self.events.time[np.maximum(after, 0)]
+        q, p = balances.course(self.pair.bank, self.flight, self.joined, self.events, np.maximum(after, 0), delay)
+        q[after < 0], p[after < 0] = 0.0, self.pair.start
+        return q, p
+
+
+class BalanceMotion(SampledMotion):
+    """A motion of blows without duration; `impulses` holds their times [s] and impulses [N s].
+
+    The force shown is the impulse of one shortest period about each instant over that period: no finer detail is
+    known. It is zero where the target does not ring, as nothing tells how long a blow lasts.
+    """
+
+    def __init__(self, scene: Scene, run: Run):
+        self.scene, self.run = scene, run
+        events, pair = run.events, run.pair
+        self.impulses = events.time[run.balances], events.impulse[run.balances]
+        drawn = np.linspace(0.0, run.duration, DRAWN)
+        number = np.arange(events.time.size)
+        times = np.concatenate((drawn, events.time, events.time))
+        after = np.concatenate((np.searchsorted(events.time, drawn, "right") - 1, number - 1, number))
+        order = np.lexsort((after, times))
+        times, after = times[order], after[order]
+        found = np.concatenate(
+            [self._histories(after[i : i + 2000], times[i : i + 2000]) for i in range(0, times.size, 2000)]
+        ).T
+        (
+            impactor_position, impactor_velocity, end_position, end_velocity, rigid_velocity, *energies, face, impulse
+        ) = found  # fmt: skip
+        lost = np.append(0.0, np.cumsum(events.lost))[after + 1]
+        super().__init__(
+            time=times,
+            force=np.zeros(times.size),
+            impulse=impulse,
+            impactor_position=impactor_position,
+            impactor_velocity=impactor_velocity,
+            end_position=end_position,
+            end_velocity=end_velocity,
+            rigid_velocity=rigid_velocity,
+            energies=dict(zip(("impactor", "target_rigid", "target_vibration"), energies, strict=True))
+            | {"local": np.zeros(times.size), "dissipated": lost},
+            field=self._shape_field(times, after, drawn) if scene.target.length else None,
+            face_velocity=face,
+        )
+        if pair.resolved_time:
+            self._force = self._averaged(times, pair.shortest_period)
+
+    def _histories(self, after: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """Positions, velocities, energies and impulse, (times, 10)."""
+        pair, bank, q, p = self.run.pair, self.run.pair.bank, *self.run.states(after, times)
+        energy = 0.5 * (p * p + (bank.frequencies * q) ** 2)
+        split, target, (first, second), (impactor, other) = pair.split, bank.target, pair.modes, pair.bodies
+        face, face_rate = bank.closing[0] * q[:, 0], bank.closing[0] * p[:, 0]
+        ringing, rate, rigid = energy[:, split:].sum(1), np.full(times.size, other.velocity), np.zeros(times.size)
+        if target >= 0:
+            rate = -bank.closing[target] * p[:, target]
+            ringing, rigid = ringing - energy[:, target], second.moving_energy(other.mass, other.velocity, rate)
+        mean = second.mean_velocity(other.velocity, rate)
+        if second.means is not None:
+            mean = mean + p[:, p.shape[1] - second.means.size :] @ second.means
+        return np.column_stack(
+            (
+                first.mean_velocity(impactor.velocity * times, face),
+                first.mean_velocity(impactor.velocity, face_rate),
+                -q[:, split:] @ bank.closing[split:],
+                -p[:, split:] @ bank.closing[split:],
+                mean,
+                first.moving_energy(impactor.mass, impactor.velocity, face_rate) + energy[:, 1:split].sum(1),
+                rigid,
+                ringing,
+                face_rate,
+                (pair.start[0] - p[:, 0]) / bank.closing[0],
+            )
+        )
+
+    def _shape_field(self, times: np.ndarray, after: np.ndarray, drawn: np.ndarray) -> ShapeField:
+        """At all instants of the histories, or, where these are too many, at those that are drawn."""
+        pair, events = self.run.pair, self.run.events
+        if times.size * pair.bank.closing.size > MOST_NUMBERS:
+            times, after = drawn, np.searchsorted(events.time, drawn, "right") - 1
+        q, p = self.run.states(after, times)
+        drift = np.array([body.velocity for body in pair.bodies])
+        q, p = np.hstack((q, np.multiply.outer(times, drift))), np.hstack((p, np.tile(drift, (times.size, 1))))
+        return ShapeField(times, q, p, young=1.0, **pair.fields())
+
+    def _averaged(self, times: np.ndarray, period: float) -> np.ndarray:
+        """Impulse of the period about each instant over the part of it that is after the first touch."""
+        first, last = np.maximum(times - 0.5 * period, 0.0), times + 0.5 * period
+        gained = self._at(last, self._impulse) - np.where(first > 0.0, self._at(first, self._impulse), 0.0)
+        return gained / (last - first)
+
+    def contacts(self) -> list[ContactPeriod]:
+        """Balances that follow each other closely make one contact."""
+        events, apart = self.run.events, self.run.pair.resolved_time
+        begins = np.flatnonzero(self.run.balances)
+        ends = begins + events.stuck[begins]
+        ends = np.minimum(ends, events.time.size - 1)
+        parts = events.time[begins[1:]] - events.time[ends[:-1]] > apart
+        firsts, lasts = begins[np.append(True, parts)], ends[np.append(parts, True)]
+        found = []
+        for first, last in zip(firsts.tolist(), lasts.tolist(), strict=True):
+            start, end = float(events.time[first]), float(events.time[last])
+            near = (self.time >= start) & (self.time <= end)
+            peak = float(self._force[near].max()) if apart else None
+            found.append(ContactPeriod(start, end, float(events.impulse[first : last + 1].sum()), peak))
+        return found

@@ -1,0 +1,1 @@
+"""Finite elements in time: nodal and modal coordinates."""

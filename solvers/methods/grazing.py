@@ -1,0 +1,101 @@
+"""Contacts of a rigid mass on a uniform rod, which are known exactly: which a method misses, which are slight."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..bodies import Rod
+from ..numerics.waves import rigid as rigid_waves
+from ..scene import Scene
+from ..solution.solution import ContactPeriod
+from ..text.notes import Note, Severity
+
+NEAR_MASS = 0.03  # relative change of the mass within which another number of contacts is worth a note
+HISTORY_PIECES, HISTORY_TERMS = (64, 400), 40  # of a history; blows that need more are far from simple, and not asked
+HALVINGS, EDGE_TOLERANCE = 40, 1e-3  # of the change of the mass: the note gives two digits of it
+END_MARGIN = 0.05  # round trips before the end of the time solved; a contact that begins within is not missed
+# Share of the whole impulse: slighter contacts are not reported as missed. Larger, and a method may drop a contact that
+# is seen; see `tests/solvers/methods/test_grazing.py`.
+MIN_REPORTED_IMPULSE = 1e-4
+
+
+def grazing_note(beta: float, reflection: float) -> Note | None:
+    """The note for a rigid mass on a uniform rod of mass ratio `beta`, target over impactor, or None.
+
+    Source: thesis 4.5: at mass ratio 1 the second contact of the fixed rod is but 1 % from being lost.
+    """
+    here = _count(beta, reflection)
+    edges = [_edge(beta, reflection, here, 1.0 + way * NEAR_MASS) for way in (1.0, -1.0)]
+    edges = [edge for edge in edges if edge is not None]
+    if here is None or not edges:
+        return None
+    factor, there = min(edges, key=lambda edge: abs(edge[0] - 1.0))
+    change = 100.0 * abs(factor - 1.0)
+    return Note("near-grazing", Severity.WARNING, change=change, heavier=factor > 1.0, others=there, contacts=here)
+
+
+def miscounted(scene: Scene, contacts: Sequence[ContactPeriod], duration: float, cause: str) -> Note | None:
+    """What the exact waves say of these contacts, if it is another number; on the cause depends the remedy."""
+    if not one_front(scene):
+        return None
+    true = _contacts(scene.mass_ratio, 1.0 if scene.target.fixed else -1.0)
+    if true is None:
+        return None
+    trip, shares = scene.time_unit, (true[:, 2] - true[:, 3]) / (true[0, 2] - true[-1, 3])
+    counts = (shares > MIN_REPORTED_IMPULSE) & (true[:, 0] < duration / trip - END_MARGIN)
+    found = np.array([[contact.start, contact.end] for contact in contacts]) / trip
+    begun = np.count_nonzero(true[:, 0] < duration / trip)
+    if np.count_nonzero(counts) <= len(found) <= begun:  # who finds the slight ones too is right
+        return None
+    true, shares = true[counts], shares[counts]
+    if len(found) < len(true):
+        gaps = np.abs(true[:, 0, None] - found[None, :, 0]).min(axis=1)
+        missed = int(np.argmax(gaps))
+        start, end, impulse = true[missed, 0], true[missed, 1], 100.0 * shares[missed]
+        return Note("contact-missed", Severity.WARNING, start=start, end=end, impulse=impulse, cause=cause)
+    apart = np.array([np.abs(true[:, 1] - end).min() for end in found[:-1, 1]])
+    end = found[int(np.argmax(apart)), 1]
+    return Note("contact-broken", Severity.WARNING, end=end, contacts=len(found), true=len(true), cause=cause)
+
+
+def one_front(scene: Scene) -> bool:
+    """Whether this is St. Venant's problem: a rigid mass against one rod at rest, rigid contact."""
+    rod = scene.target
+    return (
+        scene.normal is None
+        and scene.impactor.free_mass
+        and isinstance(rod, Rod)
+        and scene.rigid_contact
+        and rod.support != "anechoic"
+        and rod.velocity == rod.end_mass == 0.0
+    )
+
+
+def _contacts(beta: float, reflection: float) -> np.ndarray | None:
+    """Of each contact start, end, velocity before and after, and more; None if the blow is far from simple."""
+    for pieces in HISTORY_PIECES:
+        status, *_, contacts = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, pieces, HISTORY_TERMS, pieces)
+        if status == rigid_waves.PARTED:
+            return contacts
+    return None
+
+
+def _count(beta: float, reflection: float) -> int | Any:
+    contacts = _contacts(beta, reflection)
+    return None if contacts is None else contacts.shape[0]
+
+
+def _edge(beta: float, reflection: float, here: int | None, far: float) -> tuple[float, int] | None:
+    """By what the mass must be multiplied, between 1 and `far`, for another number of contacts, and that number."""
+    there = _count(beta / far, reflection)
+    if there is None or there == here:
+        return None
+    near = 1.0
+    for _ in range(HALVINGS):
+        if abs(far - near) <= EDGE_TOLERANCE * abs(far - 1.0):
+            break
+        middle = 0.5 * (near + far)
+        found = _count(beta / middle, reflection)
+        near, far, there = (middle, far, there) if found == here else (near, middle, found)
+    return far, there

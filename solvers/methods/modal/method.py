@@ -1,0 +1,383 @@
+"""Modal superposition: any linear structure known by its lowest natural modes, any contact law."""
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from ...bodies import Bending, Rod, Waveguide
+from ...numerics.modes import Modes
+from ...numerics.oscillators import Record, Residual, march
+from ...provenance import clock
+from ...scene import Scene
+from ...solution.solution import Later, Solution, later, summary
+from ...text.notes import Note, Severity
+from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..options import flag, option, whole, word
+from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
+from .motion import ModalMotion
+from .pair import Pair
+
+# Of the highest mode kept. Its motion is exact at any step: with fewer the contact force is, within a step, of a lower
+# order; `tests/solvers/methods/test_orders.py`.
+STEPS_PER_PERIOD = 20
+STEPS_PER_CONTACT = 200  # of the shortest contact there can be; with fewer its peak and its loss are off
+# Unless more are asked for; what a step costs is measured by `python -m bench --only kernels`. Fewer, and long blows
+# are solved more coarsely, at which the energy is kept all the same.
+MAX_USUAL_STEPS = 60_000
+# Times as many where a beam is struck: a contact there may be over long before the beam has swung once.
+BEAM_STEPS_FACTOR = 8
+MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
+FRAMES = ("mean-axis", "attached", "attached-far")
+MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
+MAX_SURE_CONTACTS = 6  # with a beam; of more, the blow is tried for its conditioning
+MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tried: two, as one may be lucky
+# Change of the velocity over that of the mass: more is no longer in proportion. As in an ensemble, whose tests are in
+# `tests/solvers/studies/test_ensemble.py`.
+MAX_AMPLIFICATION = 10.0
+CHATTER_PERIODS = 3.0  # shortest kept periods; chatter under a law seldom breaks off for longer
+MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor what it loses is told, which is said
+REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
+CHECKPOINT_NUMBERS = 100_000  # doubles kept of each kind, from which fields at any time are rebuilt
+
+
+@dataclass(frozen=True)
+class Modal(Method):
+    """Two bodies by their lowest natural modes, rigid-body motion on top; a body without waves has none or all of them.
+    Rods struck on their end, beams struck across.
+
+    The modes left out act as a spring of their static compliance in series with the contact law; for rigid contact
+    that spring is the whole law, so no stiffness is ever invented. Exact oscillators, energy-exact contact force.
+    A free rod may be described in a frame on the mean of its sections, with the shapes of the free rod, or in one fixed
+    to its struck or its far end, "attached" or "attached-far", with the shapes of a rod clamped there: thesis 10.2. The
+    oscillators are then those of the coupled system; what the frame does is in the diagnostics.
+    Error: second order in the step; in the number of modes of a rod modes^-3 with a contact law, modes^-2 if its force
+    jumps at first touch, 1/modes to modes^-1.5 if rigid; of a slender beam modes^-7, plastic laws with it down to 1e-8,
+    where only the step counts; modes^-2.5 if the force jumps; none if rigid: a beam struck at one point gives way at
+    once as far as its highest mode lets it, so that each contact lasts about the shortest kept period and there are
+    ever more of them, whose sum scatters. Without the residual compliance 1/modes for any contact, but modes^-3 in the
+    frame on the struck end.
+    Source: thesis 5.2, 5.3, 8.4, 9.2 and 9.3; kernel: see `numerics.oscillators`.
+    Differs: thesis 8.2 takes the stiffness of the neighbouring element and misses the second contact below 400 modes.
+    """
+
+    modes: int = option(50, whole(1, 10_000))
+    steps: int | None = option(None, whole(10, MAX_STEPS))  # over the whole duration
+    frame: str = option("mean-axis", word(FRAMES))  # of a free rod: floating frame and the shapes that go with it
+    residual: bool = option(True, flag)  # whether the modes left out give way
+    estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
+
+    NAME = "modal"
+    BEAMS = DAMPED = True
+    RESOLUTIONS = ("modes", "steps")
+
+    def why_not(self, scene: Scene) -> Note | None:
+        impactor, target = scene.impactor, scene.target
+        for body in (target, impactor):
+            if body.no_modes is not None:
+                return body.no_modes
+        if scene.rigid_contact and not (impactor.time_unit or target.time_unit):
+            kinds = {"impactor": impactor.kind, "target": target.kind}
+            return Note("refusals.nothing-gives-way", Severity.REFUSAL, **kinds)
+        if self.frame != "mean-axis" and not (isinstance(target, Rod) and target.support == "free"):
+            got = target.support if isinstance(target, (Rod, Bending)) else target.kind
+            return Note("refusals.frame-of-end", Severity.REFUSAL, frame=self.frame, target=got)
+        if not self.residual and scene.rigid_contact:
+            return Note("refusals.no-residual", Severity.REFUSAL)
+        return None
+
+    def _solve(self, scene: Scene, duration: float | None) -> Solution:
+        begun = clock()
+        motion = self._march(scene, duration)
+        wall_time = clock() - begun
+        contacts = motion.contacts()
+        rigid, deepest = scene.rigid_contact, float(motion.deepest[-1])
+        return Solution(
+            scene=scene,
+            method=self.table(),
+            contacts=contacts,
+            duration=motion.duration,
+            motion=motion,
+            peak_force=max(contact.peak_force for contact in contacts),
+            peak_indentation=None if rigid else deepest,
+            residual_indentation=None if rigid else float(scene.contact.dent(deepest)),
+            notes=Later(lambda _: self._notes(scene, motion, duration is not None, contacts)),  # pyright: ignore[reportArgumentType]
+            **later(lambda: self._figures(scene, motion, contacts, wall_time)),
+        )
+
+    def _figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
+        found = summary(scene, motion, contacts, motion.duration, wall_time)
+        found["diagnostics"] |= {
+            "steps": motion.steps,
+            "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
+            "raw_contacts": len(motion.raw_contacts()[0]),
+            "raw_peak_force": float(motion.record.contact_force.max()),
+            "resolved_time": motion.pair.resolved_time,
+        }
+        if self.frame != "mean-axis":
+            found["diagnostics"] |= motion.frame_figures(contacts[-1].end, self.frame == "attached")
+        if found["restitution"]["newton_at_contact"] is not None:
+            rigid, parting = scene.rigid_contact, contacts[-1].end
+            found["restitution"]["newton_at_contact"] = None if rigid else _parting_speed(motion, parting)
+        return found
+
+    def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list) -> list[Note]:
+        notes, raw = [], len(motion.raw_contacts()[0])
+        if not asked and self.steps is None and not motion.parted:  # a given number divides a time that is long enough
+            notes.append(cut_short(motion.steps, "steps"))
+        elif contacts[-1].end >= motion.duration * (1.0 - 1e-12):
+            notes.append(STILL_TOUCHING)
+        period = motion.pair.resolved_time
+        notes += [note for body in bodies_that_bend(scene) for note in body.notes_on_modes(self.modes)]
+        if scene.rigid_contact:
+            notes += notes_on_rigid_impact(scene, period, self.modes, "modes")
+        notes += notes_on_front(scene, period, self.modes, "modes")
+        notes += self._ill_conditioned(scene, motion, contacts)
+        steps = _steps_of_a_contact(motion)
+        if steps < MIN_STEPS_PER_CONTACT:
+            fine = motion.step * steps / STEPS_PER_CONTACT
+            notes.append(Note("few-steps-in-contact", Severity.WARNING, steps=steps, needed=fine))
+        if raw > len(contacts):
+            remedy, doubtful = _remedy_of_chatter(motion)
+            notes.append(
+                Note(
+                    "modal-chatter",
+                    Severity.WARNING,
+                    separations=raw - len(contacts),
+                    period=period,
+                    remedy=remedy,
+                    doubtful=doubtful,
+                )
+            )
+        return notes
+
+    def _miscounts(self) -> str:
+        return "modes"
+
+    def _ill_conditioned(self, scene: Scene, motion: ModalMotion, contacts: list) -> list[Note]:
+        """Of many contacts with a beam, by blows of a mass that is changed a little."""
+        if not (self.estimate and bodies_that_bend(scene)) or len(contacts) <= MAX_SURE_CONTACTS:
+            return []
+        if not scene.impactor.free_mass:
+            return []
+        final, record, moved = motion.record.velocity[-1], None, {}
+        for change in MASS_CHANGES:
+            other = scene.replace({"impactor.mass": scene.impactor.mass * (1.0 + change)})
+            record = again(motion, other, record)[1]
+            moved[change] = abs(float(record.velocity[-1]) - final) / scene.speed
+        change = max(moved, key=lambda change: moved[change] / abs(change))
+        if moved[change] <= MAX_AMPLIFICATION * abs(change):
+            return []
+        percent, far = 100.0 * abs(change), 100.0 * moved[change]
+        return [
+            Note(
+                "ill-conditioned-mass",
+                Severity.WARNING,
+                change=percent,
+                more=change > 0.0,
+                moved=far,
+                contacts=len(contacts),
+            )
+        ]
+
+    def pair(self, scene: Scene) -> Pair:
+        """The modes that take part in this blow."""
+        bodies = (scene.impactor, scene.target)
+        pair = [body.modes(self.modes).excited() for body in bodies]
+        if self.frame != "mean-axis":
+            pair[1] = scene.target.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
+        if not self.residual:
+            nothing: dict = {
+                "residual_compliance": 0.0,
+                "static_shapes": None,
+                "static_moments": None,
+                "static_shears": None,
+            }
+            pair = [replace(modes, **nothing) for modes in pair]
+        truncated = tuple(body.time_unit is not None for body in bodies)
+        return Pair(*pair, truncated, tuple(body.damping for body in bodies))  # pyright: ignore[reportCallIssue]
+
+    def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float:
+        """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
+
+        Against two of them, as one coarse answer may agree with the fine one by chance.
+        """
+        others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
+        if not any(motion.pair.truncated):
+            others = {self.modes}
+        final = motion.record.velocity[-1]
+        differences = []
+        for modes in others:
+            other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(scene, motion.duration)
+            differences.append(abs(final - other.record.velocity[-1]))
+        estimated = float(max(differences) / scene.speed)
+        # shorter than any mode kept: all numbers of modes are wrong alike
+        steps = _steps_of_a_contact(motion)
+        if steps < MIN_STEPS_PER_CONTACT:  # so coarse that half the steps may be as wrong; second order
+            estimated = max(estimated, 2.0 * steps**-2.0)
+        blow = scene.halting_time if bodies_that_bend(scene) and scene.rigid_contact else _blow(scene)
+        return max(estimated, 1.0) if blow < motion.pair.resolved_time else estimated
+
+    def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
+        pair = self.pair(scene)
+        if duration is None and self.steps is not None:
+            duration = replace(self, steps=None)._march(scene, None).duration
+        step = duration / self.steps if self.steps is not None else default_step(scene, pair)
+        count = self.steps
+        if duration is not None and count is None:
+            count = min(max(10, math.ceil(duration / step)), MAX_STEPS)
+            step = duration / count
+        return _follow(scene, pair, step, count)
+
+
+def _blow(scene: Scene) -> float:
+    """Time in which the force of a rigid blow between a mass and a rod fades, m / Z [s]; infinite for other blows."""
+    ringing = [body for body in (scene.impactor, scene.target) if body.time_unit is not None]
+    if len(ringing) != 1 or not isinstance(ringing[0], Waveguide) or not scene.rigid_contact:
+        return math.inf
+    mass = scene.target.mass if ringing[0] is scene.impactor else scene.impactor.mass
+    return mass / ringing[0].impedance
+
+
+def _remedy_of_chatter(motion: ModalMotion) -> tuple[str, int]:
+    """What to do about it, an option of the note, and how many of its gaps may be real."""
+    if motion.scene.rigid_contact:
+        return "law", 0
+    doubtful = motion.doubtful_gaps(CHATTER_PERIODS)
+    return "gaps" if doubtful else "modes", doubtful
+
+
+def _steps_of_a_contact(motion: ModalMotion) -> float:
+    """How many steps the shortest contact has that counts, by a law of its own; infinite where the contact is rigid."""
+    if motion.scene.rigid_contact:
+        return math.inf
+    contacts = motion.contacts()
+    least = MIN_IMPULSE_SHARE * max(contact.impulse for contact in contacts)
+    return min(contact.end - contact.start for contact in contacts if contact.impulse >= least) / motion.step
+
+
+def _parting_speed(motion: ModalMotion, parting: float) -> float:
+    """Of the touching faces, relative to that of approach."""
+    parted = np.array([parting])
+    return float(motion.end_velocity(parted)[0] - motion.impactor_end_velocity(parted)[0]) / motion.scene.speed
+
+
+def _mobility(modes: Modes, truncated: bool) -> float:
+    """Rate that the struck face gains at once by a unit impulse [1/kg], as far as it moves with the whole body."""
+    return 1.0 / modes.rigid_mass + (0.0 if truncated else float(np.sum(modes.at_contact**2)))
+
+
+def default_step(scene: Scene, pair: Pair) -> float:
+    """Fine enough for the highest mode and for the shortest contact; never a longer run than is worth it."""
+    law, residual = pair.law(scene)
+    parts = list(zip((pair.impactor, pair.target), pair.truncated, strict=True))
+    reduced = 1.0 / sum(_mobility(modes, truncated) for modes, truncated in parts)
+    depth = scene.speed * scene.time_unit  # the law's secant stiffness at the depth of a free collision
+    for _ in range(60):
+        stiffness = 2.0 * law.mean(0.0, depth, 0.0, 0.0)[0] / depth
+        before, depth = depth, 0.5 * (depth + scene.speed * math.sqrt(reduced / stiffness))
+        if abs(depth - before) <= 1e-6 * depth:
+            break
+    soft = 1.0 / stiffness
+    bodies = (scene.impactor, scene.target)
+    trips = sum(body.time_unit for body in bodies if body.time_unit is not None)
+    give = sum(body.softness for body in bodies if not body.bends)
+    give += sum(
+        float(np.sum((modes.at_contact / modes.frequencies) ** 2))
+        for modes, body in zip((pair.impactor, pair.target), bodies, strict=True)
+        if body.bends
+    )
+    fine = math.pi * math.sqrt(reduced * (soft + residual)) / STEPS_PER_CONTACT
+    if pair.frequencies.size:
+        fine = min(fine, 2.0 * math.pi / float(pair.frequencies.max()) / STEPS_PER_PERIOD)
+    usual = (trips + math.pi * math.sqrt(scene.reduced_mass * (soft + give))) / MAX_USUAL_STEPS
+    if any(body.bends for body in bodies):  # few modes, many contacts, each of which starts and ends in a step
+        return max(min(fine, usual), usual / BEAM_STEPS_FACTOR)
+    return max(fine, usual)
+
+
+def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMotion:
+    """March `count` steps, or whole periods of the bodies until one has passed without a touch and none can come."""
+    law, spring = _contact(scene, pair, step)
+    slowest = [2.0 * math.pi / modes.frequencies[0] for modes in (pair.impactor, pair.target) if modes.frequencies.size]
+    period, size = max(slowest, default=scene.time_unit), pair.frequencies.size
+    bank = pair.bank(step)
+    stride = max(1, (count or 3 * math.ceil(period / step)) * size // CHECKPOINT_NUMBERS)
+    most = count or int(min(MAX_STEPS, math.ceil(MAX_ROUND_TRIPS * scene.time_unit / step)))
+    chunk = count or min(most, math.ceil(period / step))
+    record = _record(chunk, stride, size)
+    record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
+    displacement, velocity = np.zeros(size), np.zeros(size)
+    done, parted = 0, False
+    while done < most:
+        until = min(done + chunk, most)
+        if until > record.contact_force.size:
+            record = _grown(record, min(2 * until, most), stride)
+        march(
+            law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, step, bank,
+            displacement, velocity, stride, done, until, record,
+        )  # fmt: skip
+        apart = not record.contact_force[done:until].any()
+        done = until
+        if count is None and apart and record.rigid_velocity[done] > record.velocity[done]:
+            # two bodies that ring may meet again when both bulge out at once, until they are too far apart for that
+            bulge = np.hypot(displacement, velocity).sum() + spring.compliance * abs(record.spring_force[done])
+            if len(slowest) == 2 and record.rigid_position[done] - record.position[done] < bulge:
+                continue
+            parted = True
+            last = int(np.flatnonzero(record.contact_force[:done])[-1]) + 1
+            done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
+            break
+    return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), parted)
+
+
+def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
+    law, residual = pair.law(scene)
+    settling = min(0.5, step / pair.resolved_time) if residual and (law.JUMPS or law.PLASTIC) else 0.0
+    return law, Residual(residual, settling, law.JUMPS)
+
+
+def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tuple[ModalMotion, Record]:
+    """Another blow of a rigid impactor on the same target over the same steps, and the record it was written into.
+
+    For many blows in a row that differ by the impactor or the contact law alone: nothing is worked out twice, and a
+    record that is handed back is written over, with the motion that belonged to it.
+    """
+    pair = replace(motion.pair, impactor=scene.impactor.modes(0))
+    step, stride = motion.duration / motion.steps, min(motion.steps, REPEATED_STRIDE)
+    law, spring = _contact(scene, pair, step)
+    if record is None:
+        record = _record(motion.steps, stride, pair.frequencies.size)
+    for history in record[:8]:
+        history[0] = 0.0
+    record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
+    displacement, velocity = np.zeros((2, pair.frequencies.size))
+    march(
+        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, step, pair.bank(step), displacement, velocity,
+        stride, 0, motion.steps, record,
+    )  # fmt: skip
+    return ModalMotion(scene, pair, step, stride, record, False), record
+
+
+def _record(steps: int, stride: int, modes: int) -> Record:
+    """At rest; only what is written is ever memory that costs time."""
+    instants = [np.empty(steps + 1) for _ in range(7)]
+    record = Record(np.empty(steps), *instants, *(np.empty((steps // stride + 1, modes)) for _ in range(2)))
+    for history in record:
+        history[0] = 0.0
+    return record
+
+
+def _grown(record: Record, steps: int, stride: int) -> Record:
+    larger = _record(steps, stride, record.checkpoint_displacement.shape[1])
+    for old, new in zip(record, larger, strict=True):
+        new[: old.shape[0]] = old
+    return larger
+
+
+def _cut(record: Record, steps: int, stride: int) -> Record:
+    force, *instants = record[:8]
+    return Record(
+        force[:steps], *(values[: steps + 1] for values in instants), *(c[: steps // stride + 1] for c in record[8:])
+    )

@@ -1,0 +1,386 @@
+"""What the modal kernel has recorded, as a motion: fields and histories, and contacts told from chatter."""
+
+from functools import cached_property
+
+import numpy as np
+
+from ...bodies import Waveguide
+from ...numerics.oscillators import Bank, Record, advance, turn
+from ...scene import Scene
+from ...solution.sampled_motion import given_up, growth, run_out
+from ...solution.solution import ContactPeriod
+from .pair import Pair
+
+FRAME_SAMPLES = 500  # at which the frame is watched after the contact
+# Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
+# waves, mass ratios 0.02 to 50 on fixed and free rods, 20 to 200 modes: false gaps stay below, true ones open wider.
+LEAST_OPENING = 0.4
+
+
+class ModalMotion:
+    """Fields and histories rebuilt from the force on the oscillators; between instants they move exactly too.
+
+    The modes left out follow the contact force as if it were steady: displacements have their share, by which a struck
+    face gives way, and moments and shear forces of a beam what they carry of it. Velocities and stresses along a rod
+    are sums of the kept modes alone.
+    An impactor that can bend is where x is negative; its position and velocity are those of its centre of mass.
+    A beam that turns as it moves has one coordinate for both, the place where it is struck: the record holds that.
+    """
+
+    def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, parted: bool):
+        self.scene, self.pair, self.step, self.stride, self.record = scene, pair, step, stride, record
+        self.parted = parted
+        self.steps = record.contact_force.size
+        self.duration = self.steps * step
+        self._instants = np.arange(self.steps + 1) * step
+        self._impulses = np.concatenate(([0.0], np.cumsum(record.contact_force))) * step
+        self._law = pair.law(scene)[0]
+
+    @cached_property
+    def _bank(self) -> Bank:
+        return self.pair.bank(self.step)
+
+    @cached_property
+    def _softness(self) -> np.ndarray:
+        return (self.pair.at_contact / self.pair.frequencies) ** 2
+
+    def _cell(self, time):
+        return np.clip(np.floor(np.asarray(time, float) / self.step + 1e-9), 0, self.steps - 1).astype(int)
+
+    def _at(self, time, values):
+        return np.interp(np.asarray(time, float), self._instants, values)
+
+    def force(self, time, after=True):
+        """The raw force: it chatters at the shortest kept period."""
+        return self.record.contact_force[self._cell(time)]
+
+    def resolved_force(self, time):
+        """The raw force averaged over the shortest kept period: the finest that these modes can tell."""
+        half = 0.5 * self.pair.resolved_time
+        if half == 0.0:
+            return self.force(time)
+        time = np.asarray(time, float)
+        return (self._at(time + half, self._impulses) - self._at(time - half, self._impulses)) / (2.0 * half)
+
+    def force_history(self):
+        """Times and raw forces, constant over each step: every instant stands twice."""
+        return np.repeat(self._instants, 2)[1:-1], np.repeat(self.record.contact_force, 2)
+
+    def impulse(self, time):
+        return self._at(time, self._impulses)
+
+    def amplitudes(self, time):
+        """at_contact * q and what turns with it, see `Bank`, each (time, modes)."""
+        time = np.asarray(time, float)
+        cells = self._cell(time)
+        found = np.empty((2, time.size, self.pair.frequencies.size))
+        for row, (t, cell) in enumerate(zip(time.tolist(), cells.tolist(), strict=True)):
+            saved = cell // self.stride
+            displacement = self.record.checkpoint_displacement[saved].copy()
+            velocity = self.record.checkpoint_velocity[saved].copy()
+            push = self.record.contact_force[cell]
+            advance(self._bank, displacement, velocity, self.record.contact_force[saved * self.stride : cell])
+            angle = self.pair.frequencies * (t - cell * self.step)
+            cosine, sine, kick, velocity_kick = turn(angle, self._softness, self.pair.damping)
+            found[0, row] = cosine * displacement + sine * velocity + kick * push
+            found[1, row] = cosine * velocity - sine * displacement + velocity_kick * push
+        return found
+
+    def _coordinates(self, time):
+        """at_contact * q and at_contact * q', each (time, modes)."""
+        displacement, velocity = self.amplitudes(time)
+        damping = self.pair.damping
+        rates = self.pair.frequencies * (np.sqrt(1.0 - damping**2) * velocity - damping * displacement)
+        return displacement, rates
+
+    def _rates(self, time):
+        """at_contact * q' (time, modes)."""
+        return self._coordinates(time)[1]
+
+    # --- the bodies as wholes, and their struck faces
+
+    def impactor_position(self, time):
+        time, begun = np.asarray(time, float), self.scene.impactor.velocity
+        return self.pair.impactor.mean_velocity(begun * time, self._at(time, self.record.position))
+
+    def impactor_velocity(self, time, after=True):
+        struck = self._at(time, self.record.velocity)
+        return self.pair.impactor.mean_velocity(self.scene.impactor.velocity, struck)
+
+    def rigid_velocity(self, time, after=True):
+        """Mean velocity of the target; what is held moves by the mean of its modes."""
+        modes, whole = self.pair.target, self._at(time, self.record.rigid_velocity)
+        found = modes.mean_velocity(self.scene.target.velocity, whole)
+        if modes.means is not None and modes.means.any():
+            found = found + self._rates(time)[:, self.pair.split :] @ (modes.means / modes.at_contact)
+        return found
+
+    def end_position(self, time):
+        """Of the struck face of the target [m]."""
+        rigid, depth = self.scene.rigid_contact, self.record.indentation
+        if self.pair.split == 0:
+            # while they touch in rigid contact the struck face goes with the mass
+            return self._at(time, self.record.position - (np.minimum(depth, 0.0) if rigid else depth))
+        give = self.pair.target.residual_compliance * self._spring
+        bent = self.amplitudes(time)[0][:, self.pair.split :].sum(axis=1)
+        return self._at(time, self.record.rigid_position + give) + bent
+
+    @cached_property
+    def _spring(self) -> np.ndarray:
+        """Force in the spring of the modes left out at every instant [N]; of a rigid contact all the depth is in it."""
+        if not self.scene.rigid_contact:
+            return self.record.spring_force
+        return np.maximum(self.record.indentation, 0.0) / self.pair.residual_compliance
+
+    def end_velocity(self, time, after=True):
+        return self._at(time, self.record.rigid_velocity) + self._rates(time)[:, self.pair.split :].sum(axis=1)
+
+    def impactor_end_velocity(self, time):
+        """Of the striking face [m/s]."""
+        return self._at(time, self.record.velocity) - self._rates(time)[:, : self.pair.split].sum(axis=1)
+
+    # --- fields
+
+    def _sum(self, values, x, name):
+        """Sum over modes of values (time, modes) times shapes or slopes, bodies apart: (time, x)."""
+        x, found = np.asarray(x, float), np.zeros((values.shape[0], np.size(x)))
+        split = self.pair.split
+        for modes, part, here, side in (
+            (self.pair.impactor, values[:, :split], x < 0.0, -1.0),
+            (self.pair.target, values[:, split:], x >= 0.0, 1.0),
+        ):
+            if modes.frequencies.size and here.any() and getattr(modes, name) is not None:
+                found[:, here] = part @ (getattr(modes, name)(side * x[here]) / modes.at_contact[:, None])
+        return found
+
+    def _field(self, time, x, values, wholes):
+        """Both bodies as wholes, and bent: wholes are (of the struck place, undisturbed) for either."""
+        x = np.asarray(x, float)
+        side = np.where(x < 0.0, -1.0, 1.0)
+        found = side * self._sum(values, x, "shapes")
+        for (struck, undisturbed), modes, here in zip(
+            wholes, (self.pair.impactor, self.pair.target), (x < 0.0, x >= 0.0), strict=True
+        ):
+            moved = np.multiply.outer(struck - undisturbed, modes.rigid_shape(np.abs(x[here])))
+            found[:, here] += np.asarray(undisturbed)[..., None] + moved
+        return found
+
+    def displacement(self, time, x):
+        time, record = np.asarray(time, float), self.record
+        drifts = self.scene.impactor.velocity * time, self.scene.target.velocity * time
+        struck = self._at(time, record.position), self._at(time, record.rigid_position)
+        found = self._field(time, x, self.amplitudes(time)[0], tuple(zip(struck, drifts, strict=True)))
+        side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)
+        return found + np.multiply.outer(self._at(time, self._spring), side * self._row_left_out(x, "shapes"))
+
+    def velocity(self, time, x):
+        time, record = np.asarray(time, float), self.record
+        drifts = self.scene.impactor.velocity, self.scene.target.velocity
+        struck = self._at(time, record.velocity), self._at(time, record.rigid_velocity)
+        return self._field(time, x, self._rates(time), tuple(zip(struck, drifts, strict=True)))
+
+    def stress(self, time, x):
+        """Compression positive [Pa]: along a rod, or of a beam on the side that is struck."""
+        x, amplitudes = np.asarray(x, float), self.amplitudes(time)[0]
+        found = np.zeros((amplitudes.shape[0], x.size))
+        for body, here in ((self.scene.impactor, x < 0.0), (self.scene.target, x >= 0.0)):
+            name, factor = body.stress_source
+            if factor:
+                found -= here * (self._sum(amplitudes, x, name) + self._left_out(time, x, name)) * factor
+        return found
+
+    def moment(self, time, x):
+        """Bending moment E I y'' [N m] (time, x); none in a rod."""
+        side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)  # the impactor is pushed back
+        return side * (self._sum(self.amplitudes(time)[0], x, "moments") + self._left_out(time, x, "moments"))
+
+    def shear(self, time, x):
+        """Shear force dM/dx [N] (time, x); it jumps where the beam is struck."""
+        return self._sum(self.amplitudes(time)[0], x, "shears") + self._left_out(time, x, "shears")
+
+    def _left_out(self, time, x, name):
+        """That field of the modes left out of a beam (time, x), which follow the force as if it were steady.
+
+        Source: the mode-acceleration method; what is left out is then of the order of (T_kept / T_force)^2.
+        """
+        row = self._row_left_out(x, name) if name in ("moments", "shears") else np.zeros(np.size(x))
+        return np.multiply.outer(self.smoothed_force(time) if row.any() else np.zeros(np.size(time)), row)
+
+    def _row_left_out(self, x, name):
+        """That field of the modes left out of both bodies under 1 N, (x,)."""
+        x = np.asarray(x, float)
+        row = np.zeros(x.size)
+        for modes, here in ((self.pair.impactor, x < 0.0), (self.pair.target, x >= 0.0)):
+            if here.any():
+                row[here] = modes.left_out(name, np.abs(x[here]))
+        return row
+
+    @cached_property
+    def smoothing(self) -> float:
+        """Time over which the force is averaged for the modes left out [s].
+
+        A step to either side, where the force is constant over each; the shortest kept period in rigid contact, where
+        the raw force chatters.
+        """
+        rigid = self.scene.rigid_contact
+        return max(2.0 * self.step, self.pair.resolved_time if rigid else 0.0)
+
+    def smoothed_force(self, time):
+        """The raw force averaged over `smoothing`."""
+        return growth(time, self._instants, self._impulses, self.smoothing)
+
+    def _ringing(self, time):
+        """Strain and kinetic energy of every oscillator, each (time, modes) [J]."""
+        displacement, rates = self._coordinates(time)
+        return displacement**2 * self._bank.energy, (rates / self.pair.frequencies) ** 2 * self._bank.energy
+
+    def _nearest(self, time):
+        """Numbers of the instants nearest to `time`: energy is kept between instants, not within a step."""
+        return np.clip(np.rint(np.asarray(time, float) / self.step), 0, self.steps).astype(int)
+
+    def energies(self, time):
+        """Energy split [J] at the instants nearest to `time`."""
+        nearest, split = self._nearest(time), self.pair.split
+        ringing = sum(self._ringing(nearest * self.step))
+        law, residual = self.pair.law(self.scene)
+        pairs = zip(self.record.indentation[nearest].tolist(), self.deepest[nearest].tolist(), strict=True)
+        impactor, target = self.scene.impactor, self.scene.target
+        damped = self._received[nearest] - ringing.sum(axis=1) if self.pair.damping.any() else 0.0
+        stored = np.array([law.stored(a, most) for a, most in pairs])
+        lost = given_up(law, stored, nearest, self.record.contact_force)
+        return {
+            "impactor": self.pair.impactor.moving_energy(
+                impactor.mass, impactor.velocity, self.record.velocity[nearest]
+            )
+            + ringing[:, :split].sum(axis=1),
+            "target_rigid": self.pair.target.moving_energy(
+                target.mass, target.velocity, self.record.rigid_velocity[nearest]
+            ),
+            "target_vibration": ringing[:, split:].sum(axis=1),
+            "local": stored - lost + 0.5 * residual * self.record.spring_force[nearest] ** 2,
+            "dissipated": self.record.lost[nearest] + lost + damped,
+        }
+
+    @cached_property
+    def _received(self) -> np.ndarray:
+        """Work that the contact force has done on the oscillators so far, at every instant [J]."""
+        record, (_, residual) = self.record, self.pair.law(self.scene)
+        bent = record.position - record.rigid_position - record.indentation - residual * record.spring_force
+        return np.append(0.0, np.cumsum(record.contact_force * np.diff(bent)))
+
+    def target_energies(self, time):
+        """Kinetic energy of the target, its motion as a whole with it, and strain energy [J]."""
+        nearest, split = self._nearest(time), self.pair.split
+        strain, kinetic = self._ringing(nearest * self.step)
+        target = self.scene.target
+        whole = self.pair.target.moving_energy(target.mass, target.velocity, self.record.rigid_velocity[nearest])
+        return {"kinetic": whole + kinetic[:, split:].sum(axis=1), "strain": strain[:, split:].sum(axis=1)}
+
+    @cached_property
+    def deepest(self) -> np.ndarray:
+        """Largest indentation so far at every instant [m]."""
+        return np.maximum(np.maximum.accumulate(self.record.indentation), 0.0)
+
+    def frame_figures(self, parting: float, struck_end: bool) -> dict[str, float | None]:
+        """What a frame fixed to an end does after the contact: thesis 10.2.
+
+        Its own velocity, which is that of its section and no velocity of the rod; and the largest stress on that end,
+        which is free and has none, relative to the peak pressure of the contact: fictitious, from the clamped shapes.
+        """
+        end = np.array([0.0 if struck_end else self.scene.target.length])
+        if self.duration <= parting + self.pair.resolved_time:
+            return {"frame_velocity": None, "fictitious_end_stress": None}
+        time = np.linspace(parting, self.duration, FRAME_SAMPLES)
+        pressure = float(self.record.contact_force.max()) / self.scene.target.known_as(Waveguide).area
+        return {
+            "frame_velocity": float(self.velocity(time[-1:], end)[0, 0]),
+            "fictitious_end_stress": float(np.abs(self.stress(time, end)).max()) / pressure,
+        }
+
+    # --- contacts
+
+    def raw_contacts(self) -> tuple[np.ndarray, np.ndarray]:
+        """First step, and the one after the last, of every stretch of steps with a force, chatter and all."""
+        pressing = np.concatenate(([False], self.record.contact_force > 0.0, [False]))
+        edges = np.flatnonzero(pressing[1:] != pressing[:-1])
+        return edges[::2], edges[1::2]
+
+    @cached_property
+    def _opening_told(self) -> float:
+        """How far the faces must part before these modes can tell it [m]."""
+        peak = float(self.resolved_force(self._instants).max())
+        return LEAST_OPENING * self.pair.residual_compliance * peak
+
+    @cached_property
+    def _every_gap_counts(self) -> bool:
+        """Whether no contact can chatter: a law of its own on beams, where no front runs whose steepness modes miss."""
+        rings = [body for body in (self.scene.impactor, self.scene.target) if body.time_unit is not None]
+        return not self.scene.rigid_contact and all(body.bends for body in rings)
+
+    def _apart(self, first: int, last: int) -> bool:
+        """Whether the faces truly part between these instants: no resolved force, and a gap that the modes can tell."""
+        if self._every_gap_counts:
+            return True
+        if (last - first) * self.step < self.pair.resolved_time:
+            return False
+        dent = self._law.dent(float(self.deepest[first]))
+        return dent - float(self.record.indentation[first : last + 1].min()) > self._opening_told
+
+    def doubtful_gaps(self, periods: float) -> int:
+        """How many gaps of the raw force are not counted, and yet last longer than so many shortest kept periods."""
+        starts, ends = (edges.tolist() for edges in self.raw_contacts())
+        longest = periods * self.pair.resolved_time / self.step
+        gaps = zip(ends[:-1], starts[1:], strict=True)
+        return sum(start - end > longest and not self._apart(end, start) for end, start in gaps)
+
+    def contacts(self) -> list[ContactPeriod]:
+        """Contact periods as far as these modes can tell, by the resolved force: the rest is chatter."""
+        starts, ends = (edges.tolist() for edges in self.raw_contacts())
+        parts = [self._apart(end, start) for end, start in zip(ends[:-1], starts[1:], strict=True)]
+        firsts = [start for start, kept in zip(starts, [True, *parts], strict=True) if kept]
+        lasts = [end for end, kept in zip(ends, [*parts, True], strict=True) if kept]
+        found = []
+        for first, last in zip(firsts, lasts, strict=True):
+            force = self.record.contact_force[first:last]
+            peak = force.max()
+            if self.scene.rigid_contact:
+                peak = self.resolved_force(self._instants[first : last + 1]).max()
+            impulse = float(force.sum() * self.step)
+            found.append(ContactPeriod(self._start(first), self._end(last), impulse, float(peak)))
+        return found
+
+    def _start(self, first: int) -> float:
+        """When the faces met [s], in the first step with a force."""
+        dent = self._law.dent(float(self.deepest[first]))
+        if first == 0 or self.record.indentation[first] >= dent:
+            return first * self.step
+        return self.step * (first + _upward_zero(*(self.record.indentation[first - 1 : first + 2] - dent).tolist()))
+
+    def _end(self, after: int) -> float:
+        """When the force ran out [s], in the step before instant `after`; the end, if that comes too soon to tell."""
+        dent = self._law.dent(float(self.deepest[after]))
+        depth = self.record.indentation
+        gap = float(depth[after]) - dent
+        if after == self.steps and gap > 0.0:
+            return self.duration
+        if not self.parted and after < self.steps and not self._every_gap_counts:
+            opened = dent - float(depth[after:].min())
+            soon = (self.steps - after) * self.step < self.pair.resolved_time
+            if soon or 0.0 < opened <= self._opening_told:
+                return self.duration
+        if gap > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
+            return self.step * (after - 1 + run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist()))
+        later, before = float(depth[min(after + 1, self.steps)]) - dent, float(depth[after - 1]) - dent
+        return self.step * (after - _upward_zero(later, gap, before))
+
+
+def _upward_zero(before: float, x: float, y: float) -> float:
+    """Where between x <= 0 (at 0) and y (at 1) the parabola through both and `before` (at -1) rises through zero."""
+    bend = 0.5 * (before - 2.0 * x + y)
+    slope = (y - x) - bend
+    square = slope * slope - 4.0 * bend * x
+    if square > 0.0 and slope + np.sqrt(square) > 0.0:
+        place = -2.0 * x / (slope + np.sqrt(square))
+        if place <= 1.0:
+            return float(place)
+    return float(min(-x / (y - x), 1.0)) if y > 0.0 else 1.0

@@ -1,0 +1,333 @@
+"""Quasi-static estimates: as if the force were put on slowly, in the structure or at the contact."""
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from ...bodies import Rod, Wall, Waveguide
+from ...contact import Hertz, Linear, Power
+from ...contact.duration import contact_time, exponent_of
+from ...numerics.collisions import Collision, damped_collision, path_collision, power_collision, sine_collision
+from ...numerics.single_degree import SQUARE, Blow, against_equal, on_spring
+from ...provenance import clock
+from ...scene import Scene
+from ...solution.sampled_motion import SampledMotion, ShapeField, field_as_a_whole
+from ...solution.solution import ContactPeriod, Solution, summary
+from ...text.notes import Note, Severity
+from ..base import AFTERGLOW, Method
+from ..options import option, word
+from ..validity import STILL_TOUCHING
+from .springs import is_spring, spring_of
+from .validity import beam_notes, equal_rods, rod_notes, waves_left_out
+
+MODELS = ("auto", "structural", "structural-massless", "structural-printed", "local", "hertz-sine")
+SAMPLES_PER_CONTACT = 1_000  # instants kept of it, and of a time unit after it; fewer, and drawn curves have corners
+
+
+@dataclass(frozen=True)
+class QuasiStatic(Method):
+    """One degree of freedom: either the structure bends as under a static force, or only the contact gives way.
+
+    "structural": a mass on the end of a fixed rod, which bends as a spring EA/L with a third of its mass on it, or on a
+    mass with a spring, or on a beam, which bends in its static shape with the equivalent mass of that; both go on as
+    one from the first instant, and part when the force on the impactor is zero.
+    "structural-massless": without that mass. Two equal rods, or a rod on a rigid stop: each bends as a hanging rod does
+    under its own weight; "structural-printed" starts them as the thesis prints it.
+    "local": both bodies move as a whole, rods too, and the contact law is all that gives way; any law, closed form for
+    powers of the indentation, work integrals for laws with memory, a differential equation for laws with damping.
+    "hertz-sine": the half sine that approximates it.
+    "auto": structural if the contact is rigid; with a law, structural for a fixed rod lighter than the impactor or a
+    beam whose equivalent mass is, and local for anything else (thesis 3.5). The two are never put in series, as the
+    thesis has no such model.
+    Source: thesis 3.3, 3.4, (8.13)-(8.15). Differs: (3.20) lets the contact force drop by kappa = 1 / sqrt(1 + beta /
+    3); kappa is the drop of the force at the root, that on the impactor drops by kappa^3, after an impulse
+    m1 v (beta / 3) / (1 + beta / 3) at the first instant. (3.21) starts with v; the projection that (3.19) uses gives
+    15 v / 16, and only that the impulse 2 m v.
+    """
+
+    model: str = option("auto", word(MODELS))
+
+    NAME = "quasi-static"
+    BEAMS = True
+
+    def why_not(self, scene: Scene) -> Note | None:
+        model = self._model(scene)
+        target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
+        if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
+            return Note("refusals.no-finite-body", Severity.REFUSAL)
+        if not model.startswith("structural"):
+            return self._why_not_local(scene, model)
+        if equal_rods(scene):
+            return None if model != "structural-massless" else Note("refusals.massless-rods", Severity.REFUSAL)
+        if model == "structural-printed":
+            return Note("refusals.not-as-printed", Severity.REFUSAL, **kinds)
+        if not (scene.impactor.free_mass and is_spring(target)):
+            return Note("refusals.no-structure", Severity.REFUSAL, **kinds)
+        return None
+
+    def _why_not_local(self, scene: Scene, model: str) -> Note | None:
+        if scene.rigid_contact:
+            return Note("refusals.no-law", Severity.REFUSAL)
+        if scene.target.half_swing is not None:
+            return Note("refusals.spring-not-local", Severity.REFUSAL)
+        if model == "hertz-sine" and not isinstance(scene.contact, Hertz):
+            return Note("refusals.not-hertz", Severity.REFUSAL, law=scene.contact.NAME)
+        return None
+
+    def _miscounts(self) -> str:
+        return "one-contact"
+
+    def _model(self, scene: Scene) -> str:
+        if self.model != "auto":
+            return self.model
+        if scene.rigid_contact:
+            return "structural"
+        if not scene.impactor.free_mass:
+            return "local"
+        if scene.target.bends:
+            return "structural" if spring_of(scene.target).carried < scene.impactor.mass else "local"
+        light = isinstance(scene.target, Rod) and scene.target.fixed and scene.mass_ratio < 1.0
+        return "structural" if light else "local"
+
+    def _solve(self, scene: Scene, duration: float | None) -> Solution:
+        begun = clock()
+        model = self._model(scene)
+        if not model.startswith("structural"):
+            found = _local(scene, model, duration)
+        elif equal_rods(scene):
+            found = _two_rods(scene, model == "structural-printed", duration)
+        else:
+            found = _on_spring(scene, model == "structural", duration)
+        wall_time = clock() - begun
+        motion, contact = found.motion, found.contact
+        results = summary(scene, motion, [contact], found.duration, wall_time)
+        results["diagnostics"] |= {"steps": motion.time.size - 1, "model": model} | found.diagnostics
+        return Solution(
+            scene=scene,
+            method=self.table(),
+            contacts=[contact],
+            duration=found.duration,
+            motion=motion,
+            peak_force=contact.peak_force,
+            peak_indentation=found.peak_indentation,
+            residual_indentation=found.residual_indentation,
+            notes=_notes(scene, model, motion, contact, found.duration),
+            **results,
+        )
+
+
+def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeriod, duration: float) -> list[Note]:
+    notes = []
+    if contact.end >= duration * (1.0 - 1e-12):
+        notes.append(STILL_TOUCHING)
+    structural = model.startswith("structural")
+    if structural and isinstance(scene.target, Rod):
+        notes += rod_notes(scene)
+    if structural and scene.target.bends:
+        notes += beam_notes(scene)
+    if not structural:
+        notes += waves_left_out(scene, motion, contact)
+    if structural and not scene.rigid_contact:
+        notes.append(Note("law-left-out", Severity.WARNING))
+    if model == "hertz-sine":
+        notes.append(Note("half-sine", Severity.REMARK))
+    if model == "structural-printed":
+        notes.append(Note("impulse-as-printed", Severity.WARNING))
+    return notes
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """What a quasi-static model says of a blow, which it takes for one contact."""
+
+    motion: SampledMotion
+    duration: float  # [s]
+    contact: ContactPeriod
+    peak_indentation: float | None = None  # [m]
+    residual_indentation: float | None = None  # [m]
+    diagnostics: dict[str, float] = field(default_factory=dict)  # of this model alone
+
+
+class _Instants:
+    """Of the contact and of the flight after it, and the contact period up to the end of the solution."""
+
+    def __init__(self, contact_time: float, unit: float, duration: float | None):
+        self.parting = contact_time
+        self.duration = contact_time + AFTERGLOW * unit if duration is None else duration
+        flight = max(self.duration - contact_time, 0.0)
+        count = 2 + int(min(SAMPLES_PER_CONTACT * flight / unit, 20 * SAMPLES_PER_CONTACT))
+        self.contact = np.linspace(0.0, contact_time, SAMPLES_PER_CONTACT + 1)
+        self.flight = contact_time + np.linspace(0.0, max(flight, 1e-9 * contact_time), count)
+
+    def period(self, blow: Blow) -> ContactPeriod:
+        end = min(self.parting, self.duration)
+        time, force, impulse = (values[: self.contact.size] for values in (blow.time, blow.force, blow.impulse))
+        peak = max(float(force[time <= end].max()), float(np.interp(end, time, force)))
+        return ContactPeriod(0.0, end, float(np.interp(end, time, impulse)), peak)
+
+
+def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimate:
+    """A mass on a spring of the structure's stiffness, with some of the structure's mass or none. (3.13)-(3.20)
+
+    A structure that is free to move goes off as a whole besides: then the reduced mass swings on the spring.
+    """
+    mass, target, speed = scene.impactor.mass, scene.target, scene.speed
+    spring = spring_of(target)
+    reduced, carried = 1.0 / (1.0 / mass + 1.0 / spring.whole_mass), spring.carried if with_mass else 0.0
+    half_swing = math.pi * math.sqrt((reduced + carried) / spring.stiffness)
+    instants = _Instants(half_swing, scene.time_unit, duration)
+    blow = on_spring(reduced, carried, spring.stiffness, speed, instants.contact, instants.flight)
+    moving = blow.impulse / spring.whole_mass
+    moved = (speed * blow.time - blow.position) * reduced / spring.whole_mass
+    drift, gained = target.velocity * blow.time, speed - blow.impulse / mass
+    start = 0.5 * target.mass * target.velocity**2 if target.velocity else 0.0
+    whole_mass = 0.0 if math.isinf(spring.whole_mass) else spring.whole_mass
+    energies = {
+        "impactor": 0.5 * mass * (target.velocity + gained) ** 2,
+        "target_rigid": start + whole_mass * moving * (target.velocity + 0.5 * moving),
+        "target_vibration": 0.5 * spring.stiffness * blow.bent**2 + 0.5 * carried * blow.bent_rate**2,
+        "local": np.zeros_like(moving),
+        "dissipated": np.full_like(moving, 0.5 * speed * blow.impulse[0]),  # as two bodies become one
+    }
+    motion = SampledMotion(
+        time=blow.time,
+        force=blow.force,
+        impulse=blow.impulse,
+        impactor_position=drift + moved + blow.position,
+        impactor_velocity=target.velocity + gained,
+        end_position=drift + moved + blow.bent,
+        end_velocity=target.velocity + moving + blow.bent_rate,
+        rigid_velocity=target.velocity + spring.rigid_mean * moving + spring.mean * blow.bent_rate,
+        energies=energies,
+        field=None if spring.field is None else spring.field(blow, moved, moving),
+    )
+    extra = {
+        "initial_impulse": float(blow.impulse[0]),
+        "peak_root_force": float(spring.stiffness * blow.bent[: SAMPLES_PER_CONTACT + 1].max()),
+    }
+    if target.bends:
+        extra |= {
+            "equivalent_mass": spring.carried,
+            "peak_deflection": float(blow.bent[: SAMPLES_PER_CONTACT + 1].max()),
+        }
+    return Estimate(motion, instants.duration, instants.period(blow), diagnostics=extra)
+
+
+def _two_rods(scene: Scene, printed: bool, duration: float | None) -> Estimate:
+    """Two equal rods, as seen from their common centre, or one on a stop. (3.21)-(3.23)
+
+    What the centres of mass do not hold of the energy is in the bending.
+    """
+    rod, target = scene.impactor.known_as(Rod), scene.target
+    stop = isinstance(target, Wall)
+    speed = scene.speed if stop else 0.5 * scene.speed
+    centre = rod.velocity - speed
+    start = speed if printed else 15.0 / 16.0 * speed
+    contact_time = math.pi * math.sqrt(rod.mass / (SQUARE * rod.stiffness))
+    instants = _Instants(contact_time, rod.round_trip_time, duration)
+    blow = against_equal(rod.mass, rod.stiffness, speed, start, instants.contact, instants.flight)
+    mirrored = 0.0 if stop else 1.0
+    after = blow.time >= instants.parting
+    after[: instants.contact.size] = False
+    leaving = np.where(after, -mirrored * blow.velocity, 0.0)  # of the touching faces
+    away = leaving * (blow.time - instants.parting)
+    mean = centre - mirrored * blow.velocity if not stop else np.zeros_like(blow.velocity)
+    impactor = 0.5 * rod.mass * (centre + blow.velocity) ** 2
+    rigid = 0.5 * rod.mass * mean**2
+    motion = SampledMotion(
+        time=blow.time,
+        force=blow.force,
+        impulse=blow.impulse,
+        impactor_position=centre * blow.time + blow.position,
+        impactor_velocity=centre + blow.velocity,
+        end_position=centre * blow.time + away,
+        end_velocity=centre + leaving,
+        rigid_velocity=mean,
+        energies={
+            "impactor": impactor,
+            "target_rigid": rigid,
+            "target_vibration": np.maximum(scene.initial_energy - impactor - rigid, 0.0),
+            "local": np.zeros_like(mean),
+            "dissipated": np.zeros_like(mean),
+        },
+        field=_bent_rod(target, blow, centre * blow.time + away, centre + leaving) if isinstance(target, Rod) else None,
+    )
+    return Estimate(motion, instants.duration, instants.period(blow))
+
+
+def _bent_rod(rod: Rod, blow: Blow, face: np.ndarray, face_rate: np.ndarray) -> ShapeField:
+    """The touching face, and the shape u = (8/3) x1 (xi - xi^2 / 2) of a rod that hangs from it."""
+
+    def shapes(x):
+        place = x / rod.length
+        return np.stack((np.ones_like(place), -8.0 / 3.0 * (place - 0.5 * place**2)))
+
+    def slopes(x):
+        place = x / rod.length
+        return np.stack((np.zeros_like(place), -8.0 / 3.0 * (1.0 - place) / rod.length))
+
+    coordinates, rates = np.stack((face, blow.bent), axis=1), np.stack((face_rate, blow.bent_rate), axis=1)
+    return ShapeField(blow.time, coordinates, rates, shapes, slopes, rod.material.young)
+
+
+def _local(scene: Scene, model: str, duration: float | None) -> Estimate:
+    """Two bodies that move as a whole, with the contact law between them. (3.28)-(3.34)"""
+    law = scene.contact
+    masses = [body.modes(1).rigid_mass for body in (scene.impactor, scene.target)]
+    found = _collision(law, model, 1.0 / sum(1.0 / mass for mass in masses), scene.speed)
+    parting = float(found.time[-1])
+    duration = parting + AFTERGLOW * scene.time_unit if duration is None else duration
+    end = min(parting, duration)
+    within = found.time <= end
+    peak, depth = float(found.force[within].max()), float(found.indentation[within].max())
+    contact = ContactPeriod(0.0, end, float(np.interp(end, found.time, found.impulse)), peak)
+    motion = _as_a_whole(scene, found, max(duration, parting * (1.0 + 1e-9)))
+    extra = {"delivered_restitution": float(-found.rate[-1] / scene.speed)}
+    return Estimate(motion, duration, contact, depth, float(law.dent(depth)), extra)
+
+
+def _as_a_whole(scene: Scene, found: Collision, last: float) -> SampledMotion:
+    """Both bodies about their common centre of mass, and free flight to the `last` instant."""
+    target, impactor = scene.target, scene.impactor
+    first, second = impactor.modes(1), target.modes(1)
+    time, indentation, impulse, stored, lost = (
+        np.append(values, values[-1])
+        for values in (found.time, found.indentation, found.impulse, found.stored, found.lost)
+    )
+    time[-1] = last
+    indentation[-1] += found.rate[-1] * (last - found.time[-1])
+    share = 1.0 / (1.0 + second.rigid_mass / first.rigid_mass)  # of the target in the approach
+    drift = share * impactor.velocity + (1.0 - share) * target.velocity
+    face, end = impactor.velocity - impulse / first.rigid_mass, target.velocity + impulse / second.rigid_mass
+    struck = drift * time - share * indentation
+    return SampledMotion(
+        time=time,
+        force=np.concatenate((found.force[:-1], [0.0, 0.0])),
+        impulse=impulse,
+        impactor_position=first.mean_velocity(impactor.velocity * time, drift * time + (1.0 - share) * indentation),
+        impactor_velocity=first.mean_velocity(impactor.velocity, face),
+        end_position=struck,
+        end_velocity=end,
+        rigid_velocity=second.mean_velocity(target.velocity, end),
+        energies={
+            "impactor": first.moving_energy(impactor.mass, impactor.velocity, face),
+            "target_rigid": second.moving_energy(target.mass, target.velocity, end),
+            "target_vibration": np.zeros_like(end),
+            "local": stored,
+            "dissipated": lost,
+        },
+        field=field_as_a_whole(target, time, struck, end) if target.bends else None,
+        face_velocity=face,
+    )
+
+
+def _collision(law: Any, model: str, mass: float, speed: float) -> Collision:
+    if model == "hertz-sine":
+        return sine_collision(law.stiffness, mass, speed, SAMPLES_PER_CONTACT)
+    if isinstance(law, (Linear, Hertz, Power)):
+        return power_collision(law.stiffness, exponent_of(law), mass, speed, SAMPLES_PER_CONTACT)
+    if law.LOSSY:
+        return damped_collision(law, mass, speed, contact_time(law, mass, speed))
+    return path_collision(law, mass, speed)

@@ -1,0 +1,106 @@
+"""How far a quasi-static estimate may be trusted: notes with the number that decides, and what to use instead."""
+
+import math
+
+import numpy as np
+
+from ...bodies import Bending, Rod, Wall
+from ...contact.duration import contact_time
+from ...scene import Scene
+from ...solution.sampled_motion import SampledMotion
+from ...solution.solution import ContactPeriod
+from ...text.notes import Note, Severity
+from .springs import spring_of
+
+COMPARABLE_MASSES = 0.1, 10.0  # mass ratios between which the structural estimate does not hold, thesis 3.5
+SLOW_ROUND_TRIPS = 5.0  # that a slow contact outlasts; shorter ones leave waves behind, thesis 3.5
+NEGLIGIBLE_ENERGY = 0.01  # share of it that an estimate may leave out without a word
+SHORT_CONTACT = 0.5  # of half a fundamental period: a shorter contact does not follow the swing of a beam
+RINGING_MODES = 60  # of a beam that a contact is asked to leave ringing; more are beyond MAX_RADIANS
+MAX_RADIANS = 100.0  # of a mode during a contact, of which a thousand instants still tell the force
+
+
+def equal_rods(scene: Scene) -> bool:
+    """Whether a rod strikes its equal, or a rigid stop, which is the same by symmetry."""
+    rod, other = scene.impactor, scene.target
+    if not isinstance(rod, Rod) or rod.end_mass:
+        return False
+    if isinstance(other, Wall) and not other.endless:
+        return True
+    if not isinstance(other, Rod) or other.support != "free" or other.end_mass:
+        return False
+    pairs = ((rod.length, other.length), (rod.mass, other.mass), (rod.wave_speed, other.wave_speed))
+    return all(math.isclose(a, b, rel_tol=1e-9) for a, b in pairs)
+
+
+def rod_notes(scene: Scene) -> list[Note]:
+    """Of the structural estimate."""
+    if COMPARABLE_MASSES[0] < scene.mass_ratio < COMPARABLE_MASSES[1]:
+        return [Note("masses-alike", Severity.WARNING)]
+    if scene.mass_ratio >= COMPARABLE_MASSES[1] and not equal_rods(scene):
+        trips = scene.halting_time / scene.time_unit
+        return [Note("rod-too-heavy", Severity.WARNING, ratio=scene.mass_ratio, trips=trips)]
+    return []
+
+
+def beam_notes(scene: Scene) -> list[Note]:
+    """Of the structural estimate: a contact far shorter than the swing of the beam with the mass breaks and resumes."""
+    spring, mass = spring_of(scene.target), scene.impactor.mass
+    half, share = spring.half_swing(mass), spring.carried / mass
+    notes = []
+    if not scene.rigid_contact:
+        alone = contact_time(scene.contact, 1.0 / (1.0 / mass + 1.0 / spring.whole_mass), scene.speed)
+        if alone < SHORT_CONTACT * half:
+            notes.append(Note("contact-too-short", Severity.WARNING, lasts=alone, share=alone / half, half=half))
+    if share >= 1.0:
+        notes.append(Note("beam-too-heavy", Severity.WARNING, share=share))
+    elif share > COMPARABLE_MASSES[0]:
+        notes.append(Note("beam-heavy", Severity.WARNING, share=share))
+    return notes
+
+
+def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
+    """A note for each rod that the contact does not outlast: what the force would send into it and not get back; and
+    for each beam that the force would leave ringing.
+    """
+    notes = _spring_left_out(scene, motion, contact)
+    for name, body in (("impactor", scene.impactor), ("target", scene.target)):
+        if body.bends:
+            notes += _ringing_left_out(scene, name, motion, contact)
+        if not isinstance(body, Rod) or contact.end > SLOW_ROUND_TRIPS * body.round_trip_time:
+            continue
+        times, forces = motion.force_history()
+        share = float(np.trapezoid(forces**2, times)) / (body.impedance * scene.initial_energy)
+        if share > NEGLIGIBLE_ENERGY:
+            trips = contact.end / body.round_trip_time
+            notes.append(Note("waves-matter", Severity.WARNING, trips=trips, body=name, share=min(share, 1.0)))
+    return notes
+
+
+def _spring_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
+    """A held body that a slow contact bends as a spring, in series with the contact law."""
+    target = scene.target
+    if not isinstance(target, (Rod, Bending)) or not target.fixed:
+        return []
+    share = 0.5 * contact.peak_force**2 / spring_of(target).stiffness / scene.initial_energy
+    slow = target.time_unit if isinstance(target, Bending) else SLOW_ROUND_TRIPS * target.round_trip_time
+    if contact.end < slow or share <= NEGLIGIBLE_ENERGY:
+        return []
+    return [Note("spring-left-out", Severity.WARNING, body=target.kind, share=min(share, 1.0))]
+
+
+def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
+    """As if the force were that on a half-space, q_i = phi_i F(omega_i) / omega_i, thesis 8.4.4."""
+    beam, other = (scene.target, scene.impactor) if name == "target" else (scene.impactor, scene.target)
+    beam = beam.known_as(Bending)
+    modes, (times, forces) = beam.modes(RINGING_MODES), motion.force_history()
+    angle = np.multiply.outer(modes.frequencies, times)
+    sent = [np.trapezoid(forces * wave(angle), times, axis=1) for wave in (np.cos, np.sin)]
+    shares = 0.5 * modes.at_contact**2 * (sent[0] ** 2 + sent[1] ** 2) / scene.initial_energy
+    share = float(shares[modes.frequencies * contact.end < MAX_RADIANS].sum())
+    if share <= NEGLIGIBLE_ENERGY:
+        return []
+    mass = other.modes(1).rigid_mass
+    half = spring_of(beam).half_swing(mass) if math.isfinite(mass) else 0.5 * beam.time_unit
+    lasts, energy = contact.end / half, min(share, 1.0)
+    return [Note("vibration-left-out", Severity.WARNING, share=lasts, body=name, energy=energy)]

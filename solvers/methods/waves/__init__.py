@@ -1,0 +1,1 @@
+"""Travelling waves: exact ones, on a grid of times, in chains of rods."""

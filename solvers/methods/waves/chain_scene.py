@@ -1,0 +1,239 @@
+"""A scene of rods in the units and arrays of the kernels `numerics.waves.network` and `numerics.waves.grid`.
+
+Units inside: time in the scene's T, velocity in the speed of approach v, force in Z v of the struck rod, length in v T.
+"""
+
+import math
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+
+from ...bodies import Pulse, Rod, Waveguide
+from ...contact import Linear, Rigid
+from ...numerics.law_functions import constants_of
+from ...numerics.waves.parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
+from ...numerics.waves.record import DEPTH, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...scene import Scene
+from ...solution.solution import ContactPeriod
+from ...text.notes import Note, Severity
+from ..base import MAX_ROUND_TRIPS
+from ..validity import MAX_TRUSTED_ERROR, NEVER_PART, STILL_TOUCHING, TOUCH_ON, cut_short
+
+NO_LAW = Linear(1.0)  # where no law is asked for
+MILLIONTH = 1e-6  # of v: on a rod without end, where a force fades for ever, less is left to be
+UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
+CONTACT_ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
+
+
+def end_notes(parted: bool, touching: bool, asked: bool, full: Note | None = None) -> list[Note]:
+    """What to say of the end of a solution; `full`: of the limit that it has come to, beside that of round trips."""
+    if full or (not parted and not asked):
+        return [full or cut_short(MAX_ROUND_TRIPS, "trips")]
+    return [STILL_TOUCHING] if touching else []
+
+
+class ChainScene:
+    """What the kernels take of a scene."""
+
+    def __init__(self, scene: Scene):
+        self.scene, self.target = scene, scene.target.known_as(Waveguide)
+        self.trip, self.speed = scene.time_unit, scene.speed
+        self.force_unit = self.target.impedance * self.speed
+        self.rods: list[Rod] = [*scene.impactor.rods, *scene.target.rods]
+        self.contact = len(self.rods) - len(scene.target.rods)
+        self.laws = self._laws()
+        self.chain = self._chain()
+        self.masses = self._masses()
+        self.pulse = self._pulse()
+
+    def _laws(self) -> list[Any]:
+        """The scaled law of every node, or None."""
+        laws: list[Any] = [None] * (len(self.rods) + 1)
+        laws[self.contact] = self.scene.contact
+        for number, law in enumerate(self.scene.joint_laws, self.contact + 1):
+            laws[number] = law
+        units = self.speed * self.trip, self.speed, self.force_unit
+        return [None if law is None or isinstance(law, Rigid) else law.scaled(*units) for law in laws]
+
+    def kernel_laws(self) -> tuple[type, type, np.ndarray]:
+        """Sort of law at the contact, and at the joints; constants of each node's."""
+        laws = [law or NO_LAW for law in self.laws]
+        joints = [law for node, law in enumerate(self.laws) if law is not None and node != self.contact]
+        return type(laws[self.contact]), type(joints[0] if joints else NO_LAW), constants_of(laws)
+
+    @property
+    def plastic(self) -> np.ndarray:
+        """Whether the law of each node remembers."""
+        return np.array([(law or NO_LAW).PLASTIC for law in self.laws])
+
+    @property
+    def lossy(self) -> np.ndarray:
+        """Whether the law of each node has damping."""
+        return np.array([(law or NO_LAW).LOSSY for law in self.laws])
+
+    def _chain(self) -> Chain:
+        """The scene as nodes and rods."""
+        scene, nodes = self.scene, len(self.rods) + 1
+        kind, gap = np.full(nodes, BONDED), np.zeros(nodes)
+        mass_left, mass_right, mass_drift = np.zeros(nodes), np.zeros(nodes), np.zeros(nodes)
+        mass_unit = self.force_unit * self.trip / self.speed
+        if isinstance(scene.impactor, Rod):
+            kind[0] = FREE
+        elif not scene.prescribed_force:
+            mass_left[0], mass_drift[0] = scene.impactor.mass / mass_unit, scene.impactor.velocity / self.speed
+        for number, joint in enumerate(self.target.joints, self.contact + 1):
+            gap[number] = joint.gap / (self.speed * self.trip)
+            if not joint.bonded:
+                kind[number] = RIGID_FACES if self.laws[number] is None else LAW
+        kind[self.contact] = RIGID_FACES if self.laws[self.contact] is None else LAW
+        if scene.prescribed_force:
+            kind[0] = PRESSED
+        last = self.rods[-1]
+        if last.support == "free":
+            kind[-1], mass_right[-1] = (BONDED, last.end_mass / mass_unit) if last.end_mass else (FREE, 0.0)
+            mass_drift[-1] = last.velocity / self.speed
+        elif last.support == "fixed":
+            mass_right[-1] = math.inf
+        else:
+            kind[-1] = ABSORBING
+        return Chain(
+            np.array([rod.impedance for rod in self.rods]) / self.target.impedance,
+            np.array([0.5 * rod.round_trip_time for rod in self.rods]) / self.trip,
+            np.array([rod.velocity for rod in self.rods]) / self.speed,
+            kind,
+            mass_left,
+            mass_right,
+            mass_drift,
+            gap,
+            self.contact,
+        )
+
+    def _pulse(self) -> np.ndarray:
+        """Times and values of a prescribed force."""
+        pulse = self.scene.impactor
+        if not isinstance(pulse, Pulse):
+            return np.zeros((2, 1))
+        return np.array([pulse.times, pulse.forces]) / np.array([[self.trip], [self.force_unit]])
+
+    def _masses(self) -> np.ndarray:
+        """Of the part to the right of every joint that can open, the contact being one; of the impactor at last."""
+        unit = self.force_unit * self.trip / self.speed
+        masses = np.full(len(self.laws) + 1, math.inf)
+        target, part = self.target, self.contact
+        masses[part] = 0.0
+        for number, rod in enumerate(target.rods):
+            if number and not target.joints[number - 1].bonded:
+                part = self.contact + number
+                masses[part] = 0.0
+            masses[part] += rod.mass / unit
+        if target.held:
+            masses[part] = math.inf
+        masses[-1] = self.scene.impactor.mass / unit
+        return masses
+
+
+class ChainHistory(ABC):
+    """What a kernel found for a scene, in its units; `chain_motion` makes a motion of it.
+
+    chain: as it was solved; reach [T]: how far; steps: of all nodes; cut: ended before all was over; error: of the
+    final velocity of the impactor [v], beside what the balances of energy and momentum show.
+    """
+
+    chain: Chain
+    reach: float
+    steps: int
+    cut: bool
+    error: float
+    contacts: list[ContactPeriod]
+    touching: bool
+    faded: bool  # before a rod without end: nothing is left to come
+
+    def __init__(self, given: ChainScene):
+        self.given, self.scene, self.chain = given, given.scene, given.chain
+        self.trip, self.speed, self.force_unit = given.trip, given.speed, given.force_unit
+        self.rods, self.contact, self.laws = given.rods, given.contact, given.laws
+
+    def estimated_error(self, residual: float, unbalanced: float, tolerance: float) -> float:
+        """Of the final velocity of the impactor [v]; residual: what energies and momenta miss, unbalanced: momenta."""
+        return UNKNOWN if self.cut else max(residual, self.error, tolerance)
+
+    def end_notes(self) -> list[Note]:
+        """What to say of the end of the solution."""
+        found = []
+        if not self.cut and self.error >= MAX_TRUSTED_ERROR:
+            found.append(Note("sensitive-chain", Severity.INVALID, error=self.error))
+        if self.faded:
+            return [*found, NEVER_PART if self.touching else TOUCH_ON]
+        return found + end_notes(not self.cut, self.touching, False)
+
+    @abstractmethod
+    def notes(self) -> list[Note]:
+        """What to say of the end of the solution, and of how it was found."""
+
+    @abstractmethod
+    def sampled(self, node: int, quantity: int, t: np.ndarray, after: bool = True) -> np.ndarray:
+        """A kept quantity of a node at times [T]; beyond the end of the time solved, its last value."""
+
+    @abstractmethod
+    def squares(self, node: int, quantity: int, begin: float, end: float) -> float:
+        """Integral of the square of a wave that a node sends."""
+
+    @abstractmethod
+    def periods(self, node: int) -> list[ContactPeriod]:
+        """Stretches of time in which the faces at a node press on each other."""
+
+    @abstractmethod
+    def deepest_at(self, node: int, t: np.ndarray) -> np.ndarray:
+        """Largest indentation of a node so far [v T]; where it has a law."""
+
+    @abstractmethod
+    def jumps(self) -> np.ndarray:
+        """Times [T] at which the contact force may jump or bend."""
+
+    @abstractmethod
+    def sent_jumps(self, node: int, quantity: int) -> np.ndarray:
+        """Times [T] at which a wave that a node sends jumps."""
+
+    @abstractmethod
+    def largest_depth(self) -> float:
+        """Of the contact [v T], between the points kept too."""
+
+    def deepest(self) -> float | None:
+        """Largest indentation of the contact [m]; None for rigid faces."""
+        return None if self.laws[self.contact] is None else self.speed * self.trip * self.largest_depth()
+
+    def dent(self) -> float | None:
+        """Indentation left behind [m]."""
+        law = self.laws[self.contact]
+        if law is None:
+            return None
+        deepest = float(self.deepest_at(self.contact, np.array([self.reach]))[0])
+        return self.speed * self.trip * float(law.dent(deepest))
+
+    def rod_energy(self, rod: int, t: np.ndarray) -> np.ndarray:
+        """Kinetic and strain energy of a rod [Z v^2 T], without what is fixed to its end, at times (instants,) [T]."""
+        lag, z, drift = self.chain.transit[rod], self.chain.impedance[rod], self.chain.drift[rod]
+        ends = (rod, OUT_RIGHT, TOTAL_RIGHT), (rod + 1, OUT_LEFT, TOTAL_LEFT)
+        held = [sum(self.squares(node, sent, max(now - lag, 0.0), now) for node, sent, _ in ends) for now in t.tolist()]
+        inside = [self.sampled(node, total, t) - self.sampled(node, total, t - lag) for node, _, total in ends]
+        return 0.5 * z * lag * drift**2 + drift * (inside[0] - inside[1]) + np.array(held) / z
+
+    def energy_left(self, t: float) -> float:
+        """Share of the energy at first that is still in bodies, rods and contacts at a time [T]."""
+        now, energy = np.array([t]), 0.0
+        for node, mass in enumerate(self.chain.mass_left + self.chain.mass_right):
+            if 0.0 < mass < math.inf:
+                energy += 0.5 * mass * float(self.sampled(node, SPEED, now)[0]) ** 2
+        energy += sum(float(self.rod_energy(rod, now)[0]) for rod in range(len(self.rods)))
+        unit = self.force_unit * self.speed * self.trip
+        return (energy + float(self.stored(now)[0])) * unit / self.scene.initial_energy
+
+    def stored(self, t: np.ndarray) -> np.ndarray:
+        """Energy stored in the contact laws [Z v^2 T]."""
+        found = np.zeros_like(t)
+        for node, law in enumerate(self.laws):
+            if law is not None:
+                depth, deepest = self.sampled(node, DEPTH, t), self.deepest_at(node, t)
+                found += [law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)]
+        return found

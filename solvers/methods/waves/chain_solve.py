@@ -1,0 +1,67 @@
+"""A chain of rods: exactly while that is affordable, then to a coarser tolerance, then on a grid."""
+
+import math
+
+import numpy as np
+
+from ...bodies import Pulse
+from ...numerics.waves.record import IMPULSE
+from ...scene import Scene
+from ..base import AFTERGLOW
+from .chain import ExactHistory
+from .chain_grid import COARSER, GridHistory
+from .chain_scene import ChainHistory, ChainScene
+
+COARSE_TOLERANCES = (1e-7, 1e-5)  # with each the echoes that count are some times fewer
+LOOSER = 10.0  # what is found with a tolerance this many times larger tells its error
+POOR = 1e-4  # error of a velocity [v]: with a larger one a chain is so sensitive that a grid may be better
+SURE = 2.0  # times what a grid differs by from a coarser one: measured on random chains, see the tests
+FIRST_LOOK = 20.0  # round trips of the longest rod: how far a grid looks at first for when the bodies part
+
+
+def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
+    """Solve up to `until` [T], or until the impactor has parted for good if that is infinite.
+
+    A prescribed force parts from nothing: then to two round trips after its end.
+    """
+    given = ChainScene(scene)
+    if isinstance(scene.impactor, Pulse) and not math.isfinite(until):
+        until = scene.impactor.end / given.trip + 2.0
+    history = ExactHistory(given, until, tolerance)
+    if not history.gave_up:
+        return history
+    reach, coarse = history.reach, None
+    del history  # a hundred megabytes
+    for looser in COARSE_TOLERANCES:
+        if looser > tolerance:
+            coarse = ExactHistory(given, until, looser, instead_of=tolerance)
+            if not coarse.gave_up:
+                coarse.error = max(coarse.error, _difference(coarse, ExactHistory(given, until, LOOSER * looser)))
+                break
+            reach, coarse = coarse.reach, None
+    if coarse is not None and coarse.error <= POOR:
+        return coarse
+    horizon = max(2.0 * reach, FIRST_LOOK * max(rod.round_trip_time for rod in given.rods) / given.trip)
+    grid = GridHistory(given, until, horizon)
+    shown = grid.contacts[-1].end / given.trip + AFTERGLOW
+    if grid.parted and shown < grid.reach:  # known by now to be all that is of interest: finer
+        grid = GridHistory(given, shown, shown)
+    rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
+    grid.error = max(grid.error, SURE * _difference(grid, rough))
+    return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
+
+
+def _difference(history: ChainHistory, coarse: ChainHistory) -> float:
+    """Between two solves, in the final velocity of the impactor [v]; under a prescribed force, in what goes through the
+    joints over the mass of the chain.
+    """
+    given = history.given
+    pushed = [np.array([_pushed(each, node) for node in range(len(given.laws))]) for each in (history, coarse)]
+    difference = np.abs(pushed[0] - pushed[1])
+    if given.scene.prescribed_force:
+        return float(difference.max() * given.force_unit * given.trip / (given.scene.target.mass * given.speed))
+    return float(difference[given.contact] / given.masses[-1])
+
+
+def _pushed(history: ChainHistory, node: int) -> float:
+    return float(history.sampled(node, IMPULSE, np.array([history.reach]))[0])

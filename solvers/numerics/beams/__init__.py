@@ -1,0 +1,1 @@
+"""Bending beams: dispersion, natural modes, static shapes."""

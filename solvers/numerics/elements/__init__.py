@@ -1,0 +1,1 @@
+"""Meshes of finite elements, their modes, and Newmark's steps."""

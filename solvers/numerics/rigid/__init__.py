@@ -1,0 +1,1 @@
+"""Rigid bodies in space: impulses between them, and how they turn."""

@@ -1,0 +1,1 @@
+"""Sets of modes that change as contacts begin and end."""

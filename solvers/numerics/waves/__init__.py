@@ -1,0 +1,1 @@
+"""Travelling waves in rods: pieces, networks, laws of contact at their ends."""

@@ -1,0 +1,327 @@
+"""One step of one node of a chain of rods (see `network`): what arrives, its force, and what happens within it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...jit import inner_kernel
+from ..arrays import copy_to
+from .collocation import (
+    BACK_TO_START,
+    INTEGRATE,
+    INTEGRATE_TWICE,
+    NODES,
+    STAGE_NODES,
+    STAGES,
+    interpolate,
+    solve_in_place,
+)
+from .events import BENDS, NO_PULL, PARTS, TOUCHES, TURNS
+from .laws import follow
+from .parts import ABSORBING, FREE, LAW, PRESSED, RIGID_FACES, Chain
+from .record import DEPTH, FORCE, IMPULSE, LOST, OUT_LEFT, OUT_RIGHT, PLACE, POINTS, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+
+# [T] From which on the error of a step counts in full, that of a shorter one in proportion, as there are more of them.
+# Smaller, and steep fronts are followed in ever shorter steps.
+LONG_STEP = 1e-2
+LOOK_AHEAD = 5  # stretches of a neighbour that one step may cover
+
+
+class State(NamedTuple):
+    """Where every node is: (nodes,) each."""
+
+    time: np.ndarray
+    depth: np.ndarray
+    deepest: np.ndarray
+    speed: np.ndarray  # of the mass beside it
+    place: np.ndarray
+    step: np.ndarray  # tried next
+    largest: np.ndarray  # force so far
+    opened: np.ndarray  # whether the faces have come apart since they last met
+    closed: np.ndarray
+    loading: np.ndarray  # whether a law with memory is on the curve of first loading
+    seek_left: np.ndarray  # where the last look into the neighbour's past ended
+    seek_right: np.ndarray
+    breaks: np.ndarray  # (nodes, many): times at which jumps arrive, ascending
+    break_count: np.ndarray
+    next_break: np.ndarray
+    changed: np.ndarray  # whether the next stretch may begin with a jump
+    through: np.ndarray  # impulse so far; room for it
+    parting: np.ndarray  # (1,): since when the impactor is apart; infinite while it touches
+
+
+def new_state(chain: Chain, capacity: int) -> State:
+    """Where every node is before the blow; room for so many arrivals of jumps at each."""
+    nodes = chain.kind.size
+    closed = (chain.gap <= 0.0) & (chain.kind != LAW)
+    closed[chain.contact] = True
+    return State(
+        time=np.zeros(nodes),
+        depth=-chain.gap,
+        deepest=np.zeros(nodes),
+        speed=chain.mass_drift.copy(),
+        place=np.zeros(nodes),
+        step=np.full(nodes, 1e-3),
+        largest=np.zeros(nodes),
+        opened=chain.gap > 0.0,
+        closed=closed,
+        loading=np.ones(nodes, np.bool_),
+        seek_left=np.zeros(nodes, np.int64),
+        seek_right=np.zeros(nodes, np.int64),
+        breaks=np.zeros((nodes, capacity)),
+        break_count=np.zeros(nodes, np.int64),
+        next_break=np.zeros(nodes, np.int64),
+        changed=np.ones(nodes, np.bool_),
+        through=np.zeros(nodes),
+        parting=np.full(1, np.inf),
+    )
+
+
+@inner_kernel
+def tiny(t):
+    """Two times closer than this are told apart by rounding only."""
+    return 4e-15 * max(t, 1.0)
+
+
+@inner_kernel
+def add_break(state, node, t):
+    """A jump arrives at a node at time t; two that only rounding parts are one."""
+    count = state.break_count[node]
+    if count >= state.breaks.shape[1]:
+        return False
+    place = count
+    while place > state.next_break[node] and state.breaks[node, place - 1] > t:
+        place -= 1
+    if place > 0 and t - state.breaks[node, place - 1] <= tiny(t):
+        return True
+    if place < count and state.breaks[node, place] - t <= tiny(t):
+        return True
+    for k in range(count, place, -1):
+        state.breaks[node, k] = state.breaks[node, k - 1]
+    state.breaks[node, place] = t
+    state.break_count[node] = count + 1
+    return True
+
+
+@inner_kernel
+def _arrivals(record, sender, quantity, delay, t, step, seek, arriving):
+    """Fill `arriving` (POINTS,) with what `sender` sent a `delay` before t + step * NODES; returns where to look next.
+
+    The first is the value after a jump at t, the last the value before a jump at t + step.
+    """
+    back, near = t - delay, tiny(t)
+    if back < -near and back + step <= near:  # nothing was sent before the blow
+        for i in range(POINTS):
+            arriving[i] = 0.0
+        return seek
+    count = record.count[sender]
+    start = record.start[sender]
+    while seek < count - 1 and start[seek + 1] <= back + near:
+        seek += 1
+    look = seek
+    for i in range(POINTS):
+        s = back + step * NODES[i]
+        while look < count - 1 and start[look + 1] < s - near:
+            look += 1
+        place = (s - start[look]) / (start[look + 1] - start[look])
+        arriving[i] = (
+            0.0 if s < -near else interpolate(record.values[sender, look, quantity], min(max(place, 0.0), 1.0))
+        )
+    return seek
+
+
+@inner_kernel
+def _free_closing(chain, state, node, work):
+    """Closing speed of the faces if they did not press on each other, at every point."""
+    for i in range(POINTS):
+        left = right = 0.0
+        if node > 0:
+            left = chain.drift[node - 1] + 2.0 * work.from_left[i] / chain.impedance[node - 1]
+        elif chain.mass_left[node] > 0.0:
+            left = state.speed[node]
+        if node < chain.kind.size - 1:
+            right = chain.drift[node] - 2.0 * work.from_right[i] / chain.impedance[node]
+        elif chain.mass_right[node] > 0.0:
+            right = state.speed[node]
+        work.closing[i] = left - right
+
+
+@inner_kernel
+def _bonded_force(rods, masses, step, work):
+    """Force at every point that keeps the faces together."""
+    work.forces[0] = work.closing[0] / rods
+    if masses == 0.0:
+        for i in range(1, POINTS):
+            work.forces[i] = work.closing[i] / rods
+        return True
+    for i in range(STAGES):
+        work.right[i] = work.closing[i + 1]
+        for j in range(STAGES):
+            work.matrix[i, j] = step * masses * INTEGRATE[i, j]
+        work.matrix[i, i] += rods
+    good = solve_in_place(work.matrix, work.right, STAGES)
+    for i in range(STAGES):
+        work.forces[i + 1] = work.right[i]
+    return good
+
+
+@inner_kernel
+def _unresolved(work, step, pressing):
+    """How far the stretch is from a polynomial: of the force of a law, and of what is sent.
+
+    Where no law is at work only the area counts, or the rounding of t would be taken for detail where a stiff contact
+    sends steep fronts.
+    """
+    miss, miss_left, miss_right = -work.forces[0], work.from_left[0], work.from_right[0]
+    for i in range(STAGES):
+        miss += BACK_TO_START[i] * work.forces[i + 1]
+        miss_left -= BACK_TO_START[i] * work.from_left[i + 1]
+        miss_right -= BACK_TO_START[i] * work.from_right[i + 1]
+    weight = min(1.0, step / LONG_STEP)
+    sent = max(abs(miss_left), abs(miss_right)) * weight
+    return max(abs(miss) * (1.0 if pressing else weight), sent)
+
+
+@inner_kernel
+def _keep(chain, state, record, node, step, work, lost_so_far, stored_change, counts_loss):
+    """Write a stretch and move the node to its end."""
+    n = record.count[node]
+    values = record.values[node, n]
+    previous = record.values[node, n - 1]
+    for quantity in (TOTAL_LEFT, TOTAL_RIGHT, IMPULSE):
+        values[quantity, 0] = previous[quantity, STAGES] if n > 0 else 0.0
+    mass = chain.mass_left[node] if chain.mass_left[node] > 0.0 else chain.mass_right[node]
+    pushed = -1.0 if chain.mass_left[node] > 0.0 else 1.0
+    gain = pushed / mass if mass > 0.0 else 0.0
+    values[SPEED, 0], values[PLACE, 0], values[LOST, 0] = state.speed[node], state.place[node], lost_so_far
+    for i in range(POINTS):
+        values[OUT_LEFT, i] = work.forces[i] - work.from_left[i]
+        values[OUT_RIGHT, i] = work.forces[i] - work.from_right[i]
+        values[FORCE, i] = work.forces[i]
+        values[DEPTH, i] = work.depth[i]
+    for i in range(STAGES):
+        left, right, impulse, speed, place, taken = 0.0, 0.0, 0.0, 0.0, step * STAGE_NODES[i] * state.speed[node], 0.0
+        for j in range(STAGES):
+            share = step * INTEGRATE[i, j]
+            left += share * values[OUT_LEFT, j + 1]
+            right += share * values[OUT_RIGHT, j + 1]
+            impulse += share * work.forces[j + 1]
+            speed += share * gain * work.forces[j + 1]
+            place += step * step * INTEGRATE_TWICE[i, j] * gain * work.forces[j + 1]
+            taken += share * work.forces[j + 1] * work.rate[j + 1]
+        values[TOTAL_LEFT, i + 1] = values[TOTAL_LEFT, 0] + left
+        values[TOTAL_RIGHT, i + 1] = values[TOTAL_RIGHT, 0] + right
+        values[IMPULSE, i + 1] = values[IMPULSE, 0] + impulse
+        values[SPEED, i + 1] = state.speed[node] + speed
+        values[PLACE, i + 1] = state.place[node] + place
+        values[LOST, i + 1] = lost_so_far + (taken - stored_change[i] if counts_loss else 0.0)
+    record.closed[node, n] = state.closed[node]
+    state.time[node] += step
+    record.start[node, n + 1] = state.time[node]
+    record.count[node] = n + 1
+    state.depth[node] = work.depth[STAGES]
+    state.speed[node] = values[SPEED, STAGES]
+    state.place[node] = values[PLACE, STAGES]
+
+
+@inner_kernel
+def seen(record, sender, delay, t, seek):
+    """How far a step from t may go so as to look at no more than LOOK_AHEAD of the sender's stretches.
+
+    Whatever the sender resolved, a short pulse say, its neighbour then cannot step across.
+    """
+    count, start, back = record.count[sender], record.start[sender], t - delay
+    if count <= LOOK_AHEAD:
+        return np.inf
+    while seek < count - 1 and start[seek + 1] <= back + tiny(t):
+        seek += 1
+    last = seek + LOOK_AHEAD
+    return start[last] - back if last < count else np.inf
+
+
+@inner_kernel
+def _given_force(pulse, t):
+    """A force given as straight lines between points (2, points), times and values; zero beyond them."""
+    times, forces = pulse[0], pulse[1]
+    if t < times[0] or t > times[-1]:
+        return 0.0
+    low, high = 0, times.size - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if times[middle] <= t:
+            low = middle
+        else:
+            high = middle
+    width = times[high] - times[low]
+    return forces[low] + (forces[high] - forces[low]) * ((t - times[low]) / width if width > 0.0 else 1.0)
+
+
+@inner_kernel
+def prepare(chain, state, record, node, step, work):
+    """Arriving waves and free closing speed of the next step of a node."""
+    t = state.time[node]
+    if node > 0:
+        state.seek_left[node] = _arrivals(
+            record, node - 1, OUT_RIGHT, chain.transit[node - 1], t, step, state.seek_left[node], work.from_left
+        )
+    if node < chain.kind.size - 1:
+        state.seek_right[node] = _arrivals(
+            record, node + 1, OUT_LEFT, chain.transit[node], t, step, state.seek_right[node], work.from_right
+        )
+    _free_closing(chain, state, node, work)
+
+
+@inner_kernel
+def simple_forces(chain, state, node, rods, masses, pulse, step, work):
+    """Force, depth and rate of one step where no law is at work."""
+    kind, good = chain.kind[node], True
+    if kind == ABSORBING:
+        copy_to(work.forces, work.from_left)
+    elif kind == PRESSED:
+        t, inside = state.time[node], 1e-9 * step
+        for i in range(POINTS):  # seen from inside the step, as the force may jump at its ends
+            work.forces[i] = _given_force(pulse, t + min(max(step * NODES[i], inside), step - inside))
+    elif kind == FREE or not state.closed[node]:
+        for i in range(POINTS):
+            work.forces[i] = 0.0
+    else:
+        good = _bonded_force(rods, masses, step, work)
+    follow(rods, masses, state.depth[node], step, work)
+    return good
+
+
+@inner_kernel
+def share_of_error(state, tolerance, step, pressing, work):
+    """Of the step as a share of what is allowed, and the largest force so far."""
+    peak = 0.0
+    for other in range(state.largest.size):
+        peak = max(peak, state.largest[other])
+    for i in range(POINTS):
+        peak = max(peak, abs(work.forces[i]), abs(work.from_left[i]), abs(work.from_right[i]))
+    return (_unresolved(work, step, pressing) / (tolerance * peak) if peak > 0.0 else 0.0), peak
+
+
+@inner_kernel
+def finish(chain, state, record, node, counts_loss, remembers, dent, step, ends, work):
+    """Write the stretch just solved and take over what it changed."""
+    n = record.count[node]
+    lost = record.values[node, n - 1, LOST, STAGES] if n > 0 else 0.0
+    for i in range(POINTS):
+        state.largest[node] = max(state.largest[node], abs(work.forces[i]))
+        if not state.closed[node] and work.depth[i] < dent - NO_PULL:
+            state.opened[node] = True
+    _keep(chain, state, record, node, step, work, lost, work.right, counts_loss)
+    if remembers:
+        state.deepest[node] = max(state.deepest[node], state.depth[node])
+        if ends == BENDS:
+            state.loading[node] = state.depth[node] >= state.deepest[node]
+        elif ends in (TURNS, PARTS):
+            state.loading[node] = False
+    if ends == PARTS:
+        state.closed[node], state.opened[node] = False, False
+        if chain.kind[node] == RIGID_FACES:
+            state.depth[node] = 0.0
+    elif ends == TOUCHES:
+        state.closed[node] = True
+        if state.opened[node]:
+            state.depth[node] = dent

@@ -1,0 +1,43 @@
+"""A chain of rods as nodes and what joins them: what `network` and `grid` solve."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...jit import inner_kernel
+
+# what holds at a node
+FREE, ABSORBING, PRESSED, BONDED, RIGID_FACES, LAW = range(6)
+
+
+class Chain(NamedTuple):
+    """Nodes 0 to n joined by n rods, rod i between nodes i and i + 1.
+
+    impedance, transit, drift (rods,): Z, L / c and the velocity before the blow; kind (nodes,); mass_left, mass_right
+    (nodes,): a rigid body beside the node, 0 for none, infinite for a wall; mass_drift (nodes,), its first velocity;
+    gap (nodes,): between the faces before the blow; contact: the node that the impactor strikes.
+    """
+
+    impedance: np.ndarray
+    transit: np.ndarray
+    drift: np.ndarray
+    kind: np.ndarray
+    mass_left: np.ndarray
+    mass_right: np.ndarray
+    mass_drift: np.ndarray
+    gap: np.ndarray
+    contact: int
+
+
+@inner_kernel
+def mobility(chain, node):
+    """Of the bodies beside a node: 1 / Z summed over its rods, 1 / m over its masses."""
+    rods, masses = 0.0, 0.0
+    if node > 0:
+        rods += 1.0 / chain.impedance[node - 1]
+    if node < chain.kind.size - 1:
+        rods += 1.0 / chain.impedance[node]
+    for mass in (chain.mass_left[node], chain.mass_right[node]):
+        if mass > 0.0:
+            masses += 1.0 / mass
+    return rods, masses

@@ -1,0 +1,318 @@
+"""Exact waves in a rod struck by a rigid mass: St. Venant's problem, any number of contact periods.
+
+Units here: time in round trips T, velocity in the impact speed v, stress in sigma_0 = v sqrt(E rho), displacement in
+v T.
+One history says all: s(t), the stress wave sent into the rod by the struck end. It comes back as r s(t - 1), with
+r = +1 from a fixed and -1 from a free far end, so that at the struck end
+
+    velocity = s(t) - r s(t - 1),    stress = s(t) + r s(t - 1)                                 (4.17), (4.18)
+
+While they touch, v1' = -2 beta * stress, (4.8); while apart the stress is zero. On every piece between events and their
+returns, s is a polynomial times exp(-2 beta t): coefficients are kept, nothing is stepped.
+"""
+
+import numpy as np
+
+from ...jit import allocating_kernel, inner_kernel, kernel
+from ..polynomials import GAUSS_NODES, GAUSS_WEIGHTS, roots, shift, trim, value
+
+WINDOW, HORIZON = 2.0, 80.0  # of the exponent x: searched window by window, as exp(-x) ends all beyond the horizon
+PARTED, STOPPED, FULL = 0, 1, 2
+FOREVER = 20_000.0  # asked for that long, a blow is followed only until the bodies part for good
+
+
+@inner_kernel
+def decaying_integral(coefficients, degree, a, b):
+    """Integral of exp(-x) p(x) over [a, b]."""
+    total = 0.0
+    while a < b:
+        end = min(b, a + WINDOW) if a < HORIZON else b
+        half, middle = 0.5 * (end - a), 0.5 * (a + end)
+        for k in range(GAUSS_NODES.size):
+            x = middle + half * GAUSS_NODES[k]
+            total += half * GAUSS_WEIGHTS[k] * np.exp(-x) * value(coefficients, degree, x)
+        a = end
+    return total
+
+
+@inner_kernel
+def _next_window(a, length):
+    return min(length, a + WINDOW) if a < HORIZON else length
+
+
+@inner_kernel
+def _first_fall_below_zero(p, degree, length, scratch, found):
+    """The first x in (0, length) where p, positive before, turns negative; or infinity."""
+    a = 0.0
+    while a < length:
+        b = _next_window(a, length)
+        shift(p, degree, a, scratch)
+        for k in range(roots(scratch, degree, b - a, found)):
+            x = a + found[k]
+            after = found[k + 1] - found[k] if found[k + 1] > found[k] else b - x
+            if value(p, degree, x + 0.5 * min(after, 1e-6 * (b - a))) < 0.0:
+                return x
+        a = b
+    return np.inf
+
+
+@kernel
+def _highest(p, degree, length, slope, scratch, found):
+    """The largest value of exp(-x) p(x) on [0, length]."""
+    best = p[0]
+    for k in range(degree):
+        slope[k] = (k + 1) * p[k + 1] - p[k]
+    slope[degree] = -p[degree]
+    a = 0.0
+    while a < length:
+        b = _next_window(a, length)
+        shift(slope, degree, a, scratch)
+        for k in range(roots(scratch, degree, b - a, found)):
+            x = a + found[k]
+            best = max(best, np.exp(-x) * value(p, degree, x))
+        best = max(best, np.exp(-b) * value(p, degree, b))
+        a = b
+    return best
+
+
+@inner_kernel
+def _closing_speed(v1, incoming, degree, x):
+    return v1 + 2.0 * np.exp(-x) * value(incoming, degree, x)
+
+
+@inner_kernel
+def _first_touch(gap, opened, v1, incoming, degree, length, kappa, slope, scratch, found):
+    """While apart: the first x in (0, length] where x1 - u_end, negative, comes back to zero; or infinity.
+
+    The closing speed v1 + 2 exp(-x) S(x) is monotone between the roots of S' - S, and so the gap between the zeros of
+    the speed: each stretch holds at most one touch, and none is missed. Returns also the gap at the end of the piece
+    and whether the bodies have come apart by more than rounding.
+    """
+    for k in range(degree):
+        slope[k] = (k + 1) * incoming[k + 1] - incoming[k]
+    slope[degree] = -incoming[degree]
+    a = 0.0
+    while a < length:
+        b = _next_window(a, length)
+        shift(slope, degree, a, scratch)
+        turns = roots(scratch, degree, b - a, found)
+        x = a
+        for k in range(turns + 1):
+            monotone_end = a + found[k] if k < turns else b
+            while x < monotone_end:
+                end = monotone_end
+                at_x, at_end = _closing_speed(v1, incoming, degree, x), _closing_speed(v1, incoming, degree, end)
+                if at_x * at_end < 0.0:  # stop at the zero of the speed
+                    low, high = x, end
+                    while high - low > 4e-16 * high:
+                        middle = 0.5 * (low + high)
+                        if not low < middle < high:
+                            break
+                        if (_closing_speed(v1, incoming, degree, middle) > 0.0) == (at_x > 0.0):
+                            low = middle
+                        else:
+                            high = middle
+                    end = high
+                gap_end = gap + (v1 * (end - x) + 2.0 * decaying_integral(incoming, degree, x, end)) / kappa
+                if gap_end > 0.0 and (opened or gap_end > 1e-14):
+                    low, high, touch, gap_low = x, end, 0.5 * (x + end), gap
+                    for _ in range(200):  # Newton on the gap, kept inside by halving
+                        g = (
+                            gap_low
+                            + (v1 * (touch - low) + 2.0 * decaying_integral(incoming, degree, low, touch)) / kappa
+                        )
+                        if g > 0.0:
+                            high = touch
+                        else:
+                            low, gap_low = touch, g
+                        speed = _closing_speed(v1, incoming, degree, touch)
+                        following = touch - g * kappa / speed if speed > 0.0 else low
+                        if not low < following < high:
+                            following = 0.5 * (low + high)
+                        if abs(following - touch) <= 2e-16 * touch or high - low <= 2e-16 * high:
+                            break
+                        touch = following
+                    return touch, 0.0, True
+                gap = gap_end
+                if gap < -1e-14:
+                    opened = True
+                x = end
+        a = b
+    return np.inf, gap, opened
+
+
+@allocating_kernel
+def strike(beta, reflection, until, pieces, terms, max_contacts):
+    """The blow of a mass at unit speed, up to `until` or until the bodies part for good.
+
+    Returns status, number of pieces, their start (pieces,), coefficients (pieces, terms) in x = 2 beta (t - start),
+    degree, integral of s up to their start; number of contacts and, for each, (start, end, velocity of the mass before
+    and after, peak stress, position of the mass at the end, velocity of the struck end just after).
+    """
+    kappa = 2.0 * beta
+    start, coefficients = np.empty(pieces + 1), np.zeros((pieces, terms))
+    degrees, integral = np.zeros(pieces, np.int64), np.zeros(pieces + 1)
+    contacts = np.zeros((max_contacts, 7))
+    incoming, outgoing, pressure = np.zeros(terms + 1), np.zeros(terms + 1), np.zeros(terms + 1)
+    slope, scratch, found = np.zeros(terms + 1), np.zeros(terms + 1), np.zeros(terms + 2)
+    t, v1, gap, x1 = 0.0, 1.0, 0.0, 0.0
+    touching, opened, first = True, gap < 0.0, True  # no literal: it would be compiled twice
+    j, n, count = -1, 0, 0
+    contacts[0, 2] = 1.0
+    count, start[0] = 1, 0.0
+    period = 2.0 if reflection > 0.0 else 1.0
+    status = FULL
+    while n < pieces and count < max_contacts:
+        # the wave that arrives: piece j, from its own origin to ours
+        arrival_end = 1.0 if j < 0 else (start[j + 1] if j + 1 < n else t) + 1.0
+        if arrival_end - t <= 1e-15 * arrival_end:
+            j += 1
+            first = True
+            continue
+        degree = 0
+        incoming[0] = 0.0
+        if j >= 0:
+            offset = kappa * (t - 1.0 - start[j]) if not first else 0.0
+            degree = degrees[j]
+            shift(coefficients[j], degree, offset, incoming)
+            damp = reflection * np.exp(-offset)
+            for k in range(degree + 1):
+                incoming[k] *= damp
+        length = kappa * (min(arrival_end, until) - t)
+        if length <= 0.0:
+            status = STOPPED
+            break
+        if touching:
+            outgoing[0] = v1  # Q: the velocity of the mass is exp(-x) Q(x)
+            for k in range(degree + 1):
+                outgoing[k + 1] = -2.0 * incoming[k] / (k + 1)
+            incoming[degree + 1] = 0.0
+            degree = degree + 1 if j >= 0 else 0
+            for k in range(degree + 1):
+                pressure[k] = outgoing[k] + 2.0 * incoming[k]
+            if pressure[0] < 0.0 or (pressure[0] == 0.0 and degree > 0 and pressure[1] <= 0.0):
+                x = 0.0
+            else:
+                x = _first_fall_below_zero(pressure, degree, length, scratch, found)
+            if x > 0.0:
+                end = min(x, length)
+                peak = _highest(pressure, degree, end, slope, scratch, found)
+                contacts[count - 1, 4] = max(contacts[count - 1, 4], peak)
+                v1 = np.exp(-end) * value(outgoing, degree, end)
+                for k in range(degree + 1):
+                    outgoing[k] += incoming[k]
+            else:
+                end = 0.0
+            parts, touches = x <= length, False
+        else:
+            for k in range(degree + 1):
+                outgoing[k] = -incoming[k]
+            x, gap, opened = _first_touch(gap, opened, v1, incoming, degree, length, kappa, slope, scratch, found)
+            end = min(x, length)
+            parts, touches = False, x <= length
+        if end > 0.0:
+            if degree >= terms - 1:
+                degree = terms - 2
+            degree = trim(outgoing, degree, end)
+            for k in range(degree + 1):
+                coefficients[n, k] = outgoing[k]
+            degrees[n] = degree
+            integral[n + 1] = integral[n] + decaying_integral(coefficients[n], degree, 0.0, end) / kappa
+            n += 1
+            reached = arrival_end if end == length and arrival_end <= until else t + end / kappa
+            first = reached == arrival_end
+            if first:
+                j += 1
+            t = reached
+            start[n] = t
+        if parts:
+            touching, opened, gap = False, False, 0.0
+            returned = 0.0
+            if j >= 0 and t > 1.0:
+                offset = kappa * (t - 1.0 - start[j]) if not first else 0.0
+                returned = integral[j] + decaying_integral(coefficients[j], degrees[j], 0.0, offset) / kappa
+            x1 = integral[n] - reflection * returned
+            contacts[count - 1, 1], contacts[count - 1, 3], contacts[count - 1, 5] = t, v1, x1
+            arriving = 0.0
+            if j >= 0:
+                offset = kappa * (t - 1.0 - start[j]) if not first else 0.0
+                arriving = reflection * np.exp(-offset) * value(coefficients[j], degrees[j], offset)
+            contacts[count - 1, 6] = -2.0 * arriving
+        elif touches:
+            touching = True
+            contacts[count, 0], contacts[count, 2] = t, v1
+            count += 1
+        elif not touching:
+            drift = -v1 if reflection > 0.0 else (1.0 - v1) / beta - v1
+            if until >= FOREVER and drift > 0.0 and t >= contacts[count - 1, 1] + period:
+                status = PARTED
+                break
+        if t >= until:
+            status = STOPPED
+            break
+    if touching:
+        contacts[count - 1, 1], contacts[count - 1, 3] = t, v1
+        contacts[count - 1, 5], contacts[count - 1, 6] = np.nan, v1
+    return status, n, start[: n + 1], coefficients[:n], degrees[:n], integral[: n + 1], contacts[:count]
+
+
+@inner_kernel
+def _piece(t, after, start, count):
+    """Which piece of s holds at t > 0; at a jump the one after it, or before it if not `after`."""
+    low, high = 0, count
+    while high - low > 1:
+        middle = (low + high) // 2
+        if start[middle] < t or (after and start[middle] == t):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@inner_kernel
+def wave_at(t, after, kappa, start, coefficients, degrees):
+    """s(t); at a jump the value after it, or before it if not `after`."""
+    if t < 0.0 or (t == 0.0 and not after):
+        return 0.0
+    n = _piece(t, after, start, degrees.size)
+    x = kappa * (t - start[n])
+    return np.exp(-x) * value(coefficients[n], degrees[n], x)
+
+
+@inner_kernel
+def total_at(t, kappa, start, coefficients, degrees, integral):
+    """Integral of s from 0 to t."""
+    if t < 0.0:
+        return 0.0
+    n = _piece(t, True, start, degrees.size)
+    return integral[n] + decaying_integral(coefficients[n], degrees[n], 0.0, kappa * (t - start[n])) / kappa
+
+
+@kernel
+def sample(times, after, kappa, start, coefficients, degrees, integral, wave, total):
+    """Write s(t) and its integral from 0 for `times`; at a jump the value after it, or before it if not `after`.
+
+    An empty `total` asks for s alone.
+    """
+    for i in range(times.size):
+        wave[i] = wave_at(times[i], after, kappa, start, coefficients, degrees)
+        if total.size:
+            total[i] = total_at(times[i], kappa, start, coefficients, degrees, integral)
+
+
+@kernel
+def stored_energy(begin, end, kappa, start, coefficients, degrees):
+    """Integral of s(t)^2 over [begin, end], for 0 <= begin."""
+    total = 0.0
+    for j in range(degrees.size):
+        a, b = max(begin, start[j]), min(end, start[j + 1])
+        x = kappa * (a - start[j])
+        last = kappa * (b - start[j])
+        while x < last:
+            stop = min(last, x + WINDOW) if x < HORIZON else last
+            half, middle = 0.5 * (stop - x), 0.5 * (x + stop)
+            for k in range(GAUSS_NODES.size):
+                y = middle + half * GAUSS_NODES[k]
+                total += half * GAUSS_WEIGHTS[k] * (np.exp(-y) * value(coefficients[j], degrees[j], y)) ** 2 / kappa
+            x = stop
+    return total

@@ -1,0 +1,1 @@
+"""Measured histories: as data, as files, and the contact force from gauges."""

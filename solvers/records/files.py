@@ -1,0 +1,225 @@
+"""Measured records in files: tables as text, checked before anything is computed with them."""
+
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .. import validation
+from ..validation import SceneError
+from .record import KINDS, Record
+
+MAX_BYTES, MAX_ROWS, LEAST_ROWS = 2_000_000, 200_000, 8
+GAP = 5.0  # of the median step: a longer one is a hole in the record
+SPANS = (1e-9, 10.0)  # [s] of a record of an impact; beyond it the unit of time is wrong
+UNITS = {
+    "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "ns": 1e-9},
+    "strain": {"": 1.0, "1": 1.0, "millistrain": 1e-3, "microstrain": 1e-6, "um/m": 1e-6, "µm/m": 1e-6, "%": 1e-2},
+    "stress": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9},
+    "force": {"N": 1.0, "kN": 1e3, "MN": 1e6},
+}
+LARGEST = {"strain": 0.1, "stress": 1e10, "force": 1e9}  # in SI units; beyond it the unit of the column is wrong
+COLUMNS = "time_s, time_ms, time_us, time_ns; strain, microstrain, stress_Pa, stress_MPa, force_N, force_kN"
+
+
+def load_record(path: str | Path, **how: Any) -> Record:
+    """A record from a file; `how` as in `read_record`. Raises SceneError naming what is wrong."""
+    try:
+        if not Path(path).is_file():
+            raise SceneError("record", str(path), "a file with a measured record")
+        check_size(Path(path).stat().st_size)
+        content = Path(path).read_bytes()
+    except (OSError, ValueError) as error:
+        if isinstance(error, SceneError):
+            raise
+        reason = getattr(error, "strerror", None) or "not a name a file could have"
+        raise SceneError("record", str(path), f"a file that can be read ({reason})") from None
+    return read_record(content, **how)
+
+
+def read_record(
+    content: bytes | str,
+    *,
+    kind: str | None = None,
+    gauge: int = 1,
+    columns: tuple[str, ...] | None = None,
+    sign: int = 1,
+) -> Record:
+    """A record from the text of a table: one row per sample, columns named with their units in the first row.
+
+    Separators are semicolons, tabs, commas or blanks; decimal commas are read where commas do not separate; lines that
+    start with # are skipped. `kind`: which kind of column to read, where there are several; `gauge`: the how manieth of
+    that kind. Without a row of names, `columns` gives them, or else the first column is time in seconds and the second
+    of `kind` in its SI unit. Strain is positive in tension, stress and force in compression; `sign` -1 turns a record
+    in which it is the other way round.
+    Raises SceneError naming row and column.
+    """
+    if kind is not None:
+        validation.choice("kind", kind, KINDS)
+    validation.choice("sign", str(sign), ("1", "-1"))
+    rows, separator = _rows(_text(content))
+    names, rows = _names(rows, separator, columns, kind)
+    chosen, found, factors = _choose(names, kind, gauge)
+    if len(rows) < LEAST_ROWS:
+        raise SceneError("record", f"{len(rows)} rows of numbers", f"at least {LEAST_ROWS}")
+    if len(rows) > MAX_ROWS:
+        raise SceneError("record", f"{len(rows)} rows", f"at most {MAX_ROWS}")
+    table = _table(rows, separator, names, chosen)
+    time, values = table[:, 0] * factors[0], table[:, 1] * factors[1] * sign
+    _check_time(time, [number for number, _ in rows])
+    _check_unit(values, found, names[chosen[1]])
+    return Record(time, values, found)
+
+
+def _names(
+    rows: list[tuple[int, str]], separator: str, columns: tuple[str, ...] | None, kind: str | None
+) -> tuple[tuple[str, ...], list[tuple[int, str]]]:
+    """Names of the columns, from the first row, from the caller or by default; and the rows below them."""
+    first = [cell.strip().strip('"') for cell in _cells(rows[0][1], separator)]
+    named = _are_names(first, separator)
+    if columns is None and not named:
+        if kind is None:
+            allowed = f"the names of the columns, with units, such as {COLUMNS}"
+            raise SceneError("record row 1", rows[0][1], allowed)
+        columns = ("time_s", {"stress": "stress_Pa", "force": "force_N"}.get(kind, kind))
+    return columns or tuple(first), rows[1:] if named else rows
+
+
+def check_size(size: int) -> None:
+    """Raises SceneError for more bytes than are read."""
+    if size > MAX_BYTES:
+        raise SceneError("record", f"{size} bytes", f"at most {MAX_BYTES} bytes: cut out or thin what matters")
+
+
+def _text(content: bytes | str) -> str:
+    check_size(len(content))
+    if isinstance(content, str):
+        return content.lstrip("\ufeff")
+    encodings = ("utf-16",) if content[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig", "cp1252")
+    for encoding in encodings:
+        try:
+            text = content.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+        if "\0" not in text:
+            return text.lstrip("\ufeff")
+    raise SceneError("record", "bytes that are no text", "a table as text, such as CSV in UTF-8")
+
+
+def _rows(text: str) -> tuple[list[tuple[int, str]], str]:
+    """Lines with their numbers, from 1, without empty ones and comments; and what separates their cells."""
+    rows = [
+        (number, line)
+        for number, line in enumerate(text.replace("\u03bc", "µ").splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not rows:
+        raise SceneError("record", "no rows", f"at least {LEAST_ROWS} rows of numbers")
+    sample = rows[min(1, len(rows) - 1)][1]
+    return rows, next((separator for separator in ";\t," if separator in sample), " ")
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    return line.split() if separator == " " else line.split(separator)
+
+
+def _number(cell: str, separator: str) -> float | None:
+    """The cell as a finite number, or None."""
+    cell = cell.strip().strip('"')
+    if separator != "," and "." not in cell:
+        cell = cell.replace(",", ".", 1)
+    if "_" in cell or not cell.isascii():  # both are numbers for Python
+        return None
+    try:
+        number = float(cell)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def _are_names(cells: list[str], separator: str) -> bool:
+    """Whether the first row names the columns; one in which there is a number, or what fails to be one, does not."""
+    odd = [cell.lower().lstrip("+-") in ("nan", "inf", "infinity", "") for cell in cells]
+    return not all(odd) and all(_number(cell, separator) is None for cell in cells)
+
+
+def _choose(names: tuple[str, ...], kind: str | None, gauge: int) -> tuple[tuple[int, int], str, tuple[float, float]]:
+    """Which columns are time and value, the kind of the latter, and the factors to SI units."""
+    known = [(index, *meaning) for index, name in enumerate(names) if (meaning := _meaning(name)) is not None]
+    times = [column for column in known if column[1] == "time"]
+    values = [column for column in known if column[1] in ((kind,) if kind else KINDS)]
+    shown = ", ".join(str(name)[:20] for name in names)[:60]
+    if not times:
+        raise SceneError("record columns", shown, f"one of time with its unit among them; names are {COLUMNS}")
+    if not values:
+        raise SceneError("record columns", shown, f"one of {kind or 'strain, stress or force'}; names are {COLUMNS}")
+    if kind is None and len({column[1] for column in values}) > 1:
+        raise SceneError("record columns", shown, "one kind of value, or say which: " + ", ".join(KINDS))
+    validation.whole_number("gauge", gauge, 1, len(values))
+    value = values[gauge - 1]
+    return (times[0][0], value[0]), value[1], (times[0][2], value[2])
+
+
+_NAME = re.compile(
+    r"\s*(?P<word>t|time|(?:micro|milli)?strain|stress|(?:contact_)?force)"
+    r"(?:\s*[\[(]\s*(?P<bracket>[^\])]*?)\s*[\])]|[_ ]+(?P<bare>[^\d_\s][^_]*?))?(?:_\d+)?\s*",
+    re.IGNORECASE,
+)
+
+
+def _meaning(name: str) -> tuple[str, float] | None:
+    """Kind of a column and the factor to SI units; None for a column that is neither time nor value.
+
+    Raises SceneError where the unit of such a column is none.
+    """
+    parts = _NAME.fullmatch(name)
+    if parts is None:
+        return None
+    word, unit = parts["word"].lower(), parts["bracket"] or parts["bare"] or ""
+    if word in UNITS["strain"]:
+        return "strain", UNITS["strain"][word]
+    kind = {"t": "time", "contact_force": "force"}.get(word, word)
+    if unit not in UNITS[kind]:
+        spelled = ", ".join(f"{kind}_{unit}" if unit else kind for unit in UNITS[kind])
+        raise SceneError(f"record column {name[:40]!r}", unit or "no unit", f"a name with its unit: {spelled}")
+    return kind, UNITS[kind][unit]
+
+
+def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], chosen: tuple[int, int]) -> np.ndarray:
+    """(rows, 2) time and value as they stand in the file."""
+    table = np.empty((len(rows), 2))
+    for index, (number, line) in enumerate(rows):
+        cells = _cells(line, separator)
+        for side, column in enumerate(chosen):
+            value = _number(cells[column], separator) if column < len(cells) else None
+            if value is None:
+                got = cells[column].strip() if column < len(cells) else None
+                raise SceneError(f"record row {number}, column {str(names[column])[:40]!r}", got, "a finite number")
+            table[index, side] = value
+    return table
+
+
+def _check_unit(values: np.ndarray, kind: str, name: str) -> None:
+    largest = float(np.abs(values).max())
+    if largest > LARGEST[kind]:
+        doubt = {"strain": "are these microstrain?", "stress": "are these really Pa?", "force": "are these really N?"}
+        allowed = f"at most {LARGEST[kind]:g} in SI units ({doubt[kind]} name the column with its unit)"
+        raise SceneError(f"record column {name!r}", largest, allowed)
+
+
+def _check_time(time: np.ndarray, numbers: list[int]) -> None:
+    steps = np.diff(time)
+    if not (steps > 0.0).all():
+        at = int(np.argmax(steps <= 0.0)) + 1
+        raise SceneError(f"record row {numbers[at]}, time", f"{time[at]:.9g} s", f"more than {time[at - 1]:.9g} s")
+    span = float(time[-1] - time[0])
+    if not SPANS[0] <= span <= SPANS[1]:
+        allowed = f"from {SPANS[0]:g} to {SPANS[1]:g} s (is the unit of time in the name of its column right?)"
+        raise SceneError("record time", f"{span:.3g} s from first to last row", allowed)
+    median = float(np.median(steps))
+    at = int(np.argmax(steps))
+    if steps[at] > GAP * median:
+        got = f"a gap of {steps[at]:.3g} s up to here"
+        raise SceneError(f"record row {numbers[at + 1]}, time", got, f"steps of at most {GAP:g} x {median:.3g} s")

@@ -1,0 +1,381 @@
+"""Only what a scene requires: the smallest model that answers a question, by limits of validity that were measured."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .. import validation
+from ..accuracy.reference import SWEEP_MODES
+from ..bodies import Bending, in_space
+from ..contact.duration import exponent_of
+from ..contact.protocol import Damped, Yielding
+from ..methods import METHODS
+from ..numerics.rigid.impulses import strike
+from ..scene import Scene
+from ..text.messages import FORMATS
+from ..text.notes import Note, Severity
+from ..validation import SceneError
+from .contours import contour
+from .models import LOSSES, MODELS, QUESTIONS, contact_duration, family_of, models_of
+from .tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
+
+LEVELS = (0.01, 0.05, 0.2)  # of error, drawn on the maps
+FALLBACKS = ("waves", "modal", "fe-nodal", "balance", "quasi-static", "rigid")
+USUAL_PLACES = {"cantilever": 1.0}
+UNKNOWN = Note("plan-unknown", Severity.REMARK)  # until it is said why
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A model for this scene. `changes` turn the scene into the one to solve; expected_error: of the answer, relative
+    (of the final velocity as a share of the speed of approach); infinite where the model cannot predict it, NaN where
+    nobody has measured. `theory` and `contact` ("elastic" or "elastoplastic") only where there is a choice of them."""
+
+    name: str
+    changes: dict[str, Any]
+    expected_error: float
+    modes: int | None = None
+    theory: str | None = None
+    contact: str | None = None
+
+    @property
+    def parts(self) -> dict[str, Any]:
+        """What it is made of, without what it is not."""
+        parts = {"name": self.name, "modes": self.modes, "theory": self.theory, "contact": self.contact}
+        return {key: value for key, value in parts.items() if value is not None}
+
+    @property
+    def model(self) -> str:
+        """All of it in one line."""
+        return FORMATS["model"](self.parts)
+
+    def table(self) -> dict[str, Any]:
+        error = self.expected_error if math.isfinite(self.expected_error) else None
+        return {"model": self.model, "changes": self.changes, "expected_error": error}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The smallest adequate model, why, and what would do better."""
+
+    scene: Scene
+    question: str
+    tolerance: float
+    groups: dict[str, float]  # without unit, as far as the scene has them
+    chosen: Candidate
+    next_better: Candidate | None
+    candidates: list[Candidate]  # from the smallest up
+    why: Note  # it was chosen
+    measured: bool  # whether sweeps cover this scene
+    modes: int | None  # with which `modal` would do, too
+
+    @property
+    def model(self) -> str:
+        return self.chosen.model
+
+    @property
+    def reason(self) -> str:
+        """`why`, in a sentence."""
+        return str(self.why)
+
+    @property
+    def expected_error(self) -> float:
+        return self.chosen.expected_error
+
+    @property
+    def planned(self) -> Scene:
+        """The scene as planned, ready for `solve`."""
+        return self.scene.replace(self.chosen.changes)
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.plan_card(self)
+
+    def table(self) -> dict[str, Any]:
+        """For JSON."""
+        return {
+            "question": self.question,
+            "tolerance": self.tolerance,
+            "groups": self.groups,
+            "chosen": self.chosen.table(),
+            "next_better": None if self.next_better is None else self.next_better.table(),
+            "candidates": [candidate.table() for candidate in self.candidates],
+            "reason": self.reason,
+            "reason_code": self.why.table(),
+            "measured": self.measured,
+            "modes": self.modes,
+        }
+
+
+@dataclass(frozen=True)
+class RegimeMap:
+    """Errors of each model over mass ratio and contact time, as measured; for a page to draw.
+
+    mass_ratio (n,), target over impactor; relative_time (m,), duration of the contact of two rigid bodies over the
+    round trip of a wave in the rod, or over the period of the slowest vibration of the beam, 0 being a rigid contact;
+    errors (models, n, m), infinite where the model does not tell. contours[model][level]: arrays of relative time and
+    mass ratio along the lines of that error, NaN between the lines; models are better on the side of smaller errors.
+    smallest (n, m): index of the first model within the tolerance, len(models): none of them is.
+    """
+
+    question: str
+    family: str
+    law: str
+    tolerance: float
+    models: list[str]
+    mass_ratio: np.ndarray
+    relative_time: np.ndarray
+    errors: np.ndarray
+    contours: dict[str, dict[float, tuple[np.ndarray, np.ndarray]]]
+    smallest: np.ndarray
+
+
+def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.05) -> Plan:
+    """The smallest model that answers the question within the tolerance, from what was measured on scenes around it.
+
+    Questions: final-velocities, peak-force, contact-times (first touch to last parting), stresses (the largest
+    anywhere). From the smallest up: rigid impulse, local quasi-static, structural quasi-static, then travelling waves
+    in rods or so many modes of a beam, by Euler and Bernoulli or by Timoshenko; each with the law as it is or, where
+    speed allows, elastic instead of elastoplastic. Where none is within the tolerance the best is taken, and says so.
+    Error: the largest of the four measured points around the scene; sweeps are of elastic contacts of a compact body on
+    a uniform rod's end, or on a beam where it is usually struck; see `measured`.
+    Source: the validity that thesis 3.5 names in words, and its future work, measured by bench/measure_regimes.py.
+    """
+    validation.choice("question", question, QUESTIONS)
+    tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
+    family = family_of(scene)
+    if family is None:
+        return _unmeasured(scene, question, tolerance)
+    number, groups = QUESTIONS.index(question), _groups(scene)
+    candidates, modes = list(_candidates(scene, family, number, groups, tolerance)), None
+    if family.endswith("-rod"):
+        count, error = _modes_needed(family, number, groups, tolerance)
+        modes = count if error <= tolerance else None
+    good = [k for k, candidate in enumerate(candidates) if candidate.expected_error <= tolerance]
+    errors = [candidate.expected_error for candidate in candidates]
+    chosen = good[0] if good else int(np.argmin(errors))
+    better = [k for k in range(len(candidates)) if k > chosen and errors[k] < errors[chosen]]
+    found = Plan(
+        scene, question, tolerance, groups, candidates[chosen],
+        candidates[better[0]] if better else None, candidates, UNKNOWN, _covered(scene, family, groups), modes,
+    )  # fmt: skip
+    return _with_reason(found, candidates[:chosen])
+
+
+def regime_map(
+    question: str = "final-velocities", family: str = "fixed-rod", law: str = "linear", tolerance: float = 0.05
+) -> RegimeMap:
+    """What each cheap model misses, for a family: fixed-rod, free-rod (law linear or hertz), or a beam's support."""
+    number = QUESTIONS.index(validation.choice("question", question, QUESTIONS))
+    validation.choice("family", family, FAMILIES)
+    validation.choice("law", law, ("linear", "hertz") if family.endswith("-rod") else ("linear",))
+    tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
+    table = models_table(family, law)
+    errors = np.moveaxis(table.errors[:, :, :, number], 2, 0)
+    shown = table.time > 0.0
+    contours = {
+        name: {level: contour(table.time[shown], table.ratio, errors[k][:, shown], level) for level in LEVELS}
+        for k, name in enumerate(MODELS)
+    }
+    within = np.concatenate((errors <= tolerance, np.ones((1, *errors.shape[1:]), bool)))
+    return RegimeMap(
+        question, family, law, tolerance, list(MODELS), table.ratio, table.time, errors, contours, within.argmax(axis=0)
+    )
+
+
+FAMILIES = ("fixed-rod", "free-rod", "cantilever", "pinned-pinned", "clamped-clamped", "free-free")
+
+
+# --- groups -----------------------------------------------------------------------------------------------------------
+
+
+def _groups(scene: Scene) -> dict[str, float]:
+    target = scene.target
+    found = {"mass_ratio": scene.mass_ratio, "contact_time": contact_duration(scene) / scene.time_unit}
+    if scene.contact.PLASTIC:
+        found["impact_parameter"] = _impact_parameter(scene)
+    if isinstance(target, Bending):
+        found["slenderness"] = target.slenderness
+    return {name: float(value) for name, value in found.items()}
+
+
+def scene_rotation(scene: Scene) -> float:
+    """Share of the closing speed that a blow takes away by turning the bodies: 0 of a central one, 1 of spin alone."""
+    bodies = [in_space(body) for body in (scene.impactor, scene.target)]
+    struck = strike(*bodies, np.array(scene.normal), 1.0)  # pyright: ignore[reportCallIssue]
+    return float(1.0 - struck.effective_mass * sum(1.0 / float(body.mass) for body in bodies))
+
+
+def _impact_parameter(scene: Scene) -> float:
+    """Speed of approach over that at which yield begins."""
+    law = scene.contact
+    assert isinstance(law, Yielding)
+    begins = law.stored(law.yield_indentation, law.yield_indentation)
+    return scene.speed / math.sqrt(2.0 * begins / scene.reduced_mass)
+
+
+def law_of(scene: Scene) -> str:
+    """The nearer of the two laws that were swept."""
+    return "linear" if scene.rigid_contact or exponent_of(scene.contact) < 1.25 else "hertz"
+
+
+def _covered(scene: Scene, family: str, groups: dict[str, float]) -> bool:
+    target, law = scene.target, scene.contact
+    if isinstance(target, Bending) and abs(target.at - USUAL_PLACES.get(family, 0.5)) > 1e-6:
+        return False
+    tables = [(models_table(family, law_of(scene)), False), *_lossy_tables(scene, family, groups)]
+    inside = all(table.covers(groups["mass_ratio"], groups["contact_time"]) for table, _ in tables)
+    return inside and not law.JUMPS and not any(beyond for _, beyond in tables)
+
+
+def _lossy_tables(scene: Scene, family: str, groups: dict[str, float]) -> list[tuple[Table, bool]]:
+    """Of a law that loses energy, those measured with a little less and a little more of it, and whether the scene
+    loses more than any; none for elastic blows.
+    """
+    law = scene.contact
+    if law.PLASTIC and groups["impact_parameter"] > 1.0:
+        name, losses, here = "plastic-linear", LOSSES["plastic-linear"], groups["impact_parameter"]
+    elif isinstance(law, Damped):
+        name = "hunt-crossley"
+        losses, here = [1.0 / e for e in LOSSES[name]], 1.0 / law.delivered(scene.reduced_mass, scene.speed)
+    else:
+        return []
+    after = int(np.searchsorted(losses, here))
+    beside = sorted({max(after - 1, 0), min(after, len(losses) - 1)})
+    return [(lossy_table(family, name, LOSSES[name][k]), here > losses[-1]) for k in beside]
+
+
+# --- candidates -------------------------------------------------------------------------------------------------------
+
+
+def _candidates(scene: Scene, family: str, number: int, groups: dict, tolerance: float) -> Iterator[Candidate]:
+    """From the smallest up."""
+    table = models_table(family, law_of(scene))
+    tables = [table, *(lossy for lossy, _ in _lossy_tables(scene, family, groups))]
+    errors = np.max([each.around(groups["mass_ratio"], groups["contact_time"])[:, number] for each in tables], axis=0)
+    yielding = _elastic_error(scene, number, groups)
+    for (name, method), error in zip(models_of(scene).items(), errors.tolist(), strict=True):
+        own, changes = error, {"method": method.table()}
+        if name == "local-quasi-static" and yielding is not None:
+            yield Candidate(name, changes | _elastic(scene), own + yielding, contact="elastic")
+            yield Candidate(name, changes, own, contact="elastoplastic")
+            continue
+        yield Candidate(name, changes, own)  # neither an impulse nor the structure alone knows of yield: so measured
+    if scene.target.bends:
+        yield from _beam_candidates(scene, family, number, groups, tolerance)
+        return
+    if yielding is not None:
+        yield Candidate("waves", {"method": {"name": "waves"}} | _elastic(scene), yielding, contact="elastic")
+    contact = None if yielding is None else "elastoplastic"
+    yield Candidate("waves", {"method": {"name": "waves"}}, 0.0, contact=contact)
+
+
+def _beam_candidates(scene: Scene, family: str, number: int, groups: dict, tolerance: float) -> Iterator[Candidate]:
+    theory = float(theory_table(family).around(groups["slenderness"], groups["contact_time"])[number])
+    yielding = _elastic_error(scene, number, groups)
+    for name, missed in (("euler-bernoulli", theory), ("timoshenko", 0.0)):
+        for elastic in (True, False) if yielding is not None else (False,):
+            more = missed + (yielding if elastic else 0.0)  # pyright: ignore[reportOperatorIssue]
+            count, error = _modes_needed(family, number, groups, max(tolerance - more, 0.0), scene.contact.NAME)
+            changes = {"target.theory": name, "method": {"name": "modal", "modes": count}}
+            contact = None if yielding is None else "elastic" if elastic else "elastoplastic"
+            changes |= _elastic(scene) if elastic else {}
+            yield Candidate("modal", changes, error + more, modes=count, theory=name, contact=contact)
+
+
+def _modes_needed(family: str, number: int, groups: dict, tolerance: float, law: str = "linear") -> tuple[int, float]:
+    """The smallest number of modes from which on all are within the tolerance, and its error; else the largest.
+
+    Measured under a linear law: others may reach higher modes, and get the next number.
+    """
+    counts, table = modes_table(family)
+    errors = table.around(groups["mass_ratio"], groups["contact_time"])[:, number]
+    errors = np.maximum.accumulate(errors[::-1])[::-1]  # few modes may be right by chance
+    good = np.flatnonzero(errors <= tolerance)
+    if good.size and law == "linear":
+        return int(counts[good[0]]), float(errors[good[0]])
+    if good.size:
+        return int([*counts, SWEEP_MODES][good[0] + 1]), float(errors[good[0]])
+    return max(int(counts[-1]), SWEEP_MODES), float(errors[-1])
+
+
+def _elastic_error(scene: Scene, number: int, groups: dict[str, float]) -> float | Any:
+    """What an elastic law misses of this plastic one, from blows of two compact bodies; None for other laws."""
+    law = scene.contact
+    if not law.PLASTIC:
+        return None
+    ratios, missed = plastic_curve(law.NAME)
+    after = int(np.clip(np.searchsorted(ratios, groups["impact_parameter"]), 1, ratios.size - 1))
+    error = float(missed[after - 1 : after + 1, min(number, 2) if number < 3 else 1].max())
+    share = 1.0 if scene.target.held else scene.mass_ratio / (1.0 + scene.mass_ratio)
+    return error * share if number == 0 else error
+
+
+def _elastic(scene: Scene) -> dict[str, Any]:
+    return {"contact": {"law": "hertz", "stiffness": scene.contact.stiffness}}
+
+
+# --- why ------------------------------------------------------------------------------------------------------------
+
+
+def _with_reason(found: Plan, smaller: list[Candidate]) -> Plan:
+    chosen, groups = found.chosen, found.groups
+    predicting = [candidate for candidate in smaller if math.isfinite(candidate.expected_error)]
+    closest = min(predicting, key=lambda candidate: candidate.expected_error, default=None)
+    why = Note(
+        "plan-reason",
+        Severity.REMARK if chosen.expected_error <= found.tolerance else Severity.WARNING,
+        ratio=groups["mass_ratio"],
+        lasting=groups["contact_time"] > 0.0,
+        lasts=groups["contact_time"],
+        waves=bool(found.scene.target.rods),
+        cause=chosen.name,
+        model=chosen.parts,
+        question=found.question,
+        error=_finite(chosen.expected_error),
+        enough=chosen.expected_error <= found.tolerance,
+        tolerance=found.tolerance,
+        closest=closest and closest.parts,
+        closest_error=closest and _finite(closest.expected_error),
+        measured=found.measured,
+    )
+    return replace(found, why=why)
+
+
+def _finite(error: float) -> float | None:
+    return error if math.isfinite(error) else None
+
+
+def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
+    """Bodies in which nothing rings are known in closed form; for the rest, the first method that can solve them."""
+    bodies = scene.impactor, scene.target
+    whole = all(body.time_unit is None and body.half_swing is None and not body.endless for body in bodies)
+    compact, names = scene.normal is not None or whole, FALLBACKS
+    if compact:
+        names = ("rigid", "quasi-static") if question == "final-velocities" else ("quasi-static", "rigid")
+        if scene.contact.PLASTIC:
+            names = ("quasi-static", "rigid")
+    usable = [name for name in names if METHODS[name]().refusal(scene) is None]
+    if not usable:
+        raise SceneError("scene", scene.target.kind, "bodies that one of the methods can solve")
+    name = usable[0]
+    options: dict[str, Any] = {"name": name}
+    model = {"rigid": "rigid-impulse", "quasi-static": "local-quasi-static"}.get(name, name)
+    predicts = name != "rigid" or question == "final-velocities"
+    exact = compact or name == "waves"
+    error = (0.0 if predicts else math.inf) if exact else math.nan
+    if name == "rigid" and isinstance(scene.contact, Damped):
+        options["restitution"] = scene.contact.delivered(scene.reduced_mass, scene.speed)
+    chosen = Candidate(model, {"method": options}, error)
+    case = "rigid" if not predicts else "compact" if compact else "other"
+    bodies = {"impactor": scene.impactor.kind, "target": scene.target.kind}
+    why = Note(
+        "plan-beside-sweeps", Severity.REMARK, case=case, **bodies, question=question, model=chosen.parts, method=name
+    )
+    groups = {"mass_ratio": float(scene.mass_ratio)} if math.isfinite(scene.mass_ratio) else {}
+    groups |= {} if scene.normal is None else {"rotation": scene_rotation(scene)}
+    return Plan(scene, question, tolerance, groups, chosen, None, [chosen], why, False, None)

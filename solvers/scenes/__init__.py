@@ -1,0 +1,1 @@
+"""Built-in scenes as TOML files, each with its source, and what reads them."""

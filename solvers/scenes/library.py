@@ -1,0 +1,62 @@
+"""Built-in scenes by name, and scene files."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+from ..scene import Scene
+from ..validation import SceneError
+
+MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
+SCENES = Path(__file__).parent
+
+
+def _named(error: BaseException) -> str:
+    return (str(error).splitlines() or [""])[0][:120] or "nested too deeply"
+
+
+def scene_names() -> list[str]:
+    """Names of the scenes that come with the library: the first to start with, the thesis's figures and tables last."""
+    return sorted((path.stem for path in SCENES.glob("*.toml")), key=_rank)
+
+
+def _rank(name: str) -> tuple[object, ...]:
+    figure = re.fullmatch(r"(figure|table)-(\d+)\.(\d+)", name)
+    if figure is None:
+        return name != "fixed-rod", 0, "", 0, name
+    return True, int(figure[2]), figure[1], int(figure[3]), name
+
+
+def load(name_or_path: str | Path) -> Scene:
+    """A built-in scene by name, or a scene file.
+
+    Raises SceneError if there is no such scene or file, or if what it says cannot be used.
+    """
+    if str(name_or_path) in scene_names():
+        path = SCENES / f"{name_or_path}.toml"
+    else:
+        path = Path(name_or_path)
+        try:
+            found = path.is_file()
+        except (OSError, ValueError):  # no name a file could have
+            found = False
+        if not found:
+            plain = [name for name in scene_names() if "." not in name][:12]
+            allowed = (
+                f"a scene file, or a built-in one: {', '.join(plain)} ..., figure-4.13 ...; impact scenes lists all"
+            )
+            raise SceneError("scene", str(name_or_path), allowed)
+    return Scene.from_table(read_toml(path))
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    import tomllib
+
+    if path.stat().st_size > MAX_FILE_SIZE:
+        raise SceneError("scene", str(path), f"a file of at most {MAX_FILE_SIZE} bytes")
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except (ValueError, RecursionError) as error:  # syntax, encoding, endless numbers, endless nesting
+        raise SceneError("scene", str(path), f"a TOML file in UTF-8 ({_named(error)})") from None
+    except OSError as error:
+        raise SceneError("scene", str(path), f"a readable file ({error.strerror})") from None

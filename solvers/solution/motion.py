@@ -1,0 +1,82 @@
+"""What a method finds: a movement, and what some of them know besides.
+
+`isinstance` asks for what a movement knows besides; a method says so by having these functions.
+"""
+
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+
+class Motion(Protocol):
+    """The movement that a method found, at any time [s] and place [m] from the struck end.
+
+    Times may be any array; at a jump the value after it is given, or before it with `after=False`. Fields have shape
+    (time, x), never (x, time); compression is positive. Of a beam displacement is across its length.
+    """
+
+    def force(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def force_history(self) -> tuple[np.ndarray, np.ndarray]: ...
+    def impactor_position(self, time: np.ndarray) -> np.ndarray: ...
+    def impactor_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def end_position(self, time: np.ndarray) -> np.ndarray: ...
+    def end_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def rigid_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def stress(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def velocity(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def displacement(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def impulse(self, time: np.ndarray) -> np.ndarray: ...
+    def energies(self, time: np.ndarray) -> dict[str, np.ndarray]: ...
+
+
+@runtime_checkable
+class ResolvesForce(Protocol):
+    """Knows the contact force averaged over the finest that its method can tell: the rest is chatter."""
+
+    def resolved_force(self, time: np.ndarray) -> np.ndarray: ...
+
+
+@runtime_checkable
+class MovesFace(Protocol):
+    """Knows the velocity of the impactor where it strikes, which is not that of all of it."""
+
+    def face_velocity(self, time: np.ndarray, after: bool = True) -> np.ndarray: ...
+
+
+@runtime_checkable
+class SplitsTarget(Protocol):
+    """Knows the energy of the target as `kinetic` and `strain` [J]."""
+
+    def target_energies(self, time: np.ndarray) -> dict[str, np.ndarray]: ...
+
+
+@runtime_checkable
+class SendsWaves(Protocol):
+    """Knows the waves that each rod's ends send, in units of Z v, over time [T]."""
+
+    def sent(self, rod: int, right_going: bool, t: np.ndarray, after: bool = True) -> np.ndarray: ...
+    def sent_total(self, rod: int, right_going: bool, t: np.ndarray) -> np.ndarray: ...
+    def jumps(self, rod: int, right_going: bool, until: float) -> np.ndarray: ...
+
+
+@runtime_checkable
+class Pushes(Protocol):
+    """Knows the work of a prescribed force up to a time [s], in J."""
+
+    def work(self, time: float) -> float: ...
+
+
+@runtime_checkable
+class Bends(Protocol):
+    """Knows the bending moment [N m] and the shear force [N] of a beam, (time, x)."""
+
+    def moment(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+    def shear(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+
+
+@runtime_checkable
+class Balances(Protocol):
+    """Is made of impulses without duration: (2, balances), times [s] and impulses [N s]."""
+
+    @property
+    def impulses(self) -> tuple[np.ndarray, np.ndarray]: ...

@@ -1,0 +1,253 @@
+"""What happened: one type of result for every method."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from ..bodies import AnyBody
+from ..scene import Scene
+from ..text.notes import Note, coded
+from .motion import Motion, Pushes
+from .restitution import restitution
+
+
+@dataclass(frozen=True)
+class ContactPeriod:
+    """One stretch of time in which the bodies press on each other."""
+
+    start: float  # [s]
+    end: float  # [s]
+    impulse: float  # [N s]
+    peak_force: float | Any  # [N]; None: a blow of no duration
+
+
+def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
+    """The contact time that is asked for everywhere: from first touch to last parting [s], thesis 8.3.
+
+    None for no contact, or one of no duration.
+    """
+    lasted = contacts[-1].end - contacts[0].start if contacts else 0.0
+    return lasted if lasted > 0.0 else None
+
+
+SUMMARY = ("impulse", "impactor_velocity", "target_velocity", "restitution", "energy", "diagnostics")
+
+
+class Later:
+    """A figure of a solution that is worked out from it when it is first read: in a study most never are."""
+
+    def __init__(self, work: Callable[["Solution"], Any]):
+        self.work = work
+
+
+def later(work: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """The figures of `summary`, worked out together when the first of them is read."""
+    found = cache(work)
+    return {name: Later(lambda _, name=name: found()[name]) for name in SUMMARY}
+
+
+class _Figure:
+    """A field of a solution that may come later."""
+
+    def __new__(cls) -> Any:  # to type checkers each field is of the type it says
+        return super().__new__(cls)
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = f"_{name}"
+
+    def __get__(self, solution: Any, owner: type | None = None) -> Any:
+        if solution is None:
+            raise AttributeError(self._name)  # for the dataclass: there is no default
+        value = solution.__dict__[self._name]
+        if isinstance(value, Later):
+            value = solution.__dict__[self._name] = value.work(solution)
+        return value
+
+    def __set__(self, solution: Any, value: Any) -> None:
+        solution.__dict__[self._name] = value
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solution:
+    """The answer to a scene, SI units, time zero at first touch, velocities positive the way the impactor came.
+
+    Besides the figures below, `motion` gives force, positions, velocities and fields at any time and place up to
+    `duration` [s]. A figure that does not exist (no indentation in a rigid contact) is None. Bodies in space have
+    vectors of velocity, spins besides, and no motion but that of free bodies before and after.
+    """
+
+    scene: Scene
+    method: dict[str, Any]
+    contacts: list[ContactPeriod]
+    duration: float  # [s], up to which it is solved
+    motion: Motion | None  # None: bodies in space, which move freely before and after
+    impulse: float = _Figure()  # of all contacts [N s]
+    impactor_velocity: Any = _Figure()  # [m/s]; a prescribed force has none
+    target_velocity: Any = _Figure()  # of its centre of mass [m/s]
+    restitution: dict[str, float | None] = _Figure()  # newton, poisson, newton_at_contact
+    energy: dict[str, float] = _Figure()  # at the end, by parts, and the initial one [J]
+    diagnostics: dict[str, Any] = _Figure()
+    notes: list[Note] = _Figure()
+    peak_force: float | None  # [N]
+    peak_indentation: float | None  # [m]
+    residual_indentation: float | None  # that is left in the surfaces [m]
+    effective_mass: float | None = None  # of the contact [kg], where the blow is one impulse
+    impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
+    target_spin: tuple[float, float, float] | None = None
+    joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
+
+    def refine(self, name: str, change: Callable[["Solution", Any], Any]) -> None:
+        """Have a figure that may come later changed, given the solution and the figure, when it is first read."""
+        before = self.__dict__[f"_{name}"]
+        work = before.work if isinstance(before, Later) else lambda _: before
+        self.__dict__[f"_{name}"] = Later(lambda solution: change(solution, work(solution)))
+
+    def dataset(self, time: Any = None, x: Any = None) -> Any:
+        """An xarray.Dataset of histories over `time` (time,) [s] and fields over (time, x), `x` (x,) [m]; names, units
+        and what they mean are with the values.
+
+        Without `time` and `x`: evenly over all of the solution and of the bodies. Contact force, impulse, positions and
+        velocities of the impactor and the struck face, `energy` by `energy_part`; displacement, velocity, stress; of
+        beams bending moment and shear force. At a jump the value after it. The scene, method, diagnostics and notes are
+        attributes, so that `dataset().to_netcdf(path)` keeps all of it.
+        Raises SceneError for bodies in space, which have no history; ImportError without the extra `notebook`.
+        """
+        from ..notebook import datasets  # loads xarray, which nothing else here needs
+
+        return datasets.dataset(self, time, x)
+
+    def plot(self, what: str = "force") -> Any:
+        """A HoloViews object: the contact `force` over time, the `motion` of the impactor and the struck face, `waves`
+        of stress over place and time, or the parts of the `energy` over time; SI units on the axes.
+
+        Raises SceneError for another word, for bodies in space, and for waves where nothing has a length.
+        """
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        return plots.plot(self, what)
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.solution_card(self)
+
+    def table(self) -> dict[str, Any]:
+        """The result as plain tables, with the keys that scripts rely on."""
+        effective_mass = {} if self.effective_mass is None else {"effective_mass": self.effective_mass}
+        joints = [[asdict(contact) for contact in joint] for joint in self.joints]
+        return {
+            "scene": self.scene.table(),
+            "method": self.method,
+            "contacts": [asdict(contact) for contact in self.contacts],
+            **({"joints": joints} if joints else {}),
+            "impulse": self.impulse,
+            **effective_mass,
+            "peak_force": self.peak_force,
+            "peak_indentation": self.peak_indentation,
+            "residual_indentation": self.residual_indentation,
+            "impactor": _final(self.impactor_velocity, self.impactor_spin),
+            "target": _final(self.target_velocity, self.target_spin),
+            "restitution": self.restitution,
+            "energy": self.energy,
+            "diagnostics": self.diagnostics,
+            "duration": self.duration,
+            **coded(self.notes),
+        }
+
+
+def _final(velocity: Any, spin: Any) -> dict[str, Any]:
+    if spin is None:
+        return {"final_velocity": velocity}
+    return {"final_velocity": list(velocity), "final_spin": list(spin)}
+
+
+def summary(
+    scene: Scene, motion: Motion, contacts: list[ContactPeriod], duration: float, wall_time: float
+) -> dict[str, Any]:
+    """What follows from any motion alone: velocities, `solvers.solution.restitution`, energies and residuals."""
+    if scene.prescribed_force:
+        return _summary_of_a_push(scene, motion, duration, wall_time)
+    end = np.array([duration])
+    impulse = float(motion.impulse(end)[0])
+    target_final = _swing(scene.target, impulse) if scene.target.swings else 0.0
+    if not scene.target.held:
+        target_final = float(motion.rigid_velocity(end)[0])
+    return balanced(
+        scene,
+        float(motion.impactor_velocity(end)[0]),
+        target_final,
+        impulse,
+        {name: float(value[0]) for name, value in motion.energies(end).items()},
+        None if touching(contacts, duration) else restitution(scene, motion, contacts[-1].end, duration),
+        wall_time,
+    )
+
+
+def touching(contacts: list[ContactPeriod], duration: float) -> bool:
+    """Whether the bodies are together at the end of the time solved: nothing is restored yet."""
+    return contacts[-1].end >= duration * (1.0 - 1e-12)
+
+
+def balanced(
+    scene: Scene,
+    final: float,
+    target_final: float,
+    impulse: float,
+    energies: dict[str, float],
+    restored: dict[str, float | None] | None,
+    wall_time: float,
+) -> dict[str, Any]:
+    """The figures of `summary` from the last velocities, the impulse and the energies, with what they are off by."""
+    m1, m2 = scene.impactor.mass, scene.target.mass
+    initial = scene.initial_energy
+    lost = m1 * (scene.impactor.velocity - final)
+    mismatches = [lost - impulse]
+    if not scene.target.held:
+        mismatches.append(m2 * (target_final - scene.target.velocity) - lost)
+    return {
+        "impulse": impulse,
+        "impactor_velocity": final,
+        "target_velocity": target_final,
+        "restitution": restored or {"newton": None, "poisson": None, "newton_at_contact": None},
+        "energy": {"initial": initial} | energies,
+        "diagnostics": {
+            "energy_error": (sum(energies.values()) - initial) / initial,
+            "momentum_error": max(mismatches, key=abs) / (m1 * scene.speed),
+            "steps": 0,
+            "wall_time": wall_time,
+            "estimated_error": None,
+        },
+    }
+
+
+def _swing(beam: AnyBody, impulse: float) -> float:
+    """Mean velocity [m/s] with which a beam on a pin swings on: what it vibrates has no moment about the pin."""
+    known = beam.modes(1)
+    return known.rigid_mean * impulse / known.rigid_mass
+
+
+def _summary_of_a_push(scene: Scene, motion: Motion, duration: float, wall_time: float) -> dict[str, Any]:
+    """The same for a prescribed force: nothing strikes, nothing is restored; the first energy is the work it does."""
+    end = np.array([duration])
+    impulse, held = float(motion.impulse(end)[0]), scene.target.held
+    final = 0.0 if held else float(motion.rigid_velocity(end)[0])
+    energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
+    assert isinstance(motion, Pushes)
+    initial = scene.initial_energy + motion.work(duration)
+    return {
+        "impulse": impulse,
+        "impactor_velocity": None,
+        "target_velocity": final,
+        "restitution": {"newton": None, "poisson": None, "newton_at_contact": None},
+        "energy": {"initial": initial} | energies,
+        "diagnostics": {
+            "energy_error": (sum(energies.values()) - initial) / initial,
+            "momentum_error": 0.0 if held else scene.target.mass * (final - scene.target.velocity) / impulse - 1.0,
+            "steps": 0,
+            "wall_time": wall_time,
+            "estimated_error": None,
+        },
+    }

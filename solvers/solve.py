@@ -1,0 +1,48 @@
+"""The method that a scene file names, or the one for such scenes if it names none, and solving by it."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from . import validation
+from .accuracy.auto import Auto
+from .methods import METHODS, usual_method
+from .methods.base import Method
+from .scene import Scene
+from .solution.solution import Solution
+from .validation import SceneError
+
+CHOICES: dict[str, type[Method]] = {**METHODS, Auto.NAME: Auto}
+
+
+def read_method(given: Mapping[str, Any], scene: Scene | None = None) -> tuple[Method, float | None]:
+    """Method and duration [s] from the table `[method]` of a scene file; if it names none, the scene's usual method.
+
+    Raises SceneError naming the key; SceneNotSupported if nothing is named and no method can solve the scene.
+    """
+    given = dict(given)
+    duration = given.pop("duration", None)
+    name = given.pop("name", None)
+    if name is None and scene is not None:
+        name = usual_method(scene)
+    return CHOICES[validation.choice("method.name", name, CHOICES)].read(given), duration
+
+
+def solve(scene: Scene, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
+    """Solve a scene by the method it names, by `usual_method` if it names none, or by another one.
+
+    `options` are those of the method (`modes`, `steps`, `tolerance`). Duration in seconds; without one, until the
+    bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
+    method cannot solve the scene.
+    """
+    table = dict(scene.method)
+    if duration is None:
+        duration = table.pop("duration", None)
+    table.pop("duration", None)
+    if isinstance(method, Method):
+        if options:
+            raise SceneError("method", options, "no options beside a method object; give them to the object")
+        return method.solve_in_full(scene, duration)
+    if method is not None and method != (table.get("name") or usual_method(scene)):
+        table = {"name": method}
+    chosen, _ = read_method(table | options, scene)
+    return chosen.solve_in_full(scene, duration)

@@ -1,0 +1,1 @@
+"""Where integrators keep the energy, chatter or fail."""

@@ -1,0 +1,1 @@
+"""Many solves for one answer."""

@@ -1,0 +1,106 @@
+"""How long the bodies touch: apparent and real, beside the swing of the struck body and the blow on a half-space."""
+
+import math
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from ..methods import Modal
+from ..methods.base import SceneNotSupported
+from ..scene import Scene
+from ..solution.solution import Solution, apparent_time
+from ..text.notes import Note, Severity
+
+MODES = 200  # from which the half period with the mass attached is worked out
+STUCK = 0.7, 1.3  # half periods from first touch to last parting: the impactor swings with the body as if stuck to it
+
+
+@dataclass(frozen=True)
+class ContactTimes:
+    """All in seconds; `half_period` of the struck body with the impactor's mass on it, None where nothing swings."""
+
+    contacts: int
+    apparent: float  # from first touch to last parting
+    real: float  # the sum of all contacts
+    half_period: float | None
+    half_period_alone: float | None  # of the struck body without the mass
+    summary: Note
+
+    def table(self) -> dict[str, Any]:
+        told = {"summary": str(self.summary), "told": str(self.summary), "summary_code": self.summary.table()}
+        return asdict(self) | told
+
+
+def contact_times(solution: Solution) -> ContactTimes:
+    """Apparent and real contact time, and the half period of the struck body with the impactor's mass attached.
+
+    Source: thesis 5.5, 8.3, 8.4.2. Differs: 8.4.2 compares with the half period of the free bar; it is that of the bar
+    with the mass attached that the apparent time comes near.
+    """
+    contacts = solution.contacts
+    apparent, real = apparent_time(contacts) or 0.0, sum(contact.end - contact.start for contact in contacts)
+    with_mass, alone = half_periods(solution.scene)
+    return ContactTimes(
+        len(contacts), apparent, real, with_mass, alone, _summary(len(contacts), apparent, real, with_mass)
+    )
+
+
+def half_periods(scene: Scene) -> tuple[float | None, float | None]:
+    """Half the longest period of vibration of the struck body [s], with a rigid impactor attached and without.
+
+    With the mass m attached the body's receptance at the contact is that of the mass with the sign turned,
+    sum phi_i^2 / (omega_i^2 - omega^2) - 1 / (M omega^2) = 1 / (m omega^2); the modes left out bend as under a load at
+    rest. Error: 1e-9, by what they do not.
+    """
+    target = scene.target
+    if scene.normal is not None or not scene.impactor.free_mass or target.no_modes:
+        return None, None
+    modes = target.modes(MODES).excited()
+    if not modes.frequencies.size:
+        return None, None
+    mobility = 1.0 / scene.impactor.mass + 1.0 / modes.rigid_mass
+    squares, softness = modes.frequencies**2, modes.at_contact**2
+
+    def balance(part: float) -> float:  # of omega^2, as a part of the lowest one without the mass; grows with it
+        square = part * squares[0]
+        return float(np.sum(softness / (squares - square))) + modes.residual_compliance - mobility / square
+
+    from scipy.optimize import brentq  # here, as it costs a fifth of the time allowed for importing the library
+
+    tiny = 1e-13
+    part = brentq(balance, tiny, 1.0 - tiny, xtol=1e-16) if balance(tiny) < 0.0 < balance(1.0 - tiny) else math.nan
+    lowest = math.pi / float(modes.frequencies[0])
+    return (lowest / math.sqrt(part) if part > 0.0 else None), lowest
+
+
+def _summary(contacts: int, apparent: float, real: float, half_period: float | None) -> Note:
+    values: dict[str, Any] = {"contacts": contacts, "apparent": apparent, "share": 100.0 * real / (apparent or 1.0)}
+    if half_period is None:
+        return Note("contact-times", Severity.REMARK, **values, swings=None, half_period=None, case="none")
+    swings = apparent / half_period
+    case = "plain" if contacts == 1 or swings > STUCK[1] else "stuck"
+    case = "before" if swings < STUCK[0] else case
+    return Note("contact-times", Severity.REMARK, **values, swings=swings, half_period=half_period, case=case)
+
+
+def compare_with_half_space(scene: Scene) -> Solution:
+    """The same impactor and contact law on a half-space of the target's material: what the contact alone would do.
+
+    Beside the scene's own solution it tells how much of the blow is local. Source: thesis 8.4.4.
+    """
+    if scene.rigid_contact:
+        raise SceneNotSupported("contact.law", "rigid", "a law that gives way: nothing else does on a half-space")
+    if not scene.impactor.free_mass or scene.target.material is None:
+        raise SceneNotSupported("impactor.kind", scene.impactor.kind, "a rigid impactor on a body of some material")
+    material, radius = scene.target.material, scene.target.radius
+    target: dict[str, Any] = {"kind": "half-space", "material": material.table()}
+    beside = Scene.from_table(
+        {
+            "title": f"The same blow on a half-space: {scene.title}"[:300],
+            "impactor": scene.impactor.table() | {"velocity": scene.speed},
+            "target": target | ({} if radius is None else {"radius": radius}),
+            "contact": {"law": scene.contact.NAME} | scene.contact.table(scene.speed),
+        }
+    )
+    return Modal(estimate=False).solve(beside)

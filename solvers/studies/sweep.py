@@ -1,0 +1,298 @@
+"""Many solves at once: scenes, or one key of a scene over a range."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from .. import validation
+from ..bodies import Rod
+from ..methods import Waves
+from ..methods.base import AFTERGLOW, Method
+from ..methods.grazing import one_front
+from ..numerics.processors import all_processors
+from ..numerics.waves import rigid_figures
+from ..scene import Scene
+from ..solution.solution import Solution
+from ..solve import read_method, solve
+from ..validation import SceneError
+from .mass_ratios import TERMS
+
+MOST_VALUES = 2_000
+MOST_QUICK = 1_000_000  # of blows of a mass on a rod
+CHUNK = 500  # of them that a thread takes at once
+ROOM = (64, 1_000)  # pieces of a history, tried in turn
+
+
+def spaced(low: float, high: float, count: int = 21, spacing: str | None = None) -> np.ndarray:
+    """`count` values from `low` to `high`; evenly, or by a constant factor if `spacing` is "log".
+
+    Without `spacing`: "log" where the range is a hundredfold or more.
+    """
+    validation.whole_number("count", count, 2, MOST_QUICK)
+    if not (np.isfinite(low) and np.isfinite(high) and low < high):
+        raise SceneError("range", (low, high), "two finite numbers, the smaller one first")
+    if spacing is None:
+        spacing = "log" if low > 0.0 and high / low >= 100.0 else "linear"
+    validation.choice("spacing", spacing, ("linear", "log"))
+    if spacing == "log":
+        if low <= 0.0:
+            raise SceneError("range", low, "a number above zero, where the spacing is 'log'")
+        return np.geomspace(low, high, count)
+    return np.linspace(low, high, count)
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What came of each of many scenes; all arrays (scenes,), NaN where a figure does not exist. See `Solution`."""
+
+    contacts: np.ndarray  # how many periods of contact
+    impulse: np.ndarray  # [N s]
+    peak_force: np.ndarray  # [N]
+    impactor_velocity: np.ndarray  # [m/s]
+    target_velocity: np.ndarray  # [m/s]
+    newton: np.ndarray  # restitution by centre-of-mass velocities
+    poisson: np.ndarray  # by impulses
+    newton_at_contact: np.ndarray  # by the touching surfaces
+    energy_error: np.ndarray  # of the energy before
+    momentum_error: np.ndarray  # of the impactor's momentum
+    estimated_error: np.ndarray  # of the impactor's velocity, of the speed of approach
+
+
+def solve_many(
+    scenes: Sequence[Scene] | Scene,
+    columns: Mapping[str, Sequence[float]] | None = None,
+    method: str | Method | None = None,
+    workers: int | None = None,
+) -> Figures:
+    """The figures of many scenes, or of one with `columns` of values for some of its keys, all of one length.
+
+    Where a rigid mass strikes one uniform rod, and exact waves solve it, no scene is looked at twice: 100 000 of them
+    take a second or two. All others are solved one by one. Kernels run on `workers` threads (as many as there are
+    processors). Raises SceneError for columns that do not fit together, or for a value that is not allowed;
+    SceneNotSupported as `solve` does. Bodies in space have no such figures.
+    """
+    if isinstance(scenes, Scene):
+        arrays = {key: np.asarray(values, float) for key, values in (columns or {}).items()}
+        _check_columns(arrays)
+        if _quick(scenes, method) and set(arrays) <= QUICK_KEYS and scenes.impactor.kind == "mass":
+            bodies = _bodies_of_columns(scenes, arrays)
+            return _blows_on_rods(bodies, lambda row: _with(scenes, _row_of(arrays, row)), workers)
+        rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
+        scenes = [_with(scenes, dict(zip(arrays, row, strict=True))) for row in rows]
+    elif columns is not None:
+        raise SceneError("columns", sorted(columns), "nothing, where there is a list of scenes")
+    validation.whole_number("number of scenes", len(scenes), 1, MOST_QUICK)
+    if any(scene.normal is not None for scene in scenes):
+        raise SceneError("scenes", "bodies in space", "bodies on an axis")
+    if all(_quick(scene, method) for scene in scenes):
+        return _blows_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers)
+    with all_processors(workers) as pool:
+        return _columns(list(pool.map(lambda scene: _figures_of(solve(scene, method)), scenes)))
+
+
+def _quick(scene: Scene, method: str | Method | None) -> bool:
+    """Whether the exact waves of a rigid mass on one rod are wanted, until the bodies part for good."""
+    name = scene.method.get("name", Waves.NAME) if method is None else method
+    options = scene.method.keys() - {"name"} if method is None else ()
+    return name in ("waves", Waves()) and not options and one_front(scene)
+
+
+def _check_columns(columns: Mapping[str, np.ndarray]) -> None:
+    for key, values in columns.items():
+        first = next(iter(columns))
+        if values.ndim != 1 or not 1 <= values.size <= MOST_QUICK:
+            raise SceneError(key, f"an array of shape {values.shape}", f"a list of 1 to {MOST_QUICK} numbers")
+        if values.size != columns[first].size:
+            raise SceneError(key, f"{values.size} values", f"as many as there are for {first}, {columns[first].size}")
+    if not columns:
+        raise SceneError("columns", "nothing", "values for at least one key")
+
+
+# Keys of scenes that follow from no other, by what they change: mass and speed of the impactor, length and area.
+QUICK_KEYS = {"impactor.mass", "impactor.velocity", "target.length", "target.area"}
+
+
+def _bodies_of_columns(scene: Scene, columns: Mapping[str, np.ndarray]) -> np.ndarray:
+    """As `_bodies_of`. Every extreme is read as a scene of its own: what lies between is allowed as well."""
+    rod, size = scene.target.known_as(Rod), next(iter(columns.values())).size
+    given = {"impactor.mass": scene.impactor.mass, "impactor.velocity": scene.impactor.velocity}
+    given |= {"target.length": rod.length, "target.area": rod.area}
+    mass, speed, length, area = (columns.get(key, np.full(size, value)) for key, value in given.items())
+    rod_mass = rod.material.density * area * length
+    with np.errstate(divide="ignore", invalid="ignore"):
+        looked_at = (*columns.values(), rod_mass / mass)
+    bad = [np.flatnonzero(~np.isfinite(values))[:1] for values in looked_at]
+    rows = {int(row) for values in looked_at for row in (np.nanargmin(values), np.nanargmax(values))}
+    for row in sorted(rows.union(*(found.tolist() for found in bad))):
+        _with(scene, _row_of(columns, row))
+    held = np.full(size, 1.0 if rod.fixed else -1.0)
+    return np.stack((mass, speed, rod_mass, area * (rod.impedance / rod.area), 2.0 * length / rod.wave_speed, held))
+
+
+def _row_of(columns: Mapping[str, np.ndarray], row: int) -> dict[str, float]:
+    return {key: float(values[row]) for key, values in columns.items()}
+
+
+def _bodies_of(scenes: Sequence[Scene]) -> np.ndarray:
+    """(6, scenes): mass and speed of the impactor; mass, impedance, round trip time and reflection of the rod."""
+    found = np.empty((6, len(scenes)))
+    for i, scene in enumerate(scenes):
+        rod, striker = scene.target.known_as(Rod), scene.impactor
+        reflection = 1.0 if rod.fixed else -1.0
+        found[:, i] = striker.mass, striker.velocity, rod.mass, rod.impedance, rod.round_trip_time, reflection
+    return found
+
+
+def _blows_on_rods(bodies: np.ndarray, scene_of: Callable[[int], Scene], workers: int | None) -> Figures:
+    """Of `bodies` as `_bodies_of` gives them; `scene_of` a row: for blows so long that each is solved alone."""
+    mass, speed, rod_mass, impedance, trip, reflection = bodies
+    beta, found = rod_mass / mass, np.empty((mass.size, rigid_figures.COLUMNS))
+    with all_processors(workers) as pool:
+        parts = [slice(start, start + CHUNK) for start in range(0, mass.size, CHUNK)]
+        list(pool.map(lambda part: _strike_all(beta[part], reflection[part], found[part]), parts))
+    kernel = found.T
+    final, force = speed * kernel[rigid_figures.FINAL], impedance * speed
+    impulse = force * trip * kernel[rigid_figures.IMPULSE]
+    target = np.where(reflection > 0.0, 0.0, speed * kernel[rigid_figures.TARGET])
+    lost, initial = mass * (speed - final), 0.5 * mass * speed**2
+    energy = 0.5 * mass * final**2 + force * speed * trip * kernel[rigid_figures.ROD]
+    off = np.where(reflection > 0.0, 0.0, rod_mass * target - lost), lost - impulse
+    momentum = np.where(np.abs(off[0]) > np.abs(off[1]), *off) / (mass * speed)
+    compressing = np.where(kernel[rigid_figures.COMPRESSING] > 0.0, kernel[rigid_figures.COMPRESSING], np.nan)
+    energy_error = energy / initial - 1.0
+    figures = Figures(
+        contacts=kernel[rigid_figures.CONTACTS].astype(int),
+        impulse=impulse,
+        peak_force=force * kernel[rigid_figures.PEAK],
+        impactor_velocity=final,
+        target_velocity=target,
+        newton=(target - final) / speed,
+        poisson=kernel[rigid_figures.IMPULSE] / compressing - 1.0,
+        newton_at_contact=kernel[rigid_figures.FACE] - kernel[rigid_figures.FINAL],
+        energy_error=energy_error,
+        momentum_error=momentum,
+        estimated_error=np.maximum(np.abs(energy_error) + np.abs(momentum), 1e-15),
+    )
+    for row in np.flatnonzero(kernel[rigid_figures.FOLLOWED] == 0.0).tolist():
+        for name, value in _figures_of(solve(scene_of(row), Waves())).items():
+            getattr(figures, name)[row] = np.nan if value is None else value
+    return figures
+
+
+def _strike_all(beta: np.ndarray, reflection: np.ndarray, out: np.ndarray) -> None:
+    left = np.arange(beta.size)
+    for pieces in ROOM:
+        found = np.empty((left.size, rigid_figures.COLUMNS))
+        rigid_figures.strike_all(beta[left], reflection[left], AFTERGLOW, pieces, TERMS, found)
+        out[left] = found
+        left = left[found[:, rigid_figures.FOLLOWED] == 0.0]
+
+
+def _figures_of(solution: Solution) -> dict[str, float | None]:
+    errors = ("energy_error", "momentum_error", "estimated_error")
+    return {
+        "contacts": len(solution.contacts),
+        **{name: getattr(solution, name) for name in ("impulse", "peak_force", "impactor_velocity", "target_velocity")},
+        **solution.restitution,
+        **{name: solution.diagnostics[name] for name in errors},
+    }
+
+
+def _columns(rows: list[dict[str, float | None]]) -> Figures:
+    columns = {name: np.array([np.nan if row[name] is None else row[name] for row in rows]) for name in rows[0]}
+    return Figures(**columns | {"contacts": columns["contacts"].astype(int)})
+
+
+def sweep(
+    scene: Scene,
+    key: str,
+    values: Sequence[float] | np.ndarray,
+    workers: int | None = None,
+    cancel: Callable[[], bool] | None = None,
+) -> list[dict[str, Any]]:
+    """The scene solved with each of the values for one of its keys, by the method it names.
+
+    One row each: value, number of contacts, impulse [N s], peak_force [N], impactor velocity [m/s], restitution,
+    energy_error, estimated_error; None where undefined. Keys that take whole numbers get rounded ones, once each.
+    Raises SceneError with the first value that cannot be solved. `cancel()` true: what has not begun is left out.
+    Cost: that of `solve_many` where it is quick; else the solves, shared by `workers` threads (as many as there are
+    processors), and at most 2000 of them; kernels run side by side.
+    """
+    quick = _quick(scene, None) and key in QUICK_KEYS and scene.impactor.kind == "mass"
+    validation.whole_number("number of values", len(values), 1, MOST_QUICK if quick else MOST_VALUES)
+    values = [validation.number(key, float(value), -math.inf, math.inf) for value in values]
+    if quick:
+        return _rows(values, solve_many(scene, {key: values}, workers=workers))
+    if _takes_whole_numbers(scene, key, values[0]):
+        values = list(dict.fromkeys(round(value) for value in values))
+    scenes = [_with(scene, {key: value}) for value in values]  # all are read before any is solved
+    rows = [_row(values[0], solve(scenes[0]))]  # alone: if kernels must be compiled, then once
+
+    def row(value: float, changed: Scene) -> dict[str, Any] | None:
+        return None if cancel is not None and cancel() else _row(value, solve(changed))
+
+    with all_processors(workers) as pool:
+        rows += filter(None, pool.map(row, values[1:], scenes[1:]))
+    return rows
+
+
+def _rows(values: list[float], found: Figures) -> list[dict[str, Any]]:
+    """As `_row` gives them."""
+    columns = {field.name: getattr(found, field.name) for field in fields(found)}
+    known = {name: np.where(np.isnan(column), np.array(None), column).tolist() for name, column in columns.items()}
+    return [
+        {
+            "value": value,
+            "contacts": contacts,
+            "impulse": impulse,
+            "peak_force": peak,
+            "impactor": {"final_velocity": velocity},
+            "restitution": {"newton": newton, "poisson": poisson, "newton_at_contact": at_contact},
+            "energy_error": energy,
+            "estimated_error": error,
+        }
+        for value, contacts, impulse, peak, velocity, newton, poisson, at_contact, energy, error in zip(
+            values,
+            *(known[name] for name in ("contacts", "impulse", "peak_force", "impactor_velocity", "newton", "poisson")),
+            *(known[name] for name in ("newton_at_contact", "energy_error", "estimated_error")),
+            strict=True,
+        )
+    ]
+
+
+def _with(scene: Scene, changes: Mapping[str, float]) -> Scene:
+    changed = scene.replace(changes)
+    read_method(changed.method, changed)
+    return changed
+
+
+def _takes_whole_numbers(scene: Scene, key: str, value: float) -> bool:
+    """Whether the key refuses a fraction and takes the whole number next to it."""
+    for tried, refused in ((value, True), (round(value), False)):
+        try:
+            _with(scene, {key: tried})
+        except SceneError:
+            if not refused:
+                return False
+        else:
+            if refused:
+                return False
+    return True
+
+
+def _row(value: float, solution: Solution) -> dict[str, Any]:
+    found: Mapping[str, Any] = solution.diagnostics
+    velocity = solution.impactor_velocity
+    return {
+        "value": value,
+        "contacts": len(solution.contacts),
+        "impulse": solution.impulse,
+        "peak_force": solution.peak_force,
+        "impactor": {"final_velocity": list(velocity) if isinstance(velocity, tuple) else velocity},
+        "restitution": solution.restitution,
+        "energy_error": found["energy_error"],
+        "estimated_error": found["estimated_error"],
+    }

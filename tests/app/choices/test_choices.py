@@ -1,0 +1,64 @@
+"""Choices: bounds that hold, addresses that are read with care."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.choices.choices import Choices, accepts, refusal
+from app.choices.scene_of import acting_choices, choices_of
+from app.page.address import from_address
+from app.page.picker import scene_groups
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e-4, 1e4, 10**40, "1", None, True, [1.0]])
+def test_a_mass_ratio_out_of_bounds_is_not_accepted(value):
+    assert not accepts("mass_ratio", value)
+    sentence = refusal("mass_ratio", value)
+    assert sentence.startswith("Mass ratio: ")
+    assert sentence.endswith(" is not possible. Choose a number from 0.001 to 1000 m₂/m₁.")
+
+
+@pytest.mark.parametrize("value", [1.5, 0, 201, "50", True, None])
+def test_modes_are_whole_numbers(value):
+    assert not accepts("modes", value)
+
+
+def test_an_address_sets_a_scene_first_and_then_the_rest():
+    kept, refused = from_address({"modes": [b"20"], "speed": [b"3"], "scene": [b"bronze-rod-steel-ball"]})
+    assert refused == []
+    assert kept["law"] == "hertz"
+    assert kept["speed"] == 3.0
+    assert kept["modes"] == 20
+
+
+def test_another_support_in_an_address_moves_the_blow_to_where_the_beam_is_free():
+    kept, _ = from_address({"scene": [b"hammer-on-cantilever"], "support": [b"pinned-pinned"]})
+    assert kept["place"] == 0.5
+    kept, _ = from_address({"scene": [b"hammer-on-cantilever"], "support": [b"pinned-pinned"], "place": [b"1"]})
+    assert kept["place"] == 1.0  # asked for, and so refused where it is solved
+
+
+def test_the_picker_tells_the_number_of_a_figure():
+    told = dict(entry for _, scenes in scene_groups() for entry in scenes)
+    assert told["figure-8.15"].startswith("Figure 8.15: ") and told["table-8.4"].startswith("Table 8.4: ")
+    assert ":" not in told["fixed-rod"]
+
+
+@given(
+    st.dictionaries(st.sampled_from([*Choices.CHOSEN, "x"]), st.lists(st.binary(max_size=60), min_size=1, max_size=2))
+)
+def test_no_address_breaks_anything_or_is_echoed(arguments):
+    kept, refused = from_address(arguments)
+    Choices(**kept)
+    for sentence in refused:
+        assert "<" not in sentence
+        assert "\n" not in sentence
+
+
+def test_of_a_beam_only_the_resolution_that_the_method_goes_by_is_shown():
+    scene = "hammer-on-cantilever"
+    for method, shown in (("balance", ["elements"]), ("fe-nodal", ["elements"]), ("modal", ["modes"]), ("rigid", [])):
+        acting = acting_choices(Choices(scene=scene, **choices_of(scene) | {"method": method}).chosen())
+        assert [name for name in ("modes", "elements") if name in acting] == shown

@@ -1,0 +1,137 @@
+"""The message to the browser: small, exact to float32, jumps kept."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import solvers
+from app.choices.choices import Choices
+from app.choices.scene_of import choices_of, chosen_scene
+from app.command.export import report
+from app.messages.axial import rigid_prediction
+from app.messages.encoding import read_header
+from app.messages.solve import solve_frame
+from solvers import SceneError
+from solvers.methods.validity import TWICE
+
+
+def arrays(message: bytes) -> dict[str, np.ndarray]:
+    header = read_header(message)
+    offset, found = 4 + int.from_bytes(message[:4], "little"), {}
+    for name, shape, *unit in header["arrays"]:
+        size = math.prod(shape)
+        if unit:
+            found[name] = unit[0] * np.frombuffer(message, "<i2", size, offset).reshape(shape)
+            offset += 2 * (size + size % 2)
+        else:
+            found[name] = np.frombuffer(message, "<f4", size, offset).reshape(shape)
+            offset += 4 * size
+    assert offset == len(message)
+    return found
+
+
+def test_histories_match_the_solution_and_keep_the_jump():
+    found = arrays(solve_frame(Choices().chosen()))
+    scene = solvers.load("fixed-rod")
+    unit = scene.target.impedance
+    motion = solvers.solve(scene).motion
+    trip = scene.target.round_trip_time
+    smooth = np.abs(found["exactTime"][:, None] - np.arange(5)).min(axis=1) > 1e-3
+    expected = motion.force(found["exactTime"][smooth].astype(float) * trip) / unit
+    assert np.median(np.abs(found["exactForce"][smooth] - expected)) < 1e-6
+    at_jump = np.flatnonzero(found["exactTime"] == 1.0)
+    assert found["exactForce"][at_jump] == pytest.approx([np.exp(-2.0), 2.0 + np.exp(-2.0)], rel=1e-6)  # (4.17)
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    scene=st.sampled_from(Choices.param.scene.objects),
+    force_at_depth=st.floats(-1, 9).map(lambda x: 10.0**x),
+    exponent=st.floats(1, 3),
+    yield_indentation=st.floats(-9, -2).map(lambda x: 10.0**x),
+    elements=st.integers(1, 60),
+    place=st.floats(0, 1),
+    support=st.sampled_from(Choices.param.support.objects),
+    theory=st.sampled_from(Choices.param.theory.objects),
+    slenderness=st.floats(0, 3).map(lambda x: 10.0**x),
+    damping=st.floats(0, 0.2),
+    method=st.sampled_from(Choices.param.method.objects),
+    law=st.sampled_from(Choices.param.law.objects),
+    mass_ratio=st.floats(-3, 3).map(lambda x: min(max(10.0**x, 1e-3), 1e3)),
+    speed=st.floats(-2, 2).map(lambda x: min(max(10.0**x, 1e-2), 1e2)),
+    linear_stiffness=st.floats(5, 14).map(lambda x: 10.0**x),
+    hertz_stiffness=st.floats(6, 14).map(lambda x: 10.0**x),
+    restitution=st.floats(0, 1),
+    modes=st.integers(1, 200),
+)
+def test_whatever_the_sliders_say_is_answered_in_a_small_finite_message(**chosen):
+    try:
+        message = solve_frame(Choices(**chosen).chosen())
+    except SceneError as refusal:  # a beam struck where it is held
+        assert refusal.key == "target.at"
+        return
+    assert len(message) <= 100_000
+    for name, values in arrays(message).items():
+        assert np.isfinite(values).all(), name
+    header = read_header(message)
+    json.dumps(header, allow_nan=False)
+    if header["kind"] == "axial":
+        assert abs(header["exact"]["diagnostics"]["energy_error"]) < 1e-6
+    if header["kind"] == "axial" and header["other"] and header["other"]["name"] == "modal":
+        assert abs(header["other"]["diagnostics"]["energy_error"]) < 1e-10
+
+
+@pytest.mark.parametrize("name", Choices.param.scene.objects)
+def test_a_scene_by_its_own_values_is_the_scene(name):
+    chosen = Choices(scene=name, **choices_of(name)).chosen()
+    base, scene = solvers.load(name), chosen_scene(chosen)
+    assert scene.contact == base.contact
+    assert scene.impactor.mass == pytest.approx(base.impactor.mass, rel=1e-11)  # 12 digits of the ratio are kept
+    assert scene.target.mass == base.target.mass
+
+
+def test_balances_at_step_ends_are_drawn_as_the_circles_of_figure_6_5():
+    chosen = Choices().chosen() | choices_of("figure-6.5") | {"scene": "figure-6.5"}
+    message = solve_frame(chosen)
+    header, found = read_header(message), arrays(message)
+    solution = solvers.solve(solvers.load("figure-6.5"))
+    time, impulse = solution.motion.impulses
+    assert found["balanceTime"] * header["trip"] == pytest.approx(time, rel=1e-6, abs=1e-12)
+    assert found["balanceForce"] * header["forceUnit"] == pytest.approx(impulse / solution.method["step"], rel=1e-6)
+    located = chosen | {"scene": "fixed-rod", "method": "balance"}
+    assert "balanceForce" not in arrays(solve_frame(located))  # at no step's end
+
+
+@pytest.mark.parametrize("scene", ["bronze-rod-steel-ball", "table-8.4"])
+def test_the_page_says_where_waves_are_counted_twice(scene):
+    header = read_header(solve_frame(Choices().chosen() | choices_of(scene) | {"scene": scene, "law": "hunt-crossley"}))
+    (note,) = (n for n in header["exact" if "exact" in header else "main"]["notes"] if n["code"] == TWICE)
+    assert note["values"]["compared"] and note["values"]["elastic"] != note["values"]["velocity"]
+    assert not any(n["code"] == TWICE for n in (header.get("other") or {"notes": []})["notes"])  # it is said once
+
+
+def test_the_rigid_prediction_is_the_classical_answer():
+    fixed, free = solvers.load("fixed-rod"), solvers.load("free-rod")
+    assert rigid_prediction(fixed, 0.8) == {"impactor": -0.8, "target": 0.0}
+    after = rigid_prediction(free, 0.6)
+    assert after["target"] - after["impactor"] == pytest.approx(0.6)
+    assert after["impactor"] + free.mass_ratio * after["target"] == pytest.approx(1.0)  # momentum, (9.1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", solvers.scene_names())
+def test_every_scene_is_drawn_and_reported_as_it_says(name):
+    scene = solvers.load(name)
+    solution = solvers.solve(scene)
+    assert scene.note[:40] in report(solution)
+    frame = read_header(solve_frame(Choices(scene=name, **choices_of(name)).chosen()))
+    assert frame["note"] == scene.note
+    if frame["kind"] == "axial" and solution.impactor_velocity is not None:
+        columns = [column for column in (frame["exact"], frame["other"]) if column]
+        shown = next((c for c in columns if c["name"] == solution.method["name"]), columns[0])
+        # the page gives modes a step of its own
+        assert shown["final"] == pytest.approx(solution.impactor_velocity / scene.speed, abs=1e-4)

@@ -1,0 +1,154 @@
+"""The message for bodies in space, the place along a struck rod, and the stage that draws them in a real browser."""
+
+import base64
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import app
+import solvers
+from app.choices.space import equivalent_box, struck_at, struck_place
+from app.messages.encoding import read_header
+from app.messages.space import bodies_frame
+from solvers import SceneError
+from tests.app.messages.test_axial import arrays
+
+NAMES = [name for name in solvers.scene_names() if solvers.load(name).normal is not None]
+STATIC = Path(app.__file__).parent / "static"
+NOTE = solvers.load("note-rod")
+MEETINGS = {name: solvers.load(name) for name in NAMES} | {
+    "apart": NOTE.replace({"impactor.velocity": [3.0, 0.0, 0.0]}),
+    "at rest": NOTE.replace({"impactor.velocity": [0.0, 0.0, 0.0]}),
+    "against a stop": NOTE.replace(
+        {"impactor": NOTE.target.table() | {"velocity": [-1.0, 0, 0]}, "target": {"kind": "stop"}}
+    ),
+    "in a plane": NOTE.replace({"target.inertia": [0.0, 0.0, 0.24]}),
+    "points": NOTE.replace({"target": {"kind": "body", "mass": 1.0}}),
+    "tiny": NOTE.replace({"impactor.mass": 1e-9, "target.mass": 1e-9, "target.inertia": [1e-30, 0, 1e-30]}),
+}
+
+
+@pytest.mark.parametrize("name", MEETINGS)
+def test_the_message_is_small_and_finite(name):
+    message = bodies_frame(solvers.solve(MEETINGS[name]))
+    assert len(message) < 20_000
+    header = read_header(message)
+    assert header["kind"] == "bodies"
+    json.dumps(header, allow_nan=False)
+    assert all(np.isfinite(values).all() for values in arrays(message).values())
+    across, up, normal = (np.array(header[key]) for key in ("across", "up", "normal"))
+    assert (across @ across, up @ up, across @ up) == approx((1.0, 1.0, 0.0), abs=1e-12)
+    assert normal @ np.cross(across, up) == approx(0.0, abs=1e-12)  # the normal is not foreshortened
+
+
+def test_the_movement_is_that_of_the_solution():
+    solution = solvers.solve(NOTE)
+    message = bodies_frame(solution)
+    header, found = read_header(message), arrays(message)
+    path, turn = found["targetPath"], found["targetTurn"]
+    middle, duration = len(path) // 2, header["duration"]
+    assert path[middle] == approx([0.0, -0.6, 0.0])
+    assert path[0] == approx([0.0, -0.6, 0.0])  # at rest before
+    assert path[-1] == approx([-0.6 * duration, -0.6, 0.0])
+    assert turn[middle] == approx(np.eye(3)) and turn[0] == approx(np.eye(3))
+    angle = 3.0 * duration
+    assert turn[-1][:2, :2] == approx(
+        np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]), abs=1e-6
+    )
+    assert (header["across"], header["up"]) == ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
+    impactor = found["impactorPath"]
+    assert impactor[0] == approx([3.0 * duration, 0.0, 0.0], rel=1e-6)
+    figures = {name: value for name, value, _ in header["figures"]}
+    assert figures["effective mass"] == solution.effective_mass
+    assert figures["target spin after"] == list(solution.target_spin)
+    assert figures["energy lost"] == solution.energy["dissipated"]
+
+
+def test_the_equivalent_box_of_a_brick_is_the_brick():
+    brick = solvers.load("brick-off-centre").target
+    sides, _ = equivalent_box(brick)
+    assert np.sort(sides) == approx([0.071, 0.115, 0.240], rel=1e-6)  # the moments are given in nine decimals
+    rod, axes = equivalent_box(NOTE.target)
+    assert sorted(rod) == approx([0.0, 0.0, 1.2], rel=1e-15)
+    assert np.abs(axes[:, np.argmax(rod)]) == approx([0.0, 1.0, 0.0])
+
+
+@pytest.mark.parametrize("place", [0.0, 0.3, 0.5, 2 / 3, 1.0])
+def test_where_along_the_rod_it_is_struck(place):
+    """1/mu = 1/m2 + 1/m1 (1 + 12 s^2) at s lengths from the middle."""
+    scene = struck_at(NOTE, place)
+    assert struck_place(scene) == approx(place, abs=1e-15)
+    inverse = 1.0 / 0.5 + (1.0 + 12.0 * (place - 0.5) ** 2) / 2.0
+    assert solvers.solve(scene).effective_mass == approx(1.0 / inverse, rel=1e-14)
+
+
+def test_moving_the_blow_along_a_brick_keeps_it_on_the_face():
+    brick = solvers.load("brick-off-centre")
+    moved = struck_at(brick, 0.5)
+    shift = np.array(moved.target.centre) - np.array(brick.target.centre)
+    assert shift @ np.array(brick.normal) == approx(0.0, abs=1e-12)
+    assert np.linalg.norm(shift) == approx(0.07, rel=1e-6)
+
+
+@pytest.mark.parametrize("place", [-0.1, 1.1, float("nan"), "middle", None])
+def test_a_place_off_the_rod_is_refused(place):
+    with pytest.raises(SceneError, match="from 0 to 1"):
+        struck_at(NOTE, place)
+
+
+def test_point_masses_have_no_length():
+    with pytest.raises(SceneError, match="no length"):
+        struck_at(MEETINGS["points"], 0.5)
+
+
+STAGE = """<!doctype html><div id="place" style="width:600px;height:400px"></div><script type="module">
+import { BodiesStage } from './space/stage.js';
+import { decode } from './shell/message.js';
+window.stage = new BodiesStage();
+stage.root.style.cssText = 'width:600px;height:400px';
+document.getElementById('place').append(stage.root);
+window.show = (text, t) => {
+  stage.load(decode(Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0)).buffer));
+  stage.draw(t);
+  const { data } = stage.canvas.getContext('2d').getImageData(0, 0, stage.canvas.width, stage.canvas.height);
+  let inked = 0, red = 0;
+  for (let k = 0; k < data.length; k += 4) {
+    if (data[k + 3] > 128) inked++;
+    if (data[k + 3] > 128 && data[k] > 180 && data[k + 1] < 80) red++;
+  }
+  return [inked, red];
+};
+</script>"""
+
+
+@pytest.fixture(scope="module")
+def stage(browser):
+    tab = browser.new_page()
+    errors = []
+    tab.on("pageerror", lambda error: errors.append(str(error)))
+
+    def served(route):
+        name = route.request.url.removeprefix("http://stage.test/")
+        body, kind = (STAGE, "text/html") if not name else ((STATIC / name).read_text(), "text/javascript")
+        route.fulfill(body=body, content_type=kind)
+
+    tab.route("http://stage.test/**", served)
+    tab.goto("http://stage.test/")
+    tab.wait_for_function("() => window.show")
+    yield tab
+    tab.close()
+    assert errors == []
+
+
+@pytest.mark.parametrize("name", MEETINGS)
+def test_the_stage_draws(stage, name):
+    solution = solvers.solve(MEETINGS[name])
+    text = base64.b64encode(bodies_frame(solution)).decode()
+    for t in (-1.0, -0.3, 0.0, 0.4, 1.0):
+        inked, red = stage.evaluate("([text, t]) => show(text, t)", [text, t])
+        assert inked > 300
+        # the impulse is drawn from the blow on, if there is one
+        assert (red > 50) == (t >= 0.0 and solution.impulse > 0.0)

@@ -1,0 +1,141 @@
+"""Views that are opened on demand, in a real browser: all methods, all mass ratios, a measured record."""
+
+import pytest
+from playwright.sync_api import expect
+
+from .test_page import drag, settled
+
+LONG = 120_000  # ms: in a fresh copy all kernels of all methods are compiled first
+COMPARED = """() => strikewave.page.model.methods
+  && strikewave.page.analyses.methods.root.getAttribute('aria-busy') === 'false'"""
+MARKED = "() => strikewave.page.analyses.ratios.figure.model('ratio-cursor-rebound')?.location"
+RECORD = "strikewave.page.analyses.record"
+
+
+def opened(page, name):
+    page.analysis(name)
+    button = page.tab.get_by_role("button", name=name, exact=True)
+    expect(button).to_have_attribute("aria-pressed", "true")
+    return button
+
+
+def test_every_method_in_one_table(open_page):
+    page = open_page()
+    opened(page, "Compare methods")
+    page.wait(COMPARED, timeout=LONG)
+    table = page.tab.locator("table.methods")
+    assert table.locator("tbody tr").count() >= 9
+    waves = table.locator("tbody tr").first
+    expect(waves).to_contain_text("2 of 2")
+    assert waves.locator("td").nth(1).inner_text() == "0"
+    rigid = table.locator("tbody tr", has_text="rigid bodies")
+    error = float(rigid.locator("td").nth(1).inner_text().replace("−", "-"))
+    left = page.header("exact")["final"]
+    assert error == pytest.approx(100 * (-1.0 - left), rel=2e-3)  # three digits; an elastic blow against a wall
+    page.answered(lambda: drag(page, "Mass ratio", 0.9))
+    page.wait(COMPARED, timeout=LONG)
+    expect(waves).to_contain_text("1 of 1")
+
+
+def test_a_name_in_the_table_shows_that_method(open_page):
+    page = open_page("?scene=free-rod")
+    opened(page, "Compare methods")
+    page.wait(COMPARED, timeout=LONG)
+    refused = page.tab.locator("table.methods tr.refused").first
+    expect(refused).to_contain_text("use exact waves")
+    assert refused.locator("button").count() == 0
+    name = page.tab.locator("table.methods").get_by_role("button", name="finite elements", exact=True).first
+    page.answered(name.click)
+    assert page.header("chosen")["method"] == "fe-nodal" == page.header("other")["name"]
+    page.wait(COMPARED, timeout=LONG)
+    expect(page.tab.locator("table.methods tr[aria-current]").first).to_contain_text("finite elements")
+
+
+def cursor(page, name):
+    return page.evaluate("name => strikewave.page.analyses.ratios.figure.model(name).location", f"ratio-cursor-{name}")
+
+
+def test_all_mass_ratios_and_where_the_scene_lies(open_page):
+    page = open_page()
+    button = opened(page, "All mass ratios")
+    page.wait(MARKED, timeout=LONG)
+    expect(page.tab.get_by_text("lost for good")).to_contain_text("1.0107")
+    page.answered(lambda: drag(page, "Mass ratio", 0.8))
+    settled(page)
+    ratio = page.header("chosen")["mass_ratio"]
+    for name in ("rebound", "periods", "contacts"):
+        assert cursor(page, name) == pytest.approx(ratio, rel=1e-6)
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("free-rod"))
+    expect(page.tab.get_by_text("exactly one round trip")).to_be_visible()
+    page.answered(lambda: page.tab.get_by_label("Contact law", exact=True).select_option("hertz"))
+    expect(button).to_be_disabled()
+    expect(button).to_have_attribute(
+        "title", "For rigid contact, and a rod that is fixed or free: then the mass ratio says all"
+    )
+    expect(page.tab.get_by_text("exactly one round trip")).to_be_hidden()
+
+
+def compared(page):
+    page.wait(f"() => {RECORD}.answer && !{RECORD}.asking && !strikewave.page.asked", timeout=LONG)
+    return page.evaluate(f"() => {RECORD}.answer")
+
+
+def with_example(open_page):
+    page = open_page()
+    opened(page, "Compare with measured data")
+    page.tab.get_by_role("button", name="Try the example").click()
+    return page, compared(page)
+
+
+def test_the_example_lies_on_its_scene(open_page):
+    page, answer = with_example(open_page)
+    assert page.header("chosen")["scene"] == "bronze-rod-steel-ball"
+    assert answer["scale"] == pytest.approx(1.0, abs=0.02) and answer["residual"] < 0.05
+    expect(page.tab.locator(".residual")).to_contain_text(f"{100 * answer['residual']:.3g}"[:4])
+    expect(page.tab.locator(".movers")).to_contain_text("−37.0")
+    units = page.evaluate("() => Math.max(...strikewave.page.frame.record.force) * strikewave.page.frame.forceUnit")
+    assert units == pytest.approx(page.header("exact")["peakForce"], rel=0.02)
+
+
+def test_shift_and_scale_are_moved_by_hand_and_set_back(open_page):
+    page, answer = with_example(open_page)
+    pixels = page.picture()
+    remains = f"() => {RECORD}.remains({RECORD}.answer)"
+    for name in ("Shift of the record", "Scale of the record"):
+        drag(page, name, 0.6)
+        assert page.evaluate(remains) > 0.1
+        page.redrawn(pixels)
+        page.tab.get_by_role("button", name="Automatic").click()
+        assert page.evaluate(remains) == answer["residual"]
+
+
+def test_a_changed_scene_is_compared_anew(open_page):
+    page, before = with_example(open_page)
+    page.answered(lambda: drag(page, "Impact speed", 0.6))
+    page.wait(f"before => {RECORD}.answer && Math.abs({RECORD}.answer.scale - before) > 0.1", before["scale"])
+    settled(page)
+    faster = page.header("chosen")["speed"] / 2.03
+    assert faster < compared(page)["scale"] < faster**1.2  # as the impulse grows, and as the peak does (Hertz)
+
+
+@pytest.mark.parametrize(
+    "content, said",
+    [
+        (b"time_us,microstrain\n0,0\n", "at least 8"),
+        (b"\0\1\2" * 999, "bytes that are no text"),
+        (b"1,2\n" * 2_500_000, "at most 2000000 bytes"),
+    ],
+    ids=["one line", "binary", "10 MB"],
+)
+def test_a_bad_file_is_refused_and_the_page_lives(open_page, content, said):
+    page = open_page("?scene=bronze-rod-steel-ball")
+    opened(page, "Compare with measured data")
+    file = {"name": "bad.csv", "mimeType": "text/csv", "buffer": content}
+    page.tab.locator("input[type=file]").set_input_files(file)
+    expect(page.tab.locator(".toast")).to_contain_text(said)
+    assert page.evaluate(f"() => {RECORD}.answer") is None
+    assert [error for error in page.errors if "status of 4" not in error] == []
+    page.errors.clear()  # the browser itself notes that the file was refused
+    page.answered(lambda: drag(page, "Impact speed", 0.6))
+    page.wait(f"() => !{RECORD}.asking && !strikewave.page.asked")
+    page.errors.clear()

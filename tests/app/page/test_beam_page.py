@@ -1,0 +1,260 @@
+"""A struck beam on the page, in a real browser."""
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+from app.choices.request import Request
+from app.messages.beam import MS, chosen_method
+
+from .test_page import drag, settled
+
+SCENE = "?scene=figure-8.15"
+STUDIED = "name => strikewave.page.analyses[name].fresh"
+ALL_DRAWN = """() => [...strikewave.page.beam.inView.owed].every(({ chart }) => !chart.area.clientWidth)
+  && strikewave.page.beam.inView.seen.size"""
+CUT_OFF = """() => [...strikewave.page.beam.stack.root.querySelectorAll('.key')]
+  .filter((key) => key.getBoundingClientRect().right > innerWidth).map((key) => key.textContent)"""
+STAGE_TOP = "() => strikewave.page.beam.stage.root.getBoundingClientRect().top + scrollY"
+FORCE_TOP = "() => strikewave.page.beam.force.chart.area.getBoundingClientRect().top"
+LONG = 120_000  # ms: in a fresh copy the kernels of the studies are compiled first
+
+
+def test_a_beam_is_drawn_and_its_story_told(open_page):
+    page = open_page(SCENE)
+    contacts = page.header("main")["contacts"]
+    assert contacts > 5
+    expect(page.tab.get_by_role("heading", name=f"Why one impact is {contacts} contacts")).to_be_visible()
+    expect(page.tab.locator("ol.events")).to_contain_text("thrown ahead")
+    expect(page.tab.locator("p.span")).to_contain_text("riding on it this beam swings half a period")
+    for name in ("How bending runs along the beam", "Contact force", "Impactor and struck place"):
+        expect(page.tab.get_by_role("heading", name=name)).to_be_visible()
+    page.turn_to("Numbers")
+    for name in ("Contact law", "Dispersion"):
+        expect(page.tab.get_by_role("heading", name=name)).to_be_visible()
+    assert page.tab.locator("section.stage:visible").count() == 1
+    page.wait(ALL_DRAWN)
+    page.wait(
+        """() => [strikewave.page.beam.stage.canvas, ...strikewave.page.beam.charts.map(({ chart }) => chart.below),
+             strikewave.page.beam.cycle.chart.below, strikewave.page.beam.dispersion.chart.below].map((canvas) => {
+          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+          return new Set(new Uint32Array(data.buffer)).size;
+        }).every((colours) => colours > 20)"""
+    )
+
+
+@pytest.mark.parametrize(
+    "label, name, to",
+    [
+        ("Length over depth", "slenderness", 0.5),
+        ("Mass ratio", "mass_ratio", 0.6),
+        ("Struck at", "place", 0.6),
+        ("Modal damping", "damping", 0.4),
+    ],
+)
+def test_each_slider_of_a_beam_redraws_it(open_page, label, name, to):
+    page = open_page(SCENE)
+    before, pixels = page.header("chosen"), page.picture()
+    page.answered(lambda: drag(page, label, to))
+    settled(page)
+    after = page.header("chosen")
+    assert after[name] != before[name]
+    assert {k: v for k, v in after.items() if k != name} == {k: v for k, v in before.items() if k != name}
+    page.redrawn(pixels)
+
+
+@pytest.mark.parametrize("label, option", [("Support", "free-free"), ("Theory", "euler-bernoulli")])
+def test_each_picker_of_a_beam_redraws_it(open_page, label, option):
+    page = open_page(SCENE)
+    pixels = page.picture()
+    page.answered(lambda: page.tab.get_by_label(label, exact=True).select_option(option))
+    settled(page)
+    assert page.evaluate("name => strikewave.page.frame.beam[name]", label.lower()) == option
+    page.redrawn(pixels)
+    again = open_page("?" + page.tab.url.split("?")[1])
+    assert again.header("chosen") == page.header("chosen")
+
+
+def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
+    page = open_page(SCENE + "&damping=0.02")
+    chosen = page.header("chosen")
+    request = Request.of(chosen)
+    scene = request.scene
+    solution = chosen_method(request)[0].solve(scene)
+    motion, x = solution.motion, np.linspace(0.0, scene.target.length, page.header("places"))
+    fields = {
+        "deflection": motion.displacement,
+        "velocity": motion.velocity,
+        "moment": motion.moment,
+        "shear": motion.shear,
+    }
+    for what, field in fields.items():
+        largest = np.abs(field(np.linspace(0.0, solution.duration, 400), x)).max()
+        for t in (2.0, 0.3, 3.1):
+            step = page.header("step")
+            now = round(t / MS / step) * step
+            drawn = page.evaluate("([t, what]) => [...strikewave.page.beam.field.profile(t, what)]", [MS * now, what])
+            assert np.abs(np.array(drawn) - field(np.array([now]), x)[0]).max() < 2e-3 * largest, (what, t)
+
+
+def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
+    page = open_page("?scene=hammer-on-cantilever", size=(1440, 700))
+    page.wait("() => strikewave.page.beam.inView.seen.size")
+    page.wait(ALL_DRAWN)
+    owed = page.evaluate(
+        """() => { strikewave.page.take();
+             const owed = [...strikewave.page.beam.inView.owed];
+             return owed.map(({ chart }) => chart.root.querySelector("h2").textContent); }"""
+    )
+    assert "Dispersion" in owed and "How bending runs along the beam" not in owed
+    page.tab.wait_for_timeout(400)  # also once the page has come to rest: it is behind a tab
+    assert page.evaluate("() => strikewave.page.beam.inView.owed.has(strikewave.page.beam.dispersion)")
+    page.turn_to("Numbers")
+    page.tab.get_by_role("heading", name="Dispersion").scroll_into_view_if_needed()
+    page.wait("() => !strikewave.page.beam.inView.owed.has(strikewave.page.beam.dispersion)")
+
+
+def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
+    page = open_page(SCENE)
+    frames, top = page.quiet(), page.evaluate(STAGE_TOP)
+    page.tab.get_by_role("button", name="Slow motion").click()
+    page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
+    assert page.evaluate(STAGE_TOP) == top
+    low, high = page.evaluate("() => strikewave.page.beam.axis.view")
+    assert low == 0.0 and high < page.header("duration")
+    expect(page.tab.locator(".now")).to_contain_text("contact 1 of")
+    page.tab.get_by_role("button", name="Show the whole impact").click()
+    assert page.evaluate("() => strikewave.page.beam.axis.view[1]") == page.header("duration")
+    assert page.frames == frames
+
+
+def test_colours_and_the_half_space_can_be_changed(open_page):
+    page = open_page(SCENE)
+    for act in (
+        lambda: page.tab.get_by_role("button", name="shear", exact=True).click(),
+        lambda: page.tab.get_by_role("button", name="on a half-space").click(),
+        lambda: page.tab.get_by_role("button", name="velocity", exact=True).last.click(),
+    ):
+        pixels = page.picture()
+        act()
+        page.redrawn(pixels)
+
+
+def test_how_far_to_trust_it(open_page):
+    page = open_page("?scene=figure-8.25")
+    page.analysis("Sensitivity")
+    page.wait(STUDIED, "trust", timeout=LONG)
+    table = page.tab.locator(".study-trust table")
+    expect(table).to_contain_text("final velocity")
+    expect(table.locator("tr.firm").first).to_contain_text("firm")
+    assert page.evaluate("() => strikewave.page.beam.band.force.high.length") > 100
+    page.analysis("Convergence in modes")
+    page.wait(STUDIED, "convergence", timeout=LONG)
+    expect(page.tab.locator(".study-convergence table")).to_contain_text("shear force at the support")
+    shown = """name => {
+      const { figure } = strikewave.page.analyses[name];
+      return figure.views && figure.parts.every(({ area }) => area.firstElementChild.offsetHeight > 100);
+    }"""
+    for name in ("trust", "convergence"):
+        page.wait(shown, name)
+    band = page.evaluate("() => strikewave.page.analyses.trust.figure.model('bands').data")
+    edges = [band[f"force-{edge}"] for edge in ("lowest", "low", "high", "highest")]
+    assert all(list(row) == sorted(row) for row in zip(*edges, strict=True)) and max(edges[3]) > 0
+    told = page.evaluate("() => strikewave.page.analyses.convergence.figure.model('differences').data")
+    assert {"peak force", "final velocity"} <= set(told["quantity"]) and 40 not in told["count"]
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("fixed-rod"))
+    expect(page.tab.locator(".study-trust")).to_be_hidden()
+
+
+def test_energy_over_time_of_a_beam(open_page):
+    page = open_page(SCENE)
+    page.analysis("Energy over time")
+    cursor = "() => strikewave.page.analyses.energy.figure.model('energy-cursor')"
+    page.wait(cursor)
+    page.evaluate("() => strikewave.page.player.go(0.7)")
+    assert page.evaluate(f"() => ({cursor})().location") == 0.7
+
+
+@pytest.mark.parametrize("query", [SCENE, "?scene=timoshenko-1913-long"])
+def test_a_phone_shows_all_of_it(open_page, query):
+    page = open_page(query, size=(390, 844), has_touch=True)
+    page.fits(390)
+    box = page.tab.get_by_role("button", name="Slow motion").bounding_box()
+    assert box["x"] >= 0 and box["x"] + box["width"] <= 390
+    ratio = page.tab.get_by_label("Mass ratio", exact=True)
+    expect(ratio).to_be_visible()
+    assert box["y"] < page.evaluate(FORCE_TOP) < ratio.bounding_box()["y"]  # what a drag changes is seen with it
+    page.turn_to("Charts")
+    expect(ratio).to_be_hidden()
+    assert page.evaluate(CUT_OFF) == []
+
+
+def test_an_address_that_cannot_be_struck_shows_the_scene_and_says_why(open_page):
+    page = open_page(SCENE + "&place=0")
+    assert page.header("chosen")["place"] == 1.0
+    expect(page.tab.locator(".toast")).to_contain_text("target.at")
+
+
+def test_the_data_of_a_beam_can_be_saved(open_page, tmp_path):
+    page = open_page(SCENE)
+    with page.tab.expect_download() as download:
+        page.tab.get_by_role("button", name="Save data").click()
+    download.value.save_as(tmp_path / "data.csv")
+    rows = (tmp_path / "data.csv").read_text().splitlines()
+    assert rows[0].startswith("time_s,force_5_modes_N,impactor_m")
+    assert len(rows) == 2002
+
+
+def test_a_support_that_would_hold_the_struck_place_moves_the_blow(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    page.answered(lambda: page.tab.get_by_label("Support", exact=True).select_option("pinned-pinned"))
+    settled(page)
+    beam = page.evaluate("strikewave.page.frame.beam")
+    assert beam["support"] == "pinned-pinned" and beam["place"] == pytest.approx(0.5 * beam["length"])
+    expect(page.tab.get_by_label("Struck at, exact value")).to_have_value("0.5")
+
+
+def test_choices_that_cannot_be_solved_are_set_back(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    place = page.tab.get_by_label("Struck at, exact value")
+    place.fill("0")
+    place.press("Enter")
+    expect(page.tab.locator(".toast")).to_contain_text("elsewhere it is held")
+    expect(place).to_have_value("1")
+    page.answered(lambda: page.tab.get_by_label("Theory", exact=True).select_option("timoshenko"))
+    assert page.header("chosen")["place"] == 1.0
+
+
+def test_a_blow_beside_the_clamp_is_told_as_one_on_a_wall(open_page):
+    page = open_page("?scene=hammer-on-cantilever&place=0.05")
+    story = page.tab.locator(".story:visible")
+    expect(story).to_contain_text("from the clamp, which holds it back almost at once")
+    expect(story).to_contain_text("turns round as on a wall")
+    for false in (
+        "pushes on next to nothing",
+        "before the beam as a whole can answer",
+        "before the struck place can come",
+    ):
+        expect(story).not_to_contain_text(false)
+
+
+def test_warnings_name_the_controls(open_page):
+    page = open_page("?scene=hammer-on-cantilever&modes=40")
+    expect(page.tab.locator(".warnings:visible")).to_contain_text("use Theory: Timoshenko")
+
+
+def test_it_opens_in_the_first_contact_and_says_what_play_does(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    start, end = page.header("contacts")[0][:2]
+    assert start < page.evaluate("() => strikewave.page.player.t") < end
+    now = page.tab.locator(".now")
+    expect(now).to_contain_text("contact 1 of 5")
+    expect(now).to_contain_text("Play")
+    page.tab.get_by_role("button", name="Play", exact=True).click()
+    expect(now).not_to_contain_text("Play")
+
+
+def test_a_method_without_waves_says_so(open_page):
+    page = open_page("?scene=hammer-on-cantilever&method=rigid")
+    expect(page.tab.locator(".story:visible")).to_contain_text("For this method the beam is rigid")
+    assert page.evaluate("strikewave.page.beam.stage.factor") < 1e6

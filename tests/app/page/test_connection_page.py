@@ -1,0 +1,123 @@
+"""The page when its server goes and comes back, with a real server that is killed."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from ..conftest import Page, free_port
+
+SAID = 3_000  # ms within which a loss is said
+BACK = 60_000  # ms for a server to start on a busy machine, and the page to find it
+LOST = "The connection to the server is lost"
+
+
+class Server:
+    """A server of its own, which can be killed and started again on the same port."""
+
+    def __init__(self):
+        self.port = free_port()
+        self.address = f"127.0.0.1:{self.port}"
+        self.process = None
+
+    def start(self) -> None:
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "app.command", "serve", "--port", str(self.port)],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            cwd=Path(__file__).parents[3],
+        )
+        deadline = time.monotonic() + 180
+        while True:
+            try:
+                urllib.request.urlopen(f"http://{self.address}/liveness", timeout=2).read()
+                return
+            except OSError:
+                if time.monotonic() > deadline:
+                    pytest.fail("the server did not start")
+                time.sleep(0.1)
+
+    def end(self, how: int = signal.SIGKILL) -> None:
+        self.process.send_signal(how)
+        self.process.wait(20)
+
+
+@pytest.fixture
+def own_server():
+    server = Server()
+    server.start()
+    yield server
+    os.kill(server.process.pid, signal.SIGCONT)
+    server.end()
+
+
+@pytest.fixture
+def open_on(browser, own_server):
+    opened: list[Page] = []
+
+    def open_one(query: str = "", **options) -> Page:
+        opened.append(Page(browser, own_server.address, query, **options))
+        return opened[-1]
+
+    yield open_one
+    for page in opened:
+        page.context.close()
+        assert [error for error in page.errors if "net::ERR" not in error and "Failed to fetch" not in error] == []
+
+
+@pytest.mark.slow
+def test_a_lost_server_is_said_playback_goes_on_and_the_page_comes_back(own_server, open_on):
+    page = open_on("?scene=free-rod&mass_ratio=2.5")
+    page.turn_to("Numbers")
+    page.evaluate("() => { strikewave.page.player.go(0.4); strikewave.page.axial.axis.show([0.25, 0.75]); }")
+    page.evaluate("() => { strikewave.page.player.pace.value = '0.1'; strikewave.page.player.toggle(); }")
+    page.evaluate("() => { window.same = true; }")
+    own_server.end()
+    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_visible(timeout=SAID)
+    t = page.evaluate("() => strikewave.page.player.t")
+    page.wait("t => strikewave.page.player.t !== t", t)
+    page.evaluate("() => strikewave.page.choose('speed', 3)")  # which nobody takes now
+    own_server.start()
+    page.wait("() => !window.same && window.strikewave?.page.frame.chosen.speed === 3", timeout=BACK)
+    assert page.header("chosen")["scene"] == "free-rod"
+    assert page.header("chosen")["mass_ratio"] == 2.5
+    assert page.evaluate("() => strikewave.page.player.playing")
+    assert page.evaluate("() => strikewave.page.player.pace.value") == "0.1"
+    assert page.evaluate("() => strikewave.page.layout.tabs.selected") == "numbers"
+    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_hidden()
+
+
+@pytest.mark.slow
+def test_a_server_that_hangs_is_noticed_by_who_waits_for_it(own_server, open_on):
+    page = open_on()
+    own_server.process.send_signal(signal.SIGSTOP)
+    page.evaluate("() => strikewave.page.choose('speed', 2)")
+    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_visible(timeout=SAID)
+    own_server.process.send_signal(signal.SIGCONT)
+    page.wait("() => window.strikewave?.page.frame.chosen.speed === 2", timeout=BACK)
+    expect(page.tab.get_by_role("alert").filter(has_text=LOST)).to_be_hidden()
+
+
+TAKE_SOCKET = """() => {
+  const { send } = WebSocket.prototype;
+  WebSocket.prototype.send = function (...parts) { window.socket = this; return send.apply(this, parts); };
+}"""
+
+
+def test_a_session_that_has_ended_is_replaced_by_another_with_the_same_state(open_page):
+    page = open_page("?scene=free-rod&mass_ratio=0.5")
+    page.evaluate(TAKE_SOCKET)
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 2)"))
+    page.wait("() => location.search.includes('speed=2')")
+    page.evaluate("() => { window.same = true; strikewave.page.player.go(0.7); socket.close(); }")
+    expect(page.tab.get_by_role("alert").filter(has_text="connection")).to_be_visible(timeout=SAID)
+    page.wait("() => !window.same && window.strikewave?.frames > 0", timeout=BACK)
+    page.wait("() => strikewave.page.player.t === 0.7")
+    chosen = page.header("chosen")
+    assert (chosen["scene"], chosen["mass_ratio"], chosen["speed"]) == ("free-rod", 0.5, 2)

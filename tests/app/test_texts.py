@@ -1,0 +1,77 @@
+"""Every word of the page is in its catalogue: what the browser asks for is there, and what is there is asked for."""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import app
+from app.text.catalogues import LANGUAGES, command, page, script
+from solvers.text.catalogue import library
+from solvers.text.messages import terms_in
+
+STATIC = Path(app.__file__).parent / "static"
+SOURCES = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.rglob("*.js")))
+SERVER = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.parent.rglob("*.py")))
+ASKED = set(re.findall(r"'([a-z][\w-]*(?:\.[\w-]+)+)'", SOURCES)) | {"nothing"}
+ASKED |= set(re.findall(r'page\(\)\.text\("([\w.-]+)"', SERVER))  # by the server, for the page
+FAMILIES = set(re.findall(r"(?:family|named)\('([\w.-]+)'", SOURCES)) | {"control", "unit", "question"}
+BEGINNINGS = set(re.findall(r"`([a-z][\w-]*(?:\.[\w-]+)*\.)\$\{", SOURCES))  # of codes whose end is a value
+OWN = {code for code in page().texts if code not in library().texts and not code.startswith("terms.")}
+
+
+def made(code: str) -> bool:
+    """Whether the browser asks for it by a family or by a part of it."""
+    families = {f"name.{family}." for family in FAMILIES} | {f"{family}." for family in FAMILIES}
+    return code.startswith(tuple(families | BEGINNINGS | {"name."}))
+
+
+def test_what_the_browser_asks_for_is_there():
+    known = set(page().texts)
+    files = {code for code in ASKED if re.search(r"\.(js|css|csv|html)$", code)}
+    rooms = {code.split(".")[0] for code in OWN}
+    for code in ASKED - files:
+        if code.split(".")[0] in rooms:
+            assert code in known or any(other.startswith(f"{code}.") for other in known), code
+
+
+def test_what_is_there_is_asked_for():
+    assert {code for code in OWN if code not in ASKED and not made(code)} == set()
+
+
+def test_every_term_has_a_name_on_the_page():
+    used = {term for text in page().texts.values() for term in terms_in(text)}
+    assert used <= set(page().terms)
+    assert set(page().terms) <= used | set(library().terms)
+
+
+def test_page_and_command_name_the_same_note_in_their_own_words():
+    values = {"slenderness": 3.0, "theory": "euler-bernoulli", "least": 10}
+    assert page().text("beam-not-slender", **values).endswith("use Theory: Timoshenko.")
+    assert command().text("beam-not-slender", **values).endswith("use theory = 'timoshenko'.")
+    assert LANGUAGES == ("en",)
+
+
+@pytest.mark.browser
+def test_browser_and_python_fill_a_text_alike(tmp_path):
+    """But for signs: the browser writes a true minus, powers of ten and times in handy units."""
+    cases = {
+        "near-grazing": {"change": 1.234, "heavier": False, "others": 1, "contacts": 2},
+        "mesh-chatter": {"touches": 12, "contacts": 1, "remedy": "shorter"},
+        "contact-missed": {"start": 2.12462, "end": 2.1628, "impulse": 0.66, "cause": "modes"},
+        "switching-loses": {"modes": 5, "ratio": 3.0, "lost": 0.129, "affordable": True, "needed": 70},
+        "plan-beside-sweeps": {
+            "case": "compact", "impactor": "body", "target": "body", "question": "peak-force",
+            "model": {"name": "rigid-impulse"}, "method": "rigid",
+        },
+    }  # fmt: skip
+    (tmp_path / "texts.mjs").write_text(script(), encoding="utf-8")
+    asked = "".join(f"console.log(text({json.dumps(code)}, {json.dumps(values)}));" for code, values in cases.items())
+    (tmp_path / "ask.mjs").write_text(f"import {{ text }} from '{STATIC}/text/catalogue.js';\n{asked}")
+    command_line = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
+    said = subprocess.run(command_line, capture_output=True, text=True, check=True, timeout=60).stdout.splitlines()
+    for (code, values), sentence in zip(cases.items(), said, strict=True):
+        plain = page().text(code, **values).replace("'rigid'", "rigid bodies").replace("rigid-impulse", "rigid impulse")
+        assert sentence == plain

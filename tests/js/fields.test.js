@@ -1,0 +1,109 @@
+// Fields rebuilt in the browser, against closed forms.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { at, Field, SampledField, WaveField } from '../../app/static/axial/fields.js';
+import { ModalField } from '../../app/static/axial/modal_field.js';
+import { fieldOf } from '../../app/static/beam/field.js';
+
+const near = (found, expected, error) =>
+  assert.ok(Math.abs(found - expected) <= error, `${found} is not ${expected} within ${error}`);
+const ROD = { from: 0, to: 2, transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null };
+const still = { exactMass: [0, 1, 0], exactEnd: [0, 0.5, 0], otherMass: [0, 2], otherEnd: [0, 4] };
+
+test('samples spread evenly are straight between each other', () => {
+  assert.equal(at([0, 10, 30], 0.75, 1), 20);
+  assert.equal(at([0, 10, 30], 9, 1), 30);
+  assert.equal(at([0, 10, 30], -9, 1), 0);
+});
+
+test('bodies without waves move as a whole', () => {
+  const field = new Field({ duration: 2, ...still }, 'exact');
+  assert.equal(field.mass(0.5), 0.5);
+  assert.deepEqual([...field.profile(1, 'displacement', new Float64Array(3))], [0.5, 0.5, 0.5]);
+  assert.deepEqual([...field.profile(1, 'stress', new Float64Array(3))], [0, 0, 0]);
+});
+
+test('a step of stress runs along a rod and is doubled at its fixed end', () => {
+  const rods = [{ ...ROD, mirror: 1 }];
+  const frame = { duration: 2, rods, f0Time: [0, 2], f0: [1, 1], exactForce: [1], ...still };
+  const field = new WaveField(frame);
+  const profile = (t, what) => [...field.profile(t, what, new Float64Array(5))];
+  assert.deepEqual(profile(0.26, 'stress'), [1, 1, 1, 0, 0]);
+  assert.deepEqual(profile(0.26, 'velocity'), [1, 1, 1, 0, 0]);
+  assert.deepEqual(profile(0.76, 'stress'), [1, 1, 2, 2, 2]);
+  assert.deepEqual(profile(0.76, 'velocity'), [1, 1, 0, 0, 0]);
+  near(profile(0.4, 'displacement')[0], 0.4, 1e-12);
+  assert.equal(field.largest('stress'), 2);
+  assert.equal(field.largest('velocity'), 1);
+});
+
+test('at a free end the step comes back turned over', () => {
+  const frame = { duration: 2, rods: [{ ...ROD, mirror: -1 }], f0Time: [0, 2], f0: [1, 1], exactForce: [1], ...still };
+  const field = new WaveField(frame);
+  assert.deepEqual([...field.profile(0.76, 'stress', new Float64Array(5))], [1, 1, 0, 0, 0]);
+  assert.deepEqual([...field.profile(0.76, 'velocity', new Float64Array(5))], [1, 1, 2, 2, 2]);
+});
+
+test('sampled fields are straight in time and place', () => {
+  const places = 4;
+  const frame = { duration: 10, rods: [ROD], shapes: { fieldStress: [3, places] }, ...still };
+  const table = Array.from({ length: 3 * places }, (_, p) => 5 * Math.floor(p / places) + (p % places));
+  const field = new SampledField({ ...frame, fieldStress: table, fieldVelocity: table, fieldDisplacement: table });
+  const out = field.profile(2.5, 'stress', new Float64Array(7));
+  [...out].forEach((value, k) => near(value, 2.5 + k / 2, 1e-12));
+});
+
+test('modes of a rod under a constant force swing about their static deflection, whichever way time goes', () => {
+  const [modes, step, steps] = [5, 0.001, 2000];
+  const frame = {
+    duration: 2,
+    rods: [{ ...ROD, mirror: 1 }],
+    modes,
+    step,
+    modalForce: Array(steps).fill(0.7),
+    ...still,
+  };
+  const field = new ModalField(frame);
+  const moved = (t) => field.profile(t, 'displacement', new Float64Array(3))[0];
+  const expected = (t) => {
+    let sum = 0;
+    for (let i = 0; i < modes; i++) {
+      const omega = 2 * Math.PI * (i + 0.5);
+      sum += ((4 * 0.7) / omega ** 2) * (1 - Math.cos(omega * t));
+    }
+    return sum;
+  };
+  for (const t of [0.3, 1.9, 0.1, 1.2]) near(moved(t), expected(t), 1e-6);
+});
+
+test('a damped mode of a beam under a constant force settles as an oscillator does', () => {
+  const [omega, damping, step, force] = [900, 0.05, 1e-5, 3];
+  const table = (name) => ({ [`${name}Rows`]: [1, 2, 3], [`${name}Scale`]: [0.5] });
+  const field = fieldOf({
+    duration: 20,
+    places: 3,
+    modalForce: Array(2000).fill(force),
+    modalFrequencies: [omega],
+    modalAtContact: [2],
+    ...table('shape'),
+    ...table('moment'),
+    ...table('shear'),
+    momentBeside: [0, 0, 1],
+    shearBeside: [0, 0, 0],
+    damping,
+    step,
+    smoothing: 0,
+    rigidMass: null,
+    drift: 0,
+  });
+  const shape = [0.5, 1, 1.5];
+  for (const t of [4e-3, 15e-3, 1e-3]) {
+    const damped = omega * Math.sqrt(1 - damping ** 2);
+    const fade = Math.exp(-damping * omega * t);
+    const swing = Math.cos(damped * t) + ((damping * omega) / damped) * Math.sin(damped * t);
+    const q = ((2 * force) / omega ** 2) * (1 - fade * swing);
+    const found = field.profile(1e3 * t, 'deflection');
+    shape.forEach((value, j) => near(found[j], value * q, 1e-10));
+    near(field.profile(1e3 * t, 'moment')[2], shape[2] * q + force, 1e-8);
+  }
+});

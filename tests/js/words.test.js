@@ -1,0 +1,63 @@
+// What things are called, and sentences made of the catalogue.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { described, numeral, said, text } from '../../app/static/text/catalogue.js';
+import { called, LABELS, noteOf } from '../../app/static/text/words.js';
+
+test('a method with its resolution', () => {
+  assert.equal(described('modal modes=50'), '50 modes');
+  assert.equal(described('fe-nodal elements=12 scheme=central-difference'), '12 finite elements, central differences');
+  assert.equal(described('waves tolerance=1e-05'), 'exact waves, tolerance 10⁻⁵');
+  assert.equal(described('quasi-static model=local'), 'quasi-static, rigid bodies, compliant contact');
+  assert.equal(described('balance restitution=0 modes=50'), 'impulse–momentum balance, 50 modes, restitution 0');
+  assert.equal(called({ name: 'modal', modes: 1 }), '1 mode');
+  assert.equal(called({ name: 'fe-modal', modes: 1 }), 'FE modal superposition, 1 mode');
+  assert.equal(called({ name: 'fe-nodal', elements: 4 }), '4 finite elements');
+  assert.equal(called({ name: 'rigid' }), 'rigid bodies');
+});
+
+test('a note names things as the controls do', () => {
+  const values = { slenderness: 3.3333, theory: 'euler-bernoulli', least: 10 };
+  const note = { code: 'beam-not-slender', severity: 'warning', values };
+  assert.equal(
+    said(note),
+    'The beam is 3.33 times as long as deep, and Euler-Bernoulli theory is meant for 10 times and more: ' +
+      'use Theory: Timoshenko.',
+  );
+});
+
+test('plural forms and choices', () => {
+  const of = (/** @type {number} */ others) =>
+    text('near-grazing', { change: 1.234, heavier: true, others, contacts: 2 }).split('.').slice(0, 2).join('.');
+  assert.equal(of(1), 'Near grazing: with the mass 1.2 % heavier there would be one contact instead of 2');
+  assert.equal(of(3), 'Near grazing: with the mass 1.2 % heavier there would be 3 contacts instead of 2');
+});
+
+test('formats of Python', () => {
+  const cases = [
+    [1234.5, '.3g', '1.23·10³'],
+    [0.00012346, '.3g', '0.000123'],
+    [1.2e-5, '.3g', '1.2·10⁻⁵'],
+    [-2, '+.4g', '−2'],
+    [2, '+.4g', '+2'],
+    [0.126, '.1%', '12.6%'],
+    [3.14159, '.2f', '3.14'],
+    [1e-12, '.0e', '10⁻¹²'],
+    [400000, 'g', '400000'],
+  ];
+  for (const [value, format, shown] of cases) assert.equal(numeral(Number(value), String(format)), shown);
+});
+
+test('a text or a value that is not there is an error', () => {
+  assert.throws(() => text('no-such-code'), /no text for no-such-code/);
+  assert.throws(() => text('contact-missed', {}), /no value for start/);
+});
+
+test('a scene that sets keys without a control says which', () => {
+  assert.match(noteOf({ note: '', unshown: ['method.status'] }), /method\.status.*impact solve --set KEY=VALUE/);
+  assert.equal(noteOf({ note: 'of a rod', unshown: [] }), 'of a rod');
+});
+
+test('every choice has a title', () => {
+  for (const [name, { title }] of Object.entries(LABELS)) assert.ok(title, name);
+});

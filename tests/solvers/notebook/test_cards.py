@@ -1,0 +1,92 @@
+"""HTML of what a notebook shows: well formed, escaped, with units and warnings."""
+
+from xml.etree import ElementTree
+
+import pytest
+
+import solvers
+from tests.catalog import SCENES, struck_rod
+
+HOSTILE = "<script>alert('&')</script>"
+
+
+def cells(shown: object) -> list[str]:
+    """Texts of the card, which must be well formed."""
+    return ["".join(element.itertext()) for element in ElementTree.fromstring(shown._repr_html_()).iter()]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_scene_has_a_card(name):
+    scene = SCENES[name]
+    told = cells(scene)
+    assert f"Scene {scene.title}" in told
+    assert scene.contact.NAME in told
+    assert any(text.startswith(scene.target.kind) for text in told)
+
+
+def test_a_scene_says_what_strikes_what():
+    told = cells(struck_rod(mass_ratio=2.0))
+    assert "mass, 1.0665 kg, velocity 1 m/s" in told
+    assert "mass ratio, target / impactor2" in told
+    assert "speed of approach1 m/s" in told
+
+
+@pytest.mark.parametrize("key", ["title", "source", "note"])
+def test_what_a_scene_says_is_escaped(key):
+    scene = struck_rod().replace({key: HOSTILE})
+    assert "<script" not in scene._repr_html_()
+    assert HOSTILE in " ".join(cells(scene))
+    assert "<script" not in solvers.solve(scene)._repr_html_()
+
+
+def test_a_solution_shows_figures_accuracy_and_notes():
+    solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=5)
+    told = cells(solution)
+    assert f"impulse{solution.impulse:.6g} N s" in told
+    assert f"{solution.contacts[0].end:.6g} s" in told
+    assert f"impactor leaves at{solution.impactor_velocity:.6g} m/s" in told
+    assert f"energy residual{solution.diagnostics['energy_error']:.6g}" in told
+    error = solution.diagnostics["estimated_error"]
+    assert f"estimated error of the velocity{error:.6g} of the impact speed" in told
+    assert solution.notes
+    assert set(map(str, solution.notes)) <= set(told)
+
+
+@pytest.mark.parametrize("name", ["brick-off-centre", "pressure-bar", "two-balls"])
+def test_solutions_without_some_figures_have_cards(name):
+    solution = solvers.solve(solvers.load(name))
+    told = cells(solution)
+    assert f"impulse{solution.impulse:.6g} N s" in told
+    assert any(text.startswith("impactor leaves at") for text in told) == (solution.impactor_velocity is not None)
+
+
+def test_a_tradeoff_shows_the_points_that_nothing_beats():
+    found = solvers.tradeoff(solvers.load("two-balls"), ["rebound"], fresh=True, seconds=1.0)
+    told = cells(found)
+    assert found.reference.words in " ".join(told)
+    for point in found.front("rebound"):
+        assert point.label in told
+    assert {f"{name} cannot{reason}" for name, reason in found.refused.items()} <= set(told)
+
+
+def test_a_plan_shows_every_candidate_and_why():
+    plan = solvers.plan(solvers.load("fixed-rod"), "peak-force", 0.05)
+    told = cells(plan)
+    assert f"why{plan.reason}" in told
+    assert f"chosen{plan.model}" in told
+    assert {candidate.model for candidate in plan.candidates} <= set(told)
+
+
+def test_a_plan_beside_what_was_measured_warns():
+    plan = solvers.plan(solvers.load("two-balls"), "final-velocities")
+    assert not plan.measured
+    assert "The scene lies beside what was measured: take the errors as a guess." in cells(plan)
+
+
+def test_a_stability_map_shows_every_integrator():
+    found = solvers.stability(solvers.load("fixed-rod"), grid=(3, 3), modes=3, workers=1)
+    told = cells(found)
+    for of in found.maps.values():
+        assert of.label in told
+        assert f"{of.failures} of 9" in told or str(of.reason) in told
+    assert set(map(str, found.notes)) <= set(told)

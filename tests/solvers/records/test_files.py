@@ -1,0 +1,176 @@
+"""Files of measured records: what is read, and how everything else is refused in one sentence."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pytest import approx
+
+from solvers import SceneError
+from solvers.records.files import MAX_BYTES, load_record, read_record
+
+TIME = np.arange(10) * 1e-6
+VALUES = np.sin(np.arange(10)) * 1e-4
+
+
+def lines(time=TIME, values=VALUES, head="time_s,strain", separator=",", decimal=".", end="\n"):
+    rows = [f"{t:.9g}{separator}{v:.9g}".replace(".", decimal) for t, v in zip(time, values, strict=True)]
+    return end.join(([head] if head else []) + rows) + end
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        lines(),
+        lines(end="\r\n"),
+        "\ufeff" + lines(),
+        "# a comment\n\n" + lines() + "# another\n\n",
+        lines(head="time_s;strain", separator=";"),
+        lines(head="time_s;strain", separator=";", decimal=","),
+        lines(head="time_s\tstrain", separator="\t", decimal=","),
+        lines(head="time_s strain", separator="   "),
+        lines(head='"time_s","strain"'),
+        lines(1e6 * TIME, head="time_us,strain"),
+        lines(1e6 * TIME, 1e6 * VALUES, "time_us,microstrain"),
+        lines(1e6 * TIME, 1e6 * VALUES, "t [µs],strain [µm/m]"),
+        lines(1e6 * TIME, 1e6 * VALUES, "Time (us),Strain (um/m)"),
+        lines(1e3 * TIME, 1e2 * VALUES, "time_ms,strain_%"),
+        lines(1e9 * TIME, 1e3 * VALUES, "t_ns, millistrain_1"),
+    ],
+    ids=lambda text: repr(text[:24]),
+)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "text"])
+def test_one_record_written_in_many_ways(text, encoding):
+    record = read_record(text if encoding == "text" else text.encode(encoding))
+    assert record.kind == "strain"
+    assert record.time == approx(TIME, abs=1e-15) and record.values == approx(VALUES, rel=1e-8)
+
+
+def test_the_old_code_page_of_windows():
+    assert read_record(lines(1e6 * TIME, head="time_µs,strain").encode("cp1252")).time == approx(TIME)
+
+
+@pytest.mark.parametrize(
+    "head, kind, factor",
+    [("time_s,stress_Pa", "stress", 1.0), ("time_s,stress_MPa", "stress", 1e6), ("time_s,force_kN", "force", 1e3),
+     ("time_s,contact_force_N", "force", 1.0)],
+)  # fmt: skip
+def test_kinds_and_units(head, kind, factor):
+    record = read_record(lines(head=head))
+    assert record.kind == kind and record.values == approx(factor * VALUES, rel=1e-8)
+
+
+def test_the_sign_can_be_turned():
+    assert read_record(lines(), sign=-1).values == approx(-VALUES, rel=1e-8)
+    with pytest.raises(SceneError, match="sign: got '2'"):
+        read_record(lines(), sign=2)
+
+
+def test_columns_without_names():
+    bare = lines(head=None)
+    assert read_record(bare, kind="force").kind == "force"
+    record = read_record(lines(1e6 * TIME, head=None), columns=("time_us", "strain"))
+    assert record.time == approx(TIME)
+    with pytest.raises(SceneError, match=r"record row 1: got .* allowed: the names of the columns"):
+        read_record(bare)
+
+
+def test_several_columns():
+    rows = "\n".join(f"{t},{v},{2 * v},x,{1e3 * v}" for t, v in zip(TIME, VALUES, strict=True))
+    text = "time_s,strain_1,strain_2,remark,force_N\n" + rows
+    assert read_record(text, kind="strain", gauge=2).values == approx(2 * VALUES)
+    assert read_record(text, kind="force").values == approx(1e3 * VALUES)
+    with pytest.raises(SceneError, match="say which: strain, stress, force"):
+        read_record(text)
+    with pytest.raises(SceneError, match="gauge: got 3; allowed: a whole number from 1 to 2"):
+        read_record(text, kind="strain", gauge=3)
+
+
+def replaced(row, text):
+    rows = lines().splitlines()
+    rows[row - 1] = text
+    return "\n".join(rows)
+
+
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        (replaced(4, "2e-6,nan"), "record row 4, column 'strain': got 'nan'; allowed: a finite number"),
+        (replaced(4, "2e-6,inf"), "record row 4, column 'strain': got 'inf'"),
+        (replaced(4, "2e-6,-1e999"), "record row 4, column 'strain': got '-1e999'"),
+        (replaced(4, "2e-6,"), "record row 4, column 'strain': got ''"),
+        (replaced(4, "2e-6"), "record row 4, column 'strain': got nothing"),
+        (replaced(4, "2e-6,abc"), "record row 4, column 'strain': got 'abc'"),
+        (replaced(4, "2e-6,1_0"), "record row 4, column 'strain': got '1_0'"),
+        (replaced(4, "1,2e-6"), "record row 5, time: got"),
+        (replaced(4, "1e-6,0"), "record row 4, time: got '1e-06 s'; allowed: more than 1e-06 s"),
+        (replaced(4, "0,0"), "record row 4, time: got '0 s'"),
+        (replaced(2, "nan,0"), "record row 2, column 'time_s': got 'nan'"),
+        ("nan,nan\n" + lines(head=None), "record row 1"),
+        ("", "record: got 'no rows'"),
+        ("# only a comment\n", "record: got 'no rows'"),
+        ("time_s,strain", "record: got '0 rows of numbers'; allowed: at least 8"),
+        ("time_s,strain\n0,0\n", "record: got '1 rows of numbers'"),
+        (lines(TIME[:7], VALUES[:7]), "record: got '7 rows of numbers'"),
+        (lines(head="time_s,velocity_m_per_s"), "one of strain, stress or force"),
+        (lines(head="x_m,strain"), "one of time with its unit"),
+        (lines(head="time,strain"), "record column 'time': got 'no unit'; allowed: a name with its unit: time_s"),
+        (lines(head="time_minutes,strain"), "record column 'time_minutes': got 'minutes'"),
+        (lines(head="time_s,stress"), "record column 'stress': got 'no unit'"),
+        (lines(head="time_s,force_lbf"), "record column 'force_lbf': got 'lbf'"),
+        (lines(head="time_s,stress_psi"), "record column 'stress_psi': got 'psi'"),
+        (lines(1e7 * TIME), "is the unit of time in the name of its column right"),
+        (lines(1e-6 * TIME), "is the unit of time in the name of its column right"),
+        (lines(values=1e6 * VALUES), "are these microstrain"),
+        (lines(np.append(TIME[:5], TIME[5:] + 6e-6)), "record row 7, time: got 'a gap of 7e-06 s up to here'"),
+        ("\0\1\2" * 50, "record"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_used_is_named(text, said):
+    with pytest.raises(SceneError) as refused:
+        read_record(text)
+    assert said in str(refused.value)
+    assert "\n" not in str(refused.value) and len(str(refused.value)) < 400
+
+
+def test_bytes_that_are_no_text():
+    for content in (b"\xff\xfe\x00", b"PK\x03\x04" + bytes(100), bytes(1000)):
+        with pytest.raises(SceneError, match="record"):
+            read_record(content)
+
+
+def test_ten_megabytes_are_refused_before_they_are_read(tmp_path):
+    content = b"1,2\n" * 2_500_000
+    with pytest.raises(SceneError, match=f"got '10000000 bytes'; allowed: at most {MAX_BYTES} bytes"):
+        read_record(content)
+    path = tmp_path / "large.csv"
+    path.write_bytes(content)
+    with pytest.raises(SceneError, match="10000000 bytes"):
+        load_record(path)
+
+
+def test_files(tmp_path):
+    path = tmp_path / "record.csv"
+    path.write_text(lines())
+    assert load_record(path).values == approx(VALUES, rel=1e-8)
+    for wrong in (tmp_path, tmp_path / "none.csv", "x" * 5_000, "a\0b", ""):
+        with pytest.raises(SceneError, match="record: got"):
+            load_record(wrong)
+
+
+def test_too_many_rows():
+    with pytest.raises(SceneError, match="record: got '250000 rows'; allowed: at most 200000"):
+        read_record("time_s,strain\n" + "1,2\n" * 250_000)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.one_of(st.binary(max_size=300), st.text(max_size=300), st.text("0123456789.,;\t\n e-+nax_#", max_size=300)))
+def test_anything_is_read_or_refused(content):
+    for how in ({}, {"kind": "strain"}, {"columns": ("time_us", "force_N")}):
+        try:
+            record = read_record(content, **how)
+        except SceneError as refused:
+            assert "\n" not in str(refused)
+        else:
+            assert np.isfinite(record.time).all() and np.isfinite(record.values).all()
+            assert (np.diff(record.time) > 0.0).all()

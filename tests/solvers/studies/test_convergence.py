@@ -1,0 +1,196 @@
+"""More modes: known orders are found, what does not converge is told, and the blow beside a half-space."""
+
+import math
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import solvers
+from solvers import Modal, SceneError, compare_with_half_space, contact_times, convergence
+from solvers.numerics.rods import composite_rod_modes
+from solvers.studies.contact_times import half_periods
+from solvers.studies.convergence import _judge
+from tests.catalog import ROD, T, bronze_rod, contact_table, struck_beam, struck_rod
+
+COUNTS = np.array([3.0, 5.0, 10.0, 20.0, 40.0, 80.0])
+
+
+def judged(values, scale=1.0, name="impulse"):
+    return _judge(name, COUNTS, values, scale, "modes")
+
+
+@pytest.mark.parametrize("order", [0.5, 1.0, 2.0, 3.5])
+def test_a_known_order_is_found_and_what_is_left_too(order):
+    differences, found, told = judged(2.0 + COUNTS**-order, 2.0)
+    assert found == approx(order, abs=0.02)
+    assert differences == approx((COUNTS**-order - 80.0**-order) / 2.0, rel=1e-12)
+    assert told.code == "converges" and "converges as modes^-" in str(told)
+    assert told.values["error"] == approx(80.0**-order / 2.0, rel=0.1)
+
+
+def test_what_goes_to_zero_or_to_infinity_does_not_converge():
+    assert "falls as modes^-1" in str(judged(1e-4 / COUNTS)[2])
+    assert "grows as modes^+1.5" in str(judged(COUNTS**1.5)[2])
+    irregular = judged(1.0 + 0.01 * np.array([1.0, -3.0, 2.0, -1.0, 2.0, 0.0]))
+    assert irregular[1] is None and irregular[2].code == "no-order"
+    assert judged(np.ones(6))[2].code == "same-for-all"
+    assert judged(np.array([1, 1, 2, 3, 3, 3.0]), 3.0, "contacts")[2].values["count"] == 20
+    assert judged(np.array([1, 1, 2, 3, 3, 4.0]), 3.0, "contacts")[2].code == "contacts-scatter"
+
+
+def test_modes_of_a_rod_in_hertz_contact_converge():
+    scene = bronze_rod()
+    found = convergence(scene)
+    exact = solvers.solve(scene, "waves")
+    assert found.counts.tolist() == [3, 5, 10, 20, 40, 80] and found.kind == "modes"
+    for name, value in (("final_velocity", exact.impactor_velocity), ("peak_force", exact.peak_force)):
+        assert 2.0 < found.order[name] < 4.5
+        assert found.values[name][-1] == approx(value, rel=3e-5)
+    assert str(found.summary["contacts"]) == "1 from 3 modes on"
+    assert "peak_shear" not in found.values and "support_stress" not in found.values  # a free rod
+    alone = Modal(modes=10, estimate=False).solve(scene, solvers.solve(scene, Modal(modes=80)).duration)
+    assert found.values["impulse"][2] == alone.impulse
+
+
+def test_elements_converge_with_their_order():
+    found = convergence(bronze_rod(), (10, 20, 40), method="fe-nodal")
+    assert found.kind == "elements"
+    assert found.order["final_velocity"] == approx(2.0, abs=0.4)
+
+
+def test_in_rigid_contact_the_force_converges_slowly():
+    found = convergence(struck_rod())
+    assert found.values["support_stress"].size == 6
+    assert found.order["peak_force"] is None or found.order["peak_force"] < 1.5
+    exact = solvers.solve(struck_rod())
+    assert found.values["final_velocity"][-1] == approx(exact.impactor_velocity, abs=0.01)
+
+
+def test_the_table_is_plain():
+    table = convergence(bronze_rod(), [2, 4, 8]).table()
+    assert table["counts"] == [2, 4, 8] and set(table["values"]) == set(table["units"]) == set(table["told"])
+    assert all(isinstance(value, float) for value in table["values"]["impulse"])
+
+
+@pytest.mark.parametrize(
+    ("modes", "method", "key"),
+    [
+        ((3, 5), "modal", "modes"),
+        ((3, 5, 5), "modal", "modes"),
+        ((3, 5, 2.5), "modal", "modes"),
+        ((0, 5, 10), "modal", "modes"),
+        ("123", "modal", "modes"),
+        ((3, 5, 10), "waves", "method.name"),
+        ((3, 5, 10), "no-such-method", "method.name"),
+        ((3, 5, 10), "mode-switch", "method.name"),  # refuses Hertz contact
+    ],
+)
+def test_bad_input_is_refused(modes, method, key):
+    with pytest.raises(SceneError) as refused:
+        convergence(bronze_rod(), modes, method)
+    assert refused.value.key == key
+
+
+def test_contact_times_of_the_fixed_rod():
+    found = contact_times(solvers.solve(struck_rod()))
+    assert found.contacts == 2
+    assert found.apparent == approx(0.2516982e-3, rel=1e-6) and found.real < found.apparent
+    # z tan z = m2/m1, (5.11), with z = omega L / c
+    z = math.pi * 0.5 * T / found.half_period
+    assert z * math.tan(z) == approx(1.0, rel=1e-8)
+    assert found.half_period_alone == approx(T, rel=1e-12)  # a quarter wave: a period of 4 L / c
+    assert "as if stuck to each other" in str(found.summary)
+
+
+def test_contact_times_without_a_swing():
+    found = contact_times(solvers.solve(solvers.load("two-balls")))
+    assert found.half_period is None and found.apparent == found.real and "touch once" in str(found.summary)
+    free = contact_times(solvers.solve(bronze_rod()))
+    rod = bronze_rod().target
+    modes = composite_rod_modes(rod.length, rod.mass, rod.wave_speed, False, 1, bronze_rod().impactor.mass)
+    assert free.half_period == approx(math.pi / modes.frequencies[0], rel=1e-8)
+    assert "over before the body" in str(free.summary)
+    swinging = solvers.solve(solvers.load("spring-mass"))
+    target, mass = swinging.scene.target, swinging.scene.impactor.mass
+    assert contact_times(swinging).half_period == approx(math.pi * math.sqrt((target.mass + mass) / target.stiffness))
+
+
+def test_the_blow_on_a_half_space_is_the_closed_form_of_hertz():
+    scene = bronze_rod()
+    beside = compare_with_half_space(scene)
+    mass, speed, stiffness = scene.impactor.mass, scene.speed, scene.contact.stiffness
+    depth = (1.25 * mass * speed**2 / stiffness) ** 0.4
+    assert beside.peak_indentation == approx(depth, rel=1e-4)
+    assert beside.peak_force == approx(stiffness * depth**1.5, rel=1e-4)
+    assert beside.contacts[0].end == approx(2.9432750 * depth / speed, rel=1e-4)
+    assert beside.impactor_velocity == approx(-speed, rel=1e-12)
+
+
+def test_the_blow_on_a_half_space_keeps_the_law():
+    scene = struck_rod(contact=contact_table("plastic-power"))
+    beside = compare_with_half_space(scene)
+    assert beside.scene.contact == scene.contact and beside.scene.target.material == ROD.material
+    assert beside.energy["dissipated"] > solvers.solve(scene, Modal()).energy["dissipated"]
+    damped = struck_rod(contact=contact_table("hunt-crossley"))
+    assert compare_with_half_space(damped).scene.contact == damped.contact
+
+
+def test_no_half_space_in_rigid_contact():
+    with pytest.raises(SceneError, match="a law that gives way"):
+        compare_with_half_space(struck_rod())
+    with pytest.raises(SceneError, match="a rigid impactor"):
+        compare_with_half_space(
+            solvers.load("two-equal-rods").replace({"contact": {"law": "linear", "stiffness": 1e9}})
+        )
+
+
+def test_a_rigid_blow_on_a_slender_beam_does_not_converge():
+    """The first separation is the echo of the highest mode kept: the more modes, the earlier, down to nothing."""
+    found = convergence(struck_beam(contact={"law": "rigid"}), (5, 10, 20, 40))
+    assert "does not converge, it falls as modes^-1." in str(found.summary["first_parting"])
+    assert found.values["first_parting"][1] == approx(67.2e-6, rel=2e-3)  # of the contact modes of thesis 5.5
+    assert (np.diff(found.values["first_parting"]) < 0.0).all()
+    assert "do not settle" in str(found.summary["contacts"])
+    assert "there is none: without a law the contacts" in str(found.summary["final_velocity"])
+
+
+ORDERS = [  # of the final velocity in modes of a slender beam
+    ("hertz", {"stiffness": 2.4e10}, 7.0),
+    ("hunt-crossley", {"stiffness": 2.4e10, "restitution": 0.6}, 7.0),
+    ("plastic-linear", {"stiffness": 2.4e10, "yield_indentation": 2e-6}, 7.0),
+    ("yigit-christoforou", {"stiffness": 2.4e10, "yield_indentation": 2e-6}, 7.0),
+    ("kelvin-voigt", {"stiffness": 2e8, "restitution": 0.6}, 2.5),
+]
+
+
+@pytest.mark.parametrize("law, constants, order", ORDERS, ids=lambda value: str(value))
+def test_the_order_in_modes_of_a_beam_is_that_of_the_first_touch(law, constants, order):
+    """Modes left out follow a smooth force as springs do; one that jumps makes them ring."""
+    scene = struck_beam(1.0, {"law": law} | constants)
+    counts = (5, 7, 10, 14, 20) if order > 5.0 else (5, 10, 20, 40, 80)
+
+    def velocity(modes: int) -> float:
+        return solvers.solve(scene, Modal(modes=modes, steps=40_000, estimate=False), duration=4e-3).impactor_velocity
+
+    finest = velocity(2 * counts[-1])
+    errors = [abs(velocity(modes) - finest) for modes in counts]
+    assert -np.polyfit(np.log(counts), np.log(errors), 1)[0] == approx(order, rel=0.25)
+
+
+def test_a_hertz_blow_on_a_beam_converges_with_its_shear():
+    found = convergence(solvers.load("timoshenko-1913-long"), (4, 8, 16, 32))
+    assert {"support_shear", "peak_shear"} <= set(found.values)
+    assert found.order["impulse"] > 2.0 and found.order["support_shear"] > 2.0
+    assert str(found.summary["contacts"]) == "3 from 8 modes on"
+
+
+def test_the_half_period_of_a_beam_with_a_mass_on_it():
+    scene = struck_beam(contact={"law": "hertz", "stiffness": 1e10})
+    with_mass, alone = half_periods(scene)
+    assert with_mass == approx(4.0662e-3, rel=1e-4)  # thesis 5.5, with m1 = m2 on the tip
+    assert alone == approx(0.5 * scene.target.time_unit, rel=1e-12)
+    pinned = struck_beam(1e-6, contact={"law": "hertz", "stiffness": 1e10}, support="pinned-pinned", at=0.5)
+    stiffness = 48.0 * pinned.target.line.bending_stiffness / pinned.target.length**3
+    heavy = pinned.impactor.mass  # a million times the beam, which is a spring
+    assert half_periods(pinned)[0] == approx(math.pi * math.sqrt(heavy / stiffness), rel=1e-5)

@@ -1,0 +1,98 @@
+"""Every note that the library makes has its text, which takes exactly its values; and every text is used."""
+
+import ast
+import json
+import pickle
+from pathlib import Path
+
+import pytest
+
+import app
+import solvers
+from solvers.text.catalogue import Catalogue, library
+from solvers.text.messages import names_in, parsed, terms_in
+from solvers.text.notes import Note, Severity, coded
+
+ROOTS = [Path(package.__file__).parent for package in (solvers, app)]
+SOURCES = sorted(path for root in ROOTS for path in root.rglob("*.py"))
+MAKERS = {"_allowed": "allowed.", "_remark": ""}  # functions that make a note of a code, and how it begins
+
+
+def called(tree: ast.AST) -> list[tuple[str, set[str] | None]]:
+    """Codes and names of values of all notes in a module; None: the values are not written there."""
+    constants = {
+        target.id: node.value.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    found = []
+    for node in ast.walk(tree):
+        name = getattr(node, "func", None)
+        name = getattr(name, "id", getattr(name, "attr", ""))
+        if not isinstance(node, ast.Call) or name not in ("Note", *MAKERS) or not node.args:
+            continue
+        first = node.args[0]
+        code = first.value if isinstance(first, ast.Constant) else constants.get(getattr(first, "id", ""))
+        if code is None:  # made again of another note
+            continue
+        names = None if any(each.arg is None for each in node.keywords) else {each.arg for each in node.keywords}
+        found.append((MAKERS.get(name, "") + code, names))
+    return found
+
+
+USED = [use for path in SOURCES for use in called(ast.parse(path.read_text(encoding="utf-8")))]
+CODES = {code for code in library().texts if not code.startswith("terms.")}
+
+
+@pytest.mark.parametrize("code", sorted({code for code, _ in USED}))
+def test_a_note_has_a_text_with_exactly_its_values(code):
+    assert code in CODES
+    for names in (names for used, names in USED if used == code and names is not None):
+        assert library().names(code) == names
+
+
+def test_every_text_and_every_term_is_used():
+    assert {code for code, _ in USED} == CODES
+    assert {term for text in library().texts.values() for term in terms_in(text)} == set(library().terms)
+
+
+def test_a_note_is_data_and_reads_as_english():
+    note = Note("near-grazing", Severity.WARNING, change=1.234, heavier=False, others=1, contacts=2)
+    assert str(note).startswith("Near grazing: with the mass 1.2 % lighter there would be one contact instead of 2.")
+    assert Note.from_table(json.loads(json.dumps(note.table()))) == note == pickle.loads(pickle.dumps(note))
+    assert len({note, Note.from_table(note.table())}) == 1
+    with pytest.raises(AttributeError):
+        note.code = "other"
+
+
+def test_the_table_of_a_solution_has_notes_as_text_and_as_codes():
+    found = solvers.solve(solvers.load("fixed-rod"), "modal", modes=5).table()
+    assert found["notes"] == [str(Note.from_table(note)) for note in found["note_codes"]] != []
+    assert json.loads(json.dumps(found["note_codes"])) == found["note_codes"]
+    assert coded([]) == {"notes": [], "note_codes": []}
+
+
+@pytest.mark.parametrize("broken", ["{", "a }", "{x, plural, one {a}}", "{x, select, other {a}", "{x:.3g"])
+def test_a_text_that_does_not_close_is_refused(broken):
+    with pytest.raises(ValueError):
+        parsed(broken)
+
+
+def test_choices_and_plurals_nest():
+    text = "{n, plural, =0 {none} one {one {kind, select, a {A} other {B}}} other {{n} {kind}s}}"
+    assert names_in(text) == {"n", "kind"}
+
+
+def test_a_code_stands_once(tmp_path):
+    for name in ("one", "two"):
+        (tmp_path / f"{name}.toml").write_text('same = "a text"\n')
+    with pytest.raises(ValueError, match="same has a text already"):
+        Catalogue("en", [tmp_path])
+
+
+def test_another_language_has_its_own_plurals_and_decimal_sign(tmp_path):
+    (tmp_path / "notes.toml").write_text('gap = "{n, plural, one {# uno} other {{n:.1f} mm}}"\n')
+    assert Catalogue("es", [tmp_path]).text("gap", n=2.5) == "2,5 mm"
+    assert Catalogue("es", [tmp_path]).text("gap", n=1) == "# uno"

@@ -1,0 +1,172 @@
+"""The documentation: examples run and print what stands below them, pages build, links and names are there.
+
+In README and docs a block marked `python` is run, all of a page in one namespace; a block marked `console` has commands
+after `$`. A `text` block after the one, and the lines after the other, are what it prints; `...` stands for anything.
+Commands in `sh` blocks are read, not run: they take long, or write files. A `diff` applies to the sources as they are.
+"""
+
+import doctest
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+import solvers
+from app.command import main
+
+ROOT = Path(__file__).parents[1]
+TOP = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
+PAGES = [*TOP, *sorted((ROOT / "docs").glob("*.md"))]
+HOW = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def blocks(page: Path) -> list[tuple[str, str]]:
+    """Fenced blocks of a page, (kind, text) each."""
+    return re.findall(r"^```(\w+)\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+def pages_with(*kinds: str) -> list[Path]:
+    return [page for page in PAGES if any(kind in kinds for kind, _ in blocks(page))]
+
+
+def assert_prints(wanted: str, printed: str) -> None:
+    assert doctest.OutputChecker().check_output(wanted, printed, HOW), f"expected:\n{wanted}\nprinted:\n{printed}"
+
+
+def commands(text: str) -> Iterator[tuple[list[str], str]]:
+    """Words of each command of a console block, and what it is said to print."""
+    for command in re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]:
+        line, _, wanted = command.partition("\n")
+        yield shlex.split(line), wanted
+
+
+@pytest.mark.parametrize("page", pages_with("python", "console", "toml"), ids=lambda page: page.stem)
+def test_examples_print_what_stands_below_them(page, capsys, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    names: dict[str, object] = {}
+    for (kind, text), (following, wanted) in pairwise([*blocks(page), ("", "")]):
+        if kind == "python":
+            exec(compile(text, f"{page.name}, python", "exec"), names)
+            assert_prints(wanted if following == "text" else "", capsys.readouterr().out)
+        elif kind == "console":
+            for (program, *arguments), shown in commands(text):
+                assert program == "impact"
+                main.main(arguments)
+                assert_prints(shown, "".join(capsys.readouterr()))
+        elif kind == "toml":
+            solvers.Scene.from_table(tomllib.loads(text))
+
+
+def test_commands_that_are_only_shown_have_such_options():
+    shown = "\n".join(text for page in pages_with("sh") for kind, text in blocks(page) if kind == "sh")
+    read = [shlex.split(line) for line in re.findall(r"\bimpact [a-z].*", shown)]
+    assert len(read) > 5
+    for _, *arguments in read:
+        main._parser().parse_args(arguments)
+
+
+def test_make_targets_exist():
+    makefile = (ROOT / "Makefile").read_text()
+    for page in PAGES:
+        for target in re.findall(r"(?:`|^ *)make ([a-z]+)(?:`|\s)", page.read_text(encoding="utf-8"), re.MULTILINE):
+            assert f"\n{target}:" in makefile, (page.name, target)
+
+
+def test_files_that_are_named_exist():
+    for page in (page for page in PAGES if page.name != "CHANGELOG.md"):
+        prose = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+        for path in re.findall(r"`((?:solvers|app|tests|bench|docs)/[\w./-]*)`", prose):
+            assert (ROOT / path).exists(), (page.name, path)
+
+
+def test_diffs_apply_to_the_sources():
+    for page in pages_with("diff"):
+        for kind, text in blocks(page):
+            if kind == "diff":
+                _check_diff(text)
+
+
+def _check_diff(text: str) -> None:
+    """Every hunk's old lines stand in the file as they are told; a file that is made is not there yet."""
+    for part in re.split(r"^--- ", text, flags=re.MULTILINE)[1:]:
+        old, new, *lines = part.splitlines()
+        if old == "/dev/null":
+            assert not (ROOT / new.removeprefix("+++ ")).exists(), new
+            continue
+        source = (ROOT / old).read_text(encoding="utf-8")
+        for hunk in re.split(r"^@@.*\n", "\n".join(lines) + "\n", flags=re.MULTILINE)[1:]:
+            before = "".join(line[1:] + "\n" for line in hunk.splitlines() if not line.startswith("+"))
+            assert before in source, (old, before)
+
+
+def test_every_public_name_is_in_the_reference():
+    reference = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+    missing = [name for name in solvers.__all__ if not re.search(rf"\bsolvers\.{name}\b", reference)]
+    assert missing == []
+
+
+def test_links_beside_the_pages_lead_somewhere():
+    for page in TOP:
+        for target in re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text(encoding="utf-8")):
+            assert (ROOT / target).exists(), (page.name, target)
+
+
+def test_one_version_everywhere():
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    assert re.search(rf"^version: {re.escape(version)}$", (ROOT / "CITATION.cff").read_text(), re.MULTILINE)
+    assert re.findall(r"^## (\d\S*)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)[0] == version
+
+
+class _Addresses(HTMLParser):
+    """What a page makes a browser fetch."""
+
+    def __init__(self):
+        super().__init__()
+        self.found: list[str] = []
+
+    def handle_starttag(self, tag, attrs):
+        if tag in ("script", "link", "img", "iframe", "source"):
+            self.found += [value for name, value in attrs if name in ("src", "href", "srcset") and value]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory) -> Path:
+    """The pages, built by MkDocs: a page, link or name that does not exist ends it."""
+    built = tmp_path_factory.mktemp("site")
+    call = [sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--site-dir", str(built)]
+    quiet = os.environ | {"NO_MKDOCS_2_WARNING": "1"}
+    done = subprocess.run(call, cwd=ROOT, env=quiet, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return built
+
+
+def test_pages_fetch_nothing_from_elsewhere(site):
+    pages = sorted(site.glob("*.html"))
+    assert {page.stem for page in pages} >= {page.stem for page in (ROOT / "docs").glob("*.md")}
+    for page in pages:
+        found = _Addresses()
+        found.feed(page.read_text(encoding="utf-8"))
+        assert found.found
+        assert [address for address in found.found if re.match(r"(https?:)?//", address)] == [], page.name
+    for sheet in site.rglob("*.css"):
+        assert not re.search(r"(url\(|@import)\s*['\"]?(https?:)?//", sheet.read_text(encoding="utf-8")), sheet.name
+
+
+def test_formulas_are_drawn_without_a_script(site):
+    text = (site / "how-it-is-computed.html").read_text(encoding="utf-8")
+    assert text.count("<math") > 50
+    assert "arithmatex" not in text
+    assert "merror" not in text
+
+
+def test_every_built_in_scene_is_listed(site):
+    text = (site / "scenes.html").read_text(encoding="utf-8")
+    assert [name for name in solvers.scene_names() if f"<code>{name}</code>" not in text] == []
