@@ -89,12 +89,13 @@ class Search:
                 self._ask_another(refinable)
                 return
             whole = not _ends_early(self.tried[-1])
-            if (self.wish.tolerance is None or self._cut_short) and self._may_mislead(main):
-                # there may have been no time left to try anything of this one
-                self._hold_against_another(self.tried[-1].ladder, refinable)
-                break
             if self.wish.tolerance is None or (main.knob == "tolerance" and whole):
                 break  # the time is up, or nothing is better than waves
+            if self._cut_short and self._may_mislead(main):
+                break
+        last = self.tried[-1].ladder  # of the last method there may have been no time left to try anything
+        if self._may_mislead(last):
+            self._hold_against_another(last, refinable)
         finest = {id(tried.ladder): tried for tried in self.tried}
         self.chosen = min(finest.values(), key=lambda tried: math.inf if tried.error is None else tried.error)
 
@@ -176,9 +177,11 @@ class Search:
         if apart is None:
             return
         last = [self._difference(tried, other) for tried in self.tried if tried.ladder is other.ladder][-2:-1]
-        if finest.error is not None:
-            # what the other has changed by at last counts, too: two that converge to different forces cross on the way
-            finest.error = max(finest.error, apart + last[0]) if last and last[0] is not None else None
+        # what the other has changed by at last counts, too: two that converge to different forces cross on the way
+        bound = apart + last[0] if last and last[0] is not None else None
+        for tried in (finest, other):
+            if tried.error is not None:
+                tried.error = max(tried.error, bound) if bound is not None else None
         self._notes.append(self._disagreement(other, finest, apart))
 
     def _as_fine_as_time_allows(self, ladder: Ladder, finest: int) -> Tried:
