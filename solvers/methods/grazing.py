@@ -75,9 +75,10 @@ def one_front(scene: Scene) -> bool:
 def _contacts(beta: float, reflection: float) -> np.ndarray | None:
     """Of each contact start, end, velocity before and after, and more; None if the blow is far from simple."""
     for pieces in HISTORY_PIECES:
-        status, *_, contacts = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, pieces, HISTORY_TERMS, pieces)
+        sent = rigid_waves.Pieces.of(pieces, HISTORY_TERMS, pieces)
+        status, _, count = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, sent)
         if status == rigid_waves.PARTED:
-            return contacts
+            return sent.contacts[:count]
     return None
 
 

@@ -1,11 +1,27 @@
 """Polynomials in kernels: ascending coefficients, degree = len - 1; and all their real roots on an interval."""
 
+from typing import NamedTuple
+
 import numpy as np
 
-from ..jit import allocating_kernel, kernel
+from ..jit import kernel
 
 SPLITS = np.array([0.4872, 0.4139, 0.5571, 0.3433])  # tried in turn
 GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
+MAX_INTERVALS = 64  # of a search for roots, that wait; halved 50 times they are nothing
+
+
+class RootWork(NamedTuple):
+    """Room for `roots`: Bernstein coefficients of the intervals that wait, their left ends and widths."""
+
+    rows: np.ndarray  # (MAX_INTERVALS, terms)
+    left: np.ndarray  # (MAX_INTERVALS,)
+    width: np.ndarray  # (MAX_INTERVALS,)
+    scaled: np.ndarray  # (terms,)
+
+    @classmethod
+    def of(cls, terms: int) -> "RootWork":
+        return cls(np.empty((MAX_INTERVALS, terms)), np.empty(MAX_INTERVALS), np.empty(MAX_INTERVALS), np.empty(terms))
 
 
 @kernel
@@ -41,16 +57,14 @@ def trim(coefficients, degree, reach):
     return degree
 
 
-@allocating_kernel
-def roots(coefficients, degree, length, found):
+@kernel
+def roots(coefficients, degree, length, found, work):
     """Every root of the polynomial in (0, length), ascending, into `found`; returns how many.
 
     Bernstein coefficients bound the number of roots by their sign changes; splitting until at most one is left misses
     none, however close two of them lie. Two roots closer than 1e-14 of the length count as one.
     """
-    stack = np.empty((64, degree + 1))
-    left, width = np.empty(64), np.empty(64)
-    scaled = np.empty(degree + 1)
+    stack, left, width, scaled = work
     power = 1.0
     for k in range(degree + 1):
         scaled[k] = coefficients[k] * power
@@ -99,7 +113,7 @@ def roots(coefficients, degree, length, found):
         left[top + 1], width[top + 1] = left[top], part * width[top]
         left[top], width[top] = left[top] + part * width[top], (1.0 - part) * width[top]
         top += 2
-        if top > 62:
+        if top > MAX_INTERVALS - 2:
             break
     return count
 

@@ -1,11 +1,11 @@
-"""All blows of a mass on a uniform rod, by their mass ratio alone."""
+"""All impacts of a mass on a uniform rod, by their mass ratio alone."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from .. import validation
-from ..jit import allocating_kernel
+from ..jit import kernel
 from ..numerics.arrays import copy_to
 from ..numerics.waves import rigid as rigid_waves
 from ..validation import SceneError
@@ -17,7 +17,7 @@ PIECES, TERMS = (400, 4_000), 40  # of a history, tried in turn; 1 600 are neede
 
 @dataclass(frozen=True)
 class MassRatioSweep:
-    """What becomes of every blow of a rigid mass on a uniform rod, by mass ratio alone; all arrays (ratios,).
+    """What becomes of every impact of a rigid mass on a uniform rod, by mass ratio alone; all arrays (ratios,).
 
     Time in round trips T, velocity in the impact speed, stress in v sqrt(E rho); compression positive.
     """
@@ -48,11 +48,12 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
     if wrong.size or not ratios.size:
         got = float(wrong[0]) if wrong.size else None
         raise SceneError("ratios", got, f"a list of mass ratios from {low:g} to {high:g}")
+    count, contacts = np.empty(ratios.size, np.int64), np.full((ratios.size, MOST_CONTACTS, 7), np.nan)
     for pieces in PIECES:
-        complete, count, contacts = _blows(reflection, ratios, pieces, TERMS, MOST_CONTACTS)
-        if complete:
+        sent = rigid_waves.Pieces.of(pieces, TERMS, MOST_CONTACTS)
+        if _impacts(reflection, np.ascontiguousarray(ratios), sent, count, contacts):
             break
-    last = np.take_along_axis(contacts, (count - 1)[:, None, None], axis=1)[:, 0]  # pyright: ignore[reportIndexIssue]
+    last = np.take_along_axis(contacts, (count - 1)[:, None, None], axis=1)[:, 0]
     rebound, end_speed = last[:, 3], last[:, 6]
     target = 0.0 if support == "fixed" else (1.0 - rebound) / ratios
     return MassRatioSweep(
@@ -67,16 +68,16 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
     )
 
 
-@allocating_kernel
-def _blows(reflection, ratios, pieces, terms, most):
-    """Every blow until the bodies part for good: whether all were followed so far, and their contacts, NaN-padded."""
-    count = np.zeros(ratios.size, np.int64)
-    contacts = np.full((ratios.size, most, 7), np.nan)
+@kernel
+def _impacts(reflection, ratios, sent, count, contacts):
+    """Write every impact until the bodies part for good, and say whether all were followed so far.
+
+    sent: room for one of them; count (ratios,); contacts (ratios, most contacts, 7), to be filled with NaN before.
+    """
     complete = True
     for i in range(ratios.size):
-        found = rigid_waves.strike(ratios[i], reflection, rigid_waves.FOREVER, pieces, terms, most)
-        complete = complete and found[0] == rigid_waves.PARTED
-        count[i] = found[6].shape[0]
+        status, _, count[i] = rigid_waves.strike(ratios[i], reflection, rigid_waves.FOREVER, sent)
+        complete = complete and status == rigid_waves.PARTED
         for n in range(count[i]):
-            copy_to(contacts[i, n], found[6][n])
-    return complete, count, contacts
+            copy_to(contacts[i, n], sent.contacts[n])
+    return complete

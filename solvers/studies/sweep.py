@@ -13,6 +13,7 @@ from ..methods import Waves
 from ..methods.base import AFTERGLOW, Method
 from ..methods.grazing import one_front
 from ..numerics.processors import all_processors
+from ..numerics.waves import rigid as rigid_waves
 from ..numerics.waves import rigid_figures
 from ..scene import Scene
 from ..solution.solution import Solution
@@ -186,7 +187,8 @@ def _strike_all(beta: np.ndarray, reflection: np.ndarray, out: np.ndarray) -> No
     left = np.arange(beta.size)
     for pieces in ROOM:
         found = np.empty((left.size, rigid_figures.COLUMNS))
-        rigid_figures.strike_all(beta[left], reflection[left], AFTERGLOW, pieces, TERMS, found)
+        sent = rigid_waves.Pieces.of(pieces, TERMS, pieces)
+        rigid_figures.strike_all(beta[left], reflection[left], AFTERGLOW, sent, found)
         out[left] = found
         left = left[found[:, rigid_figures.FOLLOWED] == 0.0]
 

@@ -41,7 +41,8 @@ class RigidHistory(History):
     pieces: list[np.ndarray]
     kappa: float
     reflection: float
-    FIRST_PIECES, MAX_PIECES = 64, 200_000  # most blows have a dozen; room for more takes longer than they
+    FIRST_PIECES, MAX_PIECES = 64, 200_000  # most impacts have a dozen; room for more takes longer than they
+    TERMS = 40  # of a piece; those that no double can see are dropped
 
     @classmethod
     def strike(cls, scene: Scene, until: float) -> "RigidHistory":
@@ -50,17 +51,19 @@ class RigidHistory(History):
         asked, limit = math.isfinite(until), min(until, MAX_ROUND_TRIPS)
         pieces = cls.FIRST_PIECES
         while True:
-            status, count, *self.pieces, contacts = rigid_waves.strike(beta, reflection, limit, pieces, 40, pieces)
+            sent = rigid_waves.Pieces.of(pieces, cls.TERMS, pieces)
+            status, count, contacts = rigid_waves.strike(beta, reflection, limit, sent)
             if status != rigid_waves.FULL or pieces >= cls.MAX_PIECES:
                 break
             pieces = min(8 * pieces, cls.MAX_PIECES)
+        *self.pieces, self.contacts = sent.first(count, contacts)
         self.kappa, self.reflection = 2.0 * beta, reflection
-        self.contacts, self.reach, self.steps = contacts, float(self.pieces[0][-1]), int(count)
+        self.reach, self.steps = float(self.pieces[0][-1]), int(count)
         full, trip = None, scene.time_unit
         if status == rigid_waves.FULL:
             times = (self.reach * trip, until * trip) if asked else (None, None)
             full = cut_short(cls.MAX_PIECES, "pieces", *times)
-        self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(contacts[-1, 5])), asked, full)
+        self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(self.contacts[-1, 5])), asked, full)
         self.complete = status == rigid_waves.PARTED or (asked and not full)
         return self
 

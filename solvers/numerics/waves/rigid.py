@@ -11,10 +11,12 @@ While they touch, v1' = -2 beta * stress, (4.8); while apart the stress is zero.
 returns, s is a polynomial times exp(-2 beta t): coefficients are kept, nothing is stepped.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
-from ...jit import allocating_kernel, inner_kernel, kernel
-from ..polynomials import GAUSS_NODES, GAUSS_WEIGHTS, roots, shift, trim, value
+from ...jit import inner_kernel, kernel
+from ..polynomials import GAUSS_NODES, GAUSS_WEIGHTS, RootWork, roots, shift, trim, value
 
 WINDOW, HORIZON = 2.0, 80.0  # of the exponent x: searched window by window, as exp(-x) ends all beyond the horizon
 PARTED, STOPPED, FULL = 0, 1, 2
@@ -41,13 +43,14 @@ def _next_window(a, length):
 
 
 @inner_kernel
-def _first_fall_below_zero(p, degree, length, scratch, found):
+def _first_fall_below_zero(p, degree, length, work):
     """The first x in (0, length) where p, positive before, turns negative; or infinity."""
+    found = work.found
     a = 0.0
     while a < length:
         b = _next_window(a, length)
-        shift(p, degree, a, scratch)
-        for k in range(roots(scratch, degree, b - a, found)):
+        shift(p, degree, a, work.shifted)
+        for k in range(roots(work.shifted, degree, b - a, found, work.roots)):
             x = a + found[k]
             after = found[k + 1] - found[k] if found[k + 1] > found[k] else b - x
             if value(p, degree, x + 0.5 * min(after, 1e-6 * (b - a))) < 0.0:
@@ -57,8 +60,9 @@ def _first_fall_below_zero(p, degree, length, scratch, found):
 
 
 @kernel
-def _highest(p, degree, length, slope, scratch, found):
+def _highest(p, degree, length, work):
     """The largest value of exp(-x) p(x) on [0, length]."""
+    slope, found = work.slope, work.found
     best = p[0]
     for k in range(degree):
         slope[k] = (k + 1) * p[k + 1] - p[k]
@@ -66,8 +70,8 @@ def _highest(p, degree, length, slope, scratch, found):
     a = 0.0
     while a < length:
         b = _next_window(a, length)
-        shift(slope, degree, a, scratch)
-        for k in range(roots(scratch, degree, b - a, found)):
+        shift(slope, degree, a, work.shifted)
+        for k in range(roots(work.shifted, degree, b - a, found, work.roots)):
             x = a + found[k]
             best = max(best, np.exp(-x) * value(p, degree, x))
         best = max(best, np.exp(-b) * value(p, degree, b))
@@ -81,21 +85,22 @@ def _closing_speed(v1, incoming, degree, x):
 
 
 @inner_kernel
-def _first_touch(gap, opened, v1, incoming, degree, length, kappa, slope, scratch, found):
+def _first_touch(gap, opened, v1, incoming, degree, length, kappa, work):
     """While apart: the first x in (0, length] where x1 - u_end, negative, comes back to zero; or infinity.
 
     The closing speed v1 + 2 exp(-x) S(x) is monotone between the roots of S' - S, and so the gap between the zeros of
     the speed: each stretch holds at most one touch, and none is missed. Returns also the gap at the end of the piece
     and whether the bodies have come apart by more than rounding.
     """
+    slope, found = work.slope, work.found
     for k in range(degree):
         slope[k] = (k + 1) * incoming[k + 1] - incoming[k]
     slope[degree] = -incoming[degree]
     a = 0.0
     while a < length:
         b = _next_window(a, length)
-        shift(slope, degree, a, scratch)
-        turns = roots(scratch, degree, b - a, found)
+        shift(slope, degree, a, work.shifted)
+        turns = roots(work.shifted, degree, b - a, found, work.roots)
         x = a
         for k in range(turns + 1):
             monotone_end = a + found[k] if k < turns else b
@@ -141,24 +146,60 @@ def _first_touch(gap, opened, v1, incoming, degree, length, kappa, slope, scratc
     return np.inf, gap, opened
 
 
-@allocating_kernel
-def strike(beta, reflection, until, pieces, terms, max_contacts):
-    """The blow of a mass at unit speed, up to `until` or until the bodies part for good.
+class Work(NamedTuple):
+    """Room for one piece at a time; each of the first five (terms + 1,), `found` one longer."""
 
-    Returns status, number of pieces, their start (pieces,), coefficients (pieces, terms) in x = 2 beta (t - start),
-    degree, integral of s up to their start; number of contacts and, for each, (start, end, velocity of the mass before
-    and after, peak stress, position of the mass at the end, velocity of the struck end just after).
+    incoming: np.ndarray
+    outgoing: np.ndarray
+    pressure: np.ndarray
+    slope: np.ndarray
+    shifted: np.ndarray
+    found: np.ndarray
+    roots: RootWork
+
+
+class Pieces(NamedTuple):
+    """The wave sent, and the contacts, as `strike` writes them: as many as there is room for."""
+
+    start: np.ndarray  # (pieces + 1,)
+    coefficients: np.ndarray  # (pieces, terms), in x = 2 beta (t - start)
+    degrees: np.ndarray  # (pieces,)
+    integral: np.ndarray  # (pieces + 1,), of s up to each start
+    # of each contact: start, end, velocity of the mass before and after, peak stress, position of the mass at the end,
+    # velocity of the struck end just after
+    contacts: np.ndarray  # (contacts, 7)
+    work: Work
+
+    @classmethod
+    def of(cls, pieces: int, terms: int, contacts: int) -> "Pieces":
+        incoming, outgoing, pressure, slope, shifted = np.zeros((5, terms + 1))
+        work = Work(incoming, outgoing, pressure, slope, shifted, np.zeros(terms + 2), RootWork.of(terms + 1))
+        return cls(
+            np.empty(pieces + 1), np.empty((pieces, terms)), np.empty(pieces, np.int64), np.empty(pieces + 1),
+            np.empty((contacts, 7)), work,
+        )  # fmt: skip
+
+    def first(self, count: int, contacts: int) -> tuple[np.ndarray, ...]:
+        """Those that were written: starts, coefficients, degrees, integrals and contacts."""
+        wave = self.start[: count + 1], self.coefficients[:count], self.degrees[:count], self.integral[: count + 1]
+        return *wave, self.contacts[:contacts]
+
+
+@kernel
+def strike(beta, reflection, until, sent):
+    """The impact of a mass at unit speed, up to `until` or until the bodies part for good.
+
+    Returns status, number of pieces and of contacts, which are written into `sent`.
     """
+    start, coefficients, degrees, integral, contacts, work = sent
+    incoming, outgoing, pressure = work.incoming, work.outgoing, work.pressure
+    pieces, terms, max_contacts = degrees.size, coefficients.shape[1], contacts.shape[0]
     kappa = 2.0 * beta
-    start, coefficients = np.empty(pieces + 1), np.zeros((pieces, terms))
-    degrees, integral = np.zeros(pieces, np.int64), np.zeros(pieces + 1)
-    contacts = np.zeros((max_contacts, 7))
-    incoming, outgoing, pressure = np.zeros(terms + 1), np.zeros(terms + 1), np.zeros(terms + 1)
-    slope, scratch, found = np.zeros(terms + 1), np.zeros(terms + 1), np.zeros(terms + 2)
+    integral[0] = 0.0
     t, v1, gap, x1 = 0.0, 1.0, 0.0, 0.0
     touching, opened, first = True, gap < 0.0, True  # no literal: it would be compiled twice
     j, n, count = -1, 0, 0
-    contacts[0, 2] = 1.0
+    contacts[0, 0], contacts[0, 2], contacts[0, 4] = 0.0, 1.0, 0.0
     count, start[0] = 1, 0.0
     period = 2.0 if reflection > 0.0 else 1.0
     status = FULL
@@ -193,10 +234,10 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
             if pressure[0] < 0.0 or (pressure[0] == 0.0 and degree > 0 and pressure[1] <= 0.0):
                 x = 0.0
             else:
-                x = _first_fall_below_zero(pressure, degree, length, scratch, found)
+                x = _first_fall_below_zero(pressure, degree, length, work)
             if x > 0.0:
                 end = min(x, length)
-                peak = _highest(pressure, degree, end, slope, scratch, found)
+                peak = _highest(pressure, degree, end, work)
                 contacts[count - 1, 4] = max(contacts[count - 1, 4], peak)
                 v1 = np.exp(-end) * value(outgoing, degree, end)
                 for k in range(degree + 1):
@@ -207,7 +248,7 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
         else:
             for k in range(degree + 1):
                 outgoing[k] = -incoming[k]
-            x, gap, opened = _first_touch(gap, opened, v1, incoming, degree, length, kappa, slope, scratch, found)
+            x, gap, opened = _first_touch(gap, opened, v1, incoming, degree, length, kappa, work)
             end = min(x, length)
             parts, touches = False, x <= length
         if end > 0.0:
@@ -240,7 +281,7 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
             contacts[count - 1, 6] = -2.0 * arriving
         elif touches:
             touching = True
-            contacts[count, 0], contacts[count, 2] = t, v1
+            contacts[count, 0], contacts[count, 2], contacts[count, 4] = t, v1, 0.0
             count += 1
         elif not touching:
             drift = -v1 if reflection > 0.0 else (1.0 - v1) / beta - v1
@@ -253,7 +294,7 @@ def strike(beta, reflection, until, pieces, terms, max_contacts):
     if touching:
         contacts[count - 1, 1], contacts[count - 1, 3] = t, v1
         contacts[count - 1, 5], contacts[count - 1, 6] = np.nan, v1
-    return status, n, start[: n + 1], coefficients[:n], degrees[:n], integral[: n + 1], contacts[:count]
+    return status, n, count
 
 
 @inner_kernel

@@ -1,8 +1,8 @@
-"""Figures of the blow of a rigid mass on a uniform rod, from the exact waves: of one blow, or of very many."""
+"""Figures of the impact of a rigid mass on a uniform rod, from the exact waves: of one impact, or of very many."""
 
 import numpy as np
 
-from ...jit import allocating_kernel, kernel
+from ...jit import kernel
 from . import rigid as rigid_waves
 
 # what `figures` gives, in this order
@@ -21,11 +21,9 @@ def figures(t, beta, reflection, start, coefficients, degrees, integral, contact
     Source: thesis 4.6, (4.29), (4.38), (4.41).
     """
     kappa = 2.0 * beta
-    now, half, whole = (
-        rigid_waves.total_at(t, kappa, start, coefficients, degrees, integral),
-        rigid_waves.total_at(t - 0.5, kappa, start, coefficients, degrees, integral),
-        rigid_waves.total_at(t - 1.0, kappa, start, coefficients, degrees, integral),
-    )
+    for k in range(3):
+        out[k] = rigid_waves.total_at(t - 0.5 * k, kappa, start, coefficients, degrees, integral)
+    now, half, whole = out[0], out[1], out[2]
     out[IMPULSE] = now + reflection * whole
     out[TARGET] = 2.0 * ((now - half) - reflection * (half - whole))
     out[ROD] = rigid_waves.stored_energy(max(0.0, t - 1.0), t, kappa, start, coefficients, degrees)
@@ -38,35 +36,39 @@ def figures(t, beta, reflection, start, coefficients, degrees, integral, contact
                 middle = 0.5 * (low + high)
                 if middle <= low or middle >= high:
                     break
-                sent = rigid_waves.wave_at(middle, False, kappa, start, coefficients, degrees)
-                arriving = reflection * rigid_waves.wave_at(middle - 1.0, False, kappa, start, coefficients, degrees)
-                if sent - arriving <= common:
+                velocity, sign = 0.0, 1.0
+                for k in range(2):  # of the struck end: a loop, as each call is compiled into it anew
+                    velocity += sign * rigid_waves.wave_at(middle - k, False, kappa, start, coefficients, degrees)
+                    sign = -reflection
+                if velocity <= common:
                     high = middle
                 else:
                     low = middle
-            out[COMPRESSING] = rigid_waves.total_at(
-                high, kappa, start, coefficients, degrees, integral
-            ) + reflection * rigid_waves.total_at(high - 1.0, kappa, start, coefficients, degrees, integral)
+            out[COMPRESSING], sign = 0.0, 1.0
+            for k in range(2):
+                out[COMPRESSING] += sign * rigid_waves.total_at(high - k, kappa, start, coefficients, degrees, integral)
+                sign = reflection
             break
 
 
-@allocating_kernel
-def strike_all(beta, reflection, afterglow, pieces, terms, out):
-    """Write the figures of every blow, followed until the bodies part for good, at `afterglow` round trips after that.
+@kernel
+def strike_all(beta, reflection, afterglow, sent, out):
+    """Write the figures of every impact, followed until the bodies part for good, `afterglow` round trips after that.
 
-    beta, reflection (blows,); out (blows, COLUMNS): those of `figures`, the number of contacts, the time T of the last
-    parting, velocity of the mass after it and of the struck face just after it in the impact speed, peak stress, and 1
-    if the blow was followed to its end within so many `pieces` and `terms` of them, else 0.
+    beta, reflection (impacts,); sent: room for one of them; out (impacts, COLUMNS): those of `figures`, the number of
+    contacts, the time T of the last parting, velocity of the mass after it and of the struck face just after it in the
+    impact speed, peak stress, and 1 if the impact was followed to its end within so much room, else 0.
     """
     for i in range(beta.size):
-        found = rigid_waves.strike(beta[i], reflection[i], rigid_waves.FOREVER, pieces, terms, pieces)
-        status, contacts = found[0], found[6]
-        last = contacts[contacts.shape[0] - 1]
+        status, pieces, count = rigid_waves.strike(beta[i], reflection[i], rigid_waves.FOREVER, sent)
         out[i, FOLLOWED] = 1.0 if status == rigid_waves.PARTED else 0.0
         if status != rigid_waves.PARTED:
             continue
-        figures(last[1] + afterglow, beta[i], reflection[i], found[2], found[3], found[4], found[5], contacts, out[i])
-        out[i, CONTACTS], out[i, PARTING], out[i, FINAL], out[i, FACE] = contacts.shape[0], last[1], last[3], last[6]
+        contacts, last = sent.contacts[:count], sent.contacts[count - 1]
+        start, coefficients, degrees = sent.start[: pieces + 1], sent.coefficients[:pieces], sent.degrees[:pieces]
+        end, integral = last[1] + afterglow, sent.integral[: pieces + 1]
+        figures(end, beta[i], reflection[i], start, coefficients, degrees, integral, contacts, out[i])
+        out[i, CONTACTS], out[i, PARTING], out[i, FINAL], out[i, FACE] = count, last[1], last[3], last[6]
         out[i, PEAK] = 0.0
-        for n in range(contacts.shape[0]):
+        for n in range(count):
             out[i, PEAK] = max(out[i, PEAK], contacts[n, 4])
