@@ -63,29 +63,29 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
 
 
 def figures(solution: Solution) -> list[list[Any]]:
-    """The numbers beside the picture: name, a number or a vector, unit."""
+    """The numbers beside the picture: code of the name (`space.row`), a number or a vector, unit."""
     found = solution.diagnostics
     rows: list[list[Any]] = [
-        ["approach of the touching points", solution.scene.speed, "m/s"],
-        ["effective mass", solution.effective_mass, "kg"],
+        ["approach", solution.scene.speed, "m/s"],
+        ["effective-mass", solution.effective_mass, "kg"],
         ["impulse", solution.impulse, "N s"],
         ["restitution", solution.method["restitution"], ""],
-        ["energy before", solution.energy["initial"], "J"],
-        ["energy lost", solution.energy["dissipated"], "J"],
+        ["energy-before", solution.energy["initial"], "J"],
+        ["energy-lost", solution.energy["dissipated"], "J"],
     ]
     for name in ("impactor", "target"):
         body = in_space(getattr(solution.scene, name))
         rows += [
-            [f"{name} velocity before", _listed(body.velocity), "m/s"],
-            [f"{name} velocity after", list(getattr(solution, f"{name}_velocity")), "m/s"],
-            [f"{name} spin before", _listed(body.spin), "rad/s"],
-            [f"{name} spin after", list(getattr(solution, f"{name}_spin")), "rad/s"],
+            [f"{name}-velocity-before", _listed(body.velocity), "m/s"],
+            [f"{name}-velocity-after", list(getattr(solution, f"{name}_velocity")), "m/s"],
+            [f"{name}-spin-before", _listed(body.spin), "rad/s"],
+            [f"{name}-spin-after", list(getattr(solution, f"{name}_spin")), "rad/s"],
         ]
     return [
         *rows,
-        ["residual of momentum", found["momentum_error"], ""],
-        ["residual of angular momentum", found["angular_momentum_error"], ""],
-        ["residual of energy", found["energy_error"], ""],
+        ["momentum-error", found["momentum_error"], ""],
+        ["angular-momentum-error", found["angular_momentum_error"], ""],
+        ["energy-error", found["energy_error"], ""],
     ]
 
 

@@ -16,6 +16,7 @@ import { Symbols } from './shell/symbols.js';
 import { goOn, stateOf } from './shell/state.js';
 import { Waiting } from './shell/waiting.js';
 import { SpaceView } from './space/view.js';
+import { text } from './text/catalogue.js';
 
 /** @import { Chosen, Frame } from './shell/message.js' */
 /** @import { Chart } from './charts/chart.js' */
@@ -31,6 +32,7 @@ const SHEETS = [
   'beam/beam.css',
   ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
 ];
+const NAME = 'Strikewave';
 const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same
 const READ = 150; // ms for which words stand before they change again
 const LONG_CAPTION = 130; // letters, beyond which it is written smaller
@@ -130,11 +132,19 @@ export class Page {
   }
   /** Everything in its place. */
   arrange() {
-    const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copyLink() });
-    const save = make('button', { type: 'button', textContent: 'Save data', onclick: () => this.saveData() });
-    save.title = 'histories as comma-separated values';
+    const copy = make('button', {
+      type: 'button',
+      textContent: text('page.copy-link'),
+      onclick: () => this.copyLink(),
+    });
+    const save = make('button', {
+      type: 'button',
+      textContent: text('page.save-data'),
+      onclick: () => this.saveData(),
+    });
+    save.title = text('page.save-data-about');
     const scene = this.controls.fields.scene.root;
-    const bar = make('header', { className: 'topbar' }, make('h1', {}, 'Strikewave'), scene);
+    const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), scene);
     bar.append(make('div', { className: 'keep' }, copy, save));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
@@ -242,7 +252,7 @@ export class Page {
     }
     if (!changed) return;
     this.toast.hidden = true;
-    this.waiter.soon('frame', 'Solving …');
+    this.waiter.soon('frame', text('page.solving'));
   }
   settle() {
     this.asked = 0;
@@ -368,9 +378,9 @@ export class Page {
   async copyLink() {
     try {
       await navigator.clipboard.writeText(location.href);
-      this.complain('The link to what you see is copied.');
+      this.complain(text('page.link-copied'));
     } catch {
-      this.complain(`The link to what you see: ${location.href}`);
+      this.complain(text('page.link', { link: location.href }));
     }
   }
   saveData() {
@@ -378,10 +388,7 @@ export class Page {
     const rows = view.rows?.();
     if (rows)
       download(new Blob([`${rows.join('\n')}\n`], { type: 'text/csv' }), `strikewave-${frame.chosen.scene}.csv`);
-    else
-      this.complain(
-        'There is no history to save: this impact takes no time. impact solve SCENE --json gives its figures.',
-      );
+    else this.complain(text('page.no-history'));
   }
 }
 

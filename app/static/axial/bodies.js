@@ -1,6 +1,7 @@
 // Bodies of the stage that no wave runs through: strikers, walls, masses on springs. Where two press each other in they
 // meet halfway, so that they never lie in one another.
 import { COLORS } from '../charts/styles.js';
+import { text } from '../text/catalogue.js';
 
 /** @import { AxialFrame } from '../shell/message.js' */
 
@@ -196,5 +197,5 @@ export function push(c, at, middle, thick) {
   c.fill();
   c.font = '12px system-ui, sans-serif';
   c.textAlign = 'center';
-  c.fillText('force', at - 44, middle - thick * 0.3);
+  c.fillText(text('axial.stage.force'), at - 44, middle - thick * 0.3);
 }

@@ -4,6 +4,7 @@ import { paint, reader } from '../charts/picture.js';
 import { averaged, between, even, pair, stairs } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
 import { given } from '../shell/message.js';
+import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { naming } from '../text/words.js';
 
@@ -30,10 +31,13 @@ export const drawnFromOther = (frame) =>
  * A tick beside one rod.
  * @param {number} share  of its length
  */
-const placeOnRod = (share) => (share === 0 ? 'struck' : share === 1 ? 'far end' : signed(share, 1));
+const placeOnRod = (share) =>
+  share === 0 ? text('axial.chart.struck') : share === 1 ? text('axial.chart.far-end') : signed(share, 1);
 
 /** @param {number} stress  [Pa] */
-const pressed = (stress) => `${stress < 0 ? 'tension' : 'compression'} ${figures(Math.abs(stress) / 1e6)} MPa`;
+const pressed = (stress) => text('axial.chart.stress', { tension: stress < 0, value: figures(Math.abs(stress) / 1e6) });
+/** @param {number} velocity  [m/s] */
+const moving = (velocity) => text('axial.chart.velocity', { value: figures(velocity) });
 
 export class SpaceTime {
   several = false; // rods
@@ -44,12 +48,12 @@ export class SpaceTime {
    */
   constructor(axis, go) {
     this.chart = new Chart({
-      title: 'Where the waves are',
-      about: 'x-t diagram: stress or velocity along the rod against time',
+      title: text('axial.chart.waves'),
+      about: text('axial.chart.waves-about'),
       axis,
       xUnit: 'T',
       y: [1, 0], // the struck end on top
-      caption: () => `place along the rod${this.several ? 's' : ''} ↓${this.several ? ' in m' : ''}, time → in T`,
+      caption: () => text('axial.chart.waves-axes', { several: this.several }),
       go,
     });
     this.image = make('canvas');
@@ -77,16 +81,15 @@ export class SpaceTime {
     const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
       const value = read(t, place);
       if (Number.isNaN(value)) return '';
-      const said =
-        what === 'stress' ? pressed(value * frame.stressUnit) : `velocity ${figures(value * frame.speed)} m/s`;
-      return `${said} at ${figures(place, 2)}${this.several ? ' m' : ' of its length'}`;
+      const found = what === 'stress' ? pressed(value * frame.stressUnit) : moving(value * frame.speed);
+      return text('axial.chart.probe', { value: found, place: figures(place, 2), several: this.several });
     };
     const { contacts } = (drawnFromOther(frame) && frame.other) || frame.exact;
     this.chart.show({
       series: [],
       picture: { image: this.image, x: [0, duration], probe },
       rules: rods.slice(1).map((rod) => rod.from / reach),
-      bars: { name: 'bar: in contact', spans: contacts, at: 0, least: 2 },
+      bars: { name: text('axial.chart.in-contact'), spans: contacts, at: 0, least: 2 },
     });
   }
   draw() {
@@ -109,8 +112,8 @@ export class Force {
    */
   constructor(axis, go) {
     this.chart = new Chart({
-      title: 'Contact force',
-      about: 'contact force against time, exact and by the other method',
+      title: text('axial.chart.force'),
+      about: text('axial.chart.force-about'),
       axis,
       xUnit: 'T',
       unit: 'N',
@@ -147,13 +150,14 @@ export class Force {
       found.push({ ...this.other, factor, reach, name, cursor: name, style: 'other' });
     }
     const impulses = pair(balanceTime, balanceForce);
-    if (impulses) found.push({ ...impulses, factor, name: 'impulse over step', style: 'impulses' });
+    if (impulses) found.push({ ...impulses, factor, name: text('axial.chart.impulse-over-step'), style: 'impulses' });
     if (this.raw && other) {
       const touches = other.diagnostics.raw_contacts ?? 0;
-      const name = touches > other.contacts.length ? `raw (${touches} touches)` : 'raw';
+      const name = text('axial.chart.raw', { touches, more: touches > other.contacts.length });
       found.push({ ...this.raw, factor, reach: 0, name, style: 'raw' });
     }
-    if (record) found.push({ x: record.time, y: record.force, factor, reach: 0, name: 'measured', style: 'record' });
+    const measured = text('axial.chart.measured');
+    if (record) found.push({ x: record.time, y: record.force, factor, reach: 0, name: measured, style: 'record' });
     return found;
   }
   draw() {
@@ -178,14 +182,14 @@ export class Cycle {
 
   constructor() {
     this.chart = new Chart({
-      title: 'Contact law',
-      about: 'force against indentation: the law and this impact',
-      xName: 'indentation',
+      title: text('axial.chart.law'),
+      about: text('axial.chart.law-about'),
+      xName: text('axial.chart.indentation'),
       xUnit: 'µm',
       unit: 'N',
       zero: 'whole',
       pad: [0, 0.08],
-      caption: (unit, xUnit) => `${unit} over ${xUnit}`,
+      caption: (unit, xUnit) => text('axial.chart.law-axes', { unit, xUnit }),
       points: true,
     });
     this.chart.root.classList.add('cycle');
@@ -206,10 +210,10 @@ export class Cycle {
     const x = depth.map((a) => a * factor);
     /** @type {Series[]} */
     const series = [
-      { x: path.map((a) => a * factor), y: force, path: true, name: 'this impact', style: 'exact' },
-      { x, y: loading, name: slow ? 'loading slowly' : 'quasi-static loading', style: 'prediction' },
+      { x: path.map((a) => a * factor), y: force, path: true, name: text('axial.chart.this-impact'), style: 'exact' },
+      { x, y: loading, name: text('axial.chart.loading'), style: 'prediction' },
     ];
-    if (slow) series.push({ x, y: unloading, name: 'and back', style: 'dots' });
+    if (slow) series.push({ x, y: unloading, name: text('axial.chart.unloading'), style: 'dots' });
     this.chart.axis.load(0, 1.04 * deep * factor);
     this.chart.show({ series, xUnit });
   }
@@ -229,6 +233,10 @@ export class Cycle {
   }
 }
 
+// what curves are called in the legend, and at the cursor
+const MASS = { name: text('axial.chart.impactor'), cursor: text('axial.chart.mass') };
+const FACE = { name: text('axial.chart.face'), cursor: text('axial.chart.end') };
+
 export class Displacements {
   /**
    * @param {Axis} axis
@@ -236,8 +244,8 @@ export class Displacements {
    */
   constructor(axis, go) {
     this.chart = new Chart({
-      title: 'Impactor and struck face',
-      about: 'displacement of the mass and of the struck end against time',
+      title: text('axial.chart.motion'),
+      about: text('axial.chart.motion-about'),
       axis,
       xUnit: 'T',
       unit: 'm',
@@ -252,8 +260,8 @@ export class Displacements {
     const x = even(frame.exactMass.length, duration);
     /** @type {Series[]} */
     const series = [
-      { x, y: frame.exactMass, factor, name: 'impactor', cursor: 'mass', style: 'exact' },
-      { x, y: frame.exactEnd, factor, name: 'face', cursor: 'end', style: 'struck' },
+      { x, y: frame.exactMass, factor, ...MASS, style: 'exact' },
+      { x, y: frame.exactEnd, factor, ...FACE, style: 'struck' },
     ];
     if (other) {
       const name = naming(other.name);
@@ -265,14 +273,14 @@ export class Displacements {
       series.push({
         ...straight(prediction.impactor),
         reach: 'whole',
-        name: 'rigid-body prediction',
+        name: text('axial.prediction'),
         style: 'prediction',
       });
       if (!target.held)
         series.push({
           ...straight(prediction.target),
           reach: 0,
-          name: 'rigid-body prediction of target',
+          name: text('axial.chart.prediction-of-target'),
           style: 'dots',
         });
     }

@@ -1,6 +1,6 @@
 // What happens in an impact along an axis, one event after the other.
-import { family, text } from '../text/catalogue.js';
-import { pretty } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+import { pretty, signed } from '../text/format.js';
 
 /** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -23,7 +23,7 @@ export function eventsOf(frame) {
  */
 const going = (velocity) => ({
   way: Math.abs(velocity) < STANDS ? 'stands' : velocity < 0 ? 'back' : 'on',
-  speed: Math.abs(velocity).toFixed(3),
+  speed: signed(Math.abs(velocity)),
 });
 
 /**
@@ -34,12 +34,11 @@ const going = (velocity) => ({
 function plainEvents(frame) {
   const { exact, rods, impactor, target } = frame;
   if (impactor.kind === 'pulse') return pulseEvents(exact.contacts);
-  const striker = family('axial.striker')[impactor.kind] ?? impactor.kind;
-  const struck = family('axial.struck')[target.kind] ?? target.kind;
+  const striker = impactor.kind;
   return exact.contacts.flatMap(([start, end], k) => {
     const touches = k
       ? text('axial.event.meets-again', { number: k + 1 })
-      : text('axial.event.touches', { striker, struck, waves: rods.length > 0 });
+      : text('axial.event.touches', { striker, target: target.kind, waves: rods.length > 0 });
     const last = k === exact.contacts.length - 1;
     const gone = { striker, last, ...going(exact.left[k]) };
     const parts = text(end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);

@@ -3,7 +3,8 @@ import { cleared } from '../charts/canvas.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
-import { figures, scaled } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+import { figures, grouped, localised, scaled } from '../text/format.js';
 import { endMass, onward, push, striker, struckBody, wall } from './bodies.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
@@ -16,12 +17,6 @@ const RINGS = 24; // over all rods; half as many on one
 const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
-
-const WORDS = {
-  about: 'the bodies, coloured by stress or velocity',
-  movement: 'movement drawn ×',
-  bar: 'of movement',
-};
 
 export class Stage {
   /** @type {AxialFrame} */ frame;
@@ -38,7 +33,7 @@ export class Stage {
   moved = new Float64Array(SLICES);
 
   constructor() {
-    this.canvas = make('canvas', { role: 'img', ariaLabel: WORDS.about });
+    this.canvas = make('canvas', { role: 'img', ariaLabel: text('axial.stage.about') });
     this.root = make('section', { className: 'stage' }, this.canvas);
   }
   /**
@@ -190,8 +185,8 @@ export class Stage {
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     if (factor) {
-      const times = factor >= 1 ? factor.toLocaleString('en') : factor.toPrecision(1);
-      c.fillText(`${WORDS.movement} ${times}`, 12, height - 10);
+      const times = factor >= 1 ? grouped(factor) : localised(factor.toPrecision(1));
+      c.fillText(text('stage.movement', { times }), 12, height - 10);
     }
     if (frame.rods.length) {
       this.scaleBar(c, width, height);
@@ -205,7 +200,7 @@ export class Stage {
     c.moveTo(12, 14);
     c.lineTo(12 + long * perMetre, 14);
     c.stroke();
-    c.fillText(`${figures(long * times)} ${unit} ${WORDS.bar}`, 12, 30);
+    c.fillText(text('axial.stage.of-movement', { length: `${figures(long * times)} ${unit}` }), 12, 30);
   }
   /**
    * Every rod slice by slice, its height by the side of its section; returns where the struck face is at rest.
@@ -297,7 +292,7 @@ export class Stage {
     c.stroke();
     c.font = '11px system-ui, sans-serif';
     c.textAlign = outward ? 'right' : 'left';
-    c.fillText(this.frame.chosen.law === 'rigid' ? 'front' : 'wave', x - 8 * way, y - 4);
+    c.fillText(text('axial.stage.wave', { rigid: this.frame.chosen.law === 'rigid' }), x - 8 * way, y - 4);
   }
   /**
    * @param {CanvasRenderingContext2D} c
@@ -310,7 +305,8 @@ export class Stage {
     const y = height - 22;
     const unit = this.what === 'stress' ? this.frame.stressUnit / 1e6 : this.frame.speed;
     const largest = this.largest * unit;
-    const show = (/** @type {number} */ v) => (Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
+    const show = (/** @type {number} */ v) =>
+      localised(Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
     for (let k = 0; k < bar; k++) {
       c.fillStyle = css((k / bar) * 2 - 1, 1);
       c.fillRect(x + k, y, 1.2, 7);
@@ -318,9 +314,10 @@ export class Stage {
     c.fillStyle = COLORS.faint;
     c.font = '11px system-ui, sans-serif';
     c.textAlign = 'left';
-    const names = this.what === 'stress' ? ['tension', 'compression', 'MPa'] : ['back', 'forward', 'm/s'];
-    c.fillText(`${show(-largest)} ${names[0]}`, x, y - 4);
+    const { what } = this;
+    const most = `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}`;
+    c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
     c.textAlign = 'right';
-    c.fillText(`${names[1]} ${show(largest)} ${names[2]}`, x + bar, y + 18);
+    c.fillText(text('axial.stage.most', { what, value: most }), x + bar, y + 18);
   }
 }

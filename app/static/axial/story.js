@@ -1,7 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { contactHead, Warnings, Events, heading, lookCloser, scrolled, showEnergy } from '../shell/story.js';
-import { percent, pretty, signed } from '../text/format.js';
+import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { noteOf, shortly } from '../text/words.js';
 import { eventsOf } from './events.js';
@@ -24,7 +24,7 @@ const estimated = (error) => (error === null ? '–' : error < 1e-9 ? '< 1e-9' :
 /** @param {number} error */
 const residual = (error) => (error === 0 ? text('axial.nothing') : numeral(Math.abs(error), '.0e'));
 /** @param {number} t */
-const when = (t) => `${Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))} T`;
+const when = (t) => `${localised(String(Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))))} T`;
 
 /**
  * What T is.
@@ -84,7 +84,7 @@ export class Story {
     const rows = both.flatMap(([kind, { contacts, name }]) =>
       contacts.slice(0, CONTACTS).map(([start, end, impulse, peak], k) => {
         const look = lookCloser(`${shortly(name)} ${k + 1}`, () => this.zoom(start, end), kind);
-        return rowOf([look, start.toFixed(4), end.toFixed(4), pretty(impulse), kilo(peak)]);
+        return rowOf([look, signed(start, 4), signed(end, 4), pretty(impulse), kilo(peak)]);
       }),
     );
     this.table.replaceChildren(contactHead(['', 'T', 'T', 'N s', 'kN']), make('tbody', {}, ...rows));
@@ -99,7 +99,7 @@ export class Story {
     row('impactor', (s) => velocity(s.final), prediction ? signed(prediction.impactor) : '');
     row('target', (s) => velocity(s.targetFinal), prediction ? signed(prediction.target) : '');
     for (const name of RESTITUTIONS) {
-      const last = name === 'newton' ? Number(chosen.restitution).toFixed(3) : '';
+      const last = name === 'newton' ? signed(Number(chosen.restitution)) : '';
       row(name, (s) => velocity(s.restitution[name]), last);
     }
     row('peak-force', (s) => kilo(s.peakForce));

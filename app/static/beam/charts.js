@@ -5,15 +5,17 @@ import { paint, reader } from '../charts/picture.js';
 import { averaged, between, pair, stairs } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { given } from '../shell/message.js';
-import { figures, prefixed } from '../text/format.js';
+import { family, named, text } from '../text/catalogue.js';
+import { figures, prefixed, signed } from '../text/format.js';
 import { called } from '../text/words.js';
 
+const END = family('beam.end');
 const ENDS = {
-  cantilever: ['clamp', 'tip'],
-  'pinned-pinned': ['pin', 'roller'],
-  'clamped-clamped': ['clamp', 'clamp'],
-  'free-free': ['free', 'free'],
-  'pinned-free': ['pin', 'free'],
+  cantilever: [END.clamp, END.tip],
+  'pinned-pinned': [END.pin, END.roller],
+  'clamped-clamped': [END.clamp, END.clamp],
+  'free-free': [END.free, END.free],
+  'pinned-free': [END.pin, END.free],
 };
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Content, Picture, Series } from '../charts/chart.js' */
@@ -34,7 +36,12 @@ const SPREAD = 'rgba(122,94,168,.3)';
 const REST = 150; // ms without a zoom, after which the picture is computed for what is in view
 const OVER = 2; // times the height of the curve that matters, which others may take
 
-const XT = { title: 'How bending runs along the beam', about: 'x-t diagram: the beam against time, in colours' };
+const QUANTITIES = family('beam.colour');
+const XT = {
+  title: text('beam.chart.waves'),
+  about: text('beam.chart.waves-about'),
+  caption: () => text('beam.chart.waves-axes'),
+};
 
 export class BeamSpaceTime {
   /** @type {BeamFrame} */ frame;
@@ -51,7 +58,7 @@ export class BeamSpaceTime {
    * @param {(t: number) => void} go
    */
   constructor(axis, go) {
-    this.chart = new Chart({ ...XT, axis, xUnit: 'ms', y: [1, 0], caption: () => 'place ↓, time → in ms', go });
+    this.chart = new Chart({ ...XT, axis, xUnit: 'ms', y: [1, 0], go });
   }
   /**
    * @param {BeamFrame} frame
@@ -63,15 +70,16 @@ export class BeamSpaceTime {
     this.field = field;
     this.what = what;
     const [first, last] = ENDS[frame.beam.support];
-    this.chart.label = (v) => (v === 0 ? first : v === 1 ? last : v.toFixed(1));
+    this.chart.label = (v) => (v === 0 ? first : v === 1 ? last : signed(v, 1));
     this.whole = this.fine = null;
     const place = frame.beam.place / frame.beam.length;
     const arrival = (1e3 * frame.beam.length) / frame.beam.speedLimit; // nothing in the material runs faster
     const wedge = { x: [arrival, 0, arrival], y: [place - 1, place, place + 1], path: true };
-    const red = `red: ${what} ${what === 'moment' || what === 'shear' ? 'positive' : 'forward'}`;
+    const way = what === 'moment' || what === 'shear' ? 'positive' : 'forward';
+    const red = text('beam.chart.red', { what: QUANTITIES[what], way });
     this.content = {
-      series: [{ ...wedge, name: 'fastest possible, √(E/ρ)', style: 'limit' }],
-      bars: { name: 'contact', spans: frame.contacts, at: place, least: 1 },
+      series: [{ ...wedge, name: text('beam.chart.fastest'), style: 'limit' }],
+      bars: { name: text('beam.chart.contact'), spans: frame.contacts, at: place, least: 1 },
       keys: [{ text: red, color: '#de693e', mark: 'chip' }],
     };
   }
@@ -105,7 +113,9 @@ export class BeamSpaceTime {
     const read = reader(values, field.places, x, [0, 1]);
     const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
       const value = read(t, place);
-      return Number.isNaN(value) ? '' : `${what} ${written(value, what)} at ${figures(place, 2)} of its length`;
+      if (Number.isNaN(value)) return '';
+      const at = { what: QUANTITIES[what], value: written(value, what), place: figures(place, 2) };
+      return text('beam.chart.probe', at);
     };
     return { image, x: [...x], probe };
   }
@@ -132,7 +142,7 @@ function written(value, what) {
  * @param {Spread} spread
  */
 const bandOf = (time, { low, high, lowest, highest }) => ({
-  name: 'spread',
+  name: text('beam.chart.spread'),
   color: SPREAD,
   x: time,
   areas: [
@@ -154,8 +164,8 @@ export class BeamForce {
    */
   constructor(axis, go) {
     this.chart = new Chart({
-      title: 'Contact force',
-      about: 'contact force against time, with every contact shaded',
+      title: text('beam.chart.force'),
+      about: text('beam.chart.force-about'),
       axis,
       xUnit: 'ms',
       unit: 'N',
@@ -163,8 +173,12 @@ export class BeamForce {
       pad: [0.04, 0.12],
       go,
     });
-    this.half = make('button', { type: 'button', className: 'whole small', textContent: 'On a half-space' });
-    this.half.title = 'the same impactor, by the same contact law, on a body of this material too large to bend';
+    this.half = make('button', {
+      type: 'button',
+      className: 'whole small',
+      textContent: text('beam.chart.half-space'),
+    });
+    this.half.title = text('beam.chart.half-space-about');
     this.half.onclick = () => {
       this.shown = !this.shown;
       this.#show();
@@ -194,15 +208,15 @@ export class BeamForce {
     const series = [{ ...this.main, name: called(frame.main), cursor: '', style: 'exact' }];
     const reference = pair(frame.referenceTime, frame.referenceForce);
     if (reference && frame.reference)
-      series.push({ ...reference, reach: OVER, name: `${called(frame.reference)}, to compare`, style: 'other' });
+      series.push({ ...reference, reach: OVER, name: toCompare(frame.reference), style: 'other' });
     const half = this.shown && pair(frame.halfTime, frame.halfForce);
     if (half) {
       const most = Math.max(...Array.from(half.y));
       const [factor, prefix] = prefixed(most);
-      const name = `on a body too large to bend, up to ${figures(most * factor, 2)} ${prefix}N`;
+      const name = text('beam.chart.half-space-curve', { force: `${figures(most * factor, 2)} ${prefix}N` });
       series.push({ ...half, reach: OVER, name, style: 'halfSpace' });
     }
-    if (this.raw) series.push({ ...this.raw, reach: OVER, name: 'raw', style: 'rawExact' });
+    if (this.raw) series.push({ ...this.raw, reach: OVER, name: text('beam.chart.raw'), style: 'rawExact' });
     this.chart.show({ series, shades: frame.contacts, band: band && bandOf(band.time, band.force) });
   }
   /** @param {Band | null} band */
@@ -225,6 +239,9 @@ export class BeamForce {
 
 /** @typedef {'displacement' | 'velocity'} Kind */
 
+/** @param {Parameters<typeof called>[0]} reference */
+const toCompare = (reference) => text('beam.chart.to-compare', { method: called(reference) });
+
 // Impactor and struck place: where they are, or how fast they go.
 export class BeamMotion {
   /** @type {BeamFrame} */ frame;
@@ -236,13 +253,15 @@ export class BeamMotion {
    * @param {(t: number) => void} go
    */
   constructor(axis, go) {
-    const about = 'displacement or velocity of the impactor and of the struck place against time';
-    this.chart = new Chart({ title: 'Impactor and struck place', about, axis, xUnit: 'ms', unit: 'm', go });
-    this.switch = segments('Shown', ['displacement', 'velocity'], (kind) => {
+    const [title, about] = [text('beam.chart.motion'), text('beam.chart.motion-about')];
+    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'm', go });
+    const press = (/** @type {string} */ kind) => {
       this.kind = /** @type {Kind} */ (kind);
       this.#show();
       this.chart.redraw();
-    });
+    };
+    const kinds = family('beam.kind');
+    this.switch = segments(text('beam.chart.shown'), ['displacement', 'velocity'], press, (kind) => kinds[kind]);
     this.switch.root.classList.add('small');
     this.chart.value.before(this.switch.root);
   }
@@ -259,17 +278,17 @@ export class BeamMotion {
     const [impactor, struck] = places ? [frame.impactorPath, frame.struckPath] : [frame.impactorRate, frame.struckRate];
     /** @type {Series[]} */
     const series = [
-      { x, y: impactor, name: 'impactor', cursor: 'impactor', style: 'exact' },
-      { x, y: struck, name: 'struck place', cursor: 'struck', style: 'struck' },
+      { x, y: impactor, name: text('beam.chart.impactor'), cursor: text('beam.chart.impactor'), style: 'exact' },
+      { x, y: struck, name: text('beam.chart.struck-place'), cursor: text('beam.chart.struck'), style: 'struck' },
     ];
     if (places && reference) {
-      const name = `${called(reference)}, to compare`;
+      const name = toCompare(reference);
       const [mass, place] = [frame.referenceImpactorPath, frame.referenceStruckPath];
       series.push({ x, y: given(mass, 'referenceImpactorPath'), reach: 0, name, style: 'thinOther' });
       series.push({ x, y: given(place, 'referenceStruckPath'), reach: 0, name, style: 'dashedOther' });
     }
     const still = places && pair(frame.staticTime, frame.staticPath);
-    if (still) series.push({ ...still, reach: 0, name: 'quasi-static', style: 'prediction' });
+    if (still) series.push({ ...still, reach: 0, name: text('beam.chart.quasi-static'), style: 'prediction' });
     const spread = places && band ? bandOf(band.time, band.displacement) : null;
     this.chart.show({ series, unit: places ? 'm' : 'm/s', shades: frame.contacts, band: spread });
   }
@@ -291,14 +310,14 @@ export class BeamMotion {
 export class Dispersion {
   constructor() {
     this.chart = new Chart({
-      title: 'Dispersion',
-      about: 'frequency against wavenumber, with the kept modes as dots',
-      xName: 'wavenumber',
+      title: text('beam.chart.dispersion'),
+      about: text('beam.chart.dispersion-about'),
+      xName: text('beam.chart.wavenumber'),
       xUnit: '1/m',
       unit: 'Hz',
       zero: true,
       pad: [0, 0],
-      caption: (unit, xUnit) => `${unit} over wavenumber in ${xUnit}`,
+      caption: (unit, xUnit) => text('beam.chart.dispersion-axes', { unit, xUnit }),
       points: true,
     });
     this.chart.root.classList.add('square');
@@ -308,7 +327,7 @@ export class Dispersion {
     const { wavenumbers: x, lower, upper, beam } = frame;
     const factor = 0.5 / Math.PI;
     const far = x[x.length - 1];
-    const theory = beam.theory === 'timoshenko' ? 'Timoshenko' : 'Euler–Bernoulli';
+    const theory = named('theory', beam.theory);
     const [slow, fast] = this.#modes(frame);
     const limit = { x: [0, far], y: [0, beam.speedLimit * far] };
     /** @type {Series[]} */
@@ -317,14 +336,11 @@ export class Dispersion {
       { ...fast, factor, reach: 0, style: 'fastMode' },
       { x, y: lower, factor, name: theory, style: 'exact' },
     ];
-    if (upper) series.push({ x, y: upper, factor, reach: 0, name: 'shear branch', style: 'struck' });
+    if (upper) series.push({ x, y: upper, factor, reach: 0, name: text('beam.chart.shear-branch'), style: 'struck' });
     series.push({ ...limit, factor, reach: 0, name: '√(E/ρ)', style: 'limit' });
-    const [all, beyond] = [frame.modeWavenumbers.length, fast.x.length];
+    const readout = text('beam.chart.too-fast', { fast: fast.x.length, all: frame.modeWavenumbers.length });
     this.chart.axis.load(0, far);
-    this.chart.show({
-      series,
-      readout: beyond ? `${beyond} of ${all} modes too fast` : `${all} mode${all === 1 ? '' : 's'}, none too fast`,
-    });
+    this.chart.show({ series, readout });
   }
   /**
    * Kept modes that the material can carry, and those that would outrun its fastest wave.

@@ -3,6 +3,7 @@ import { cleared } from '../charts/canvas.js';
 import { between, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 import { drawSupports } from './supports.js';
 
@@ -13,15 +14,16 @@ import { drawSupports } from './supports.js';
 /** @typedef {'shear' | 'moment'} Diagram */
 /** @type {[Diagram, label: string, unit: string][]} */
 const DIAGRAMS = [
-  ['shear', 'Shear force V', 'N'],
-  ['moment', 'Bending moment M', 'N m'],
+  ['shear', text('beam.stage.shear'), 'N'],
+  ['moment', text('beam.stage.moment'), 'N m'],
 ];
 const UNITS = { moment: 'MPa', velocity: 'm/s', shear: 'N', deflection: 'mm' };
+const WAYS = [text('beam.stage.back'), text('beam.stage.forward')];
 const ENDS = {
-  moment: ['tension', 'compression'],
-  velocity: ['back', 'forward'],
+  moment: [text('beam.stage.tension'), text('beam.stage.compression')],
+  velocity: WAYS,
   shear: ['−', '+'],
-  deflection: ['back', 'forward'],
+  deflection: WAYS,
 }; // of the scale of colours
 const SMALL = '11px system-ui, sans-serif';
 
@@ -47,8 +49,7 @@ export class BeamStage {
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
 
   constructor() {
-    const ariaLabel = 'the beam bending under the impact, and the shear force and bending moment along it';
-    this.canvas = make('canvas', { role: 'img', ariaLabel });
+    this.canvas = make('canvas', { role: 'img', ariaLabel: text('beam.stage.about') });
     this.root = make('section', { className: 'stage beam' }, this.canvas);
   }
   /**
@@ -228,7 +229,7 @@ export class BeamStage {
       c.font = SMALL;
       c.textAlign = 'center';
       c.textBaseline = 'bottom';
-      c.fillText('beam, seen from its end', x, y - size / 2 - 3);
+      c.fillText(text('beam.stage.seen-from-end'), x, y - size / 2 - 3);
     }
     this.hit = { x, y, size };
   }
@@ -263,9 +264,8 @@ export class BeamStage {
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     const factor = (this.scale * frame.beam.length) / this.long;
-    c.fillText(`movement drawn × ${figures(factor, 2)}`, 12, 18);
-    if (frame.staticShape && frame.staticPath && !narrow)
-      c.fillText('dashed: bent as at rest, by the quasi-static estimate', 12, top - 8);
+    c.fillText(text('stage.movement', { times: figures(factor, 2) }), 12, 18);
+    if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
     this.#colours(c);
   }
   /**
@@ -338,8 +338,9 @@ export class BeamStage {
     for (let j = 0; j < values.length; j++) if (Math.abs(values[j]) > Math.abs(values[peak])) peak = j;
     c.textAlign = 'right';
     c.fillStyle = COLORS.cursor;
-    const where = figures(peak / (values.length - 1), 2);
-    c.fillText(`${figures(values[peak] * factor)} ${prefix}${unit} at ${where} L`, left + long, top + 3);
+    const place = figures(peak / (values.length - 1), 2);
+    const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;
+    c.fillText(text('beam.stage.peak', { value, place }), left + long, top + 3);
   }
   /**
    * @param {CanvasRenderingContext2D} c

@@ -2,30 +2,21 @@
 import { between } from '../charts/scale.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { contactHead, Warnings, Events, heading, lookCloser, scrolled, showEnergy } from '../shell/story.js';
-import { count, duration, figures, prefixed, speed } from '../text/format.js';
-import { said, text } from '../text/catalogue.js';
+import { duration, figures, prefixed, signed, speed } from '../text/format.js';
+import { family, said, text } from '../text/catalogue.js';
 import { called, METHODS, noteOf } from '../text/words.js';
-import { beamEvents, reasonsOf, spanOf, strikerOf, struckOf } from './events.js';
+import { beamEvents, reasonsOf, spanOf, tell } from './events.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { BeamFigures, BeamFrame } from '../shell/message.js' */
 
 const LISTED = 16; // contacts in the table
-/** @type {Record<'whole' | 'split', [key: string, name: string][]>} */
-const ENERGIES = {
-  whole: [['target_vibration', 'waves left in it']],
-  split: [
-    ['target_kinetic', 'beam, moving'],
-    ['target_strain', 'beam, bent'],
-  ],
-};
-
 /** @param {number | null | undefined} value */
 const given = (value) => (value === null || value === undefined ? '–' : figures(value, 4));
 /** @param {number | null} value */
-const micro = (value) => (value === null ? 'none' : figures(value * 1e6));
+const micro = (value) => (value === null ? text('beam.table.none') : figures(value * 1e6));
 /** @param {number} t */
-const when = (t) => duration(t).replace('no time', '0');
+const when = (t) => (t ? duration(t) : '0');
 
 export class BeamStory {
   /** @type {BeamFrame} */ frame;
@@ -55,7 +46,7 @@ export class BeamStory {
     this.frame = frame;
     const { contacts } = frame.main;
     this.events.load(beamEvents(frame));
-    this.whyHeading.textContent = contacts > 1 ? `Why one impact is ${contacts} contacts` : 'One contact, and why';
+    this.whyHeading.textContent = text('beam.why.title', { contacts });
     this.why.textContent = reasonsOf(frame);
     this.span.textContent = spanOf(frame);
     this.warnings.load(this.#notes());
@@ -63,20 +54,20 @@ export class BeamStory {
     this.figures();
     this.shares();
     const { keptModes = 0, drawnModes = 0, source, title } = frame;
-    const drawn = `The pictures are drawn from the lowest ${drawnModes} of ${keptModes} modes.`;
-    const told = `${title}.${source ? ` Source: ${source}.` : ''}`;
-    this.source.textContent = [told, noteOf(frame), keptModes > drawnModes ? drawn : ''].filter(Boolean).join(' ');
+    const words = [text('beam.note.source', { title, source: source || 'none' }), noteOf(frame)];
+    if (keptModes > drawnModes) words.push(text('beam.note.drawn', { drawn: drawnModes, kept: keptModes }));
+    this.source.textContent = words.filter(Boolean).join(' ');
   }
   // Notes of both solutions, and where they differ.
   #notes() {
     const { chosen, main, reference, refused } = this.frame;
     const notes = [];
-    if (reference && reference.contacts !== main.contacts)
-      notes.push(
-        `By ${called(reference)} instead of ${called(main)} the impact has ${count(reference.contacts, 'contact')}, ` +
-          `not ${main.contacts}: do not trust single contacts. “Sensitivity” shows what can be trusted.`,
-      );
-    if (refused) notes.push(`${METHODS[chosen.method]}: ${said(refused)}. Modes are shown instead.`);
+    if (reference && reference.contacts !== main.contacts) {
+      const names = { other: called(reference), method: called(main) };
+      const numbers = { contacts: reference.contacts, found: main.contacts };
+      notes.push(text('beam.note.other-contacts', { ...names, ...numbers }));
+    }
+    if (refused) notes.push(text('beam.note.refused', { method: METHODS[chosen.method], note: refused }));
     const known = main.notes.map(said);
     const own = reference?.notes.filter((note) => !known.includes(said(note))) ?? [];
     const method = reference && called(reference);
@@ -87,11 +78,11 @@ export class BeamStory {
     const [factor, prefix] = prefixed(main.peakForce ?? 0);
     const digits = Math.min(Math.max(5 - Math.floor(Math.log10(whole)) - 1, 0), 4); // as many as fit
     const rows = contacts.slice(0, LISTED).map(([start, end, impulse, peak], k) => {
-      const look = lookCloser(`contact ${k + 1}`, () => this.page.zoom(start, end));
+      const look = lookCloser(text('beam.table.contact', { number: k + 1 }), () => this.page.zoom(start, end));
       const most = peak ? figures(peak * factor) : '–';
-      return rowOf([look, start.toFixed(digits), end.toFixed(digits), figures(impulse), most]);
+      return rowOf([look, signed(start, digits), signed(end, digits), figures(impulse), most]);
     });
-    const more = `and ${main.contacts - LISTED} more`;
+    const more = text('beam.table.more', { count: main.contacts - LISTED });
     if (main.contacts > LISTED) rows.push(make('tr', {}, make('td', { colSpan: 5, textContent: more })));
     this.table.replaceChildren(contactHead(['', 'ms', 'ms', 'N s', `${prefix}N`]), make('tbody', {}, ...rows));
   }
@@ -102,38 +93,40 @@ export class BeamStory {
     /** @type {[name: string, show: (s: BeamFigures) => string | number][]} */
     const rows = [
       ['contacts', (s) => s.contacts],
-      ['rebound velocity, m/s', (s) => given(s.final)],
+      ['impactor', (s) => given(s.final)],
     ];
-    if (!beam.held) rows.push(['beam velocity, m/s', (s) => given(s.targetFinal)]);
+    if (!beam.held) rows.push(['target', (s) => given(s.targetFinal)]);
     rows.push(
-      ['restitution e', (s) => given(s.restitution.newton)],
-      ['impulse, N s', (s) => given(s.impulse)],
-      [`peak force, ${prefix}N`, (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
-      ['indentation, µm', (s) => micro(s.peakIndentation)],
+      ['restitution', (s) => given(s.restitution.newton)],
+      ['impulse', (s) => given(s.impulse)],
+      ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
+      ['indentation', (s) => micro(s.peakIndentation)],
     );
-    if (both.some((s) => s.residualIndentation)) rows.push(['crater left, µm', (s) => micro(s.residualIndentation)]);
+    if (both.some((s) => s.residualIndentation)) rows.push(['dent', (s) => micro(s.residualIndentation)]);
     rows.push(
-      ['apparent contact, ms', (s) => (s === main ? figures(span.apparent) : '')],
-      ['true contact, ms', (s) => (s === main ? figures(span.real) : '')],
-      ['energy unaccounted for', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)],
-      ['solved in, ms', (s) => figures(s.diagnostics.wall_time * 1e3)],
+      ['apparent', (s) => (s === main ? figures(span.apparent) : '')],
+      ['real', (s) => (s === main ? figures(span.real) : '')],
+      ['unaccounted', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)],
+      ['solved', (s) => figures(s.diagnostics.wall_time * 1e3)],
     );
-    const beside = 'the same impact solved once more, to see what depends on their number.';
-    this.beside.textContent = reference ? `${called(reference)}: ${beside}` : '';
-    const lines = rows.map(([name, show]) => rowOf([name, ...both.map(show)]));
+    this.beside.textContent = reference ? text('beam.note.beside', { method: called(reference) }) : '';
+    const unit = `${prefix}N`;
+    const lines = rows.map(([name, show]) => rowOf([text(`beam.row.${name}`, { unit }), ...both.map(show)]));
     this.answers.replaceChildren(headOf(['', ...both.map(called)]), make('tbody', {}, ...lines));
   }
   shares() {
     const { law, main } = this.frame;
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
     const yields = law.yields && !['balance', 'rigid'].includes(main.name);
-    showEnergy(this.energy, main.energy, [
-      ['impactor', 'impactor'],
-      ['target_rigid', 'beam as a whole'],
-      ...ENERGIES[split ? 'split' : 'whole'],
-      ['local', 'in the contact'],
-      ['dissipated', yields ? 'lost by yielding' : 'lost'],
-    ]);
+    const inside = split ? ['target_kinetic', 'target_strain'] : ['target_vibration'];
+    const names = family('beam.energy');
+    if (yields) names.dissipated = names.yielding;
+    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated'];
+    showEnergy(
+      this.energy,
+      main.energy,
+      parts.map((part) => [part, names[part]]),
+    );
   }
   /**
    * Mark the latest event at the instant t, and say what goes on.
@@ -144,8 +137,8 @@ export class BeamStory {
     if (!frame) return; // nothing is told yet
     this.events.at(t);
     const here = frame.contacts.findIndex(([start, end]) => t >= start && t <= end);
-    const play = this.page.player.played ? '' : ' “Play” shows what follows.';
-    this.now.textContent = `Now: ${this.#now(t, here)}.${play}`;
+    const now = this.#now(t, here);
+    this.now.textContent = this.page.player.played ? now : `${now} ${text('beam.now.play')}`;
     this.now.classList.toggle('touching', here >= 0);
   }
   /**
@@ -155,17 +148,12 @@ export class BeamStory {
   #now(t, here) {
     const { contacts, impactorRate, main, struckRate, time } = this.frame;
     const [own, ahead] = [between(time, impactorRate, t), between(time, struckRate, t)];
-    const [mass, tip] = [`the ${strikerOf(this.frame)}`, `the ${struckOf(this.frame)}`];
-    if (here >= 0) return `contact ${here + 1} of ${main.contacts}; ${mass} at ${speed(own)}`;
+    const values = { contacts: main.contacts, own: speed(own), ahead: speed(ahead) };
+    if (here >= 0) return tell('beam.now.touching', this.frame, { ...values, number: here + 1 });
     const before = contacts.findLastIndex(([, end]) => end < t);
-    if (before === contacts.length - 1) return `parted. ${capital(mass)} at ${speed(own)}, ${tip} at ${speed(ahead)}`;
-    const away = own < 0 ? 'they draw apart' : 'it runs ahead';
-    const towards = `${own < 0 ? tip : mass} catches up`;
-    const next = ahead > own ? away : towards;
-    const which = `apart, after contact ${before + 1} of ${main.contacts}`;
-    return `${which}. ${capital(tip)} at ${speed(ahead)}, ${mass} at ${speed(own)}: ${next}`;
+    if (before === contacts.length - 1) return tell('beam.now.parted', this.frame, values);
+    const away = own < 0 ? 'apart' : 'ahead';
+    const next = ahead > own ? away : own < 0 ? 'struck' : 'striker';
+    return tell('beam.now.apart', this.frame, { ...values, number: before + 1, next });
   }
 }
-
-/** @param {string} words */
-const capital = (words) => words[0].toUpperCase() + words.slice(1);

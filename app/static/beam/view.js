@@ -5,6 +5,7 @@ import { between } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { InView } from '../shell/in_view.js';
 import { Stack } from '../shell/stack.js';
+import { family, text } from '../text/catalogue.js';
 import { called } from '../text/words.js';
 import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
 import { fieldOf, FIELDS } from './field.js';
@@ -46,16 +47,18 @@ export class BeamView {
     const parts = [...this.charts, this.cycle, this.dispersion];
     this.inView = new InView(parts, (part) => this.paint(part));
     this.story = new BeamStory(page);
-    this.colours = segments('Colour shows', FIELDS, (what) => {
+    const press = (/** @type {string} */ what) => {
       this.what = /** @type {What} */ (what);
       this.dress();
       this.draw(true);
       this.show(this.page.player.t);
-    });
-    this.whole = make('button', { type: 'button', className: 'whole', textContent: 'Show the whole impact' });
+    };
+    const names = family('beam.colour');
+    this.colours = segments(text('stage.colour-shows'), FIELDS, press, (what) => names[what]);
+    this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
-    this.slow = make('button', { type: 'button', className: 'whole slow-motion', textContent: '▶ Slow motion' });
-    this.slow.title = 'the first contacts, filling the views, in 16 seconds';
+    this.slow = make('button', { type: 'button', className: 'whole slow-motion', textContent: text('beam.view.slow') });
+    this.slow.title = text('beam.view.slow-about');
     this.slow.onclick = () => this.slowly();
     this.spaceTime.chart.title.after(this.colours.root);
     const [waves, force, moved] = this.charts.map(({ chart }) => chart);

@@ -1,5 +1,6 @@
 // A chart that is said, not programmed: axes, series and what else is to be seen; it finds its range and unit, writes
 // its legend, and can be zoomed, read, saved and listened to.
+import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { Axis } from './axis.js';
 import { listen } from './gestures.js';
@@ -62,7 +63,7 @@ import { Tools } from './tools.js';
  * @property {string} title
  * @property {string} about  what is to be seen, for those who do not see it
  * @property {Axis} [axis]  shared with other charts; its own by default
- * @property {string} [xName]  'time' by default
+ * @property {string} [xName]  time by default
  * @property {string} xUnit
  * @property {string} [unit]  of y, without prefix
  * @property {boolean | 'whole'} [zero]  nought belongs to the range: always, or while nothing is zoomed
@@ -97,7 +98,7 @@ export class Chart extends Plot {
   }
 
   get xName() {
-    return this.options.xName ?? 'time';
+    return this.options.xName ?? text('chart.time');
   }
 
   /** @param {Content} content */
@@ -190,10 +191,10 @@ export class Chart extends Plot {
    * Show the state at the instant of the clock, where x is no time.
    * @param {number} x
    * @param {number} y
-   * @param {string} text
+   * @param {string} reading
    */
-  mark(x, y, text) {
-    this.now = { x, y, text };
+  mark(x, y, reading) {
+    this.now = { x, y, text: reading };
     if (this.box) this.point();
   }
 
@@ -246,13 +247,13 @@ export class Chart extends Plot {
 
   /**
    * Write into the head. Its room only grows, so that nothing moves while the clock runs.
-   * @param {string} text
+   * @param {string} words
    */
-  say(text) {
-    if (this.value.textContent === text) return;
-    this.value.textContent = text;
-    if (text.length <= this.#longest) return;
-    this.#longest = text.length;
-    this.value.style.minWidth = `${0.92 * text.length}ch`;
+  say(words) {
+    if (this.value.textContent === words) return;
+    this.value.textContent = words;
+    if (words.length <= this.#longest) return;
+    this.#longest = words.length;
+    this.value.style.minWidth = `${0.92 * words.length}ch`;
   }
 }

@@ -1,6 +1,7 @@
 // A figure whose looks Python has drawn (app/views/figures.py): fetched when it is first shown, filled from answers,
 // and zoomed, read and saved by Bokeh in the browser. The server hears of none of it.
 import { download, make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 import { dress } from './dress.js';
 
 /** @typedef {import('./scale.js').Range} Range */
@@ -58,15 +59,17 @@ export class Figure {
   #frame(part) {
     const area = make('div', { className: 'figure-area', role: 'group', ariaLabel: part.about });
     const table = make('div', { className: 'numbers', hidden: true });
-    const show = make('button', { type: 'button', textContent: 'Show the numbers', ariaExpanded: 'false' });
+    const show = make('button', { type: 'button', textContent: text('chart.show-numbers'), ariaExpanded: 'false' });
     show.onclick = () => {
       table.hidden = !table.hidden;
       show.ariaExpanded = String(!table.hidden);
-      show.textContent = table.hidden ? 'Show the numbers' : 'Hide the numbers';
+      show.textContent = table.hidden ? text('chart.show-numbers') : text('chart.hide-numbers');
       this.tabulate();
     };
-    const save = make('button', { type: 'button', textContent: 'Save as SVG', onclick: () => this.saveSvg(part.name) });
-    const all = make('button', { type: 'button', textContent: 'Show all', onclick: () => this.reset(part.name) });
+    const button = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
+      make('button', { type: 'button', textContent, onclick });
+    const save = button(text('chart.save-svg'), () => this.saveSvg(part.name));
+    const all = button(text('chart.show-all'), () => this.reset(part.name));
     const buttons = make('div', { className: 'figure-tools' }, all, ...(part.numbers ? [show] : []), save);
     const title = make('h2', { className: part.headed ? '' : 'unseen', textContent: part.title });
     const root = make('section', { className: 'chart figure' }, title, area, buttons, table);
@@ -78,7 +81,7 @@ export class Figure {
   open() {
     this.coming ??= this.#embed().catch((error) => {
       this.coming = null;
-      for (const { area } of this.parts) area.textContent = `The figure could not be loaded (${error.message}).`;
+      for (const { area } of this.parts) area.textContent = text('chart.not-loaded', { why: error.message });
     });
     return this.coming;
   }

@@ -1,6 +1,7 @@
 // What a hand does on a chart. A click sets the clock, a drag over the box zooms into what it has passed, a drag of the
 // clock's line moves it, with Shift it moves the view; the wheel zooms; a double click shows all. A finger moves the
 // clock, two fingers zoom. Arrow keys move the clock, + and - zoom, 0 shows all.
+import { text } from '../text/catalogue.js';
 import { valueAt } from './plot.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
@@ -30,8 +31,8 @@ export function listen(chart) {
   const { area, axis } = chart;
   area.tabIndex = 0;
   area.role = 'application';
-  const arrows = chart.options.go ? 'Arrow keys move the clock' : 'Arrow keys read the points';
-  area.ariaLabel = `${chart.below.ariaLabel}. ${arrows}, + and − zoom, 0 shows all.`;
+  const about = chart.below.ariaLabel ?? '';
+  area.ariaLabel = text('chart.keys', { about, clock: Boolean(chart.options.go) });
   const pointers = new Pointers(chart);
   area.onpointerdown = (event) => pointers.down(event);
   area.onpointermove = (event) => pointers.move(event);

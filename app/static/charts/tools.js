@@ -1,5 +1,6 @@
 // The menu of a chart: zoom, numbers, files; and what it says aloud.
 import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 import { savePng, saveSvg } from './save.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
@@ -12,8 +13,7 @@ export class Tools {
     this.chart = chart;
     this.spoken = make('span', { className: 'unseen', ariaLive: 'polite' });
     this.button = make('button', { type: 'button', className: 'more', textContent: '⋯', onclick: () => this.toggle() });
-    this.button.title = `${chart.title.textContent}: zoom, numbers, files`;
-    this.button.ariaLabel = `${chart.title.textContent}: zoom, numbers, files`;
+    this.button.title = this.button.ariaLabel = text('chart.menu', { title: chart.title.textContent });
     this.menu = make('div', { className: 'menu', hidden: true });
     this.root = make('div', { className: 'tools' }, this.button, this.menu, this.spoken);
     this.root.onkeydown = (event) => {
@@ -29,18 +29,18 @@ export class Tools {
     const { chart } = this;
     const { axis } = chart;
     const about = () => 0.5 * (axis.view[0] + axis.view[1]);
-    this.numbers = this.#item('Show the numbers', () => {
+    this.numbers = this.#item(text('chart.show-numbers'), () => {
       chart.numbers.fill();
       chart.numbers.shown = !chart.numbers.shown;
-      this.numbers.textContent = chart.numbers.shown ? 'Hide the numbers' : 'Show the numbers';
+      this.numbers.textContent = text(chart.numbers.shown ? 'chart.hide-numbers' : 'chart.show-numbers');
     });
     this.menu.append(
-      this.#item('Zoom in', () => axis.zoom(STEP, about()), true),
-      this.#item('Zoom out', () => axis.zoom(1 / STEP, about()), true),
-      this.#item('Show all', () => axis.reset()),
+      this.#item(text('chart.zoom-in'), () => axis.zoom(STEP, about()), true),
+      this.#item(text('chart.zoom-out'), () => axis.zoom(1 / STEP, about()), true),
+      this.#item(text('chart.show-all'), () => axis.reset()),
       this.numbers,
-      this.#item('Save as PNG', () => savePng(chart)),
-      this.#item('Save as SVG', () => saveSvg(chart)),
+      this.#item(text('chart.save-png'), () => savePng(chart)),
+      this.#item(text('chart.save-svg'), () => saveSvg(chart)),
     );
   }
 
@@ -76,6 +76,6 @@ export class Tools {
     const seen =
       tip.sentence || (now && now.y === undefined ? tip.sentenceOf({ x: now.x, rows: tip.rows(now.x) }) : '');
     const [low, high] = axis.view.map((x) => chart.writtenX(x));
-    this.spoken.textContent = `${seen}${axis.zoomed ? `; shown from ${low} to ${high}` : ''}`;
+    this.spoken.textContent = axis.zoomed ? text('chart.seen', { seen, low, high }) : seen;
   }
 }

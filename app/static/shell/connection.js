@@ -1,18 +1,12 @@
 // The connection to the server. When it is lost that is said at once; what is shown plays on, and when a server answers
 // again the page comes back with all that it showed: the address holds the choices, the browser the rest.
+import { text } from '../text/catalogue.js';
 import { documents } from './bokeh.js';
 import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Model } from './model.js' */
 
-const WORDS = {
-  lost:
-    'The connection to the server is lost. What is shown plays on; nothing new is solved. The page comes back by ' +
-    'itself when the server does.',
-  back: 'The server is back: one moment …',
-  reload: 'Reload',
-};
 const LATE = 800; // ms without an answer after which the server is asked whether it is there
 const PATIENCE = 1000; // ms that it has to say so
 const TICK = 300; // ms between looks at the clock
@@ -42,7 +36,8 @@ export class Connection {
     this.pause = AGAIN;
     this.root = make('div', { className: 'connection', role: 'alert', hidden: true });
     this.words = make('span');
-    const reload = make('button', { type: 'button', textContent: WORDS.reload, onclick: () => this.#return() });
+    const onclick = () => this.#return();
+    const reload = make('button', { type: 'button', textContent: text('connection.reload'), onclick });
     this.root.append(this.words, reload);
     page.append(this.root);
     model.on('disconnected', () => this.#turnedOut());
@@ -77,7 +72,7 @@ export class Connection {
     if (this.lost || this.closed) return;
     this.lost = true;
     this.pause = AGAIN;
-    this.#say(this.model.disconnected || WORDS.lost);
+    this.#say(this.model.disconnected || text('connection.lost'));
     this.#look();
   }
   /** Ask until there is a server with room; then go on there. */
@@ -92,7 +87,7 @@ export class Connection {
     if (!(await answers('liveness'))) this.#look();
     else if (!this.cut) this.#found();
     else if (await answers(window.location.href)) {
-      this.#say(WORDS.back);
+      this.#say(text('connection.back'));
       this.#return();
     } else this.#look();
   }

@@ -1,37 +1,13 @@
 // The first minute: what is seen, in one sentence, and three things to try. It can be put away for good.
+import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame } from './message.js' */
 
-const WORDS = { title: 'What you see', try: 'Try', hide: 'Put away' };
-const SEEN = {
-  rod:
-    'A mass strikes the end of a rod. Colour is the stress that runs through it; the charts show the same waves over ' +
-    'time, the force between the two, and how both move.',
-  rods:
-    'Waves of stress run through a chain of rods; at each change of section or material part of them turns back. The ' +
-    'charts show them over time, with the force of contact.',
-  compact:
-    'Two compact bodies meet and press each other in. The charts show the force between them, and how both move.',
-  beam:
-    'A beam is struck from the side and bends. Below it are its shear force and bending moment; the charts show how ' +
-    'the bending runs along it, the force, and how both move.',
-  bodies: 'Two bodies meet in one point in space: faint before the impact, full after it, with velocities and spins.',
-};
-const TRIES = {
-  faster: 'Strike twice as fast (or pull the striker back)',
-  heavier: 'A hammer four times as heavy (or drag its corner)',
-  free: 'Let the far end of the rod go free',
-  fixed: 'Hold the far end of the rod',
-  softer: 'A contact that gives way: Hertz',
-  losing: 'A contact that loses energy: Hunt–Crossley',
-  middle: 'Strike it in the middle',
-  few: 'Keep 5 modes only',
-  elastic: 'Let nothing be lost: restitution 1',
-  centre: 'Hit it in the centre',
-};
+const SEEN = family('first.seen');
+const TRIES = family('first.tries');
 
 /** @typedef {[text: string, choice: string, value: number | string]} Try */
 
@@ -74,20 +50,20 @@ export class First {
     this.seen = make('p');
     this.tries = make('ul');
     const hide = make('button', { type: 'button', className: 'sign', textContent: '✕' });
-    hide.title = hide.ariaLabel = WORDS.hide;
+    hide.title = hide.ariaLabel = text('first.hide');
     hide.onclick = () => {
       this.root.hidden = true;
       keep('first', false);
     };
-    const head = make('header', { className: 'panel-head' }, make('h2', { textContent: WORDS.title }), hide);
+    const head = make('header', { className: 'panel-head' }, make('h2', { textContent: text('first.title') }), hide);
     this.root = make('section', { className: 'first', hidden: !kept('first', true) });
-    this.root.append(head, this.seen, make('h3', { textContent: WORDS.try }), this.tries);
+    this.root.append(head, this.seen, make('h3', { textContent: text('first.try') }), this.tries);
   }
   /** @param {Frame} frame */
   load(frame) {
     if (this.root.hidden) return;
     const tries = triesOf(frame).slice(0, 3);
-    const kind = [frame.kind, frame.chosen.scene, ...tries.map(([text]) => text)].join();
+    const kind = [frame.kind, frame.chosen.scene, ...tries.map(([words]) => words)].join();
     this.offered = tries;
     if (kind === this.kind) return; // what the buttons do changes with every solve, what they say does not
     this.kind = kind;

@@ -1,20 +1,13 @@
 // Where everything is on the page. A wide window has a dock at either side of the centre; a narrower one has the second
 // dock as a sheet at its lower end; a phone has all but the stage in tabs. Stage and clock never leave, and what opens
 // takes the place of the charts.
+import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { gripOf } from './grip.js';
 import { keep, kept } from './store.js';
 import { Tabs } from './tabs.js';
 
-const WORDS = {
-  tabs: 'Views',
-  titles: { controls: 'Controls', charts: 'Charts', story: 'Story', numbers: 'Numbers', analysis: 'Analysis' },
-  left: 'Controls',
-  right: 'Story, numbers and analysis',
-  widthOfLeft: 'Width of the controls',
-  widthOfRight: 'Width of story and numbers',
-  heightOfSheet: 'Height of story and numbers',
-};
+const TITLES = family('layout.tab');
 const PHONE = window.matchMedia('(max-width: 719px)');
 const TABLET = window.matchMedia('(max-width: 1099px)');
 const LARGE = window.matchMedia('(min-width: 1800px)');
@@ -39,19 +32,19 @@ export class Layout {
   constructor({ bar, choices, pinned, charts }, changed) {
     this.changed = changed;
     this.choices = choices;
-    this.tabs = new Tabs(WORDS.tabs, WORDS.titles, (name, again) => this.#chosen(name, again));
+    this.tabs = new Tabs(text('layout.tabs'), TITLES, (name, again) => this.#chosen(name, again));
     this.strip = make('div', { className: 'strip' });
     this.pinned = make('div', { className: 'pinned' }, ...pinned, this.strip);
     this.charts = make('div', { className: 'charts' }, ...charts);
     this.wide = make('div', { className: 'wide', hidden: true });
-    this.left = make('section', { className: 'dock left', ariaLabel: WORDS.left });
+    this.left = make('section', { className: 'dock left', ariaLabel: text('layout.left') });
     this.centre = make('main', { className: 'centre' }, this.pinned);
-    this.right = make('section', { className: 'dock right', ariaLabel: WORDS.right }, this.tabs.root);
+    this.right = make('section', { className: 'dock right', ariaLabel: text('layout.right') }, this.tabs.root);
     this.right.append(...this.tabs.panels);
     this.grips = ['left', 'right', 'sheet'].map((name) => this.#grip(/** @type {any} */ (name)));
     this.folders = {
-      left: this.#folder('left', WORDS.left, '◧'),
-      right: this.#folder('right', WORDS.right, '◨'),
+      left: this.#folder('left', text('layout.left'), '◧'),
+      right: this.#folder('right', text('layout.right'), '◨'),
     };
     bar.prepend(this.folders.left);
     bar.append(this.folders.right);
@@ -105,7 +98,7 @@ export class Layout {
   }
   /** @param {'left' | 'right' | 'sheet'} name */
   #grip(name) {
-    const label = { left: WORDS.widthOfLeft, right: WORDS.widthOfRight, sheet: WORDS.heightOfSheet }[name];
+    const label = text(`layout.size.${name}`);
     const size = () =>
       name === 'sheet' ? this.right.clientHeight : (name === 'left' ? this.left : this.right).clientWidth;
     const resize = (/** @type {number} */ wanted) => {

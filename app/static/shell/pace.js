@@ -1,14 +1,14 @@
 // How fast the clock runs: as a multiple of the usual pace, or as a share of real time.
-import { figures } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+import { grouped } from '../text/format.js';
 import { make } from './dom.js';
 
-const WORDS = { pace: 'Pace', usual: 'Of the usual pace', real: 'Of real time', whole: 'real time' };
 const MULTIPLES = [0.1, 0.25, 0.5, 1, 2, 4];
 const SLOWED = [1e6, 2e5, 1e5, 5e4, 2e4, 1e4, 5e3, 2e3, 1e3, 100, 10, 1]; // times
 
 /** @param {number} times */
 const slowed = (times) =>
-  times < 1.05 && times > 0.95 ? WORDS.whole : times > 1 ? `1/${Number(figures(times, 2)).toLocaleString('en')}` : '';
+  times < 1.05 && times > 0.95 ? text('pace.whole') : times > 1 ? `1/${grouped(Number(times.toPrecision(2)))}` : '';
 
 export class PaceMenu {
   speed = 1; // over the usual
@@ -20,17 +20,18 @@ export class PaceMenu {
     const option = (/** @type {string} */ value) => make('option', { value });
     this.multiples = MULTIPLES.map((times) => option(String(times)));
     const real = SLOWED.map((times) => make('option', { value: `1/${times}`, textContent: slowed(times) }));
-    this.root = make('select', { className: 'pace', ariaLabel: WORDS.pace, title: `${WORDS.pace} (< >)` });
-    this.root.append(make('optgroup', { label: WORDS.usual }, ...this.multiples));
-    this.root.append(make('optgroup', { label: WORDS.real }, ...real));
+    const pace = text('pace.title');
+    this.root = make('select', { className: 'pace', ariaLabel: pace, title: `${pace} (< >)` });
+    this.root.append(make('optgroup', { label: text('pace.usual') }, ...this.multiples));
+    this.root.append(make('optgroup', { label: text('pace.real') }, ...real));
     this.root.value = '1';
     this.root.onchange = () => this.#choose();
   }
   get value() {
     return this.root.value;
   }
-  set value(text) {
-    this.root.value = text;
+  set value(value) {
+    this.root.value = value;
     this.#choose();
   }
   #choose() {

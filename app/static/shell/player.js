@@ -1,20 +1,12 @@
 // The clock: play, step, jump from event to event, loop, pace. It runs in the browser alone; nothing is sent meanwhile.
+import { text } from '../text/catalogue.js';
+import { signed } from '../text/format.js';
 import { make } from './dom.js';
 import { PaceMenu } from './pace.js';
 
 /** @import { BeamFrame, Frame } from './message.js' */
 /** @import { Event } from './story.js' */
 
-const WORDS = {
-  play: 'Play',
-  pause: 'Pause',
-  previous: 'Previous event',
-  next: 'Next event',
-  back: 'Step back',
-  forward: 'Step forward',
-  loop: 'Loop what is in view',
-  time: 'Time',
-};
 const SECONDS_PER_TRIP = 3;
 const SECONDS_PER_BEAM = 24; // at normal speed
 const STEP = 1 / 250; // of what is in view
@@ -72,33 +64,33 @@ export class Player {
     this.moves = [
       this.#named(
         button('previous', '|◀', () => this.jump(-1)),
-        WORDS.previous,
+        text('player.previous'),
         '[',
       ),
       this.#named(
         button('back', '◂', () => this.step(-1)),
-        WORDS.back,
+        text('player.back'),
         ',',
       ),
       this.#named(
         button('forward', '▸', () => this.step(1)),
-        WORDS.forward,
+        text('player.forward'),
         '.',
       ),
       this.#named(
         button('next', '▶|', () => this.jump(1)),
-        WORDS.next,
+        text('player.next'),
         ']',
       ),
     ];
     this.scrub = make('input', { type: 'range', min: 0, max: 10000, step: 1, className: 'scrub' });
-    this.scrub.ariaLabel = WORDS.time;
+    this.scrub.ariaLabel = text('player.time');
     this.ticks = make('div', { className: 'ticks', ariaHidden: 'true' });
     this.pace = new PaceMenu(() => this.label());
     this.clock = make('output', { className: 'clock', ariaLive: 'off' });
     this.loops = this.#named(
       button('loop', '⟲', () => this.loop()),
-      WORDS.loop,
+      text('player.loop'),
       'L',
     );
     const track = make('div', { className: 'track' }, this.ticks, this.scrub);
@@ -145,8 +137,8 @@ export class Player {
   }
   label() {
     this.button.textContent = this.playing ? '❚❚' : '▶';
-    this.button.ariaLabel = this.playing ? WORDS.pause : WORDS.play;
-    this.button.title = `${this.button.ariaLabel} (space)`;
+    this.button.ariaLabel = this.playing ? text('player.pause') : text('player.play');
+    this.button.title = text('player.by-space', { name: this.button.ariaLabel });
     this.loops.ariaPressed = String(this.looping);
     if (this.trip) this.pace.load(this.usual * this.trip);
   }
@@ -285,8 +277,8 @@ export class Player {
     const real = now * this.trip;
     const size = Math.abs(real);
     const [factor, unit] = size < 1e-3 ? [1e6, 'µs'] : size < 1 ? [1e3, 'ms'] : [1, 's'];
-    const trips = !this.inTrips ? '' : `${this.t.toFixed(3)} T = `;
-    this.clock.textContent = `${trips}${(real * factor).toFixed(1).replace('-', '−')} ${unit}`;
+    const trips = !this.inTrips ? '' : `${signed(this.t)} T = `;
+    this.clock.textContent = `${trips}${signed(real * factor, 1)} ${unit}`;
     this.scrub.ariaValueText = this.clock.textContent;
     this.show(now);
   }

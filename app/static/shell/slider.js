@@ -34,7 +34,7 @@ export class Slider {
     this.range = make('input', { type: 'range', id, min: 0, max: STEPS, step: 1 });
     this.number = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
     this.number.autocomplete = 'off';
-    this.number.ariaLabel = `${title}, exact value`;
+    this.number.ariaLabel = text('controls.exact-value', { title });
     this.range.oninput = () => this.#moved(this.#toValue(Number(this.range.value)));
     this.range.onchange = () => (this.held = false);
     this.range.onkeydown = (event) => this.#key(event);

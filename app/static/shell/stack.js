@@ -1,11 +1,11 @@
 // Charts one below the other on one axis of time, all in view: each can be folded to its head, and where there is no
 // room for all, the last are.
+import { text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Chart } from '../charts/chart.js' */
 
-const WORDS = { fold: 'Fold', unfold: 'Unfold' };
 const LEAST = 148; // pixels that an open chart needs, its head included
 const HEAD = 30; // of a folded one
 
@@ -59,7 +59,7 @@ export class Stack {
       if (button.ariaExpanded === String(open)) return;
       chart.root.classList.toggle('folded', !open);
       button.ariaExpanded = String(open);
-      button.ariaLabel = `${open ? WORDS.fold : WORDS.unfold}: ${chart.title.textContent}`;
+      button.ariaLabel = text('layout.fold', { open, title: chart.title.textContent });
       button.textContent = open ? '▾' : '▸';
     });
   }

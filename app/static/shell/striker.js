@@ -1,10 +1,10 @@
 // The striker in the picture can be taken hold of: pulled back it strikes faster, dragged larger it weighs more.
 import { COLORS } from '../charts/styles.js';
+import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 
 /** @import { Page } from '../page.js' */
 
-const WORDS = { pull: 'pull back: faster', size: 'drag: mass' };
 const DOUBLE = 70; // pixels of pulling that double the speed
 const POWER = 6; // of the drawn size, which the mass follows: see the stages
 const CORNER = 11; // pixels about the corner that sets the size
@@ -134,7 +134,12 @@ export class Striker {
     c.stroke();
     if (this.over !== 'mass') return;
     const ratio = figures(Number(this.page.model.mass_ratio));
-    this.#say(c, `m₂/m₁ = ${ratio}${this.held ? '' : ` · ${WORDS.size}`}`, Math.max(x - 6, 8), Math.max(y - 10, 12));
+    this.#say(
+      c,
+      `m₂/m₁ = ${ratio}${this.held ? '' : ` · ${text('player.drag')}`}`,
+      Math.max(x - 6, 8),
+      Math.max(y - 10, 12),
+    );
   }
   /**
    * @param {CanvasRenderingContext2D} c
@@ -155,25 +160,25 @@ export class Striker {
     c.lineTo(toX - 5 * down, toY + 5 * across);
     c.lineTo(toX + 5 * down, toY - 5 * across);
     c.fill();
-    const speed = `${figures(Number(this.page.model.speed))} m/s${this.held ? '' : ` · ${WORDS.pull}`}`;
+    const speed = `${figures(Number(this.page.model.speed))} m/s${this.held ? '' : ` · ${text('player.pull')}`}`;
     if (lying) this.#say(c, speed, Math.max(x - 0.5 * width, 8), Math.max(fromY - 8, 12));
     else this.#say(c, speed, x - 0.5 * width - 8, y, 'right');
   }
   /**
    * @param {CanvasRenderingContext2D} c
-   * @param {string} text
+   * @param {string} words
    * @param {number} x
    * @param {number} y
    * @param {CanvasTextAlign} align
    */
-  #say(c, text, x, y, align = 'left') {
+  #say(c, words, x, y, align = 'left') {
     c.font = 'bold 12px system-ui, sans-serif';
     c.textAlign = align;
     c.textBaseline = 'alphabetic';
     c.lineWidth = 3;
     c.strokeStyle = '#fff';
-    c.strokeText(text, x, y);
+    c.strokeText(words, x, y);
     c.fillStyle = COLORS.waves;
-    c.fillText(text, x, y);
+    c.fillText(words, x, y);
   }
 }

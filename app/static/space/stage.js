@@ -4,6 +4,7 @@ import { cleared } from '../charts/canvas.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, head, label, measure, stopAt } from './arrows.js';
 import { poseAt } from './pose.js';
@@ -55,8 +56,7 @@ export class BodiesStage {
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
 
   constructor() {
-    const ariaLabel = 'two bodies before and after an impulse, with velocities and spins';
-    this.canvas = make('canvas', { role: 'img', ariaLabel });
+    this.canvas = make('canvas', { role: 'img', ariaLabel: text('space.about') });
     this.canvas.style.cssText = 'width:100%;height:100%;display:block';
     this.root = make('section', { className: 'stage bodies' }, this.canvas);
   }
@@ -377,8 +377,8 @@ export class BodiesStage {
     measure(c, width - 16, height - 14, bar * this.scale, `${brief(bar)} m`);
     c.textAlign = 'left';
     c.textBaseline = 'top';
-    const when = `${brief(t * frame.duration * 1e3)} ms ${t < 0 ? 'before' : 'after'} the impact`;
-    c.fillText(when.replace('−', ''), 12, 10);
+    const time = `${brief(Math.abs(t) * frame.duration * 1e3)} ms`;
+    c.fillText(text('space.when', { before: t < 0, time }), 12, 10);
     /** @type {Point} */
     const origin = [34, height - 34];
     ['x', 'y', 'z'].forEach((axis, i) => {

@@ -34,16 +34,12 @@ export class SpaceStory {
   /** @param {SpaceFrame} frame */
   load(frame) {
     const { figures, impulse, notes, source, title } = frame;
-    this.units.textContent =
-      impulse > 0
-        ? 'The bodies touch in one point and press on each other along the normal, without friction, in no time at ' +
-          `all. The impulse is ${pretty(impulse)} N s.`
-        : 'The bodies move apart: no impulse.';
+    this.units.textContent = impulse > 0 ? text('space.touch', { impulse: pretty(impulse) }) : text('space.move-apart');
     this.events.load([[0, this.units.textContent]]);
-    const rows = figures.map(([name, value, unit]) => rowOf([name, written(value), unit]));
+    const rows = figures.map(([name, value, unit]) => rowOf([text(`space.row.${name}`), written(value), unit]));
     this.figures.replaceChildren(make('tbody', {}, ...rows));
     this.warnings.load(notes.map(said));
-    this.trust.textContent = [`${title}. Source: ${source}.`, noteOf(frame)].filter(Boolean).join(' ');
+    this.trust.textContent = [text('story.source', { title, source }), noteOf(frame)].filter(Boolean).join(' ');
   }
   /** @param {number} t */
   at(t) {

@@ -1,6 +1,6 @@
 // Sentences by code, from the catalogue that the server makes of solvers/text and app/text; their syntax is told in
 // solvers/text/messages.py.
-import { powered, raised, share, shortTime } from './format.js';
+import { engineering, localised, powered, raised, share } from './format.js';
 
 /** @typedef {{ code: string, severity: string, values: Record<string, any> }} Note */
 /** @typedef {{ name: string, modes?: number, theory?: string, contact?: string }} Parts  of a model */
@@ -11,7 +11,6 @@ import { powered, raised, share, shortTime } from './format.js';
 /** @type {{ language: string, texts: Record<string, string> }} */
 const { language, texts } = /** @type {any} */ (globalThis).strikewaveTexts;
 const PLURALS = new Intl.PluralRules(language);
-const DECIMAL = new Intl.NumberFormat(language).formatToParts(0.5).find(({ type }) => type === 'decimal')?.value ?? '.';
 const OPENING = /\{(@?[\w.-]+)(?:\}|:([^{}]+)\}|, (plural|select), )/y;
 const OPTION = /\s*(=\d+|[\w.-]+)\s*\{/y;
 
@@ -111,13 +110,15 @@ function scientific(size, places, trimmed) {
 
 /** @type {Record<string, (value: any) => string>} */
 const FORMATS = {
-  time: (seconds) => shortTime(seconds),
-  percent: (part) => `${numeral(Number((100 * part).toPrecision(2)), 'g')} %`,
-  rough: (value) => numeral(Number(value.toPrecision(1)), 'g'),
+  time: (seconds) => engineering(seconds, 's'),
+  length: (metres) => engineering(metres, 'm'),
+  force: (newtons) => engineering(newtons, 'N'),
+  percent: (part) => `${localised(numeral(Number((100 * part).toPrecision(2)), 'g'))} %`,
+  rough: (value) => localised(numeral(Number(value.toPrecision(1)), 'g')),
   method: (label) => described(label),
   model: (parts) => modelled(parts),
   figures: (names) => names.map((/** @type {string} */ name) => named('figure', name)).join(', ') || text('nothing'),
-  error: (error) => share(error),
+  error: (error) => (error === 0 ? text('nothing') : share(error)),
   integrators: (names) => names.map((/** @type {string} */ name) => named('integrator', name)).join(', '),
   list: (words) => words.join(', '),
   options: (words) => words.join(', '),
@@ -136,7 +137,7 @@ function written(value, format) {
   if (format in FORMATS) return FORMATS[format](value);
   if (typeof value !== 'number') return String(value);
   const plain = format ? numeral(value, format) : powered(String(value)).replace('-', '−');
-  return DECIMAL === '.' ? plain : plain.replace('.', DECIMAL);
+  return localised(plain);
 }
 
 /**

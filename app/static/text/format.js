@@ -1,10 +1,26 @@
 // Numbers as the page writes them: a true minus sign, as many digits as are meant, units of a handy size.
 
+/** @type {{ language: string }} */
+const { language } = /** @type {any} */ (globalThis).strikewaveTexts;
+const DECIMAL = new Intl.NumberFormat(language).formatToParts(0.5).find(({ type }) => type === 'decimal')?.value ?? '.';
+
+/**
+ * A number as JavaScript writes it, with the decimal sign of the language.
+ * @param {string} number
+ */
+export const localised = (number) => (DECIMAL === '.' ? number : number.replace('.', DECIMAL));
+
+/**
+ * Thousands apart.
+ * @param {number} value
+ */
+export const grouped = (value) => value.toLocaleString(language);
+
 /** @type {Record<number, Intl.NumberFormat>} */
 const FORMATS = {}; // made once for each number of digits: to make one takes longer than to use it
 /** @param {number} digits */
 const formatOf = (digits) =>
-  (FORMATS[digits] ??= new Intl.NumberFormat('en', { maximumSignificantDigits: digits, useGrouping: false }));
+  (FORMATS[digits] ??= new Intl.NumberFormat(language, { maximumSignificantDigits: digits, useGrouping: false }));
 
 /**
  * So many significant digits; what is smaller than 1e-12 is nought.
@@ -21,11 +37,13 @@ export function pretty(value) {
   if (value === 0) return '0';
   const size = Math.abs(value);
   if (size >= 1e5 || size < 1e-3)
-    return value
-      .toExponential(2)
-      .replace(/\.?0+e/, 'e')
-      .replace('e+', 'e');
-  return String(Number(value.toPrecision(4)));
+    return localised(
+      value
+        .toExponential(2)
+        .replace(/\.?0+e/, 'e')
+        .replace('e+', 'e'),
+    );
+  return localised(String(Number(value.toPrecision(4))));
 }
 
 /**
@@ -35,7 +53,7 @@ export function pretty(value) {
 export const brief = (value) => {
   const size = Math.abs(value);
   const plain = value === 0 || (size < 1e5 && size >= 1e-3);
-  return (plain ? String(Number(value.toPrecision(3))) : value.toExponential(2)).replace('-', '−');
+  return localised(plain ? String(Number(value.toPrecision(3))) : value.toExponential(2)).replace('-', '−');
 };
 
 /**
@@ -43,22 +61,17 @@ export const brief = (value) => {
  * @param {number} value
  */
 export const signed = (value, digits = 3) =>
-  `${value < 0 && Number(value.toFixed(digits)) !== 0 ? '−' : ''}${Math.abs(value).toFixed(digits)}`;
+  `${value < 0 && Number(value.toFixed(digits)) !== 0 ? '−' : ''}${localised(Math.abs(value).toFixed(digits))}`;
 
-/**
- * @param {number} n
- * @param {string} word
- */
-export const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
-/** @param {number} share */
-export const percent = (share) => `${(100 * share).toFixed(Math.abs(share) < 0.0995 ? 2 : 1)} %`;
+/** @param {number} part */
+export const percent = (part) => `${localised((100 * part).toFixed(Math.abs(part) < 0.0995 ? 2 : 1))} %`;
 
 /**
  * An error as a share of what is right.
  * @param {number} error
  */
 export const share = (error) =>
-  error === 0 ? 'nothing' : error < 5e-8 ? '< 10⁻⁵ %' : error > 10 ? '> 1000 %' : `${figures(100 * error, 2)} %`;
+  error === 0 ? '0 %' : error < 5e-8 ? '< 10⁻⁵ %' : error > 10 ? '> 1000 %' : `${figures(100 * error, 2)} %`;
 
 const DIGITS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 /** @param {number} power */
@@ -69,7 +82,7 @@ export const raised = (power) =>
  * @param {number} power
  */
 export const decade = (power) =>
-  power >= -3 && power <= 3 ? String(Number((10 ** power).toPrecision(1))) : `10${raised(power)}`;
+  power >= -3 && power <= 3 ? localised(String(Number((10 ** power).toPrecision(1)))) : `10${raised(power)}`;
 /**
  * A share as a percentage, 10^-2 as "1 %".
  * @param {number} power
@@ -107,28 +120,24 @@ export function scaled(size, unit) {
   return [factor, `${prefix}${unit}`];
 }
 
+const PREFIXES = ['n', 'µ', 'm', '', 'k', 'M', 'G'];
+
 /**
- * A time [ms], a speed [m/s] and a length [m] in words.
- * @param {number} ms
+ * A value in SI units with the prefix that suits it: 100 µs rather than 0.0001 s. As in solvers/text/messages.py.
+ * @param {number} value
+ * @param {string} unit
  */
-export const duration = (ms) =>
-  ms === 0
-    ? 'no time'
-    : Math.abs(ms) < 0.9995
-      ? `${figures(ms * 1e3)} µs`
-      : Math.abs(ms) < 999.5
-        ? `${figures(ms)} ms`
-        : `${figures(ms / 1e3)} s`;
+export function engineering(value, unit) {
+  const rounded = Number(value.toPrecision(3));
+  if (!rounded) return `0 ${unit}`;
+  const power = Number(rounded.toExponential().split('e')[1]);
+  const step = Math.min(Math.max(Math.floor(power / 3), -3), 3);
+  return `${figures(rounded / 1000 ** step)} ${PREFIXES[step + 3]}${unit}`;
+}
+
+/** @param {number} ms */
+export const duration = (ms) => engineering(ms / 1e3, 's');
 /** @param {number} v */
 export const speed = (v) => `${figures(v)} m/s`;
 /** @param {number} m */
-export const length = (m) => (Math.abs(m) < 1e-3 ? `${figures(m * 1e6)} µm` : `${figures(m * 1e3)} mm`);
-
-/**
- * A time below a second [s] with the unit that suits it.
- * @param {number} value
- */
-export function shortTime(value) {
-  const [times, unit] = value < 1e-6 ? [1e9, 'ns'] : value < 1e-3 ? [1e6, 'µs'] : value < 1 ? [1e3, 'ms'] : [1, 's'];
-  return `${Number((times * value).toPrecision(3))} ${unit}`;
-}
+export const length = (m) => engineering(m, 'm');

@@ -13,6 +13,7 @@ import solvers
 from app.choices.space import equivalent_box, struck_at, struck_place
 from app.messages.encoding import read_header
 from app.messages.space import bodies_frame
+from app.text.catalogues import script
 from solvers import SceneError
 from tests.app.messages.test_axial import arrays
 
@@ -62,9 +63,9 @@ def test_the_movement_is_that_of_the_solution():
     impactor = found["impactorPath"]
     assert impactor[0] == approx([3.0 * duration, 0.0, 0.0], rel=1e-6)
     figures = {name: value for name, value, _ in header["figures"]}
-    assert figures["effective mass"] == solution.effective_mass
-    assert figures["target spin after"] == list(solution.target_spin)
-    assert figures["energy lost"] == solution.energy["dissipated"]
+    assert figures["effective-mass"] == solution.effective_mass
+    assert figures["target-spin-after"] == list(solution.target_spin)
+    assert figures["energy-lost"] == solution.energy["dissipated"]
 
 
 def test_the_equivalent_box_of_a_brick_is_the_brick():
@@ -104,7 +105,8 @@ def test_point_masses_have_no_length():
         struck_at(MEETINGS["points"], 0.5)
 
 
-STAGE = """<!doctype html><div id="place" style="width:600px;height:400px"></div><script type="module">
+STAGE = """<!doctype html><div id="place" style="width:600px;height:400px"></div><script src="texts.js"></script>
+<script type="module">
 import { BodiesStage } from './space/stage.js';
 import { decode } from './shell/message.js';
 window.stage = new BodiesStage();
@@ -132,8 +134,11 @@ def stage(browser):
 
     def served(route):
         name = route.request.url.removeprefix("http://stage.test/")
-        body, kind = (STAGE, "text/html") if not name else ((STATIC / name).read_text(), "text/javascript")
-        route.fulfill(body=body, content_type=kind)
+        if not name:
+            route.fulfill(body=STAGE, content_type="text/html")
+            return
+        body = script() if name == "texts.js" else (STATIC / name).read_text()
+        route.fulfill(body=body, content_type="text/javascript")
 
     tab.route("http://stage.test/**", served)
     tab.goto("http://stage.test/")
