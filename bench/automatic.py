@@ -15,7 +15,7 @@ from scipy.optimize import nnls
 import solvers
 from solvers import Auto
 from solvers.accuracy.cost_model import STORED, kinds, work_size
-from solvers.accuracy.quantities import Truth
+from solvers.accuracy.quantities import Reference
 from solvers.accuracy.refinement import ladders
 from solvers.provenance import machine
 
@@ -27,16 +27,16 @@ SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 100, 60, 24
 LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
-ELEMENTS, FINER, MOST_STEPS = 400, 8, 400_000  # of the truth on beams; times the steps of half the elements
+ELEMENTS, FINER, MOST_STEPS = 400, 8, 400_000  # of the reference on beams; times the steps of half the elements
 EXACT = 1e-9  # errors below it are as good as none, estimated or true
 WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 
 
 def measure() -> dict[str, object]:
     """Run `python -m bench.automatic` before, if a method has become quicker or slower: it renews costs.json."""
-    found = judge("all methods", _scenes(FIRST, SCENES), None)
-    found |= judge("without waves", _scenes(OTHER_FIRST, OTHER_SCENES), WITHOUT_WAVES)
-    return found | judge("beams", _scenes(BEAM_FIRST, BEAM_SCENES, beams=1.0), None)
+    found = rate("all methods", _scenes(FIRST, SCENES), None)
+    found |= rate("without waves", _scenes(OTHER_FIRST, OTHER_SCENES), WITHOUT_WAVES)
+    return found | rate("beams", _scenes(BEAM_FIRST, BEAM_SCENES, beams=1.0), None)
 
 
 def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scene]:
@@ -49,10 +49,10 @@ def fit_costs() -> dict[str, object]:
     for number in range(COST_SCENES):
         scene = random_scene(np.random.default_rng(5000 + number), beams=0.3)
         for ladder in ladders(scene):
-            for rung in ladder.rungs:
-                taken, solution = _timed(rung.without_estimate(), scene)
-                for kind in kinds(rung.table(), scene.contact):
-                    rows.setdefault(kind, []).append((taken, solution.diagnostics["steps"], work_size(rung.table())))
+            for level in ladder.levels:
+                taken, solution = _timed(level.without_estimate(), scene)
+                for kind in kinds(level.table(), scene.contact):
+                    rows.setdefault(kind, []).append((taken, solution.diagnostics["steps"], work_size(level.table())))
                 if taken > LONGEST / 4.0:
                     break
     constants, within = {}, []
@@ -78,28 +78,28 @@ def _timed(method: solvers.Method, scene: solvers.Scene) -> tuple[float, solvers
     return min(times), solution
 
 
-def judge(what: str, scenes: Iterable[solvers.Scene], among: tuple[str, ...] | None) -> dict[str, object]:
+def rate(what: str, scenes: Iterable[solvers.Scene], among: tuple[str, ...] | None) -> dict[str, object]:
     """How often the true error is within the tolerance, and the estimate near the true error.
 
     Of those that say that they keep to it, and of all: what misses, or says no more than that it cannot, counts there.
     """
-    verdicts = [verdict for verdict in (_verdict(*each, among) for each in enumerate(scenes)) if verdict is not None]
-    met = [verdict for verdict in verdicts if verdict.met]
-    for verdict in verdicts:
-        if verdict.wrong:
-            print(f"    {what}, number {verdict.number}: {verdict}")
-    near = [verdict for verdict in verdicts if verdict.near is not None]
-    searches = np.array([verdict.times for verdict in verdicts])
+    outcomes = [outcome for outcome in (_outcome(*each, among) for each in enumerate(scenes)) if outcome is not None]
+    met = [outcome for outcome in outcomes if outcome.met]
+    for outcome in outcomes:
+        if outcome.wrong:
+            print(f"    {what}, number {outcome.number}: {outcome}")
+    near = [outcome for outcome in outcomes if outcome.near is not None]
+    searches = np.array([outcome.times for outcome in outcomes])
     times, shares = searches[:, 0], searches[:, :1] / searches[:, 1:]
     return dict(
         [
-            row(f"{what}: scenes", len(verdicts), ""),
-            row(f"{what}: says that the tolerance is met", _share([v.met for v in verdicts]), "%"),
+            row(f"{what}: scenes", len(outcomes), ""),
+            row(f"{what}: says that the tolerance is met", _share([v.met for v in outcomes]), "%"),
             row(f"{what}: then true error within the tolerance", _share([v.kept for v in met]), "%", ">= 95"),
             row(f"{what}: then estimate within a factor 3", _share([v.near for v in met]), "%", ">= 90"),
-            row(f"{what}: true error within the tolerance, of all", _share([v.kept for v in verdicts]), "%", ">= 95"),
-            row(f"{what}: estimate within a factor 3, of all", _share([v.near for v in verdicts]), "%", ">= 90"),
-            row(f"{what}: judged, of all: tolerance", sum(v.kept is not None for v in verdicts), ""),
+            row(f"{what}: true error within the tolerance, of all", _share([v.kept for v in outcomes]), "%", ">= 95"),
+            row(f"{what}: estimate within a factor 3, of all", _share([v.near for v in outcomes]), "%", ">= 90"),
+            row(f"{what}: judged, of all: tolerance", sum(v.kept is not None for v in outcomes), ""),
             row(f"{what}: judged, of all: estimate", len(near), ""),
             row(f"{what}: of these both below 1e-9", _share([v.trivial for v in near]), "%"),
             row(f"{what}: whole search, median", 1e3 * float(np.median(times)), "ms"),
@@ -113,8 +113,8 @@ def judge(what: str, scenes: Iterable[solvers.Scene], among: tuple[str, ...] | N
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """On one scene. None: not known, as the truth is not known well enough, or no such thing has been claimed."""
+class Outcome:
+    """On one scene. None: not known, as the reference is not known well enough, or no such thing has been claimed."""
 
     number: int
     asked: str
@@ -134,51 +134,51 @@ class Verdict:
         return max(self.true, self.estimated) <= EXACT
 
 
-def _verdict(number: int, scene: solvers.Scene, among: tuple[str, ...] | None) -> Verdict | None:
+def _outcome(number: int, scene: solvers.Scene, among: tuple[str, ...] | None) -> Outcome | None:
     quantity = QUANTITIES[number // len(TOLERANCES) % len(QUANTITIES)]
-    wish = Auto(TOLERANCES[number % len(TOLERANCES)], quantity, None, among)
-    if wish.refusal(scene) is not None:
+    auto = Auto(TOLERANCES[number % len(TOLERANCES)], quantity, None, among)
+    if auto.refusal(scene) is not None:
         return None
-    wish.solve(scene)  # compiled
+    auto.solve(scene)  # compiled
     begun = thread_time()
-    solution = wish.solve(scene)
+    solution = auto.solve(scene)
     spent = thread_time() - begun
-    chosen, truth = solution.diagnostics["chosen"], exact(scene)
+    chosen, reference = solution.diagnostics["chosen"], exact(scene)
     costliest = max(chosen["tried"], key=lambda row: row["cost"])["method"]
     times = tuple(_timed(_named(method), scene)[0] for method in (solution.method, costliest))
-    estimated, (true, doubt) = chosen["estimated_error"], truth.judge(solution, quantity)
+    estimated, (true, uncertainty) = chosen["estimated_error"], reference.true_error(solution, quantity)
     kept = near = None
-    if true is not None and abs(true - wish.tolerance) > doubt:
-        kept = true <= wish.tolerance
-    if true is not None and estimated is not None and 10.0 * doubt <= max(true, EXACT):
+    if true is not None and abs(true - auto.tolerance) > uncertainty:
+        kept = true <= auto.tolerance
+    if true is not None and estimated is not None and 10.0 * uncertainty <= max(true, EXACT):
         near = 1.0 / 3.0 <= max(estimated, EXACT) / max(true, EXACT) <= 3.0
-    asked = f"{quantity} to {wish.tolerance:g}, {scene.contact.NAME}, {solution.method}"
-    return Verdict(number, asked, bool(chosen["met"]), kept, near, estimated, true, (spent, *times))
+    asked = f"{quantity} to {auto.tolerance:g}, {scene.contact.NAME}, {solution.method}"
+    return Outcome(number, asked, bool(chosen["met"]), kept, near, estimated, true, (spent, *times))
 
 
 def _named(table: dict[str, object]) -> solvers.Method:
     return solvers.read_method({key: value for key, value in table.items() if value is not None})[0].without_estimate()
 
 
-def _share(told: Iterable[bool | None]) -> float:
+def _share(flags: Iterable[bool | None]) -> float:
     """Of those that are known [%]."""
-    known = [one for one in told if one is not None]
+    known = [one for one in flags if one is not None]
     return 100.0 * float(np.mean(known)) if known else float("nan")
 
 
 class Exact:
-    """The truth of a scene and how uncertain it is."""
+    """The reference of a scene and how uncertain it is."""
 
     def __init__(self, finest: solvers.Solution, second: solvers.Solution | None):
-        self.truth, self.second = Truth.of(finest), second
+        self.reference, self.second = Reference.of(finest), second
 
-    def judge(self, solution: solvers.Solution, quantity: str) -> tuple[float | None, float]:
-        """True error, None if there is no such thing; and by how much the truth may be wrong."""
-        doubt = 0.0 if self.second is None else self._error(self.second, quantity)
-        return self._error(solution, quantity), np.inf if doubt is None else doubt
+    def true_error(self, solution: solvers.Solution, quantity: str) -> tuple[float | None, float]:
+        """True error, None if there is no such thing; and by how much the reference may be wrong."""
+        uncertainty = 0.0 if self.second is None else self._error(self.second, quantity)
+        return self._error(solution, quantity), np.inf if uncertainty is None else uncertainty
 
     def _error(self, solution: solvers.Solution, quantity: str) -> float | None:
-        error = self.truth.errors(Truth.of(solution).answer)[quantity]
+        error = self.reference.errors(Reference.of(solution).metrics)[quantity]
         return None if error is None else abs(error)
 
 

@@ -10,7 +10,7 @@ from solvers import FeNodal, Modal, Scene, Waves
 
 from .timing import processor_times, row
 
-UPPER = 3  # rungs of a ladder by which its exponent is fitted: below, what every solve costs still shows
+UPPER = 3  # levels of a ladder by which its exponent is fitted: below, what every solve costs still shows
 TARGET = "1.0 +- 0.15"
 HERTZ = {"law": "hertz", "stiffness": 1e10}
 ROD = {"length": 0.3, "section": {"width": 0.03, "height": 0.03}, "material": "steel"}
@@ -32,7 +32,7 @@ def chain(rods: int) -> Scene:
 
 
 def ladders() -> dict[str, tuple[str, Sequence[int], Callable[[int], object]]]:
-    """Of each kind of work: its unit, the rungs, and the solve on a rung."""
+    """Of each kind of work: its unit, the levels, and the solve on a level."""
     scene = solvers.load("fixed-rod")
     soft, duration = scene.replace({"contact": HERTZ}), 3.0 * scene.target.round_trip_time
     quick = {"estimate": False}  # which would be a second solve, of half the size
@@ -67,10 +67,10 @@ def ladders() -> dict[str, tuple[str, Sequence[int], Callable[[int], object]]]:
 
 def measure() -> dict[str, object]:
     rows = []
-    for name, (unit, rungs, solve) in ladders().items():
-        times = processor_times([partial(solve, n) for n in rungs])
-        rows += [row(f"{name}: {n}", 1e3 * spent, "ms") for n, spent in zip(rungs, times, strict=True)]
-        rows += _fitted(name, unit, np.array(rungs, float), np.array(times), TARGET)
+    for name, (unit, levels, solve) in ladders().items():
+        times = processor_times([partial(solve, n) for n in levels])
+        rows += [row(f"{name}: {n}", 1e3 * spent, "ms") for n, spent in zip(levels, times, strict=True)]
+        rows += _fitted(name, unit, np.array(levels, float), np.array(times), TARGET)
     return dict(rows + _chains())
 
 

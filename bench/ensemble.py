@@ -1,4 +1,4 @@
-"""How far to trust a blow: an ensemble of 200 runs, and where its time goes."""
+"""How far to trust an impact: an ensemble of 200 runs, and where its time goes."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ def measure() -> dict[str, object]:
     record = again(base.motion, scene)[1]
     turn = np.ones(MODES), np.zeros(MODES)
     whole = median(lambda: ensemble(scene, method, runs=RUNS), 5)
-    floor, kernel, told = processor_times(
+    floor, kernel, reporting = processor_times(
         [
             lambda: bare_rotation(*turn, np.ones(MODES), np.zeros(MODES), STEPS),
             lambda: again(base.motion, scene, record),
@@ -32,7 +32,7 @@ def measure() -> dict[str, object]:
             row("one of its runs: bare rotation of the oscillators", 1e3 * floor, "ms", "the floor"),
             row("one of its runs: the kernel", 1e3 * kernel, "ms"),
             row("one of its runs: times the floor", kernel / floor, "x", "<= 2.5"),
-            row("one of its runs: telling its contacts", 1e3 * (told - kernel), "ms"),
+            row("one of its runs: telling its contacts", 1e3 * (reporting - kernel), "ms"),
             row("ensemble of 200 exact solves, fixed rod", median(lambda: ensemble(rigid, runs=RUNS), 5), "s"),
         ]
     )

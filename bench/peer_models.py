@@ -1,4 +1,4 @@
-"""The same blow in the hands of other programs: each prepared as its own documentation says, then run at will.
+"""The same impact in the hands of other programs: each prepared as its own documentation says, then run at will.
 
 Every `prepare` takes the problem and a number of elements and gives a run without arguments; a run gives a `Record`.
 """

@@ -1,4 +1,4 @@
-"""Time at equal error: what a user would otherwise take, beside our own methods, on one blow.
+"""Time at equal error: what a user would otherwise take, beside our own methods, on one impact.
 
 Steel rod fixed at one end, struck by its own mass (scene fixed-rod, rigid contact): two contacts, the second one 0.04 T
 long. A peer that knows no rigid contact presses on a penalty spring as stiff as the neighbouring element, E A over the

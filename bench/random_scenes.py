@@ -1,4 +1,4 @@
-"""Random blows of all kinds, the same for the same seed."""
+"""Random impacts of all kinds, the same for the same seed."""
 
 import math
 

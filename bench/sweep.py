@@ -16,7 +16,7 @@ PER_TRIP, LIMIT = 128, 64 * 128  # 52 round trips are needed at 1/1000
 
 @kernel
 def stepped(ratios):
-    """Contacts and rebound of every blow by steps."""
+    """Contacts and rebound of every impact by steps."""
     count, rebound = np.zeros(ratios.size, np.int64), np.zeros(ratios.size)
     for i in range(ratios.size):
         contacts = stepped_waves.strike(ratios[i], 1.0, PER_TRIP, LIMIT, False, 16)[4]

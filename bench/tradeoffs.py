@@ -1,4 +1,4 @@
-"""Trade-offs of the shipped scenes, stored with the library: one for each blow, however many scenes show it.
+"""Trade-offs of the shipped scenes, stored with the library: one for each impact, however many scenes show it.
 
 All that are not stored yet for this machine and state of the library:  python -m bench --only tradeoffs
 Of some scenes, whatever is stored:                                      python -m bench.tradeoffs NAME ...
@@ -22,11 +22,11 @@ SECONDS = 12.0  # of one scene, compiled
 
 
 def measure(names: Sequence[str] = (), folder: Path = SHIPPED) -> dict[str, object]:
-    """Every blow not stored yet, or those of the scenes named; what is stored of no scene any more is deleted."""
+    """Every impact not stored yet, or those of the scenes named; what is stored of no scene any more is deleted."""
     folder.mkdir(exist_ok=True)
-    blows = blows_of(names or solvers.scene_names())
+    impacts = impacts_of(names or solvers.scene_names())
     firsts, kept = [], set()
-    for scene, called in blows.values():
+    for scene, called in impacts.values():
         path = folder / f"{scene_key(scene)}.json"
         if not ladders(scene):
             reasons = "; ".join(f"'{name}': {reason}" for name, reason in refusals(scene).items())
@@ -38,10 +38,10 @@ def measure(names: Sequence[str] = (), folder: Path = SHIPPED) -> dict[str, obje
     if not names:
         for path in set(folder.glob("*.json")) - kept:
             path.unlink()
-    return _figures(sorted(kept), sum(len(called) for _, called in blows.values()), firsts)
+    return _figures(sorted(kept), sum(len(called) for _, called in impacts.values()), firsts)
 
 
-def blows_of(names: Sequence[str]) -> dict[str, tuple[solvers.Scene, list[str]]]:
+def impacts_of(names: Sequence[str]) -> dict[str, tuple[solvers.Scene, list[str]]]:
     """By key, one scene of all in which the same happens, and their names."""
     found: dict[str, tuple[solvers.Scene, list[str]]] = {}
     for name in names:
@@ -62,7 +62,7 @@ def already_stored(path: Path) -> bool:
 def _store(scene: solvers.Scene, called: Sequence[str], path: Path) -> float:
     """Measure and write; time to the first point [s]."""
     for ladder in ladders(scene):
-        ladder.rungs[0].solve(scene)  # compiled
+        ladder.levels[0].solve(scene)  # compiled
     seen: list[float] = []
     table = solvers.tradeoff(scene, fresh=True, seconds=SECONDS, progress=lambda known: seen.append(known.seconds))
     text = json.dumps(pack(table.table()), allow_nan=False, separators=(",", ":")) + "\n"

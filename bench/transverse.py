@@ -18,7 +18,7 @@ def measure() -> dict[str, object]:
 
 
 def _kernel() -> list:
-    """The whole blow of thesis 8.4, several contacts and flights between them, in one march."""
+    """The whole impact of thesis 8.4, several contacts and flights between them, in one march."""
     rows = []
     for law in ("plastic-linear", "plastic-power", "hertz"):
         scene = solvers.load("figure-8.21").replace({"contact.law": law})

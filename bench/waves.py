@@ -16,7 +16,7 @@ def measure() -> dict[str, object]:
     exact = solvers.solve(solvers.load("fixed-rod"))
     rows = [
         row(
-            "event-exact kernel, whole blow",
+            "event-exact kernel, whole impact",
             1e6 * median(lambda: rigid_waves.strike(1.0, 1.0, 3.0, 400, 40, 400), 200),
             "us",
         )

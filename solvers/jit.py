@@ -125,7 +125,7 @@ class _KernelFile(caching.IndexDataCacheFile):
         try:
             super().save(key, data)
         except OSError as error:
-            self._tell("kernels that are compiled cannot be kept (%s)", error.strerror)
+            self._warn("kernels that are compiled cannot be kept (%s)", error.strerror)
 
     def _load_data(self, name: str) -> Any:
         content = Path(self._data_path(name)).read_bytes()
@@ -140,11 +140,11 @@ class _KernelFile(caching.IndexDataCacheFile):
             file.write(sha256(dumped).digest() + dumped)
 
     def _put_aside(self, error: Exception) -> None:
-        self._tell("damaged kernels in %s are put aside and compiled again", self._cache_path)
+        self._warn("damaged kernels in %s are put aside and compiled again", self._cache_path)
         with suppress(OSError):
             os.replace(self._index_path, f"{self._index_path}.damaged")
 
-    def _tell(self, sentence: str, *values: object) -> None:
+    def _warn(self, sentence: str, *values: object) -> None:
         if sentence not in self._told:
             self._told.add(sentence)
             log.warning(sentence, *values)
@@ -182,7 +182,7 @@ def compiled_only() -> Iterator[None]:
 
 
 class _Refusal(event.Listener):
-    """Told by Numba of every kernel that it is about to compile."""
+    """Called by Numba for every kernel that it is about to compile."""
 
     def on_start(self, compilation):
         if getattr(_thread, "only_compiled", False):

@@ -28,7 +28,7 @@ from .contact.protocol import Law
 from .numerics.rigid import impulses
 from .validation import SceneError
 
-LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles tell nothing
+LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
 
 
@@ -37,7 +37,7 @@ class Scene:
     """An impactor about to touch a target at rest at time zero.
 
     `contact` is a contact law with its constants in SI units; `method` holds the table `[method]` as given, which says
-    how the scene is solved unless the caller says otherwise; `note` tells the reader what is seen and what was printed.
+    how the scene is solved unless the caller says otherwise; `note` says what is seen and what was printed.
     """
 
     impactor: AnyBody
@@ -108,7 +108,7 @@ class Scene:
         """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
         contact: dict[str, Any] = {"law": self.contact.NAME} | self.contact.table(self.speed)
         for name in {"restitution", "nominal_restitution"} & set(self.given.get("contact", ())):
-            del contact["damping"]  # as given: it says more, and stays with the blow when its speed is changed
+            del contact["damping"]  # as given: it says more, and stays with the impact when its speed is changed
             contact[name] = self.given["contact"][name]
         if self.normal is not None:
             contact["normal"] = list(self.normal)
@@ -162,7 +162,7 @@ class Scene:
 
     @property
     def initial_energy(self) -> float:
-        """Kinetic energy of both bodies before the blow [J]."""
+        """Kinetic energy of both bodies before the impact [J]."""
         if self.normal is not None:
             return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
         moving = [body for body in (self.impactor, self.target) if body.velocity and not isinstance(body, Pulse)]
@@ -249,7 +249,7 @@ def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spati
 
 
 def _read_joint_laws(impactor: AnyBody, target: AnyBody) -> tuple[Law | None, ...]:
-    """Of a chain; where a law's constants depend on the speed of approach, that of the blow stands for the joint's."""
+    """Of a chain; where a law's constants depend on the speed of approach, that of the impact is taken."""
     if not isinstance(target, Rods):
         return ()
     coming = [replace(rod, velocity=impactor.velocity) for rod in target.rods]

@@ -7,8 +7,8 @@ import numpy as np
 import solvers
 from solvers import Rod, Scene
 
-# Thesis 5.3 and 9.5 (the bodies), 10.2 (the blow): the ball of m1 = 0.2 kg at 2.03 m/s on the free bronze rod, with the
-# contact stiffness that its printed velocities imply.
+# Thesis 5.3 and 9.5 (the bodies), 10.2 (the impact): the ball of m1 = 0.2 kg at 2.03 m/s on the free bronze rod, with
+# the contact stiffness that its printed velocities imply.
 STEEL_ROD = {"length": 0.3, "section": {"width": 0.03, "height": 0.03}, "material": "steel", "support": "fixed"}
 BRONZE_ROD = {
     "length": 1.48,

@@ -76,7 +76,7 @@ def wrong_with(solution: Solution, scene: Scene, duration: float) -> list[str]:
         found.append(f"ends at {solution.duration:.4g} s of {duration:.4g} s: {solution.notes}")
     error = done["estimated_error"]
     if not error < 0.05 and not any("so sensitive is this chain" in str(note) for note in solution.notes):
-        found.append(f"an error of {error:.2g} v is not told")
+        found.append(f"an error of {error:.2g} v is not reported")
     if not abs(done["momentum_error"]) <= max(1e-9, error):
         found.append(f"momentum is off by {done['momentum_error']:.2g}, error {error:.2g}")
     stepped = any("on a grid" in str(note) for note in solution.notes)

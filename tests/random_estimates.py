@@ -1,6 +1,6 @@
-"""Whether the methods that discretise own to their errors: random blows, their estimates against the true errors.
+"""Whether the methods that discretise own to their errors: random impacts, their estimates against the true errors.
 
-Blows on rods are judged by the exact waves, those on beams by twice as fine a solution with four times the modes of
+Impacts on rods are measured by the exact waves, those on beams by twice as fine a solution with four times the modes of
 'modal'. A share of them runs with the tests; all by `python -m bench --only random-estimates`.
 """
 
@@ -24,7 +24,7 @@ KINDS = ("fe-nodal", "fe-modal", "balance", "fe-nodal on beams", "fe-modal on be
 
 
 @dataclass(frozen=True)
-class Judged:
+class Rated:
     """Of the final velocity of the impactor, relative to the speed of approach."""
 
     seed: int
@@ -36,8 +36,8 @@ class Judged:
         return self.error <= max(TWICE * self.estimate, NOTHING)
 
 
-def judged(kind: str, seeds: range) -> Iterator[Judged]:
-    """The blows of these seeds, by one of KINDS; those whose error the method says it cannot tell are left out."""
+def rated(kind: str, seeds: range) -> Iterator[Rated]:
+    """The impacts of these seeds, by one of KINDS; those whose error the method says it does not know are left out."""
     for seed in seeds:
         chance = np.random.default_rng(seed)
         name, _, where = kind.partition(" ")
@@ -48,19 +48,19 @@ def judged(kind: str, seeds: range) -> Iterator[Judged]:
         if estimate is None:
             continue
         true = solvers.solve(scene, _truth(found), duration=found.duration).impactor_velocity
-        yield Judged(seed, estimate, abs(found.impactor_velocity - true) / scene.speed)
+        yield Rated(seed, estimate, abs(found.impactor_velocity - true) / scene.speed)
 
 
 def measure(scenes: int = SCENES) -> dict[str, dict[str, float]]:
     """All of them: the share that owns to its error, and the quotient of true error and estimate."""
     found = {}
     for kind in KINDS:
-        seen = list(judged(kind, range(FIRST, FIRST + scenes)))
-        told = [blow for blow in seen if blow.error > NOTHING]
-        quotients = np.array([blow.error / max(blow.estimate, NOTHING) for blow in told])
+        seen = list(rated(kind, range(FIRST, FIRST + scenes)))
+        reported = [impact for impact in seen if impact.error > NOTHING]
+        quotients = np.array([impact.error / max(impact.estimate, NOTHING) for impact in reported])
         found[kind] = {
-            "blows": len(seen),
-            "owned": sum(blow.owned for blow in seen) / len(seen),
+            "impacts": len(seen),
+            "owned": sum(impact.owned for impact in seen) / len(seen),
             "half": float(np.median(quotients)),
             "95 %": float(np.percentile(quotients, 95.0)),
             "largest": float(quotients.max()),
@@ -72,7 +72,7 @@ def _log_uniform(chance: np.random.Generator, low: float, high: float) -> float:
     return math.exp(chance.uniform(math.log(low), math.log(high)))
 
 
-def _blow(chance: np.random.Generator, target: dict, mass: float, stiffness: float, depth: float, law: str) -> Scene:
+def _impact(chance: np.random.Generator, target: dict, mass: float, stiffness: float, depth: float, law: str) -> Scene:
     impactor = {"mass": mass, "velocity": 1.0}
     contact = random_contact(chance, law, stiffness / _log_uniform(chance, 0.03, 100.0), depth)
     return Scene.from_table({"impactor": impactor, "target": target, "contact": contact})
@@ -88,7 +88,7 @@ def _rod(chance: np.random.Generator, rigid: bool) -> Scene:
     law = "rigid" if rigid or chance.random() < 0.25 else str(chance.choice(LAWS))
     stiffness = STEEL["young"] * width**2 / length
     round_trip = 2.0 * length / math.sqrt(STEEL["young"] / STEEL["density"])
-    return _blow(chance, target, mass, stiffness, round_trip, law)
+    return _impact(chance, target, mass, stiffness, round_trip, law)
 
 
 def _beam(chance: np.random.Generator) -> Scene:
@@ -102,7 +102,7 @@ def _beam(chance: np.random.Generator) -> Scene:
     mass = STEEL["density"] * length * width**2 / _log_uniform(chance, 0.1, 30.0)
     stiffness = 4.0 * STEEL["young"] * width**4 / length**3
     period = 2.0 * length**2 / (width * math.sqrt(STEEL["young"] / STEEL["density"]))
-    return _blow(chance, target, mass, stiffness, period, str(chance.choice(LAWS)))
+    return _impact(chance, target, mass, stiffness, period, str(chance.choice(LAWS)))
 
 
 def _method(chance: np.random.Generator, name: str, beam: bool) -> Method:

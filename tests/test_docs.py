@@ -95,7 +95,7 @@ def test_diffs_apply_to_the_sources():
 
 
 def _check_diff(text: str) -> None:
-    """Every hunk's old lines stand in the file as they are told; a file that is made is not there yet."""
+    """Every hunk's old lines stand in the file as they are reported; a file that is made is not there yet."""
     for part in re.split(r"^--- ", text, flags=re.MULTILINE)[1:]:
         old, new, *lines = part.splitlines()
         if old == "/dev/null":

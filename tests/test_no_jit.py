@@ -20,8 +20,8 @@ ROOT = Path(__file__).parents[1]
 
 
 def answers() -> dict[str, list[float]]:
-    """Small blows by every kernel."""
-    blows = {
+    """Small impacts by every kernel."""
+    impacts = {
         "exact": Waves().solve(solvers.load("fixed-rod")),
         "stepped": Waves(steps=120).solve(struck_rod(1.0, "fixed"), 3.0 * T),
         "modal rigid": Modal(modes=3, steps=150).solve(struck_rod(1.0, "fixed"), 3.0 * T),
@@ -39,13 +39,13 @@ def answers() -> dict[str, list[float]]:
     steps["grid"] = GridHistory(ChainScene(solvers.load("rod-with-gap")), 2.0, 2.0, 2e-3).force[1].tolist()
     return steps | {
         name: [
-            blow.impactor_velocity,
-            blow.impulse / blow.scene.impactor.mass,
-            blow.contacts[0].end / T,
-            blow.energy["target_vibration"] / blow.energy["initial"],
-            len(blow.contacts),
+            impact.impactor_velocity,
+            impact.impulse / impact.scene.impactor.mass,
+            impact.contacts[0].end / T,
+            impact.energy["target_vibration"] / impact.energy["initial"],
+            len(impact.contacts),
         ]
-        for name, blow in blows.items()
+        for name, impact in impacts.items()
     }
 
 

@@ -19,7 +19,7 @@ class Request:
     method: str  # name
     modes: int
     elements: int
-    restitution: float  # of methods that are told it
+    restitution: float  # of methods that take it
     chosen: dict[str, Any]  # the choices as the page has them, which every answer repeats
 
     @classmethod

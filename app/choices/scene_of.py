@@ -15,7 +15,7 @@ from .beam import BEAM_CHOICES, on_beam, other_beam
 from .choices import SCENES, Choices, accepts
 from .space import has_length, in_space, struck_at, struck_place
 
-DEPTH = 1e-5  # [m] at which `force_at_depth` tells how stiff a power law is: its stiffness has no unit of its own
+DEPTH = 1e-5  # [m] at which `force_at_depth` says how stiff a power law is: its stiffness has no unit of its own
 
 OF_ANOTHER_NAME = ("stiffness", "restitution", "nominal_restitution", "damping")  # constants set by other choices
 

@@ -13,7 +13,7 @@ from solvers.accuracy.reference import rebound
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
-LEAST_TOLD = 1e-3  # [s] of compiling kernels, or of loading compiled ones
+LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 
 
 def report(solution: Solution) -> str:
@@ -71,7 +71,9 @@ def report(solution: Solution) -> str:
 def _time_line(diagnostics: dict[str, float]) -> str:
     """Of the solve, and of what came before it once."""
     solved, compiled = f"solved in {diagnostics['wall_time'] * 1e3:.3g} ms", diagnostics["compile_time"]
-    return solved if compiled < LEAST_TOLD else f"{solved}, besides {compiled:.3g} s of compiling and loading kernels"
+    return (
+        solved if compiled < LEAST_REPORTED else f"{solved}, besides {compiled:.3g} s of compiling and loading kernels"
+    )
 
 
 def _unit_name(scene: Scene) -> str:

@@ -1,4 +1,4 @@
-"""The command `impact record`: a measured record beside a scene, and the contact force that it tells of."""
+"""The command `impact record`: a measured record beside a scene, and the contact force that follows from it."""
 
 import argparse
 import json
@@ -66,7 +66,7 @@ def _records(options: argparse.Namespace, count: int) -> list[Record]:
 
 
 def _solution(scene: solvers.Scene, record: Record) -> Solution:
-    """The scene solved for as long as the record may tell of it."""
+    """The scene solved for as long as the record may show it."""
     solution = solvers.solve(scene)
     lag = sum(rod.round_trip_time for rod in scene.target.rods)  # beyond any place in them
     wanted = min(float(np.ptp(record.time)) + lag, solution.duration + MAX_FOLLOWED * scene.time_unit)

@@ -29,7 +29,7 @@ def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None
             found = ensemble(scene, runs=counts[0], spread=largest, key=key, seed=counts[1], cancel=interrupted)
     except SceneError as refused:
         if interrupted():
-            raise KeyboardInterrupt from None  # too few runs to tell anything
+            raise KeyboardInterrupt from None  # too few runs to show anything
         if refused.key in ("runs", "spread", "key", "seed"):
             raise SceneError(f"--{refused.key}", refused.value, refused.reason) from None
         raise
@@ -62,7 +62,7 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
 
 
 def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) -> int:
-    """Print a line for each number of modes or elements, and what they tell, or all of it in JSON."""
+    """Print a line for each number of modes or elements, and what they show, or all of it in JSON."""
     named, _ = solvers.read_method(scene.method, scene)
     method = named.NAME if {"modes", "elements"} & set(named.table()) else "modal"
     counts = () if modes is None else ([number("--modes", part, int) for part in modes.split(",")],)

@@ -13,7 +13,7 @@ MAX_KEPT = 16_000_000  # bytes of answers; some 200 of the longest
 
 
 class Wanted:
-    """One visitor's wish for an answer: as a `Job`, of which there may be one for many."""
+    """One visitor's request for an answer: as a `Job`, of which there may be one for many."""
 
     def __init__(self, job: Job | None = None):
         self.answer: asyncio.Future = asyncio.get_running_loop().create_future()

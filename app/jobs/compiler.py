@@ -185,30 +185,30 @@ def _compile(pieces: list[Piece]) -> None:
 def main() -> None:
     """Answer each line of standard input, a piece of work, by the same line when it is done; end with the input."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends this process
-    wishes: queue.SimpleQueue[str] = queue.SimpleQueue()
-    threading.Thread(target=_receive, args=(wishes,), daemon=True).start()
+    requests: queue.SimpleQueue[str] = queue.SimpleQueue()
+    threading.Thread(target=_receive, args=(requests,), daemon=True).start()
     do = works()
 
     def serve(line: str) -> None:
         name, choices = json.loads(line)
-        with suppress(Exception):  # who asked for it is told where it is solved
+        with suppress(Exception):  # who asked for it gets the error where it is solved
             do[name](choices)
         print(line, flush=True)
 
     def serve_all() -> None:
         print(flush=True)  # a sign of life
-        while not wishes.empty():
-            serve(wishes.get())
+        while not requests.empty():
+            serve(requests.get())
 
     if not all_compiled().exists():
         compile_usual(serve_all)
     while True:
-        serve(wishes.get())
+        serve(requests.get())
 
 
-def _receive(wishes: queue.SimpleQueue) -> None:
+def _receive(requests: queue.SimpleQueue) -> None:
     for line in sys.stdin:
-        wishes.put(line.strip())
+        requests.put(line.strip())
     os._exit(0)  # at once, even while it compiles
 
 

@@ -10,7 +10,7 @@ from solvers.jit import NotCompiled
 
 from .compiler import COMPILER
 from .loops import of_loop
-from .runner import COMPILING, said
+from .runner import COMPILING, settled
 from .workers import LONG, QUICK, Job, Workers
 
 MAX_RUN_SECONDS = 60.0  # of computing; what a measurement or a map sets itself is less
@@ -18,7 +18,7 @@ log = logging.getLogger("strikewave")
 
 
 class LongRun:
-    """Runs `work(asked, cancelled, tell)` and hands what it tells, and its result, to `publish`; one at a time.
+    """Runs `work(asked, cancelled, report)` and hands what it reports, and its result, to `publish`; one at a time.
 
     `kernels(asked)` does a little of the same work, so that what is not compiled yet is compiled in another process
     first. `ended` is called when nothing is under way any more.
@@ -66,32 +66,32 @@ class LongRun:
                 await self._compiled(asked)
                 await self._run(asked)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            await said(self._refuse(str(refusal)))
+            await settled(self._refuse(str(refusal)))
         except Exception:
             log.exception("a long run failed: %r", asked)
-            await said(self._refuse("This could not be worked out. What is shown is as it was before."))
+            await settled(self._refuse("This could not be worked out. What is shown is as it was before."))
         finally:
             self._busy, self._job = False, None
-            await said(ended())
+            await settled(ended())
 
     async def _compiled(self, asked: Any) -> None:
         try:
             await self._do(self._kernels, asked, level=QUICK)
         except NotCompiled:
-            await said(self._wait(COMPILING))
+            await settled(self._wait(COMPILING))
             try:
                 await COMPILER.ready(self._kernels.__name__, asked)
             finally:
-                await said(self._wait(""))
+                await settled(self._wait(""))
 
     async def _run(self, asked: Any) -> None:
-        told: asyncio.Queue = asyncio.Queue()
-        how = {"level": LONG, "compiled": False, "stoppable": True, "tell": told.put_nowait}
+        parts: asyncio.Queue = asyncio.Queue()
+        how = {"level": LONG, "compiled": False, "stoppable": True, "report": parts.put_nowait}
         work = asyncio.ensure_future(self._do(self._work, asked, **how))
-        work.add_done_callback(lambda _: told.put_nowait(None))
-        while (part := await told.get()) is not None:
-            await said(self._publish(part))
-        await said(self._publish(await work))
+        work.add_done_callback(lambda _: parts.put_nowait(None))
+        while (part := await parts.get()) is not None:
+            await settled(self._publish(part))
+        await settled(self._publish(await work))
 
     async def _do(self, work: Callable, asked: Any, **how: Any) -> Any:
         begin = self._begin or of_loop(Workers).start

@@ -1,4 +1,4 @@
-"""One visitor's answers to the newest choices: at most one is under way, older wishes are dropped, nothing queues."""
+"""One visitor's answers to the newest choices: at most one is under way, older requests are dropped, nothing queues."""
 
 import asyncio
 import inspect
@@ -15,9 +15,11 @@ from .loops import of_loop
 from .workers import MAX_SECONDS, QUICK, level_after
 
 COMPILING = "Compiling what this needs, once on this machine: some seconds, up to half a minute …"
-LONG_AFTER = 1.0  # s after which the visitor is told that it takes long
+LONG_AFTER = 1.0  # s after which the visitor is informed that it takes long
 LONGER = "This takes longer than most. It is given up after {:g} s of computing; a newer choice ends it at once."
-MIN_RUN_SECONDS = 1.0  # s after which a newer wish ends what is under way; sooner, and a drag would never be answered
+MIN_RUN_SECONDS = (
+    1.0  # s after which a newer request ends what is under way; sooner, and a drag would never be answered
+)
 END_WITHIN = 3.0  # s in which work that is to end with what it has must do so
 CHECK = 0.1  # s between two looks whether what is under way is still wanted
 log = logging.getLogger("strikewave")
@@ -29,18 +31,18 @@ def at_once(work: Callable, *arguments: Any) -> Any:
         return work(*arguments)
 
 
-async def said(told: Any) -> None:
-    """Wait for who is told something, where that takes time: for the lock of a document."""
-    if inspect.isawaitable(told):
-        await told
+async def settled(result: Any) -> None:
+    """Wait for a report to be delivered, where that takes time: for the lock of a document."""
+    if inspect.isawaitable(result):
+        await result
 
 
 class Runner:
     """Has `work(choices)` done by the workers and hands the newest result to `publish`, or a sentence to `refuse`.
 
-    `wait` is told in a sentence why an answer takes longer, and by an empty one when that is over: what is not compiled
+    `wait` gets a sentence why an answer takes longer, and by an empty one when that is over: what is not compiled
     yet is compiled in another process first. `rest` [s]: how long choices must stand before they are asked about.
-    Work that is `stoppable` also takes `cancelled`, and ends with what it has when it is told so.
+    Work that is `stoppable` also takes `cancelled`, and ends with what it has when that is set.
     """
 
     def __init__(
@@ -76,7 +78,7 @@ class Runner:
         self.stop()
 
     async def want(self, choices: Any) -> None:
-        """Ask for a result; while one is being made, only the newest wish is remembered."""
+        """Ask for a result; while one is being made, only the newest request is remembered."""
         self._wanted, self._left = choices, False
         self._newer.set()
         if self._busy:
@@ -103,20 +105,20 @@ class Runner:
         try:
             result = await self._solved(self.current)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            await said(self._refuse(str(refusal)))
+            await settled(self._refuse(str(refusal)))
         except Exception:
             log.exception("a solve failed: %r", self.current)
-            await said(self._refuse("This could not be solved. The choices before it are still shown."))
+            await settled(self._refuse("This could not be solved. The choices before it are still shown."))
         else:
             if result is not None:
-                await said(self._publish(result))
+                await settled(self._publish(result))
 
     async def _solved(self, choices: Any) -> Any:
         """The result, or None if it was no longer wanted."""
         try:
             return await self._done(choices)
         except NotCompiled:
-            await said(self._wait(COMPILING))
+            await settled(self._wait(COMPILING))
         try:
             compiled = asyncio.ensure_future(COMPILER.ready(self._work.__name__, choices))
             newer = asyncio.ensure_future(self._newer.wait())
@@ -130,12 +132,12 @@ class Runner:
             except NotCompiled:  # the other process could not, or could not keep it
                 return await self._done(choices, compiled=False)
         finally:
-            await said(self._wait(""))
+            await settled(self._wait(""))
 
     async def _done(self, choices: Any, compiled: bool = True) -> Any:
         start = self._start or of_loop(Answers).start
         how = {"visitor": self._visitor, "level": self._level, "seconds": self._seconds, "compiled": compiled}
-        asked, ending, told = time.monotonic(), None, False
+        asked, ending, informed = time.monotonic(), None, False
         job: Any = start(self._work, choices, **how, stoppable=self._stoppable)
         try:
             while not job.answer.done():
@@ -148,20 +150,20 @@ class Runner:
                     job.end()
                 elif ending is None or now - ending > END_WITHIN:
                     job.answer.cancel()
-                if not told and compiled and now - asked > LONG_AFTER and not job.answer.done():
-                    told = True
-                    await said(self._wait(LONGER.format(self._seconds)))
+                if not informed and compiled and now - asked > LONG_AFTER and not job.answer.done():
+                    informed = True
+                    await settled(self._wait(LONGER.format(self._seconds)))
             if job.answer.cancelled():
                 return None
             result = job.answer.result()
         finally:
             job.answer.cancel()
-            if told:
-                await said(self._wait(""))
+            if informed:
+                await settled(self._wait(""))
         self._level = level_after(job.computed, job.level)
         return result
 
     def _unwanted(self, job: Any, seconds: float) -> bool:
-        """Whether it has been stopped, or a newer wish waits behind something that has not begun, or takes long."""
+        """Whether it has been stopped, or a newer request waits behind something that has not begun, or takes long."""
         newer = self._wanted is not None and (job.begun is None or seconds > MIN_RUN_SECONDS)
         return self._stopped or newer

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from solvers.jit import NotCompiled, compiled_only
 
-DONE, TOLD, REFUSED, FAILED, NOT_COMPILED = "done", "told", "refused", "failed", "not compiled"
+DONE, PART, REFUSED, FAILED, NOT_COMPILED = "done", "part", "refused", "failed", "not compiled"
 log = logging.getLogger("strikewave")
 
 
@@ -23,7 +23,7 @@ class Task(NamedTuple):
     seconds: float  # of computing time that it may take [s]
     compiled: bool  # whether only with kernels that are in the cache
     stoppable: bool  # whether it also takes `cancelled`, a function that says whether to end with what it has
-    telling: bool  # whether it also takes `tell`, which takes what it has found so far
+    reporting: bool  # whether it also takes `report`, which takes what it has found so far
 
 
 def serve(connection: Connection) -> None:
@@ -52,8 +52,8 @@ def _answer(task: Task, connection: Connection) -> tuple[str, Any]:
     more = ()
     if task.stoppable:
         more += (_cancelled(connection),)
-    if task.telling:
-        more += (lambda part: connection.send((TOLD, part)),)
+    if task.reporting:
+        more += (lambda part: connection.send((PART, part)),)
     try:
         with compiled_only() if task.compiled else nullcontext():
             return DONE, task.work(*task.arguments, *more)

@@ -24,7 +24,7 @@ import numba
 from solvers.jit import NotCompiled
 
 from .fair import Shares
-from .worker import DONE, NOT_COMPILED, REFUSED, TOLD, Task, serve
+from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task, serve
 
 CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
@@ -70,8 +70,8 @@ class Lost(RuntimeError):
 class Job:
     """One piece of work. `answer`: its result, once there is one; to cancel it abandons the work at once."""
 
-    def __init__(self, task: Task, visitor: Hashable, level: int, tell: Callable[[Any], None] | None):
-        self.task, self.visitor, self.level, self.tell = task, visitor, level, tell
+    def __init__(self, task: Task, visitor: Hashable, level: int, report: Callable[[Any], None] | None):
+        self.task, self.visitor, self.level, self.report = task, visitor, level, report
         self.answer: asyncio.Future = asyncio.get_running_loop().create_future()
         self.begun: float | Any = None  # while a process works on it, when that began
         self.computed = 0.0  # [s] of computing, as it was last looked at
@@ -108,7 +108,7 @@ class Workers:
         seconds: float = MAX_SECONDS,
         compiled: bool = True,
         stoppable: bool = False,
-        tell: Callable[[Any], None] | None = None,
+        report: Callable[[Any], None] | None = None,
     ) -> Job:
         """Have `work`, a function of a module, done with these arguments.
 
@@ -117,7 +117,7 @@ class Workers:
         """
         if not compiled:
             level, seconds = LONG, seconds + COMPILE_SECONDS
-        job = Job(Task(work, arguments, seconds, compiled, stoppable, tell is not None), visitor, level, tell)
+        job = Job(Task(work, arguments, seconds, compiled, stoppable, report is not None), visitor, level, report)
         job.answer.add_done_callback(lambda _: self._leave(job))
         self._waiting.append(job)
         self.fill()
@@ -248,9 +248,9 @@ class Workers:
         job = worker.job
         if job is None:  # its work was abandoned
             return
-        if kind == TOLD:
+        if kind == PART:
             if not job.answer.done():
-                job.tell(value)
+                job.report(value)
             return
         self._charge(job)
         job.worker = worker.job = None

@@ -1,6 +1,6 @@
 """What the browser needs of an impact on a beam, in the layout of app/messages/encoding.py.
 
-SI units, except that times are told in milliseconds. For modes the browser carries the same oscillators through the
+SI units, except that times are in milliseconds. For modes the browser carries the same oscillators through the
 same forces; for other methods it gets fields at (instant, place), closer together at first, where most happens.
 """
 
@@ -30,8 +30,8 @@ DRAWN_MODES, PLACES = 48, 81  # of the fields that the browser rebuilds
 INSTANTS, SAMPLED_PLACES = 120, 41  # of fields of other methods
 MOTION_POINTS = 500  # of the motions of impactor and struck place
 EARLY = 0.15  # share of evenly spread instants; the rest lies at first
-CONTACTS = 250  # of each solution, told one by one
-TOLD_RATES = 60  # contacts before and after which velocities are told
+CONTACTS = 250  # of each solution, listed one by one
+LISTED_RATES = 60  # contacts before and after which velocities are listed
 HALF_SPACE_POINTS = 160
 SPEEDS = 60  # points of the dispersion curve
 CYCLE_SAMPLES = 700
@@ -150,7 +150,7 @@ def _paths(solution: Solution, time: np.ndarray, name: str) -> dict[str, np.ndar
 
 
 def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
-    """Of the struck place [m/s]; a modal motion tells it over one of its steps, which costs no sum over its modes."""
+    """Of the struck place [m/s]; a modal motion gives it over one of its steps, which costs no sum over its modes."""
     motion = solution.motion
     if not isinstance(motion, ModalMotion) or motion.pair.split:
         return motion.end_velocity(time)
@@ -159,7 +159,7 @@ def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
 
 
 def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
-    """Contact force [N] over time [ms]; of modes in rigid contact as far as they can tell it."""
+    """Contact force [N] over time [ms]; of modes in rigid contact as far as they resolve it."""
     if isinstance(solution.motion, ModalMotion) and solution.scene.rigid_contact:
         time = instants(solution.duration, FORCE_POINTS)
         force = solution.motion.resolved_force(time)
@@ -186,7 +186,7 @@ def _contacts(solution: Solution) -> dict[str, np.ndarray]:
 
 def _rates(solution: Solution) -> dict[str, np.ndarray]:
     """Velocity of the impactor and of the struck place as each contact begins and ends [m/s]."""
-    edges = [[c.start, min(c.end, solution.duration)] for c in solution.contacts[:TOLD_RATES]]
+    edges = [[c.start, min(c.end, solution.duration)] for c in solution.contacts[:LISTED_RATES]]
     time, motion = np.array(edges).ravel(), solution.motion
     both = np.stack([motion.impactor_velocity(time), struck_velocity(solution, time)], axis=1)
     return {"rates": both.reshape(-1, 2, 2)}

@@ -1,4 +1,4 @@
-"""The layout of a message to the browser, and what messages of all kinds tell alike.
+"""The layout of a message to the browser, and what messages of all kinds share.
 
 Length of the header (4 bytes, little endian), header (JSON), zeros up to a multiple of four, then float32 arrays in the
 order and shape that the header states, last index fastest; where it states a unit besides, whole numbers of two bytes
@@ -17,9 +17,9 @@ from solvers.text.notes import Note
 from .schema import check
 
 FORCE_POINTS = 1_200  # of a contact force
-LARGEST_MASS = 1e12  # [kg] told of what has none or is infinite
+LARGEST_MASS = 1e12  # [kg] sent for what has none or is infinite
 SHOWN = ("name", "duration", "modes", "elements", "restitution")  # keys of a method that the page sets, or shows
-CYCLE_POINTS, BLOW_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
+CYCLE_POINTS, IMPACT_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
 
 
 def coded(notes: list[Note]) -> list[dict[str, Any]]:
@@ -53,13 +53,13 @@ def force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
     return time[rows], force[rows]
 
 
-def cycle(exact: Solution, samples: int = BLOW_POINTS) -> dict[str, np.ndarray]:
+def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, np.ndarray]:
     """The contact law's cycle, slowly to the depth of this impact and back, and what this impact did [m, N]."""
     law, deepest = exact.scene.contact, exact.peak_indentation
     if deepest is None or deepest <= 0.0:
         return {}
     time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), samples)
-    if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: tell it in the middle
+    if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: given in the middle
         time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
     depth = exact.motion.impactor_position(time) - exact.motion.end_position(time)
     force = exact.motion.force(time)

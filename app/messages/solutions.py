@@ -22,7 +22,7 @@ def beside(request: Request, exact: Solution) -> Solution | None:
     if method.refusal(scene):
         return None
     if isinstance(method, Modal):
-        method = replace(method, estimate=False)  # the exact solution tells the error
+        method = replace(method, estimate=False)  # the exact solution shows the error
     return method.solve(scene, exact.duration)
 
 

@@ -65,12 +65,12 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         )
         self._sent = frozenset(self._linked_properties)
         self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
-        waiting = partial(self._tell, self._wait, solve_frame.__name__)
+        waiting = partial(self._report, self._wait, solve_frame.__name__)
         context = pn.state.curdoc.session_context if pn.state.curdoc else None
         self.visitor = context.id if context else None
         self._runner = Runner(solve_frame, self._take, self._fail, waiting, visitor=self.visitor)
         self._away = False
-        self.answered = 0.0  # when the visitor was last told what comes of the choices
+        self.answered = 0.0  # when the visitor was last shown what comes of the choices
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.param.watch(self._changed, list(self.CHOSEN))
@@ -101,7 +101,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             pn.state.execute(partial(self._runner.want, self.chosen()))
             self.ask_panels()
 
-    async def _tell(self, act: Callable, *arguments: Any) -> None:
+    async def _report(self, act: Callable, *arguments: Any) -> None:
         """Change properties with the document locked, and have Bokeh send them, each, before the lock is left.
 
         Of two that change at once outside the lock, one may get lost. All that becomes known while a visitor looks on
@@ -126,7 +126,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
     def _begin(self) -> None:
         """The first answer goes out with the page if it is known; else it is asked for when the page is there.
 
-        What is told between the making of a document and the word that it is drawn may be held back, and lost.
+        What is sent between the making of a document and the word that it is drawn may be held back, and lost.
         """
         if (known := KEPT.known(solve_frame, self.chosen())) is not None:
             self.frame = known
@@ -135,7 +135,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             pn.state.onload(partial(self._runner.want, self.chosen()))
 
     def _wait(self, name: str, sentence: str) -> None:
-        """Tell the visitor why an answer takes longer; an empty sentence when it has come."""
+        """Show the visitor why an answer takes longer; an empty sentence when it has come."""
         self._waits[name] = sentence
         self.waiting = next(filter(None, self._waits.values()), "")
 
@@ -168,10 +168,10 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             self._quiet = False
 
     async def _take(self, message: bytes) -> None:
-        await self._tell(self._show, self._runner.current, message)
+        await self._report(self._show, self._runner.current, message)
 
     async def _fail(self, sentence: str) -> None:
-        await self._tell(self._set_back, self._runner.current, sentence)
+        await self._report(self._set_back, self._runner.current, sentence)
 
     def _show(self, answered: dict[str, Any], message: bytes) -> None:
         self.answered = time.monotonic()

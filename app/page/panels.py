@@ -28,7 +28,7 @@ class Panels(Questions):
     visitor: str | None
     _refuse: Callable[[str], None]
     _wait: Callable[[str, str], None]
-    _tell: Callable[..., Coroutine]
+    _report: Callable[..., Coroutine]
     choose: Callable[[dict[str, Any]], None]
 
     def open_panels(self) -> None:
@@ -51,8 +51,8 @@ class Panels(Questions):
                 self.param.watch(partial(self._go_to, name), name)
         if view.run and view.kernels:
             acts = partial(setattr, self, view.name), self._refuse, partial(self._wait, view.name)
-            told = (partial(self._tell, act) for act in acts)
-            self._long[view.name] = LongRun(view.run, view.kernels, *told, visitor=self.visitor)
+            reports = (partial(self._report, act) for act in acts)
+            self._long[view.name] = LongRun(view.run, view.kernels, *reports, visitor=self.visitor)
             self.param.watch(partial(self._start_or_stop, view), view.running)
         elif view.stoppable:
             self.param.watch(partial(self._stop_or_resume, view), view.running)
@@ -61,7 +61,7 @@ class Panels(Questions):
         acts = publish, partial(self._refuse_view, view), partial(self._wait, work.__name__)
         return Runner(
             work,
-            *(partial(self._tell, act) for act in acts),
+            *(partial(self._report, act) for act in acts),
             visitor=self.visitor,
             seconds=MAX_ANALYSIS_SECONDS,
             rest=REST_SECONDS if view.rests else 0.0,
@@ -113,7 +113,7 @@ class Panels(Questions):
         if view.stoppable:
             self._pending[view.name] -= 1
             if not self._pending[view.name]:
-                await self._tell(self._over, view)
+                await self._report(self._over, view)
 
     def _over(self, view: View) -> None:
         if not self._pending[view.name]:  # nor was anything asked since
@@ -131,7 +131,7 @@ class Panels(Questions):
 
     async def _arrive(self, name: str, asked: dict[str, Any]) -> None:
         await self._runners[name].want(asked)
-        await self._tell(setattr, self, name, self.param[name].default)
+        await self._report(setattr, self, name, self.param[name].default)
 
     def _stop_or_resume(self, view: View, event: param.parameterized.Event) -> None:
         """The visitor has had enough, or wants it all the same."""
@@ -160,7 +160,7 @@ class Panels(Questions):
             self._again.discard(view.name)
             self._start(view)
             return
-        await self._tell(setattr, self, view.running, False)
+        await self._report(setattr, self, view.running, False)
         if view.work:  # what was measured stays, unless the scene has changed meanwhile
             self._asked[view.name] = view.depends_on(asked)
             self.ask_panels()

@@ -19,27 +19,27 @@ REPORTED = frozenset(
 )
 
 
-class Verdict(NamedTuple):
+class Decision(NamedTuple):
     """What becomes of a message."""
 
     reason: str | None  # why it is refused
     events: list[dict[str, Any]]  # those of it that are taken
 
 
-def judge(kind: str, content: Any, own: str, settable: frozenset[str]) -> Verdict:
+def decide(kind: str, content: Any, own: str, settable: frozenset[str]) -> Decision:
     """Of a message of this kind, and its content; `own` is the id of the model that holds the visitor's choices."""
     if kind == "PULL-DOC-REQ":
-        return Verdict(None, [])
+        return Decision(None, [])
     events = content.get("events") if isinstance(content, dict) else None
     if kind != "PATCH-DOC" or not isinstance(events, list) or len(events) > MAX_EVENTS:
-        return Verdict("not allowed", [])
+        return Decision("not allowed", [])
     taken = []
     for event in events:
         if _sets(event, own, settable) or _says_ready(event):
             taken.append(event)
         elif not _reports(event):
-            return Verdict("not allowed", [])
-    return Verdict(None, taken)
+            return Decision("not allowed", [])
+    return Decision(None, taken)
 
 
 def _sets(event: Any, own: str, settable: frozenset[str]) -> bool:
@@ -69,7 +69,7 @@ def _is_change(event: Any) -> bool:
 
 
 def _plain(value: Any) -> bool:
-    """A number, a truth or a short text, as the browser writes them; the bounds are checked where it is taken."""
+    """A number, a boolean or a short text, as the browser writes them; the bounds are checked where it is taken."""
     if isinstance(value, dict):
         return value.keys() == {"type", "value"} and value["type"] == "number" and isinstance(value["value"], str)
     if isinstance(value, str):

@@ -1,4 +1,4 @@
-"""The socket of one visitor: what comes is judged, the newest of each choice is kept, and all take turns."""
+"""The socket of one visitor: what comes is checked, the newest of each choice is kept, and all take turns."""
 
 import asyncio
 import logging
@@ -104,7 +104,7 @@ class Socket(WSHandler):
     async def _take(self, fragment: str | bytes) -> None:
         if self._out:
             return
-        if self.connection is None:  # a page sends nothing before it is told that its session has begun
+        if self.connection is None:  # a page sends nothing before it knows that its session has begun
             self.turn_out(TOO_MANY)
             return
         if not await self._in_turn() or self._gone or self._out:
@@ -113,14 +113,14 @@ class Socket(WSHandler):
         if message is None:
             return
         self.active = time.monotonic()
-        verdict = guard.judge(message.msgtype, message.content, self._own, guard.SETTABLE)
+        decision = guard.decide(message.msgtype, message.content, self._own, guard.SETTABLE)
         self._pulls += message.msgtype == "PULL-DOC-REQ"
-        if verdict.reason is not None or self._pulls > guard.MAX_PULLS:
-            await self._refuse(message, verdict.reason or "not allowed")
-        elif message.msgtype == "PATCH-DOC" and not verdict.events:
+        if decision.reason is not None or self._pulls > guard.MAX_PULLS:
+            await self._refuse(message, decision.reason or "not allowed")
+        elif message.msgtype == "PATCH-DOC" and not decision.events:
             await self._answer(self.connection.ok(message))
         else:
-            await self._post(message, verdict.events)
+            await self._post(message, decision.events)
 
     @property
     def _gone(self) -> bool:
@@ -232,7 +232,7 @@ class Socket(WSHandler):
         await self.send_message(reply)
 
     def turn_out(self, sentence: str) -> None:
-        """Tell the visitor why, and close the socket for good; what still comes is not looked at."""
+        """Send the visitor the reason, and close the socket for good; what still comes is not looked at."""
         if self._out:
             return
         self._out = True
@@ -245,8 +245,8 @@ class Socket(WSHandler):
             if not self._gone:
                 session = self.connection.session
                 if (lab := lab_of(session.document)) is not None:
-                    telling: Any = session.with_document_locked(setattr, lab, "disconnected", sentence)
-                    await asyncio.wait_for(telling, 1.0)  # who does not read is not waited for
+                    delivery: Any = session.with_document_locked(setattr, lab, "disconnected", sentence)
+                    await asyncio.wait_for(delivery, 1.0)  # who does not read is not waited for
         except (TimeoutError, WebSocketClosedError):
             pass
         finally:

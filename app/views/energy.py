@@ -44,7 +44,7 @@ def _listed(values: np.ndarray) -> list[float]:
 def energy_shares(chosen: dict[str, Any]) -> dict[str, Any]:
     """Energy of every part against time [T; ms for a beam], as a share of the first energy.
 
-    That of a beam is told apart into motion and bending, where its method knows both.
+    That of a beam is split into motion and bending, where its method knows both.
     """
     request = Request.of(chosen)
     beam = request.kind == "beam"

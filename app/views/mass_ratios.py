@@ -13,7 +13,7 @@ from ..choices.request import Request
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 CONTACTS = 1, 2  # as many as there are at most
-TOLD = {
+HELD_WORDS = {
     "fixed": (
         "A light rod throws the mass back with almost all its speed, a heavy one with 2/e of it, yet the way between "
         "is not monotone: each time a returning wave pushes the mass away earlier, a second contact appears or is "
@@ -55,23 +55,23 @@ def one_rod_support(chosen: dict[str, Any]) -> str | None:
     """How the rod is held, if a rigid mass strikes one uniform rod in rigid contact; else None."""
     try:
         scene = Request.of(chosen).scene
-    except SceneError:  # of which the visitor is told where it is solved
+    except SceneError:  # which the visitor sees where it is solved
         return None
     target = scene.target
     plain = scene.impactor.free_mass and not target.end_mass
-    if not plain or not isinstance(target, Rod) or not scene.rigid_contact or target.support not in TOLD:
+    if not plain or not isinstance(target, Rod) or not scene.rigid_contact or target.support not in HELD_WORDS:
         return None
     return target.support
 
 
 def ratios_data(chosen: dict[str, Any]) -> str:
-    """The data for the support of the chosen scene as JSON, with `chosen` and what is `told`."""
+    """The data for the support of the chosen scene as JSON, with `chosen` and a sentence, `told`."""
     support = one_rod_support(chosen)
     answer: dict[str, Any] = {"chosen": chosen, "support": support}
     if support:
         held = {"fixed": "The far end is fixed.", "free": "The rod is free."}[support]
         answer |= {name: _listed(values) for name, values in mass_ratio_data(support).items()}
-        answer["told"] = f"{held} {TOLD[support]}"
+        answer["told"] = f"{held} {HELD_WORDS[support]}"
     return json.dumps(answer, allow_nan=False)
 
 

@@ -1,4 +1,4 @@
-"""A measured record beside the chosen scene: how it lies on the solution, and the contact force that it tells of."""
+"""A measured record beside the chosen scene: how it lies on the solution, and the contact force by it."""
 
 import json
 from typing import Any
@@ -61,7 +61,7 @@ def _place(text: str, record: Record) -> float | None:
 
 
 def _solution(request: Request, record: Record) -> Solution:
-    """The exact one, for as long as the record may tell of it."""
+    """The exact one, for as long as the record may show it."""
     scene = request.scene
     exact, trip = exact_solution(scene, request.restitution), scene.time_unit
     lag = sum(rod.round_trip_time for rod in scene.target.rods)

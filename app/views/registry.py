@@ -37,7 +37,7 @@ class View:
     name: str
     work: Callable | None = None  # follows the choices while the view is open
     more: Mapping[str, Callable] = field(default_factory=dict)  # further answers: property, and its work
-    run: Callable | None = None  # of many seconds, (asked, cancelled, tell): the visitor starts and stops it
+    run: Callable | None = None  # of many seconds, (asked, cancelled, report): the visitor starts and stops it
     kernels: Callable | None = None  # a little of `run`, by which what it needs is compiled first
     asked: Mapping[str, Question] = field(default_factory=dict)  # by property
     address: str = ""  # its name there, where it is another

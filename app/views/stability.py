@@ -29,11 +29,11 @@ QUESTIONS = {
 }
 
 
-def stability_data(asked: dict[str, Any], cancelled: Callable[[], bool], tell: Callable[[str], None]) -> str:
-    """The maps over step and `stability_axis` as JSON; `tell` gets how much is done. Raises SceneError."""
+def stability_data(asked: dict[str, Any], cancelled: Callable[[], bool], report: Callable[[str], None]) -> str:
+    """The maps over step and `stability_axis` as JSON; `report` gets how much is done. Raises SceneError."""
 
     def progress(done: int, columns: int) -> None:
-        tell(json.dumps({"chosen": asked, "done": done, "of": columns}))
+        report(json.dumps({"chosen": asked, "done": done, "of": columns}))
 
     scene, axis = Request.of(asked).scene, asked["stability_axis"]
     grid = STEPS, MODES if axis == "modes" else ACROSS

@@ -8,7 +8,7 @@ import param
 
 from solvers import METHODS, Auto, Scene, SceneError, Solution, Waves
 from solvers.accuracy.auto import ASKABLE
-from solvers.accuracy.quantities import Answer, Truth
+from solvers.accuracy.quantities import Metrics, Reference
 from solvers.accuracy.reference import exact_waves
 from solvers.accuracy.report import CHOSEN
 from solvers.methods.base import never
@@ -98,7 +98,7 @@ def true_error(solution: Solution, scene: Scene, quantity: str) -> float | None:
     if exact is None:
         return None
     try:
-        error = Truth.of(exact.solve(scene, scene.method.get("duration"))).errors(Answer.of(solution))[quantity]
+        error = Reference.of(exact.solve(scene, scene.method.get("duration"))).errors(Metrics.of(solution))[quantity]
     except SceneError:
         return None
     return None if error is None else abs(error)

@@ -33,13 +33,13 @@ def stored_data(asked: dict[str, Any]) -> str:
     return json.dumps(answer, allow_nan=False)
 
 
-def tradeoff_data(asked: dict[str, Any], cancelled: Callable[[], bool], tell: Callable[[str], None]) -> str:
-    """The table measured anew; `tell` gets it as far as it is known, now and then. Raises SceneError."""
+def tradeoff_data(asked: dict[str, Any], cancelled: Callable[[], bool], report: Callable[[str], None]) -> str:
+    """The table measured anew; `report` gets it as far as it is known, now and then. Raises SceneError."""
     last = [time.monotonic()]
 
     def progress(found: TradeOff) -> None:
         if time.monotonic() - last[0] > PROGRESS_SECONDS:
-            tell(_text(asked, found))
+            report(_text(asked, found))
             last[0] = time.monotonic()
 
     return _text(
@@ -51,7 +51,7 @@ def tradeoff_kernels(asked: dict[str, Any]) -> None:
     """Solve the coarsest of all that the table tries."""
     scene = Request.of(asked).scene
     for ladder in ladders(scene):
-        ladder.rungs[0].solve(scene)
+        ladder.levels[0].solve(scene)
 
 
 def _scene(asked: dict[str, Any]) -> Scene:

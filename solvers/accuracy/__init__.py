@@ -1,1 +1,1 @@
-"""How near a solution is to the truth, what that costs, and how little will do for a tolerance."""
+"""The error of a solution, what it costs, and the cheapest solution within a tolerance."""

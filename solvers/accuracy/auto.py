@@ -13,7 +13,7 @@ from ..text.notes import Note
 from .quantities import QUANTITIES
 from .refinement import Ladder, ladders, ranked, refusals
 from .search import Search
-from .trial import Wish
+from .trial import Goal
 
 TOLERANCE_RANGE = (1e-9, 0.5)
 BUDGET_RANGE = (1e-6, 3600.0)  # s
@@ -35,8 +35,8 @@ class Auto(Method):
     is much finer; closed forms that cost less are held against the same proof. Of all that agree the cheapest is given,
     by measured constants of cost, with its difference from the proof as its estimated error. `diagnostics.chosen` says
     why. With `budget` [s] the ladder is climbed as long as the time lasts; without `tolerance` the finest is given. The
-    force of a rigid contact is held against a second method: modes may agree with each other, and not with the truth.
-    Error: the estimate; docs/how-exact.md tells how often it is right.
+    force of a rigid contact is held against a second method: modes may agree with each other and still
+    be wrong. Error: the estimate; docs/how-exact.md says how often it is right.
     Cost: some five times the proof; at most 10 s of solves, which is said, unless a budget allows more.
     """
 
@@ -49,7 +49,7 @@ class Auto(Method):
     NAME = "auto"
 
     @property
-    def goal(self) -> float | None:
+    def allowed_error(self) -> float | None:
         """The tolerance; None: as good as the budget allows."""
         return 0.01 if self.tolerance is None and self.budget is None else self.tolerance
 
@@ -65,9 +65,9 @@ class Auto(Method):
 
     def _ladders(self, scene: Scene) -> list[Ladder]:
         """Of the methods that may be chosen, without their own estimates of error, which cost as much again."""
-        found = [ladder for ladder in ladders(scene) if self.among is None or ladder.rungs[0].NAME in self.among]
+        found = [ladder for ladder in ladders(scene) if self.among is None or ladder.levels[0].NAME in self.among]
         return [
-            replace(ladder, rungs=tuple(method.without_estimate() for method in ladder.rungs))
+            replace(ladder, levels=tuple(method.without_estimate() for method in ladder.levels))
             for ladder in ranked(found)
         ]
 
@@ -76,5 +76,5 @@ class Auto(Method):
         return METHODS[str(solution.method["name"])].read(options).without_estimate()
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
-        wish = Wish(self.goal, self.quantity, self.budget, self.cancelled)
-        return Search(scene, wish, self._ladders(scene), duration).answer()
+        goal = Goal(self.allowed_error, self.quantity, self.budget, self.cancelled)
+        return Search(scene, goal, self._ladders(scene), duration).solution()

@@ -1,4 +1,4 @@
-"""One blow by every method, each against the exact waves or many modes: what it misses, and what it costs."""
+"""One impact by every method, each against the exact waves or many modes: what it misses, and what it costs."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -24,7 +24,7 @@ VARIANTS: tuple[dict[str, Any], ...] = (  # shown besides every method with its 
     {"name": "balance", "restitution": 0.0},
     {"name": "balance", "restitution": 0.0, "modes": 50},
 )
-FORCE_SAMPLES = 20_000  # of the force, over the whole blow
+FORCE_SAMPLES = 20_000  # of the force, over the whole impact
 TIMED = 0.3  # [s] of repeated solves at most
 
 
@@ -34,7 +34,7 @@ class Row:
 
     A true contact is found if the method has a contact of its own that overlaps it. The error of a force is
     |found - exact| / |exact| in the L2 norm over time; that of a resolved force is of its average over the finest that
-    the method can tell.
+    the method can resolve.
     """
 
     method: dict[str, Any]  # name and options, as in a scene file
@@ -45,7 +45,7 @@ class Row:
     true_contacts: int | None = None
     true_contacts_found: int | None = None
     second_contact_found: bool | None = None  # None: there is no second contact
-    raw_contacts: int | None = None  # before chatter was told from contacts; of balances every single one
+    raw_contacts: int | None = None  # before chatter was set apart from contacts; of balances every single one
     force_error: float | None = None
     resolved_force_error: float | None = None
     wall_time: float | None = None  # of a whole solve, kernels compiled, median of repeats [s]
@@ -94,7 +94,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
     resolved = found.motion.resolved_force if isinstance(found.motion, ResolvesForce) else None
     counted = found.diagnostics.get("balances", len(found.contacts))
     until = max(contact.end for contact in [*exact.contacts, *found.contacts])
-    blow = any(contact.peak_force is None for contact in [*exact.contacts, *found.contacts])
+    instant = any(contact.peak_force is None for contact in [*exact.contacts, *found.contacts])
     return Row(
         method=method.table(),
         rebound_error=(rebound(found) - rebound(exact)) / scene.speed,
@@ -104,7 +104,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
         true_contacts_found=sum(seen),
         second_contact_found=seen[1] if len(seen) > 1 else None,
         raw_contacts=found.diagnostics.get("raw_contacts", counted),
-        force_error=None if blow else force_error(exact, until, _until_the_end(found, found.motion.force)),
+        force_error=None if instant else force_error(exact, until, _until_the_end(found, found.motion.force)),
         resolved_force_error=None if resolved is None else force_error(exact, until, _until_the_end(found, resolved)),
         wall_time=_wall_time(lambda: method.solve(scene), repeats),
     )

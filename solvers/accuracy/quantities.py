@@ -1,4 +1,4 @@
-"""How far one answer to a scene is from another: one number for each question that can be asked of a blow."""
+"""How far one answer to a scene is from another: one number for each question that can be asked of an impact."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -17,14 +17,14 @@ QUANTITIES = {
     "impulse": "impulse of all contacts, relative to the true one",
     "peak-force": "largest contact force, relative to the true one; of truncated models the resolved one",
     "force-history": "L2 norm of the error of the contact force over time, relative to that of the true force",
-    "resolved-force": "the same of the force averaged over the finest that the method can tell",
+    "resolved-force": "the same of the force averaged over the finest that the method can resolve",
     "contact-time": "time from first touch to last parting, relative to the true one",
-    "energy": "energy gained or lost by the method, relative to the energy before the blow",
+    "energy": "energy gained or lost by the method, relative to the energy before the impact",
 }
 
 
 @dataclass(frozen=True)
-class Answer:
+class Metrics:
     """What can be asked of one solution, without its motion: small, so that many can be kept.
 
     `force` and `resolved` are means over time, sampled at `times` [s], which end with the last contact.
@@ -36,11 +36,11 @@ class Answer:
     contacts: tuple[ContactPeriod, ...]
     energy_error: float
     times: np.ndarray = field(repr=False)
-    force: np.ndarray | None = field(repr=False)  # None: a blow of no duration, bodies in space, or not asked for
+    force: np.ndarray | None = field(repr=False)  # None: an impact of no duration, bodies in space, or not asked for
     resolved: np.ndarray | None = field(repr=False)
 
     @classmethod
-    def of(cls, solution: Solution, histories: bool = True) -> "Answer":
+    def of(cls, solution: Solution, histories: bool = True) -> "Metrics":
         """`histories`: whether the force over time is asked for, which may take as long as a quick solve."""
         until = max((contact.end for contact in solution.contacts), default=0.0)
         times = (np.arange(FORCE_SAMPLES) + 0.5) * until / FORCE_SAMPLES
@@ -60,26 +60,26 @@ class Answer:
             resolved=resolved,
         )
 
-    def same(self, other: "Answer") -> bool:
+    def same(self, other: "Metrics") -> bool:
         """Whether nothing at all has changed."""
         return bool(np.array_equal(self.velocity, other.velocity)) and self.contacts == other.contacts
 
 
 @dataclass(frozen=True)
-class Truth:
+class Reference:
     """The answer that others are measured by, with its force at any time."""
 
     scene: Scene
     solution: Solution
-    answer: Answer
+    metrics: Metrics
 
     @classmethod
-    def of(cls, solution: Solution, histories: bool = True) -> "Truth":
-        return cls(solution.scene, solution, Answer.of(solution, histories))
+    def of(cls, solution: Solution, histories: bool = True) -> "Reference":
+        return cls(solution.scene, solution, Metrics.of(solution, histories))
 
-    def errors(self, found: Answer) -> dict[str, float | Any]:
+    def errors(self, found: Metrics) -> dict[str, float | Any]:
         """By quantity, found minus true where that has a sign; None where one of both has no such thing."""
-        true = self.answer
+        true = self.metrics
         lasted, truly = apparent_time(found.contacts), apparent_time(true.contacts)
         errors = {
             "rebound": _difference(found.velocity, true.velocity) / self.scene.speed,
@@ -92,14 +92,14 @@ class Truth:
         }
         return {name: None if error is None or not np.isfinite(error) else error for name, error in errors.items()}
 
-    def contacts(self, found: Answer) -> tuple[int, int]:
+    def contacts(self, found: Metrics) -> tuple[int, int]:
         """How many true contacts it has, and how many that are none."""
-        seen = sum(overlapping(self.answer.contacts, found.contacts))
+        seen = sum(overlapping(self.metrics.contacts, found.contacts))
         return seen, len(found.contacts) - seen
 
-    def _force_error(self, found: Answer, force: np.ndarray | None) -> float | None:
+    def _force_error(self, found: Metrics, force: np.ndarray | None) -> float | None:
         """Over the contacts of both, however long either lasts."""
-        true = self.answer
+        true = self.metrics
         if force is None or true.force is None:
             return None
         width, true_width = found.times[0], true.times[0]  # half of a cell each

@@ -10,7 +10,7 @@ from ..validation import SceneError
 # Where no exact solution is known; usual: more than any method beside it keeps. With fewer, 'modal' with as many modes
 # seems exact. Orders in the number of modes: `tests/solvers/methods/test_orders.py`.
 REFERENCE_MODES = 80
-# Of waves that errors down to 1e-9 are told by, `auto` and the trade-off. Larger, and finer rungs seem to be wrong.
+# Of waves by which `auto` and the trade-off measure errors down to 1e-9. Larger, and finer levels seem to be wrong.
 EXACT_TOLERANCE = 1e-11
 # Of the sweeps behind the regime maps, whose levels are 1 % and more; `bench/measure_regimes.py` solves thousands.
 SWEEP_TOLERANCE, SWEEP_MODES = 1e-6, 30
@@ -49,7 +49,9 @@ def exact_solution(scene: Scene, restitution: float) -> Solution:
     beams, of which no exact solution is known.
     """
     if scene.bends:
-        raise SceneError("target.kind", scene.target.kind, "a body other than a beam, whose blow has no exact solution")
+        raise SceneError(
+            "target.kind", scene.target.kind, "a body other than a beam, whose impact has no exact solution"
+        )
     for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
             return method.solve_in_full(scene, scene.method.get("duration"))
@@ -57,7 +59,7 @@ def exact_solution(scene: Scene, restitution: float) -> Solution:
 
 
 def modes_beside(scene: Scene, shown: Solution) -> Solution | None:
-    """The same blow by modes, of another number than the one shown; None if modes cannot solve it."""
+    """The same impact by modes, of another number than the one shown; None if modes cannot solve it."""
     own = shown.method["modes"] if shown.method["name"] == Modal.NAME else None
     modes = next(count for count in MODES_BESIDE if count != own)
     method = Modal(modes=modes, steps=STEPS_BESIDE, estimate=False)

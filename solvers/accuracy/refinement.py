@@ -9,13 +9,13 @@ from ..scene import Scene
 from ..text.notes import Note
 from ..validation import SceneError
 
-RUNGS: dict[str, tuple[float, ...]] = {  # of each knob, coarse to fine
+LEVELS: dict[str, tuple[float, ...]] = {  # values of each resolution, coarse to fine
     "modes": (6, 12, 25, 50, 100, 200, 400, 800, 1600, 3200),
     "elements": (6, 12, 25, 50, 100, 200, 400, 800, 1600),
     "steps": (25, 50, 100, 200, 400, 800, 1600, 3200, 6400),
     "tolerance": (1e-2, 1e-3, 1e-5, 1e-7, 1e-9),
 }
-SPATIAL = ("modes", "elements")  # knobs that do nothing where no body rings
+SPATIAL = ("modes", "elements")  # no resolutions where no body rings
 VARIANTS: dict[str, tuple[dict[str, Any], ...]] = {  # of a method, each with a ladder of its own; else the usual one
     "fe-nodal": ({}, {"scheme": "central-difference"}),
     "balance": ({"restitution": 0.0}, {}),
@@ -27,34 +27,34 @@ TRUST = ("waves", "modal", "mode-switch", "fe-modal", "fe-nodal", "quasi-static"
 
 @dataclass(frozen=True)
 class Ladder:
-    """One method with one option, `knob`, from coarse to fine; a closed form has no knob and one rung."""
+    """One method with one option, `resolution`, from coarse to fine; a closed form has no resolution and one level."""
 
-    knob: str | Any  # None: nothing makes it finer
-    rungs: tuple[Method, ...]
+    resolution: str | Any  # None: nothing makes it finer
+    levels: tuple[Method, ...]
 
     @property
     def name(self) -> str:
-        """Of the method, with the options that all rungs share and that are not the usual ones."""
-        return label(self.rungs[0].table(), without=self.knob)
+        """Of the method, with the options that all levels share and that are not the usual ones."""
+        return label(self.levels[0].table(), without=self.resolution)
 
     @property
     def converges(self) -> bool:
-        """Whether a finer rung is a better answer to the same question."""
-        return self.knob is not None and not self._assumes
+        """Whether a finer level is a better answer to the same question."""
+        return self.resolution is not None and not self._assumes
 
     @property
     def exact(self) -> bool:
         """Whether a method that others of its kind refine needs no refining: waves with every event located."""
-        return self.knob is None and bool(self.rungs[0].RESOLUTIONS) and not self._assumes
+        return self.resolution is None and bool(self.levels[0].RESOLUTIONS) and not self._assumes
 
     @property
     def _assumes(self) -> bool:
-        """Whether it is told how the bodies part, whatever their contact."""
-        return "restitution" in {option.name for option in fields(self.rungs[0])}
+        """Whether it assumes how the bodies part, whatever their contact."""
+        return "restitution" in {option.name for option in fields(self.levels[0])}
 
-    def size(self, rung: int) -> float | Any:
-        """The value of the knob."""
-        return None if self.knob is None else getattr(self.rungs[rung], self.knob)
+    def size(self, level: int) -> float | Any:
+        """The value of the resolution."""
+        return None if self.resolution is None else getattr(self.levels[level], self.resolution)
 
 
 def ladders(scene: Scene) -> list[Ladder]:
@@ -65,32 +65,33 @@ def ladders(scene: Scene) -> list[Ladder]:
             if "restitution" in options and not _rings(scene) and not scene.rigid_contact:
                 continue  # bodies that neither ring nor bounce would stay together, which no contact law has them do
             found += _of(method.read(options), scene)
-    return sorted(found, key=lambda ladder: len(ladder.rungs))
+    return sorted(found, key=lambda ladder: len(ladder.levels))
 
 
 def ranked(found: list[Ladder]) -> list[Ladder]:
     """Those first whose finest answer is to be trusted most."""
     places = {name: place for place, name in enumerate(TRUST)}
-    return sorted(found, key=lambda ladder: places.get(ladder.rungs[0].NAME, len(TRUST)))
+    return sorted(found, key=lambda ladder: places.get(ladder.levels[0].NAME, len(TRUST)))
 
 
 def refusals(scene: Scene) -> dict[str, Note]:
     """Why the methods that cannot solve the scene cannot: a note for each."""
     given = {name: method.read({}).refusal(scene) for name, method in METHODS.items()}
-    able = {ladder.rungs[0].NAME for ladder in ladders(scene)}
+    able = {ladder.levels[0].NAME for ladder in ladders(scene)}
     return {name: reason for name, reason in given.items() if reason is not None and name not in able}
 
 
 def _of(method: Method, scene: Scene) -> list[Ladder]:
-    """The method as it is, if none of its knobs matters or a knob makes it coarser than it is, and with its knob."""
-    for knob in method.RESOLUTIONS:
-        if knob in SPATIAL and not _rings(scene):
+    """As it is, if no resolution matters or one makes it coarser than that, and refined by its resolution."""
+    for resolution in method.RESOLUTIONS:
+        if resolution in SPATIAL and not _rings(scene):
             continue
-        rungs = [_allowed(method, knob, size) for size in RUNGS[knob]]
-        kept = tuple(rung for rung in rungs if rung is not None and rung.refusal(scene) is None)
+        levels = [_allowed(method, resolution, size) for size in LEVELS[resolution]]
+        kept = tuple(level for level in levels if level is not None and level.refusal(scene) is None)
         if kept:
-            exact = knob == "steps" and knob != method.RESOLUTIONS[-1]  # steps beside no steps at all
-            return [*([Ladder(None, (method,))] if exact and method.refusal(scene) is None else []), Ladder(knob, kept)]
+            exact = resolution == "steps" and resolution != method.RESOLUTIONS[-1]  # steps beside no steps at all
+            closed = [Ladder(None, (method,))] if exact and method.refusal(scene) is None else []
+            return [*closed, Ladder(resolution, kept)]
     return [Ladder(None, (method,))] if method.refusal(scene) is None else []
 
 
@@ -98,11 +99,11 @@ def _rings(scene: Scene) -> bool:
     return any(body.time_unit is not None for body in (scene.impactor, scene.target))
 
 
-def _allowed(method: Method, knob: str, size: float) -> Method | None:
-    """With another value of the knob, if the method takes it."""
+def _allowed(method: Method, resolution: str, size: float) -> Method | None:
+    """With another value of the resolution, if the method takes it."""
     options = {key: value for key, value in method.table().items() if key != "name" and value is not None}
     try:
-        return method.read(options | {knob: size})
+        return method.read(options | {resolution: size})
     except SceneError:
         return None
 

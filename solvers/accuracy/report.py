@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
-from .trial import Tried, Wish, difference, remainder
+from .trial import Goal, Trial, difference, remainder
 
 CHOSEN = "chosen"  # the code of the note that says so
 HARDLY = 0.2  # order of convergence that is none
@@ -15,10 +15,10 @@ HARDLY = 0.2  # order of convergence that is none
 class Outcome(NamedTuple):
     """What was asked for, all that was solved, and what of it is the answer."""
 
-    wish: Wish
-    tried: list[Tried]
-    chosen: Tried
-    proof: Tried | None  # None: nothing that could be refined, or nothing proved
+    goal: Goal
+    trials: list[Trial]
+    chosen: Trial
+    proof: Trial | None  # None: nothing that could be refined, or nothing proved
     notes: list[Note]
     unsure: bool  # whether no estimate can be believed
     spent: float  # [s]
@@ -29,7 +29,7 @@ class Outcome(NamedTuple):
     @property
     def met(self) -> bool | None:
         """Whether the tolerance is kept to, proved; None if only a budget was given."""
-        tolerance, error = self.wish.tolerance, self.chosen.error
+        tolerance, error = self.goal.tolerance, self.chosen.error
         if tolerance is None:
             return None
         # without a proof the error is only what is left of the last differences, which may mislead
@@ -45,17 +45,17 @@ def summary(found: Outcome) -> Solution:
     of the solution it was held against; tried, each with method, label, cost (expected time of a warm solve [s]),
     wall_time (of this one) and estimated_error; wall_time of everything.
     """
-    chosen, wish = found.chosen, found.wish
+    chosen, goal = found.chosen, found.goal
     why = _why(found)
     reasons = {
-        "quantity": wish.quantity,
-        "tolerance": wish.tolerance,
-        "budget": wish.budget,
+        "quantity": goal.quantity,
+        "tolerance": goal.tolerance,
+        "budget": goal.budget,
         "estimated_error": chosen.error,
         "met": found.met,
         "why": str(why),
         "proof": None if found.proof is None else found.proof.solution.method,
-        "tried": [tried.row() for tried in found.tried],
+        "tried": [trial.row() for trial in found.trials],
         "wall_time": found.spent,
     }
     diagnostics = chosen.solution.diagnostics | {"estimated_error": _rebound_error(found), "chosen": reasons}
@@ -65,18 +65,18 @@ def summary(found: Outcome) -> Solution:
 def _rebound_error(found: Outcome) -> float | None:
     """Of the very solution returned, relative to the impact speed, whatever was asked for."""
     chosen, proof = found.chosen, found.proof
-    if found.wish.quantity == "rebound":
+    if found.goal.quantity == "rebound":
         return chosen.error
     if proof is not None and proof is not chosen:
         return difference(chosen, proof, "rebound")
     if chosen.ladder.converges:
-        return remainder([tried for tried in found.tried if tried.ladder is chosen.ladder], "rebound")
+        return remainder([trial for trial in found.trials if trial.ladder is chosen.ladder], "rebound")
     return chosen.solution.diagnostics["estimated_error"]
 
 
 def _why(found: Outcome) -> Note:
     """What was chosen, and how well it does what was asked."""
-    chosen, wish, proof = found.chosen, found.wish, found.proof
+    chosen, goal, proof = found.chosen, found.goal, found.proof
     compared, outcome = proof is not None and proof is not chosen, _outcome(found)
     return Note(
         CHOSEN,
@@ -85,33 +85,33 @@ def _why(found: Outcome) -> Note:
         method=chosen.label,
         known=chosen.error is not None,
         error=chosen.error,
-        quantity=wish.quantity,
+        quantity=goal.quantity,
         compared=compared,
         proof=proof.label if compared else None,
         outcome=outcome,
-        solved=len(found.tried),
-        tolerance=wish.tolerance,
-        budget=wish.budget,
+        solved=len(found.trials),
+        tolerance=goal.tolerance,
+        budget=goal.budget,
         spent=found.spent,
         finer=_finer(found) if outcome in ("within", "over") else None,
         limit=found.limit if outcome in ("unproved", "missed") else None,
-        resolution=chosen.ladder.knob,
+        resolution=chosen.ladder.resolution,
         **_needed(found),
     )
 
 
 def _outcome(found: Outcome) -> str:
     """An option of the note: how what was chosen stands to what was asked."""
-    error, wish = found.chosen.error, found.wish
+    error, goal = found.chosen.error, found.goal
     if found.met:
         return "met"
     if found.met is None:
-        return "stopped" if found.cancelled else "within" if wish.budget >= found.spent else "over"
-    return "unproved" if error is not None and error <= wish.tolerance else "missed"
+        return "stopped" if found.cancelled else "within" if goal.budget >= found.spent else "over"
+    return "unproved" if error is not None and error <= goal.tolerance else "missed"
 
 
 def _finer(found: Outcome) -> float | None:
-    """Seconds that it would take to tell an error that the time was too short for."""
+    """Seconds that it would take to know an error that the time was too short for."""
     known = found.chosen.error is not None or not found.chosen.ladder.converges or found.unsure
     return None if known else found.finer
 
@@ -120,9 +120,9 @@ def _needed(found: Outcome) -> dict[str, Any]:
     """What the tolerance would take, by how the errors have fallen so far."""
     chosen = found.chosen
     nothing = {"size": None, "seconds": None}
-    if found.wish.tolerance is None:
+    if found.goal.tolerance is None:
         return {"needed": None, **nothing}
-    own = [tried for tried in found.tried if tried.ladder is chosen.ladder and tried.error]
+    own = [trial for trial in found.trials if trial.ladder is chosen.ladder and trial.error]
     if not chosen.ladder.converges:
         return {"needed": "nothing", **nothing}
     if found.unsure or chosen.error is None or len(own) < 3:
@@ -130,6 +130,6 @@ def _needed(found: Outcome) -> dict[str, Any]:
     order = math.log(own[0].error / own[-1].error) / math.log(own[-1].size / own[0].size)
     if abs(order) < HARDLY or (order > 0.0) != (own[-1].size > own[0].size):
         return {"needed": "slow", **nothing}
-    times = (own[-1].error / found.wish.tolerance) ** (1.0 / order)
+    times = (own[-1].error / found.goal.tolerance) ** (1.0 / order)
     seconds = own[-1].cost * times * max(1.0, times)
     return {"needed": "known", "size": own[-1].size * times, "seconds": seconds}

@@ -16,7 +16,7 @@ FIGURES = 5
 KNOWN = ("points", "scene", "quantities")  # packed in their own way, or known from the scene and the library
 SENTENCES = ("refused", "remarks")  # made of their codes
 DERIVED = ("label", "best_for")  # of a point, known from the rest
-RUNG = ("method", "ladder", "knob")  # of a point, the same for a whole ladder but for the value of the knob
+LEVEL = ("method", "ladder", "knob")  # of a point, the same for a whole ladder but for the value of its resolution
 
 
 def scene_key(scene: Scene) -> str:
@@ -65,23 +65,23 @@ def pack(table: Mapping[str, Any]) -> dict[str, Any]:
 
     What the scene and the library know anyway is left out.
     """
-    rungs: list[dict[str, Any]] = []
+    levels: list[dict[str, Any]] = []
     codes: list[Any] = []
     columns: dict[str, Any] = {"rung": [], "notes": []}
     for point in table["points"]:
         options = {key: None if key == point["knob"] else value for key, value in point["method"].items()}
-        columns["rung"].append(_place(rungs, {"method": options, "ladder": point["ladder"], "knob": point["knob"]}))
+        columns["rung"].append(_place(levels, {"method": options, "ladder": point["ladder"], "knob": point["knob"]}))
         columns["notes"].append([_packed_note(codes, note) for note in point["note_codes"]])
         for name, error in point["errors"].items():
             columns.setdefault("errors", {}).setdefault(name, []).append(_rounded(error, FIGURES))
         for key, value in point.items():
-            if key not in (*DERIVED, *RUNG, "notes", "note_codes", "errors"):
+            if key not in (*DERIVED, *LEVEL, "notes", "note_codes", "errors"):
                 kept = value if key == "size" else _rounded(value, DIGITS.get(key, FIGURES))
                 columns.setdefault(key, []).append(kept)
     rest = {key: _rounded(table[key], FIGURES) for key in table if key not in (*KNOWN, *SENTENCES)}
     if rest["reference"]:
         del rest["reference"]["words"]
-    return rest | {"rungs": rungs, "codes": codes, "points": columns}
+    return rest | {"rungs": levels, "codes": codes, "points": columns}
 
 
 def unpack(packed: Mapping[str, Any], scene: Scene) -> dict[str, Any]:
@@ -89,8 +89,8 @@ def unpack(packed: Mapping[str, Any], scene: Scene) -> dict[str, Any]:
     columns = dict(packed["points"])
     errors, notes = columns.pop("errors"), columns.pop("notes")
     points = []
-    for place, rung in enumerate(columns.pop("rung")):
-        point = dict(packed["rungs"][rung]) | {key: values[place] for key, values in columns.items()}
+    for place, level in enumerate(columns.pop("rung")):
+        point = dict(packed["rungs"][level]) | {key: values[place] for key, values in columns.items()}
         if point["knob"] is not None:
             point["method"] = point["method"] | {point["knob"]: point["size"]}
         point["errors"] = {name: values[place] for name, values in errors.items()}

@@ -15,16 +15,16 @@ from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
 from . import store
-from .quantities import QUANTITIES, Answer, Truth
+from .quantities import QUANTITIES, Metrics, Reference
 from .reference import exact_waves
 from .refinement import Ladder, label, ladders, ranked, refusals
-from .tradeoff_table import Point, Reference, TradeOff
+from .tradeoff_table import Point, ReferenceInfo, TradeOff
 
-MEASUREMENT_SECONDS = 12.0  # for all of it, unless told otherwise
+MEASUREMENT_SECONDS = 12.0  # for all of it, unless asked otherwise
 REPEATS, TIMED = 7, 0.12  # of one point: solves at most, and seconds of them
-TIME_GROWTH = 2.5  # of the time from one rung to the next, until it is known
-REFERENCE_HEAD_START = 4  # rungs of the ladder that gives the truth, before all others
-MAX_LEVEL_SHARE = 0.15  # share of all the time that one rung may take
+TIME_GROWTH = 2.5  # of the time from one level to the next, until it is known
+REFERENCE_HEAD_START = 4  # levels of the ladder that gives the reference, before all others
+MAX_LEVEL_SHARE = 0.15  # share of all the time that one level may take
 
 
 def tradeoff(
@@ -77,7 +77,7 @@ class _Solved:
     """One point before its errors are known."""
 
     ladder: Ladder
-    answer: Answer
+    metrics: Metrics
     solution: Solution | Any  # of the finest of each ladder only, as motions are large
     figures: dict[str, Any]  # fields of the Point
 
@@ -94,8 +94,8 @@ class Survey:
         self._solved: list[_Solved] = []
         self._remarks: list[Note] = []
         self._stopped: str | None = "under way"
-        self._truth: Truth | Any = None
-        self._judged: dict[int, Point] = {}  # by number of the solve, as long as the truth is this one
+        self._reference: Reference | Any = None
+        self._rated: dict[int, Point] = {}  # by number of the solve, as long as the reference is this one
         self._kind, self._main = self._reference_ladder()
         self._begun, self._compiling = time.perf_counter(), 0.0
 
@@ -109,16 +109,16 @@ class Survey:
         return time.perf_counter() - self._begun - self._compiling
 
     def _reference_ladder(self) -> tuple[str, Ladder | None]:
-        """How the truth is found, and the ladder whose finest rung it is; none if it is known beforehand."""
+        """How the reference is found, and the ladder whose finest level it is; none if it is known beforehand."""
         exact = exact_waves(self.scene)
         if exact is not None:
-            self._truth = Truth.of(exact.solve(self.scene))
+            self._reference = Reference.of(exact.solve(self.scene))
             return "exact", None
         best = ranked(self._ladders)
         converging = [ladder for ladder in best if ladder.converges]
         if converging:
             return "converged", converging[0]
-        self._truth = Truth.of(best[0].rungs[0].solve(self.scene))
+        self._reference = Reference.of(best[0].levels[0].solve(self.scene))
         return "closed form", None
 
     def points(self, cancel: Callable[[], bool] | None) -> Iterator[None]:
@@ -129,37 +129,37 @@ class Survey:
                 self._stopped = "cancelled"
                 return
             key = min(waiting, key=lambda key: self._expected(*waiting[key]))
-            ladder, rung = waiting.pop(key)
-            if not (self._worth(ladder, rung) and self._solve(ladder, rung)):
+            ladder, level = waiting.pop(key)
+            if not (self._worth(ladder, level) and self._solve(ladder, level)):
                 continue
-            if rung + 1 < len(ladder.rungs):
-                waiting[key] = ladder, rung + 1
+            if level + 1 < len(ladder.levels):
+                waiting[key] = ladder, level + 1
             yield
         self._stopped = None
 
-    def _expected(self, ladder: Ladder, rung: int) -> float:
-        """Seconds that a rung will take, judged by those below it; the first ones of the truth come before all else."""
+    def _expected(self, ladder: Ladder, level: int) -> float:
+        """Seconds that a level will take, by those below it; the first ones of the reference come before all else."""
         own = [point.figures["wall_time"] for point in self._solved if point.ladder is ladder]
-        if ladder is self._main and rung < REFERENCE_HEAD_START:
+        if ladder is self._main and level < REFERENCE_HEAD_START:
             return -1.0
         if not own:
             return 0.0
         return own[-1] * (max(TIME_GROWTH, own[-1] / own[-2]) if len(own) > 1 else TIME_GROWTH)
 
-    def _worth(self, ladder: Ladder, rung: int) -> bool:
+    def _worth(self, ladder: Ladder, level: int) -> bool:
         """Whether there is time for it."""
-        expected, left = self._expected(ladder, rung), self._seconds - self._spent()
-        if rung == 0:
+        expected, left = self._expected(ladder, level), self._seconds - self._spent()
+        if level == 0:
             return left > 0.0
         if expected > left or (expected > MAX_LEVEL_SHARE * self._seconds and ladder is not self._main):
-            size = ladder.size(rung - 1)
-            self._remark("not-refined", ladder=ladder.name, resolution=ladder.knob, size=size, seconds=expected)
+            size = ladder.size(level - 1)
+            self._remark("not-refined", ladder=ladder.name, resolution=ladder.resolution, size=size, seconds=expected)
             return False
         return True
 
-    def _solve(self, ladder: Ladder, rung: int) -> bool:
-        """Solve and time one rung; whether a finer one may differ from it."""
-        method = ladder.rungs[rung]
+    def _solve(self, ladder: Ladder, level: int) -> bool:
+        """Solve and time one level; whether a finer one may differ from it."""
+        method = ladder.levels[level]
         begun = time.perf_counter()
         try:
             solution = method.solve(self.scene)
@@ -170,16 +170,16 @@ class Survey:
         coarser = [point for point in self._solved if point.ladder is ladder]
         times = self._timed(method, [first] if coarser else [])  # what a coarser one needed is compiled
         self._compiling += max(0.0, first - 2.0 * median(times))
-        answer = Answer.of(solution)
-        if coarser and answer.same(coarser[-1].answer):
-            self._remark("finer-changes-nothing", ladder=ladder.name, resolution=ladder.knob)
+        metrics = Metrics.of(solution)
+        if coarser and metrics.same(coarser[-1].metrics):
+            self._remark("finer-changes-nothing", ladder=ladder.name, resolution=ladder.resolution)
             return False
         if coarser:
             coarser[-1].solution = None
-        self._solved.append(_Solved(ladder, answer, solution, self._figures(ladder, rung, solution, first, times)))
-        if ladder is self._main or self._truth is None:
-            self._truth = Truth(self.scene, solution, answer)
-            self._judged.clear()
+        self._solved.append(_Solved(ladder, metrics, solution, self._figures(ladder, level, solution, first, times)))
+        if ladder is self._main or self._reference is None:
+            self._reference = Reference(self.scene, solution, metrics)
+            self._rated.clear()
         return True
 
     def _remark(self, code: str, **values: Any) -> None:
@@ -193,12 +193,12 @@ class Survey:
             times.append(time.perf_counter() - begun)
         return times
 
-    def _figures(self, ladder: Ladder, rung: int, solution: Solution, first: float, times: list[float]):
+    def _figures(self, ladder: Ladder, level: int, solution: Solution, first: float, times: list[float]):
         return {
             "method": solution.method,
-            "ladder": ladder.name if ladder.knob is None else f"{ladder.name} by {ladder.knob}",
-            "knob": ladder.knob,
-            "size": ladder.size(rung),
+            "ladder": ladder.name if ladder.resolution is None else f"{ladder.name} by {ladder.resolution}",
+            "resolution": ladder.resolution,
+            "size": ladder.size(level),
             "wall_time": median(times),
             "spread": (min(times), max(times)) if len(times) > 1 else None,
             "repeats": len(times),
@@ -213,13 +213,13 @@ class Survey:
         points, remarks = [], list(self._remarks)
         for ladder in self._ladders:
             own = [self._point(solved) for solved in self._solved if solved.ladder is ladder]
-            shown = own[:-1] if ladder is self._main and len(own) > 1 else own  # its finest is the truth itself
+            shown = own[:-1] if ladder is self._main and len(own) > 1 else own  # its finest is the reference itself
             points += shown
             remarks += _stagnant(ladder, shown)
         return TradeOff(
             scene=self.scene.table(),
             quantities=dict(QUANTITIES),
-            reference=self._reference(),
+            reference=self._reference_info(),
             points=points,
             refused=self._refused,
             remarks=remarks,
@@ -231,57 +231,57 @@ class Survey:
         )
 
     def _point(self, solved: _Solved) -> Point:
-        if id(solved) not in self._judged:
-            self._judged[id(solved)] = self._judge(solved)
-        return self._judged[id(solved)]
+        if id(solved) not in self._rated:
+            self._rated[id(solved)] = self._rate(solved)
+        return self._rated[id(solved)]
 
-    def _judge(self, solved: _Solved) -> Point:
-        seen, invented = self._truth.contacts(solved.answer)
+    def _rate(self, solved: _Solved) -> Point:
+        seen, invented = self._reference.contacts(solved.metrics)
         return Point(
             **solved.figures,
-            errors=self._truth.errors(solved.answer),
-            true_contacts=len(self._truth.answer.contacts),
+            errors=self._reference.errors(solved.metrics),
+            true_contacts=len(self._reference.metrics.contacts),
             true_contacts_found=seen,
             invented_contacts=invented,
         )
 
-    def _reference(self) -> Reference | None:
-        """The truth in words, and how far it can be trusted."""
-        if self._truth is None:
+    def _reference_info(self) -> ReferenceInfo | None:
+        """The reference in words, and how far it can be trusted."""
+        if self._reference is None:
             return None
-        solution = self._truth.solution
+        solution = self._reference.solution
         name, uncertainty = label(solution.method), dict.fromkeys(QUANTITIES)
         if self._kind == "exact":
             own = solution.diagnostics["estimated_error"]
             uncertainty |= {"rebound": own, "impulse": own, "peak-force": own}
             note = Note("reference-exact", Severity.REMARK, error=own)
-            return Reference("exact", solution.method, uncertainty, note)
+            return ReferenceInfo("exact", solution.method, uncertainty, note)
         if self._kind == "closed form":
             note = Note("reference-closed-form", Severity.REMARK, method=name)
-            return Reference("closed form", solution.method, uncertainty, note)
+            return ReferenceInfo("closed form", solution.method, uncertainty, note)
         own = [solved for solved in self._solved if solved.ladder is self._main]
         coarser, other = own[-2:-1], self._finest_of_another()
-        differences: list[dict[str, Any]] = [self._truth.errors(solved.answer) for solved in coarser]
+        differences: list[dict[str, Any]] = [self._reference.errors(solved.metrics) for solved in coarser]
         beside = label(coarser[0].figures["method"]) if coarser else None
         third = label(other[-1].figures["method"]) if other else None
         note = Note("reference-converged", Severity.REMARK, method=name, coarser=beside, other=third)
         if other:
-            between = self._truth.errors(other[-1].answer)
-            own = Truth(self.scene, other[-1].solution, other[-1].answer).errors(other[-2].answer)
+            between = self._reference.errors(other[-1].metrics)
+            own = Reference(self.scene, other[-1].solution, other[-1].metrics).errors(other[-2].metrics)
             differences.append({name: _beyond(between[name], own[name]) for name in QUANTITIES})
         for quantity in QUANTITIES:
             known = [abs(each[quantity]) for each in differences if each[quantity] is not None]
             uncertainty[quantity] = max(known, default=None)
-        return Reference("converged", solution.method, uncertainty, note)
+        return ReferenceInfo("converged", solution.method, uncertainty, note)
 
     def _finest_of_another(self) -> list[_Solved]:
         """The two finest of the ladder of another method that comes nearest."""
         found: dict[int, list[_Solved]] = {}
         for solved in self._solved:
-            if solved.ladder.converges and solved.ladder.rungs[0].NAME != self._main.rungs[0].NAME:
+            if solved.ladder.converges and solved.ladder.levels[0].NAME != self._main.levels[0].NAME:
                 found.setdefault(id(solved.ladder), []).append(solved)
         pairs = [own[-2:] for own in found.values() if len(own) > 1]
-        return min(pairs, key=lambda pair: abs(self._truth.errors(pair[-1].answer)["rebound"] or 0.0), default=[])
+        return min(pairs, key=lambda pair: abs(self._reference.errors(pair[-1].metrics)["rebound"] or 0.0), default=[])
 
 
 def _beyond(between: float | None, own: float | None) -> float | None:
@@ -297,7 +297,7 @@ NOTICEABLE_ERROR = 0.02
 
 
 def _stagnant(ladder: Ladder, points: list[Point]) -> list[Note]:
-    """Which quantities a ladder does not bring nearer to the truth: they have no limit, or another one."""
+    """Which quantities a ladder does not bring nearer to the exact solution: they have no limit, or another one."""
     found = []
     for quantity in LIMITS if len(points) >= 4 else ():
         errors = [abs(error) for point in points if (error := point.errors[quantity]) is not None]
@@ -308,7 +308,7 @@ def _stagnant(ladder: Ladder, points: list[Point]) -> list[Note]:
                     Severity.REMARK,
                     ladder=ladder.name,
                     quantity=quantity,
-                    resolution=ladder.knob,
+                    resolution=ladder.resolution,
                     last=100 * errors[-1],
                     finest=points[-1].size,
                     first=100 * errors[0],

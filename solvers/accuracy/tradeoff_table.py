@@ -18,9 +18,9 @@ class Point:
     """
 
     method: dict[str, Any]  # name and options, as in a scene file
-    ladder: str  # the method with what all its resolutions share, and the knob
-    knob: str | None  # the option that makes it finer
-    size: float | None  # of the knob
+    ladder: str  # the method with the options that all its resolutions share, and what makes it finer
+    resolution: str | None  # the option that makes it finer
+    size: float | None  # the value of that option
     wall_time: float  # of a whole warm solve with its own error estimate, median of repeats [s]
     spread: tuple[float, float] | None  # shortest and longest of the repeats [s]; None: solved but once
     repeats: int
@@ -35,10 +35,11 @@ class Point:
 
     @property
     def label(self) -> str:
-        return label(self.method, always=self.knob)
+        return label(self.method, always=self.resolution)
 
     def table(self) -> dict[str, Any]:
-        return {each.name: getattr(self, each.name) for each in fields(self)} | coded(self.notes)
+        table = {each.name: getattr(self, each.name) for each in fields(self)} | coded(self.notes)
+        return table | {"knob": table.pop("resolution")}
 
     @classmethod
     def from_table(cls, row: Mapping[str, Any]) -> "Point":
@@ -46,13 +47,14 @@ class Point:
         given: dict[str, Any] = {
             key: value for key, value in row.items() if key not in ("label", "best_for", "note_codes")
         }
+        given["resolution"] = given.pop("knob")
         given["notes"] = [Note.from_table(note) for note in row["note_codes"]]
         given["spread"] = row["spread"] and tuple(row["spread"])
         return cls(**given)
 
 
 @dataclass(frozen=True)
-class Reference:
+class ReferenceInfo:
     """What errors are measured by.
 
     kind "exact": travelling waves; "converged": the finest that was affordable, itself uncertain by how much it differs
@@ -74,7 +76,7 @@ class Reference:
         return table | {"note": self.note.table(), "words": self.words}
 
     @classmethod
-    def from_table(cls, table: Mapping[str, Any]) -> "Reference":
+    def from_table(cls, table: Mapping[str, Any]) -> "ReferenceInfo":
         """The same from what `table` gave."""
         return cls(table["kind"], table["method"], table["uncertainty"], Note.from_table(table["note"]))
 
@@ -85,7 +87,7 @@ class TradeOff:
 
     scene: dict[str, Any]
     quantities: dict[str, str]  # name: what it is
-    reference: Reference | None  # None: not known yet, so no errors
+    reference: ReferenceInfo | None  # None: not known yet, so no errors
     points: list[Point]
     refused: dict[str, Note]  # method: why it cannot
     remarks: list[Note]  # what does not get better however fine it is, and what was left out
@@ -121,7 +123,7 @@ class TradeOff:
         A page needs: `points[].wall_time` and `.spread` across, `.errors[quantity]` upward (its size), `.label`,
         `.estimated_error`, `.note_codes`, `.contacts` and `.true_contacts_found` for the hover, `.method` for a click,
         which is the table `[method]` of a scene file; `.ladder` to join points by a line; `best_for` for the front;
-        `reference.words` and `reference.uncertainty[quantity]` for the grey band below which nothing can be told;
+        `reference.words` and `reference.uncertainty[quantity]` for the grey band below which no errors are known;
         `remarks`, `refused`, `machine` as text.
         """
         fronts = {quantity: self.front(quantity) for quantity in self.quantities}
@@ -145,7 +147,7 @@ class TradeOff:
         given = {key: value for key, value in table.items() if key not in ("refused_codes", "remark_codes")}
         given |= {
             "points": [Point.from_table(row) for row in table["points"]],
-            "reference": table["reference"] and Reference.from_table(table["reference"]),
+            "reference": table["reference"] and ReferenceInfo.from_table(table["reference"]),
             "refused": {name: Note.from_table(note) for name, note in table["refused_codes"].items()},
             "remarks": [Note.from_table(note) for note in table["remark_codes"]],
         }

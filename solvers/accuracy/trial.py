@@ -1,4 +1,4 @@
-"""One solve on the way to an answer, and what can be told of its error from the others."""
+"""One solve of a search, and its error as estimated from the others."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 from ..solution.solution import Solution
 from .cost_model import expected_time
-from .quantities import Truth
+from .quantities import Reference
 from .refinement import Ladder, label
 
 
-class Wish(NamedTuple):
+class Goal(NamedTuple):
     """What is asked for."""
 
     tolerance: float | Any  # None: as good as the budget allows
@@ -21,23 +21,23 @@ class Wish(NamedTuple):
 
 
 @dataclass(eq=False)
-class Tried:
+class Trial:
     """One solve on the way."""
 
     ladder: Ladder
-    rung: int
+    level: int
     solution: Solution
-    truth: Truth
+    reference: Reference
     wall_time: float
     error: float | Any = None  # estimated, of the quantity asked for; None: nothing to hold it against
 
     @property
     def label(self) -> str:
-        return label(self.solution.method, always=self.ladder.knob)
+        return label(self.solution.method, always=self.ladder.resolution)
 
     @property
     def size(self) -> float | Any:
-        return self.ladder.size(self.rung)
+        return self.ladder.size(self.level)
 
     @property
     def cost(self) -> float:
@@ -54,13 +54,13 @@ class Tried:
         }
 
 
-def difference(one: Tried, other: Tried, quantity: str) -> float | None:
-    """Of one from the other, which is nearer to the truth."""
-    error = other.truth.errors(one.truth.answer)[quantity]
+def difference(one: Trial, other: Trial, quantity: str) -> float | None:
+    """Of one from the other, which is nearer to the exact solution."""
+    error = other.reference.errors(one.reference.metrics)[quantity]
     return None if error is None else abs(error)
 
 
-def remainder(own: Sequence[Tried], quantity: str) -> float | None:
+def remainder(own: Sequence[Trial], quantity: str) -> float | None:
     """What is left of the error of the finest, as the last two differences fall like a power."""
     last: list[Any] = [difference(one, other, quantity) for one, other in pairwise(own[-3:])]
     if not last or None in last:

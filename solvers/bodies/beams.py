@@ -75,11 +75,11 @@ class Bending(AnyBody):
 
     @abstractmethod
     def notes(self) -> list[Note]:
-        """What its theory cannot tell of it, with the limit."""
+        """What lies outside its theory, with the limit."""
 
     @abstractmethod
     def notes_on_modes(self, count: int) -> list[Note]:
-        """What its lowest `count` modes cannot tell of a blow, with the limit."""
+        """What its lowest `count` modes cannot resolve of an impact, with the limit."""
 
 
 @dataclass(frozen=True)
@@ -189,7 +189,7 @@ class Beam(Bending):
 
     @cached_property
     def time_unit(self) -> float:
-        """Period of its slowest vibration [s]: the unit in which its blows are measured."""
+        """Period of its slowest vibration [s]: the unit in which its impacts are measured."""
         return 2.0 * math.pi / float(self.modes(1).frequencies[0])
 
     def modes(self, count: int) -> Modes:

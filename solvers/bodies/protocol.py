@@ -29,9 +29,9 @@ class AnyBody(ABC):
 
     kind: str  # its word in scene files
     mass: float  # [kg], with all that is fixed to it; infinite of a wall
-    velocity: float  # before the blow [m/s], positive the way the impactor goes
+    velocity: float  # before the impact [m/s], positive the way the impactor goes
     material: Material | None  # at the contact; None: rigid
-    length: float  # [m]; 0: places in it are not told apart
+    length: float  # [m]; 0: it has no places of its own
     radius: float | None = None  # of curvature at the contact [m]; None: flat
     end_mass: float = 0.0  # a rigid one on its far end [kg], part of `mass`
     damping: float = 0.0  # of every mode, as a fraction of the critical
@@ -39,14 +39,14 @@ class AnyBody(ABC):
     fixed: bool = False  # whether it cannot move as a whole
     held: bool = False  # whether something outside takes up momentum
     swings: bool = False  # whether it moves on as a whole though it is held
-    turns: bool = False  # whether a blow turns it as it moves on
+    turns: bool = False  # whether an impact turns it as it moves on
     free_mass: bool = False  # whether it is one rigid mass, free to move
     bends: bool = False  # whether it is `beams.Bending`
     endless: bool = False  # whether waves run away in it for good
     bonded: bool = True  # whether all its parts stay together, whatever strikes it
 
     round_trip_time: float | None = None  # of a wave that keeps its shape [s]
-    time_unit: float | None = None  # in which its blows are measured [s]; None: nothing rings in it
+    time_unit: float | None = None  # in which its impacts are measured [s]; None: nothing rings in it
     half_swing: float | None = None  # half a period of a mass on its spring [s]; None: there is none
     softness: float = (
         0.0  # static compliance of what bends in it [m/N]; of what is free, against its inertia or about so
@@ -81,7 +81,7 @@ class AnyBody(ABC):
 
     @property
     def effective_mass(self) -> float:
-        """What a rigid blow on it feels [kg]; infinite where it is held."""
+        """What a rigid impact on it feels [kg]; infinite where it is held."""
         return math.inf if self.held else self.mass
 
     def modes(self, count: int) -> Modes:

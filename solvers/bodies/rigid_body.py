@@ -18,14 +18,14 @@ Tensor = tuple[Vector, Vector, Vector]
 MAX_LENGTH = 1e6  # [m]
 FASTEST_SPIN = 1e9  # [rad/s]
 HEAVIEST_MOMENT = 1e24  # [kg m2]: the heaviest mass at the longest arm
-TOLD_TWICE = 1e-9  # of what a file says twice: both halves of a symmetric tensor
+MAX_ASYMMETRY = 1e-9  # of what a file says twice: both halves of a symmetric tensor
 FOUR_DIGITS = 1e-3  # of what it says in four digits: the moments of a plate, directions at right angles
 NOWHERE = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
 class Body(AnyBody):
-    """A rigid body touched at one point, impactor or target. Vectors are in world axes, at the instant of the blow.
+    """A rigid body touched at one point, impactor or target. Vectors are in world axes, at the instant of the impact.
 
     Without inertia it is a point mass, which does not turn; a thin rod has none about its own axis.
     Source: note on rigid-body impulses.
@@ -75,7 +75,7 @@ class Body(AnyBody):
 
 
 def in_space(body: AnyBody) -> impulses.Bodies:
-    """Any body as the impulse kernels take it: one on an axis as a point mass on x, as heavy as a blow feels it."""
+    """Any body as the impulse kernels take it: one on an axis as a point mass on x, as heavy as an impact feels it."""
     if isinstance(body, Body):
         return impulses.Bodies(*(np.asarray(getattr(body, name)) for name in impulses.Bodies._fields))
     return impulses.Bodies(
@@ -104,7 +104,9 @@ def read_normal(key: str, given: object) -> Vector:
 def check_struck(key: str, body: object, normal: Vector) -> None:
     """Refuses a body struck so that it would turn about an axis about which nothing resists."""
     if isinstance(body, Body) and impulses.unresisted(in_space(body), np.array(normal)):
-        allowed = "a moment of inertia about every axis about which the blow turns the body (a thin rod: struck across)"
+        allowed = (
+            "a moment of inertia about every axis about which the impact turns the body (a thin rod: struck across)"
+        )
         raise SceneError(f"{key}.inertia", [list(row) for row in body.inertia], allowed)
 
 
@@ -118,7 +120,7 @@ def _read_inertia(key: str, given: Mapping[str, Any]) -> Tensor:
             raise SceneError(f"{key}.axes", given["axes"], "nothing beside a full tensor, which has its axes in it")
         rows = [read_vector(f"{name}[{i}]", row, HEAVIEST_MOMENT, "kg m2") for i, row in enumerate(inertia)]
         tensor = np.array(rows)
-        if np.abs(tensor - tensor.T).max() > TOLD_TWICE * np.abs(tensor).max():
+        if np.abs(tensor - tensor.T).max() > MAX_ASYMMETRY * np.abs(tensor).max():
             raise SceneError(name, inertia, "a symmetric tensor")
     else:
         moments = np.array(read_vector(name, inertia, HEAVIEST_MOMENT, "kg m2"))
@@ -143,6 +145,6 @@ def _read_axes(key: str, given: object) -> np.ndarray:
 
 def _check_moments(key: str, given: object, tensor: np.ndarray) -> None:
     low, middle, high = np.linalg.eigvalsh(tensor).tolist()
-    if low < -TOLD_TWICE * max(high, -low):
+    if low < -MAX_ASYMMETRY * max(high, -low):
         found = f"(here {low:.6g}, {middle:.6g} and {high:.6g})"
         raise SceneError(key, given, f"a tensor whose principal moments {found} are not negative")

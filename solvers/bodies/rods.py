@@ -163,7 +163,7 @@ class Joint:
     """
 
     bonded: bool
-    gap: float = 0.0  # [m] between the faces before the blow
+    gap: float = 0.0  # [m] between the faces before the impact
     contact: Mapping[str, Any] | None = None
 
 

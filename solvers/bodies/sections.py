@@ -14,7 +14,7 @@ BENDING_KEYS = ("second_moment", "shear_coefficient")
 
 @dataclass(frozen=True)
 class Section:
-    """A section by width and height (along the blow), by radius, or by its area; bending needs more than the area.
+    """A section by width and height (along the impact), by radius, or by its area; bending needs more than the area.
 
     What is None does not follow from what was given.
     """

@@ -32,7 +32,7 @@ def hertz_stiffness(given: Mapping[str, Any], impactor: Any, target: Any) -> flo
 
 
 def derived(name: str, values: str, impactor: Any, target: Any) -> tuple[float, float]:
-    """R [m] and E* [Pa] for a constant that was not given. Raises SceneError where the bodies cannot tell."""
+    """R [m] and E* [Pa] for a constant that was not given. Raises SceneError where the bodies do not give it."""
     radius, modulus = contact_radius(impactor, target), contact_modulus(impactor, target)
     if radius is None:
         allowed = f"a number from {values}, or impactor.radius or target.radius to derive it from (all are missing)"

@@ -50,7 +50,7 @@ def delivered_restitution(damping: float) -> float:
         return 1.0 - 2.0 * damping / 3.0 + 4.0 * damping**2 / 9.0
     from scipy.optimize import brentq  # here, so that importing the library stays quick
 
-    # in w = -ln(1 - d e), as d e comes closer to 1 than a double can tell
+    # in w = -ln(1 - d e), as d e comes closer to 1 than a double can resolve
     least = damping - math.log1p(damping)
     w = brentq(lambda w: least - math.expm1(-w) - w, 0.0, least + 1.0, xtol=1e-15)
     return -math.expm1(-w) / damping

@@ -21,7 +21,7 @@ def exponent_of(law: Law) -> float:
 def contact_time(law: Law, mass: float, speed: float) -> float:
     """About how long two compact bodies of this reduced mass [kg] touch [s]: half a swing on the secant stiffness."""
     if isinstance(law, Rigid):
-        return 1e-3  # a blow of no duration at all: something to draw it on
+        return 1e-3  # an impact of no duration at all: something to draw it on
     depth = speed * 1e-4
     for _ in range(200):
         stiffness = law.force(depth, 0.0, 0.0) / depth
@@ -30,7 +30,7 @@ def contact_time(law: Law, mass: float, speed: float) -> float:
 
 
 def steepest_stiffness(law: Law, mass: float, speed: float) -> float:
-    """Largest stiffness of the law [N/m] that a blow of this reduced mass [kg] can reach: it stores all its energy."""
+    """Largest stiffness of the law [N/m] that this reduced mass [kg] can reach: the law stores all its energy."""
     energy = 0.5 * mass * speed**2
     depth = 1e-3 * speed * contact_time(law, mass, speed)
     for _ in range(300):

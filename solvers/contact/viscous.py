@@ -1,8 +1,8 @@
 """Laws that lose energy by damping: the force depends on the rate of indentation too, and never pulls.
 
-The damping is given by one of three keys: `restitution`, what two free rigid bodies deliver at the speed of this blow;
+The damping is given by one of three keys: `restitution`, what two free rigid bodies deliver at this impact speed;
 `nominal_restitution`, the number in the law's usual formula, which delivers something else; or `damping`, the constant
-itself, which belongs to the pair of bodies and stays the same in every contact of a blow.
+itself, which belongs to the pair of bodies and stays the same in every contact of an impact.
 """
 
 import math

@@ -1,4 +1,4 @@
-"""One file each; a method knows no other method. Which of them solves a scene that names none is told here."""
+"""One file each; a method knows no other method. Here it is decided which of them solves a scene that names none."""
 
 from ..scene import Scene
 from .balance.method import Balance
@@ -18,7 +18,10 @@ METHODS = {
 # The first that can solve the scene is its usual method: exact ones first, rigid bodies where nothing else is left.
 RINGING = ("waves", "modal", "fe-modal", "rigid")
 COMPACT = ("quasi-static", "modal")  # only the contact gives way: closed forms, and modes for a mass on a spring
-UNYIELDING = ("rigid", "balance")  # nothing gives way: a restitution has to tell, that of a mass on a spring each time
+UNYIELDING = (
+    "rigid",
+    "balance",
+)  # nothing gives way: a restitution has to be given, or that of a mass on a spring is taken
 
 __all__ = [
     "METHODS",

@@ -97,7 +97,7 @@ class Method(ABC):
         return solution
 
     def solve_in_full(self, scene: Scene, duration: float | None = None) -> Solution:
-        """`solve`, for who reads the notes: where damping in the contact counts waves twice, they tell what the elastic
+        """`solve`, for who reads the notes: where damping in the contact counts waves twice, they say what the elastic
         law gives, by one more solve when they are first read.
         """
 

@@ -12,7 +12,7 @@ from ..solution.solution import ContactPeriod
 from ..text.notes import Note, Severity
 
 NEAR_MASS = 0.03  # relative change of the mass within which another number of contacts is worth a note
-HISTORY_PIECES, HISTORY_TERMS = (64, 400), 40  # of a history; blows that need more are far from simple, and not asked
+HISTORY_PIECES, HISTORY_TERMS = (64, 400), 40  # of a history; impacts that need more are far from simple, and not asked
 HALVINGS, EDGE_TOLERANCE = 40, 1e-3  # of the change of the mass: the note gives two digits of it
 END_MARGIN = 0.05  # round trips before the end of the time solved; a contact that begins within is not missed
 # Share of the whole impulse: slighter contacts are not reported as missed. Larger, and a method may drop a contact that
@@ -73,7 +73,7 @@ def one_front(scene: Scene) -> bool:
 
 
 def _contacts(beta: float, reflection: float) -> np.ndarray | None:
-    """Of each contact start, end, velocity before and after, and more; None if the blow is far from simple."""
+    """Of each contact start, end, velocity before and after, and more; None if the impact is far from simple."""
     for pieces in HISTORY_PIECES:
         sent = rigid_waves.Pieces.of(pieces, HISTORY_TERMS, pieces)
         status, _, count = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, sent)

@@ -123,7 +123,7 @@ class ModeSwitch(Method):
     def _estimated_error(self, scene: Scene, course: SwitchedModes | SwitchedBeam, duration: float) -> float:
         """Of the final velocity, relative to the impact speed: against two smaller numbers of modes.
 
-        After the blow, though it may last longer with these; of a blow that is cut off, at that very instant.
+        After the impact, though it may last longer with these; of an impact that is cut off, at that very instant.
         """
         units = _units(scene)
         limit = duration / units.time

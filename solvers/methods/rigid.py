@@ -148,7 +148,7 @@ def _diagnostics(
 
 
 def _unknown(scene: Scene) -> dict[str, None]:
-    """Where waves run, a rigid body cannot tell how wrong it is."""
+    """Where waves run, the error of a rigid body is not known."""
     return {"estimated_error": None} if _rings(scene) else {}
 
 
@@ -183,7 +183,7 @@ def _motion(scene: Scene, before: tuple[Bodies, Bodies], found: Strike, duration
     }  # fmt: skip
     return SampledMotion(
         time=instants,
-        force=np.zeros(3),  # the blow has no duration: all of it is in the impulse
+        force=np.zeros(3),  # the impact has no duration: all of it is in the impulse
         impulse=float(found.impulse) * np.array([0.0, 1.0, 1.0]),
         impactor_position=instants * first,
         impactor_velocity=first,

@@ -11,13 +11,13 @@ from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from .grazing import grazing_note, miscounted, one_front
 
-# Shortest periods known that a rigid blow on a rod must last, for its contacts to be told apart and for its rebound
+# Shortest periods known that a rigid impact on a rod must last, for its contacts to be resolved and for its rebound
 # to be right to 2 %. Measured at mass ratios 5 to 100; with smaller ones wrong answers pass without a note.
 MIN_PERIODS_OF_A_CONTACT, MIN_PERIODS_OF_A_REBOUND = 1.5, 5.0
 # Shortest periods known that a contact by a law must last; also on rods HEAVY_ROD_RATIO times the impactor. With less
 # the peak force is off by 3 to 50 %, measured on rods of 0.3 to 30 times its mass.
 MIN_PERIODS, MIN_PERIODS_HEAVY_ROD, HEAVY_ROD_RATIO = 2.5, 1.2, 10.0
-MAX_TRUSTED_ERROR = 0.05  # estimated, of the speed of approach; a larger one is told
+MAX_TRUSTED_ERROR = 0.05  # estimated, of the speed of approach; a larger one is reported
 STILL_TOUCHING = Note("still-touching", Severity.WARNING)
 NEVER_PART = Note("contact-fades-for-ever", Severity.REMARK)
 TOUCH_ON = Note("touches-for-ever", Severity.REMARK)
@@ -44,7 +44,7 @@ def bodies_that_bend(scene: Scene) -> list[Bending]:
 
 def notes_on_rigid_impact(scene: Scene, period: float, count: int, kind: str) -> list[Note]:
     """Where a mass leaves a rod or a beam in rigid contact sooner than `count` modes or elements, known down to a
-    `period` [s], can tell.
+    `period` [s], can resolve.
     """
     if bodies_that_bend(scene):
         if scene.halting_time >= period:

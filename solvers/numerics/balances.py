@@ -114,7 +114,7 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
 def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, events):
     """As `at_step_ends`, with a step halved whose faces would come to overlap by more than `tolerance` [m].
 
-    turns: of the step and its halves, (levels, modes) each. After a balance the whole step is tried again.
+    turns: of the step and its halves, (levels, modes) each. After a balance the whole step is repeated.
     Source: thesis (6.22).
     """
     levels, modes = turns.stay.shape
@@ -149,7 +149,7 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
 def _fly(bank, turn, step, q, p, q1, p1, longest):
     """Free flight from (q, p) until the faces meet: q1, p1 there. Returns its duration, or -1 if over `longest`.
 
-    In every step the cubic through overlap and rate at both ends tells whether they met and parted again within it.
+    In every step the cubic through overlap and rate at both ends shows whether they met and parted again within it.
     """
     copy_to(q1, q)
     copy_to(p1, p)

@@ -61,7 +61,7 @@ class Modes:
         return static(x) - (self.at_contact / self.frequencies**2) @ own(x)
 
     def excited(self) -> "Modes":
-        """Without the modes that a blow cannot move, as they are at rest where it falls."""
+        """Without the modes that an impact cannot move, as they are at rest where it falls."""
         moved = np.abs(self.at_contact) > AT_REST * np.abs(self.at_contact).max(initial=0.0)
         return self if moved.all() else self._only(moved)
 

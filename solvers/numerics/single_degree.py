@@ -1,4 +1,4 @@
-"""Structures with one degree of freedom under a blow: closed forms on given instants of contact and of flight.
+"""Structures with one degree of freedom under an impact: closed forms on given instants of contact and of flight.
 
 Source: thesis 3.3.
 """
@@ -10,7 +10,7 @@ import numpy as np
 SQUARE = 2.5  # (3.22): omega_3^2 = 135/54 E A / (L m)
 
 
-class Blow(NamedTuple):
+class Response(NamedTuple):
     """Arrays (time,): the instants of contact, then those of flight; the parting stands twice."""
 
     time: np.ndarray  # [s]
@@ -24,7 +24,7 @@ class Blow(NamedTuple):
 
 def on_spring(
     mass: float, carried: float, stiffness: float, speed: float, contact: np.ndarray, flight: np.ndarray
-) -> Blow:
+) -> Response:
     """A mass strikes a spring that carries another; they go on as one, and part when the first feels no force.
 
     (3.15)-(3.17) without the carried mass, (3.19), (3.20) with it: an impulse at once, then a half sine. `bent` is the
@@ -39,7 +39,7 @@ def on_spring(
         swing, swing_rate = -start / own * np.sin(own * since), -start * np.cos(own * since)
     depth, rate = start / frequency * np.sin(angle), start * np.cos(angle)
     impulse = mass * (speed - start) + mass * start * 2.0 * np.sin(0.5 * angle) ** 2
-    return Blow(
+    return Response(
         time=np.concatenate((contact, flight)),
         force=_then(mass * frequency * start * np.sin(angle), 0.0 * since),
         impulse=_then(impulse, impulse[-1] + 0.0 * since),
@@ -52,7 +52,7 @@ def on_spring(
 
 def against_equal(
     mass: float, stiffness: float, speed: float, start: float, contact: np.ndarray, flight: np.ndarray
-) -> Blow:
+) -> Response:
     """A rod strikes its equal that comes as fast, or a rigid stop; it bends as a rod that hangs under its own weight.
 
     `bent` is the approach x1 of its middle to the touching face, which starts at the rate `start`; force (3.23).
@@ -64,7 +64,7 @@ def against_equal(
     impulse = pull / frequency**2 * 2.0 * np.sin(0.5 * angle) ** 2
     position = speed * contact - pull / (frequency**2 * mass) * (contact - np.sin(angle) / frequency)
     after = speed - impulse[-1] / mass
-    return Blow(
+    return Response(
         time=np.concatenate((contact, flight)),
         force=_then(pull / frequency * np.sin(angle), 0.0 * since),
         impulse=_then(impulse, impulse[-1] + 0.0 * since),

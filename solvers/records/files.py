@@ -204,8 +204,12 @@ def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], 
 def _check_unit(values: np.ndarray, kind: str, name: str) -> None:
     largest = float(np.abs(values).max())
     if largest > LARGEST[kind]:
-        doubt = {"strain": "are these microstrain?", "stress": "are these really Pa?", "force": "are these really N?"}
-        allowed = f"at most {LARGEST[kind]:g} in SI units ({doubt[kind]} name the column with its unit)"
+        question = {
+            "strain": "are these microstrain?",
+            "stress": "are these really Pa?",
+            "force": "are these really N?",
+        }
+        allowed = f"at most {LARGEST[kind]:g} in SI units ({question[kind]} name the column with its unit)"
         raise SceneError(f"record column {name!r}", largest, allowed)
 
 

@@ -44,7 +44,7 @@ class RecoveredWaves:
 
     @property
     def velocity(self) -> np.ndarray:
-        """Of the struck end [m/s], for a rod at rest before the blow."""
+        """Of the struck end [m/s], for a rod at rest before the impact."""
         return (self.sent - self.returned) * self.rod.area / self.rod.impedance
 
     def stress(self, x: float) -> tuple[np.ndarray, np.ndarray]:
@@ -94,7 +94,7 @@ def from_two_gauges(first: Record, second: Record, rod: Any, x1: float, x2: floa
         a(t) = sum over k of [record1(t - 2 k d) - record2(t - (2 k + 1) d)]
 
     and what is left of record1 comes back. The records need not be sampled alike. Frequencies of k c / (2 (x2 - x1)),
-    zero among them, are the same at both gauges and cannot be told apart: white noise in the force grows by at most
+    zero among them, are the same at both gauges and cannot be distinguished: white noise in the force grows by at most
     the root of 2 t / d + 5, an offset between the gauges by at most 2 x1 / (x2 - x1) + 2. Gauges near the struck end
     and far from each other are best.
     """
@@ -136,7 +136,7 @@ def _lag(rod: Any, x: float) -> float:
 
 
 def _instants(record: Record, lag: float, ends: float = math.inf) -> np.ndarray:
-    """From first touch to the last instant that the record tells of, at the record's own step."""
+    """From first touch to the last instant that the record covers, at the record's own step."""
     last = min(float(record.time[-1]) - lag, ends)
     if not last >= 2.0 * record.step:
         allowed = f"more than {lag:.6g} s, when the first wave comes by, with time zero at first touch"
@@ -147,5 +147,5 @@ def _instants(record: Record, lag: float, ends: float = math.inf) -> np.ndarray:
 def _check_terms(terms: int, instants: int) -> None:
     if terms * instants > MOST_READINGS:
         most = MOST_READINGS // terms
-        allowed = f"at most {most} rows where {terms} echoes must be told apart: a shorter record, or longer steps"
+        allowed = f"at most {most} rows where {terms} echoes must be distinguished: a shorter record, or longer steps"
         raise SceneError("record", f"{instants} rows", allowed)

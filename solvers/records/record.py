@@ -26,7 +26,7 @@ class Alignment(NamedTuple):
 
 
 class Residual(NamedTuple):
-    """What tells a record from a solution: relative to the solution's own size in the same norm."""
+    """The difference of a record from a solution: relative to the solution's own size in the same norm."""
 
     relative: float  # L2 over the samples
     greatest: float  # maximum
@@ -150,8 +150,8 @@ def _lowest(function: Any, low: float, high: float) -> float:
 def expected(solution: Any, kind: str, times: np.ndarray, x: float | None = None) -> np.ndarray:
     """What a solution says that a gauge at `x` [m] from the struck end would have measured.
 
-    Without `x`, or at 0: the contact force, also as stress or strain of the struck end. Zero before the blow, NaN where
-    the solution ends.
+    Without `x`, or at 0: the contact force, also as stress or strain of the struck end. Zero before the impact, NaN
+    where the solution ends.
     """
     validation.choice("kind", kind, KINDS)
     times = np.asarray(times, float)

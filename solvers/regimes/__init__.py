@@ -1,1 +1,1 @@
-"""The smallest model that answers a question about a blow, as measured."""
+"""The smallest model that answers a question about an impact, as measured."""

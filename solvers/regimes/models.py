@@ -125,7 +125,7 @@ def scene_of_rigid_bodies(scene: Scene) -> Scene:
 def figures(solution: Solution, stresses: bool = True) -> np.ndarray:
     """The answers, (4,): rebound over speed, peak force [N], apparent contact time [s], largest stress [Pa].
 
-    NaN where the solution does not tell.
+    NaN where the solution has none.
     """
     scene, found = solution.scene, np.full(4, np.nan)
     found[0] = solution.impactor_velocity / scene.speed
@@ -146,7 +146,7 @@ def _peak_stress(solution: Solution) -> float:
 
 
 def errors(found: np.ndarray, true: np.ndarray) -> np.ndarray:
-    """Of figures, (4,): the rebound's as a share of the speed, the others relative; infinity where nothing is told."""
+    """Of figures, (4,): the rebound's as a share of the speed, the others relative; infinity where there is none."""
     with np.errstate(invalid="ignore"):
         missed = np.abs(found - true)
         missed[1:] /= np.abs(true[1:])

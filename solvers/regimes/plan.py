@@ -117,7 +117,7 @@ class RegimeMap:
 
     mass_ratio (n,), target over impactor; relative_time (m,), duration of the contact of two rigid bodies over the
     round trip of a wave in the rod, or over the period of the slowest vibration of the beam, 0 being a rigid contact;
-    errors (models, n, m), infinite where the model does not tell. contours[model][level]: arrays of relative time and
+    errors (models, n, m), infinite where the model has none. contours[model][level]: arrays of relative time and
     mass ratio along the lines of that error, NaN between the lines; models are better on the side of smaller errors.
     smallest (n, m): index of the first model within the tolerance, len(models): none of them is.
     """
@@ -204,7 +204,7 @@ def _groups(scene: Scene) -> dict[str, float]:
 
 
 def scene_rotation(scene: Scene) -> float:
-    """Share of the closing speed that a blow takes away by turning the bodies: 0 of a central one, 1 of spin alone."""
+    """Share of the closing speed that an impact takes away by turning the bodies: 0 if central, 1 if spin alone."""
     bodies = [in_space(body) for body in (scene.impactor, scene.target)]
     struck = strike(*bodies, np.array(scene.normal), 1.0)  # pyright: ignore[reportCallIssue]
     return float(1.0 - struck.effective_mass * sum(1.0 / float(body.mass) for body in bodies))
@@ -234,7 +234,7 @@ def _covered(scene: Scene, family: str, groups: dict[str, float]) -> bool:
 
 def _lossy_tables(scene: Scene, family: str, groups: dict[str, float]) -> list[tuple[Table, bool]]:
     """Of a law that loses energy, those measured with a little less and a little more of it, and whether the scene
-    loses more than any; none for elastic blows.
+    loses more than any; none for elastic impacts.
     """
     law = scene.contact
     if law.PLASTIC and groups["impact_parameter"] > 1.0:
@@ -304,7 +304,7 @@ def _modes_needed(family: str, number: int, groups: dict, tolerance: float, law:
 
 
 def _elastic_error(scene: Scene, number: int, groups: dict[str, float]) -> float | Any:
-    """What an elastic law misses of this plastic one, from blows of two compact bodies; None for other laws."""
+    """What an elastic law misses of this plastic one, from impacts of two compact bodies; None for other laws."""
     law = scene.contact
     if not law.PLASTIC:
         return None

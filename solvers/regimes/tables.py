@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 STORED = Path(__file__).parent / "regimes.npz"
-LEAST, MOST, CODES = 1e-5, 10.0, 254  # errors are kept as bytes, by their logarithm; 255: the model does not tell
+LEAST, MOST, CODES = 1e-5, 10.0, 254  # errors are kept as bytes, by their logarithm; 255: the model predicts nothing
 NOTHING = 255
 
 
@@ -18,7 +18,7 @@ def encoded(errors: np.ndarray) -> np.ndarray:
 
 
 def decoded(codes: np.ndarray) -> np.ndarray:
-    """The way back; infinity where the model does not tell."""
+    """The way back; infinity where the model predicts nothing."""
     values = LEAST * (MOST / LEAST) ** (codes.astype(float) / CODES)
     return np.where(codes == NOTHING, np.inf, values)
 

@@ -1,1 +1,1 @@
-"""What happened in a blow: contacts, velocities, energies, and the motion as a whole."""
+"""What happened in an impact: contacts, velocities, energies, and the motion as a whole."""

@@ -31,7 +31,7 @@ class Motion(Protocol):
 
 @runtime_checkable
 class ResolvesForce(Protocol):
-    """Knows the contact force averaged over the finest that its method can tell: the rest is chatter."""
+    """Knows the contact force averaged over the finest that its method can resolve: the rest is chatter."""
 
     def resolved_force(self, time: np.ndarray) -> np.ndarray: ...
 

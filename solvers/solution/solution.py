@@ -21,7 +21,7 @@ class ContactPeriod:
     start: float  # [s]
     end: float  # [s]
     impulse: float  # [N s]
-    peak_force: float | Any  # [N]; None: a blow of no duration
+    peak_force: float | Any  # [N]; None: an impact of no duration
 
 
 def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
@@ -94,7 +94,7 @@ class Solution:
     peak_force: float | None  # [N]
     peak_indentation: float | None  # [m]
     residual_indentation: float | None  # that is left in the surfaces [m]
-    effective_mass: float | None = None  # of the contact [kg], where the blow is one impulse
+    effective_mass: float | None = None  # of the contact [kg], where the impact is one impulse
     impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
     target_spin: tuple[float, float, float] | None = None
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods

@@ -21,7 +21,7 @@ from .runs import INTEGRATORS, Problem, bound, damped, own_stiffness, problem_of
 
 USUAL_MODES = 20  # where neither the scene nor an axis says how many
 NOT_RUN, CANNOT = 254, 255
-SURE = 0.97  # of a limit by theory: failures below it are told
+SURE = 0.97  # of a limit by theory: failures below it are reported
 UNSTABLE = "newmark-frozen"
 THESIS_STIFFNESS = 100.0  # of an element, at which thesis 8.2 sees the solution diverge
 

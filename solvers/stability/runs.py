@@ -20,7 +20,7 @@ from ..text.notes import Note, Severity
 from . import integrators
 from .integrators import BOUND, LASTING, Limits, Outcome, Rows
 
-MAX_EXPECTED_TIMES = 8.0  # times what the blow is expected to last, after which a run has failed to part the bodies
+MAX_EXPECTED_TIMES = 8.0  # times what the impact is expected to last, after which a run has failed to part the bodies
 MOST_STEPS, MOST_WORK = 100_000, 20_000_000  # of one run, and steps times modes; where more is needed it says so
 FROZEN_LIMIT = 3.0  # of omega_c * step; measured, see `tests/solvers/stability/test_maps.py`
 
@@ -34,7 +34,7 @@ class Problem(NamedTuple):
     residual: float  # [m/N]
     rows: Rows
     stiffness: float  # the largest that the contact reaches [N/m]
-    expected: float  # how long the blow may last [s]
+    expected: float  # how long the impact may last [s]
     quiet: float  # how long the bodies must be apart [s]
     usual_step: float  # [s]
 
@@ -78,10 +78,10 @@ def _stiffer(scene: Scene, pair: Pair, factor: float) -> Scene:
     """The scene with a contact so many times stiffer: a rigid one has the stiffness of an element."""
     if scene.rigid_contact:
         return replace(scene, contact=Linear(factor * _unit_stiffness(pair)))
-    return replace(scene, contact=_same_blow_stiffer(scene.contact, factor))
+    return replace(scene, contact=_same_impact_stiffer(scene.contact, factor))
 
 
-def _same_blow_stiffer(law: Any, factor: float) -> Any:
+def _same_impact_stiffer(law: Any, factor: float) -> Any:
     """F'(a) = s F(s a), s^2 = factor: the same collision, s times as quick, its restitution and yield kept."""
     scale = math.sqrt(factor)
     return law.scaled(scale, 1.0, 1.0 / scale)
@@ -140,7 +140,7 @@ def bound(problem: Problem, most_steps: int | None) -> int:
 
 
 def run(name: str, problem: Problem, step: float, most_steps: int | None = None) -> Outcome | None:
-    """One run, its ending told: stopped at the bound, or failed to part the bodies in all the time they could need.
+    """One run, and how it ends: stopped at the bound, or failed to part the bodies in all the time they could need.
 
     None if the integrator does not know the law.
     """

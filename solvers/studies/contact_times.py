@@ -1,4 +1,4 @@
-"""How long the bodies touch: apparent and real, beside the swing of the struck body and the blow on a half-space."""
+"""How long the bodies touch: apparent and real, beside the swing of the struck body and the impact on a half-space."""
 
 import math
 from dataclasses import asdict, dataclass
@@ -28,8 +28,8 @@ class ContactTimes:
     summary: Note
 
     def table(self) -> dict[str, Any]:
-        told = {"summary": str(self.summary), "told": str(self.summary), "summary_code": self.summary.table()}
-        return asdict(self) | told
+        words = {"summary": str(self.summary), "told": str(self.summary), "summary_code": self.summary.table()}
+        return asdict(self) | words
 
 
 def contact_times(solution: Solution) -> ContactTimes:
@@ -87,7 +87,7 @@ def _summary(contacts: int, apparent: float, real: float, half_period: float | N
 def compare_with_half_space(scene: Scene) -> Solution:
     """The same impactor and contact law on a half-space of the target's material: what the contact alone would do.
 
-    Beside the scene's own solution it tells how much of the blow is local. Source: thesis 8.4.4.
+    Beside the scene's own solution it shows how much of the impact is local. Source: thesis 8.4.4.
     """
     if scene.rigid_contact:
         raise SceneNotSupported("contact.law", "rigid", "a law that gives way: nothing else does on a half-space")
@@ -97,7 +97,7 @@ def compare_with_half_space(scene: Scene) -> Solution:
     target: dict[str, Any] = {"kind": "half-space", "material": material.table()}
     beside = Scene.from_table(
         {
-            "title": f"The same blow on a half-space: {scene.title}"[:300],
+            "title": f"The same impact on a half-space: {scene.title}"[:300],
             "impactor": scene.impactor.table() | {"velocity": scene.speed},
             "target": target | ({} if radius is None else {"radius": radius}),
             "contact": {"law": scene.contact.NAME} | scene.contact.table(scene.speed),

@@ -1,4 +1,4 @@
-"""What more modes, or more elements, do to each figure of a blow: whether it converges, and how fast."""
+"""What more modes, or more elements, do to each figure of an impact: whether it converges, and how fast."""
 
 import math
 import time
@@ -54,13 +54,13 @@ class Convergence:
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
         table = plain({option.name: getattr(self, option.name) for option in fields(self)})
-        told = {name: f"{name.replace('_', ' ')}: {note}" for name, note in self.summary.items()}
+        words = {name: f"{name.replace('_', ' ')}: {note}" for name, note in self.summary.items()}
         codes = {name: note.table() for name, note in self.summary.items()}
-        return table | {"summary": told, "told": told, "summary_codes": codes}
+        return table | {"summary": words, "told": words, "summary_codes": codes}
 
 
 def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Method = "modal") -> Convergence:
-    """The blow solved with each of these numbers of modes; of elements by 'fe-nodal' and 'fe-modal'.
+    """The impact solved with each of these numbers of modes; of elements by 'fe-nodal' and 'fe-modal'.
 
     All are followed for as long as the finest one. What is compared: velocity and impulse, peak force, first parting,
     contacts, deepest position of the struck point, energy lost, and of the fields the largest shear force of a beam, of
@@ -83,21 +83,21 @@ def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Metho
     values = {name: np.array([row[name] for row in rows]) for name in rows[-1]}
     values = {name: column for name, column in values.items() if np.isfinite(column).all() and column.any()}
     scales = {"final_velocity": scene.speed, "energy_lost": scene.initial_energy}
-    judged = {
-        name: _judge(name, numbers, column, scales.get(name, float(np.abs(column).max())), kind)
+    rated = {
+        name: _rate(name, numbers, column, scales.get(name, float(np.abs(column).max())), kind)
         for name, column in values.items()
     }
     if scene.rigid_contact and scene.bends:
-        judged = {name: (*found[:2], _without_limit(found[2])) for name, found in judged.items()}
+        rated = {name: (*found[:2], _without_limit(found[2])) for name, found in rated.items()}
     return Convergence(
         method=chosen.NAME,
         kind=kind,
         counts=np.array(counts),
         units={name: UNITS[name] for name in values},
         values=values,
-        differences={name: found[0] for name, found in judged.items()},
-        order={name: found[1] for name, found in judged.items()},
-        summary={name: found[2] for name, found in judged.items()},
+        differences={name: found[0] for name, found in rated.items()},
+        order={name: found[1] for name, found in rated.items()},
+        summary={name: found[2] for name, found in rated.items()},
         wall_time=time.perf_counter() - begun,
     )
 
@@ -170,7 +170,7 @@ def _figures(solution: Solution) -> dict[str, float]:
     return {name: math.nan if (value := given.get(name)) is None else value for name in UNITS}
 
 
-def _judge(
+def _rate(
     name: str, counts: np.ndarray, values: np.ndarray, scale: float, kind: str
 ) -> tuple[np.ndarray, float | None, Note]:
     """Relative differences to the finest, the order, and the note."""

@@ -1,4 +1,4 @@
-"""How far to trust a blow: the same one many times, each with a slightly different mass."""
+"""How far to trust an impact: the same one many times, each with a slightly different mass."""
 
 import math
 import threading
@@ -31,7 +31,7 @@ BAND_INTERVALS = 800  # intervals of the bands
 
 @dataclass(frozen=True)
 class Ensemble:
-    """Many blows that differ a little: figures of each, bands of histories, and what can be trusted.
+    """Many impacts that differ a little: figures of each, bands of histories, and what can be trusted.
 
     Arrays (runs,) in SI units, NaN where a figure does not exist; bands over `time` (instants,). The force is a mean
     over the interval between two instants, so that it keeps the impulse however short the peaks are.
@@ -76,18 +76,18 @@ def ensemble(
     progress: Callable[[int, int], None] | None = None,
     cancel: Callable[[], bool] | None = None,
 ) -> Ensemble:
-    """The blow repeated with one number of the scene changed by up to `spread` of itself, either way.
+    """The impact repeated with one number of the scene changed by up to `spread` of itself, either way.
 
     The magnitudes are spread evenly over the logarithm, four decades downwards from `spread`, at random within equal
-    shares and with both signs in turn: so the runs tell a figure that follows the change in proportion from one that
-    jumps at the least touch. Verdicts: "firm", where no change of the figure is more than FIRM times the one that
-    caused it; else "loose", where it stays within LOOSE in all, or jumps under changes beyond a tenth of `spread` only;
+    shares and with both signs in turn: so the runs distinguish a figure that follows the change in proportion from
+    one that jumps at the least touch. Verdicts: "firm", where no change of the figure is more than FIRM times its
+    cause; else "loose", where it stays within LOOSE in all, or jumps under changes beyond a tenth of `spread` only;
     else "not to be trusted".
     `key`: what is changed, by default the impactor's mass, or the length of an impactor that can bend. All runs have
     the duration of the unperturbed one, and its steps where the method marches. `method`: the scene's own by default,
     but finite elements leave the runs to `modal` where that knows the scene. `progress(done, runs)` is called from the
     threads that solve. `cancel()` true: runs that have not begun are left out, and a note says how many; fewer than
-    10 tell nothing and are refused.
+    10 show nothing and are refused.
     Error: what changes by less than 1e-5 may be the method's own steps.
     Cost: the solves on all processors; `modal` with a rigid impactor runs its bare kernel.
     """

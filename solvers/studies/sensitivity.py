@@ -1,4 +1,4 @@
-"""What many slightly different blows have in common: bands of histories, and which figures can be trusted."""
+"""What many slightly different impacts have in common: bands of histories, and which figures can be trusted."""
 
 import math
 from collections.abc import Mapping
@@ -40,7 +40,7 @@ class Band:
 
 @dataclass(frozen=True)
 class Spread:
-    """What becomes of one figure of the blow. Changes are relative to what `FIGURES` says: itself, the speed, ..."""
+    """What becomes of one figure of the impact. Changes are relative to what `FIGURES` says: itself, the speed, ..."""
 
     quantity: str
     unit: str
@@ -97,7 +97,7 @@ def _verdict(jumping: np.ndarray, half_range: float, outer: float) -> str:
 
 
 def ill_conditioned(table: list[Spread]) -> bool:
-    """Whether some figure cannot be trusted at all, or what the blow is solved for is not firm."""
+    """Whether some figure cannot be trusted at all, or what the impact is solved for is not firm."""
     verdicts = {row.quantity: row.verdict for row in table}
     return "not to be trusted" in verdicts.values() or verdicts["final_velocity"] != "firm"
 

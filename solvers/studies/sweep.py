@@ -22,7 +22,7 @@ from ..validation import SceneError
 from .mass_ratios import TERMS
 
 MOST_VALUES = 2_000
-MOST_QUICK = 1_000_000  # of blows of a mass on a rod
+MOST_QUICK = 1_000_000  # of impacts of a mass on a rod
 CHUNK = 500  # of them that a thread takes at once
 ROOM = (64, 1_000)  # pieces of a history, tried in turn
 
@@ -80,7 +80,7 @@ def solve_many(
         _check_columns(arrays)
         if _quick(scenes, method) and set(arrays) <= QUICK_KEYS and scenes.impactor.kind == "mass":
             bodies = _bodies_of_columns(scenes, arrays)
-            return _blows_on_rods(bodies, lambda row: _with(scenes, _row_of(arrays, row)), workers)
+            return _impacts_on_rods(bodies, lambda row: _with(scenes, _row_of(arrays, row)), workers)
         rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
         scenes = [_with(scenes, dict(zip(arrays, row, strict=True))) for row in rows]
     elif columns is not None:
@@ -89,7 +89,7 @@ def solve_many(
     if any(scene.normal is not None for scene in scenes):
         raise SceneError("scenes", "bodies in space", "bodies on an axis")
     if all(_quick(scene, method) for scene in scenes):
-        return _blows_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers)
+        return _impacts_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers)
     with all_processors(workers) as pool:
         return _columns(list(pool.map(lambda scene: _figures_of(solve(scene, method)), scenes)))
 
@@ -147,8 +147,8 @@ def _bodies_of(scenes: Sequence[Scene]) -> np.ndarray:
     return found
 
 
-def _blows_on_rods(bodies: np.ndarray, scene_of: Callable[[int], Scene], workers: int | None) -> Figures:
-    """Of `bodies` as `_bodies_of` gives them; `scene_of` a row: for blows so long that each is solved alone."""
+def _impacts_on_rods(bodies: np.ndarray, scene_of: Callable[[int], Scene], workers: int | None) -> Figures:
+    """Of `bodies` as `_bodies_of` gives them; `scene_of` a row: for impacts so long that each is solved alone."""
     mass, speed, rod_mass, impedance, trip, reflection = bodies
     beta, found = rod_mass / mass, np.empty((mass.size, rigid_figures.COLUMNS))
     with all_processors(workers) as pool:

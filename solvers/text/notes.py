@@ -11,7 +11,7 @@ class Severity(StrEnum):
     """What a note means for who uses the result."""
 
     REMARK = "remark"  # how it was found; nothing is wrong
-    WARNING = "warning"  # some figure, or the model, is in doubt
+    WARNING = "warning"  # some figure, or the model, is uncertain
     INVALID = "invalid"  # the figures that it names are not to be trusted at all
     REFUSAL = "refusal"  # there is no result: why not
 

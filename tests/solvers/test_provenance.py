@@ -1,4 +1,4 @@
-"""A clock that leaves out what compilers take, and the time of a solve told apart from that."""
+"""A clock that leaves out what compilers take, and the time of a solve reported apart from that."""
 
 import json
 import os
@@ -50,7 +50,7 @@ def test_an_error_of_the_compiler_does_not_stop_the_clock():
     assert clock() - before >= 0.02
 
 
-def test_every_solution_tells_both_times_and_one_that_finds_all_kernels_compiled_takes_none():
+def test_every_solution_gives_both_times_and_one_that_finds_all_kernels_compiled_takes_none():
     for method in ("waves", "modal", "rigid", "auto"):
         solvers.solve(SCENES["fixed-rod"], method)
         found = solvers.solve(SCENES["fixed-rod"], method).diagnostics
@@ -59,7 +59,7 @@ def test_every_solution_tells_both_times_and_one_that_finds_all_kernels_compiled
 
 
 @pytest.mark.slow
-def test_a_solve_on_an_empty_cache_tells_compiling_apart(tmp_path):
+def test_a_solve_on_an_empty_cache_times_compiling_apart(tmp_path):
     """`impact solve fixed-rod` once said 6.07e+03 ms."""
     where = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
 
@@ -70,8 +70,8 @@ def test_a_solve_on_an_empty_cache_tells_compiling_apart(tmp_path):
     cold = json.loads(answer("--json"))["diagnostics"]
     assert cold["compile_time"] > 1.0
     assert cold["wall_time"] < 0.2 * cold["compile_time"]
-    told = answer().splitlines()
-    (line,) = (line for line in told if " steps, solved in " in line)
+    reported = answer().splitlines()
+    (line,) = (line for line in reported if " steps, solved in " in line)
     assert "of compiling and loading kernels" in line
     loaded = json.loads(answer("--json"))["diagnostics"]
     assert loaded["compile_time"] < 0.5 * cold["compile_time"]

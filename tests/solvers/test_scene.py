@@ -389,7 +389,7 @@ def test_deep_nesting(key, depth):
 # --- solving what a scene says ----------------------------------------------------------------------------------------
 
 
-def test_the_method_of_the_scene_is_used_unless_told_otherwise():
+def test_the_method_of_the_scene_is_used_unless_asked_otherwise():
     scene = SCENES["fixed-rod"].replace({"method": {"name": "modal", "modes": 5, "duration": 1e-4}})
     solution = solvers.solve(scene)
     assert solution.method["name"] == "modal" and solution.method["modes"] == 5

@@ -40,7 +40,7 @@ class Balance(Method):
     """Impulsive balances with a restitution each, as many as it takes, and free motion in between.
 
     Rods struck on their end, beams struck across: meshes of `elements` (with all their modes or the lowest `modes`, 20
-    of a beam unless told), or their exact modes where only `modes` is given. `variant`: "event-located" balances at the
+    of a beam by default), or their exact modes where only `modes` is given. `variant`: "event-located" balances at the
     very instants at which the faces meet, and lets them stay together where restitution leaves endless ever smaller
     balances; "step-end", Newmark's fixed `step` with balances at step ends only; "step-halving", steps halved until the
     faces overlap by less than `tolerance`.
@@ -152,7 +152,7 @@ class Balance(Method):
         one coarse answer may agree with the fine one by chance; None where a contact law is left out.
 
         A free rod heavier than the mass is left before its front is back, by a force that has all but faded: the
-        velocity is then off by how long the first balances take beside the blow, and alike for all numbers of them.
+        velocity is then off by how long the first balances take beside the impact, and alike for all numbers of them.
         """
         if not scene.rigid_contact:
             return None
@@ -164,7 +164,7 @@ class Balance(Method):
         estimated = max(abs(run.final_velocity - other.final_velocity) for other in others) / scene.speed
         if isinstance(scene.target, Rod) and not scene.target.held and scene.mass_ratio > HEAVY_ROD_RATIO:
             estimated = max(estimated, FADED_FORCE_ERROR * math.sqrt(run.pair.shortest_period / scene.halting_time))
-        # shorter than these modes can tell: all numbers of them are wrong alike
+        # shorter than these modes resolve: all numbers of them are wrong alike
         return max(estimated, 1.0) if scene.halting_time < run.pair.shortest_period else estimated
 
     def _coarser(self, scene: Scene, parts: int) -> "Balance":

@@ -28,7 +28,7 @@ class Pair:
     modes: tuple[Modes, Modes]
     split: int
     shortest_period: float
-    resolved_time: float  # [s] apart for less is still in contact, as far as these modes can tell
+    resolved_time: float  # [s] apart for less is still in contact, as far as these modes resolve it
     patience: float  # [s] apart for so long and moving apart: for good
 
     @classmethod
@@ -61,7 +61,7 @@ class Pair:
     def fields(self) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
         """Shapes, slopes (stress in tension), moments and shears, (modes + 2, x); the impactor is where x is negative.
 
-        The last two rows are how far each body has come untouched, of which a motion as a whole that turns is told.
+        The last two rows are how far each body has come untouched, by which a motion as a whole that turns is found.
         """
         drifts = two_sided(*((lambda x, own=own: 1.0 - own.rigid_shape(x)[None, :]) for own in self.modes), 1.0)  # pyright: ignore[reportCallIssue]
 
@@ -113,10 +113,10 @@ class Run:
 
 
 class BalanceMotion(SampledMotion):
-    """A motion of blows without duration; `impulses` holds their times [s] and impulses [N s].
+    """A motion of impacts without duration; `impulses` holds their times [s] and impulses [N s].
 
     The force shown is the impulse of one shortest period about each instant over that period: no finer detail is
-    known. It is zero where the target does not ring, as nothing tells how long a blow lasts.
+    known. It is zero where the target does not ring, as nothing gives the duration of an impact.
     """
 
     def __init__(self, scene: Scene, run: Run):

@@ -25,12 +25,12 @@ from .motion import Course, ElementMotion
 STEPS_PER_CONTACT = 100
 # Of the largest stable step of central differences. Nearer to it a contact that opens and closes feeds the mesh.
 EXPLICIT_LIMIT_SHARE = 0.8
-# Unless more are asked for. Fewer, and long blows are solved more coarsely, at which the energy is kept all the same.
+# Unless more are asked for. Fewer, and long impacts are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
-MIN_TOLD_ORDER = 0.6  # in 1 / elements; a lower one cannot be told from none by three meshes
+MIN_FITTED_ORDER = 0.6  # in 1 / elements; three meshes cannot distinguish a lower one from none
 MAX_SURE_CONTACTS = 6  # of a stiff contact with a beam; of more, the later ones hang on rounding, which is said
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
 ELEMENTS_RANGE = (1, 2000)
@@ -130,11 +130,11 @@ class FiniteElements(Method):
         rigid, scale = scene.rigid_contact, scene.impactor.mass * scene.speed
         estimated = left_of(*(float(course.impulse[-1] - other) / scale for other in others), rigid)  # pyright: ignore[reportCallIssue]
         if rigid and scene.halting_time < self._known_down_to(scene, course):
-            return max(estimated, 1.0)  # shorter than the mesh can tell: all meshes are wrong alike
+            return max(estimated, 1.0)  # shorter than the mesh resolves: all meshes are wrong alike
         return estimated if rigid or bodies_that_bend(scene) else max(estimated, self._unfelt(scene, course))
 
     def _unfelt(self, scene: Scene, course: Course) -> float:
-        """What a blow under a law on a rod is off by, of the speed of approach, where all meshes are wrong alike.
+        """What an impact under a law on a rod is off by, of the speed of approach, where all meshes are wrong alike.
 
         A mass so light that it is stopped before a wave has left the struck node, and a contact so short, meet that
         node as a mass, where a rod would give way at F / Z; that takes pi^2 / 2 m / (Z t) of the speed from a spring.
@@ -192,7 +192,7 @@ def left_of(half: float, third: float, rigid: bool) -> float:
     better, and the second is taken; a rigid one with about the first. Else the larger difference.
     """
     largest, most = max(abs(half), abs(third)), 1.0 if rigid else 2.0
-    orders = np.linspace(MIN_TOLD_ORDER, most + 1.5 if rigid else 2.0 * most, 100)
+    orders = np.linspace(MIN_FITTED_ORDER, most + 1.5 if rigid else 2.0 * most, 100)
     ratios = (3.0**orders - 1.0) / (2.0**orders - 1.0)
     if half * third <= 0.0 or not ratios[0] <= third / half <= ratios[-1]:
         return largest
@@ -243,7 +243,7 @@ def follow(
 ) -> tuple[Any, int, bool]:
     """March by chunks until the bodies have not touched for one and move apart. Returns record, steps, parted.
 
-    masses [kg]: what a blow feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
+    masses [kg]: what an impact feels of impactor and target as wholes, infinite of what is held; make(steps): an empty
     record; advance(begin, end, record): the instant reached; impulse(record, instant) [N s].
     """
     record, done = make(plan.chunk), 0

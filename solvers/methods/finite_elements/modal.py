@@ -43,7 +43,7 @@ class FeModal(FiniteElements):
     modes are kept.
     Source: thesis 6.4.1 and 8.2; massless boundary: Monjaraz Tec, Gross and Krack (2022).
     Differs: table 8.2 leaves out the compliance of the modes not kept, and its rows of 5 to 20 modes follow from no
-    stiffness and step that could be tried.
+    stiffness and step that was tested.
     """
 
     modes: int | None = option(None, whole(1, ELEMENTS_RANGE[1]))  # 20, or all of a rod with a massless boundary
@@ -294,7 +294,7 @@ def _side(body: Any, known: Modes, amplitudes: Sequence, whole: Sequence, times:
         root = np.sqrt(known.rigid_mass)
         q, rates = (np.column_stack((root * moved, own)) for moved, own in zip(whole, (q, rates), strict=True))
     turning = free and body.velocity != 0.0 and known.rigid_mean < 1.0 - 1e-12
-    if turning:  # the translation that it comes with is more than the motion that a blow gives it
+    if turning:  # the translation that it comes with is more than the motion that an impact gives it
         root = np.sqrt(body.mass - known.rigid_mass)
         q = np.column_stack((root * body.velocity * times, q))
         rates = np.column_stack((np.full(times.size, root * body.velocity), rates))

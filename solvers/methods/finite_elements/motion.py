@@ -28,7 +28,7 @@ class Course:
     field: ShapeField
     energies: dict[str, np.ndarray]  # (rows,)
     momenta: tuple[float, float]  # of impactor and target at the end, summed over the mesh [kg m/s]
-    resolved_time: float  # apart for less is still in contact, as far as this mesh can tell [s]
+    resolved_time: float  # apart for less is still in contact, as far as this mesh resolves it [s]
     shortest_period: float  # of the mesh [s]
     parted: bool  # for good
     diverged: bool
@@ -76,7 +76,7 @@ class ElementMotion(SampledMotion):
         return max(errors, key=abs) / (min(impactor.mass, target.mass) * self.scene.speed)
 
     def resolved_force(self, time: np.ndarray) -> np.ndarray:
-        """The force averaged over the shortest period of the mesh: the finest that it can tell."""
+        """The force averaged over the shortest period of the mesh: the finest that it can resolve."""
         if self.course.shortest_period == 0.0:
             return self.force(time)
         return growth(time, self.time, self.course.impulse, self.course.shortest_period)
@@ -104,7 +104,7 @@ class ElementMotion(SampledMotion):
         return starts, ends
 
     def contacts(self) -> list[ContactPeriod]:
-        """Contact periods as far as this mesh can tell: the bodies are apart for longer than a front lasts in it."""
+        """Contact periods that this mesh resolves: the bodies are apart for longer than a front lasts in it."""
         starts, ends = self.raw_contacts()
         parts = starts[1:] - ends[:-1] >= self.course.resolved_time
         firsts, lasts = starts[np.append(True, parts)], ends[np.append(parts, True)]

@@ -22,7 +22,7 @@ from .march import FiniteElements, Plan, end, follow
 from .motion import Course, shape_field
 
 STEPS_PER_ELEMENT = 4  # of Newmark's step while a wave crosses one element
-DOUBTFUL = 0.01  # of the energy, gained or lost by the scheme
+MAX_ENERGY_GAIN = 0.01  # of the energy, gained or lost by the scheme
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +65,7 @@ class FeNodal(FiniteElements):
 
     def _energy_notes(self, diagnostics: Mapping[str, Any]) -> list[Note]:
         gained = diagnostics["energy_error"]
-        if abs(gained) < DOUBTFUL:
+        if abs(gained) < MAX_ENERGY_GAIN:
             return []
         implicit = self.scheme == "newmark"
         return [Note("energy-changed", Severity.WARNING, change=100.0 * gained, implicit=implicit)]

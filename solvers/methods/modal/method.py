@@ -23,7 +23,7 @@ from .pair import Pair
 # order; `tests/solvers/methods/test_orders.py`.
 STEPS_PER_PERIOD = 20
 STEPS_PER_CONTACT = 200  # of the shortest contact there can be; with fewer its peak and its loss are off
-# Unless more are asked for; what a step costs is measured by `python -m bench --only kernels`. Fewer, and long blows
+# Unless more are asked for; what a step costs is measured by `python -m bench --only kernels`. Fewer, and long impacts
 # are solved more coarsely, at which the energy is kept all the same.
 MAX_USUAL_STEPS = 60_000
 # Times as many where a beam is struck: a contact there may be over long before the beam has swung once.
@@ -31,14 +31,14 @@ BEAM_STEPS_FACTOR = 8
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 FRAMES = ("mean-axis", "attached", "attached-far")
 MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
-MAX_SURE_CONTACTS = 6  # with a beam; of more, the blow is tried for its conditioning
-MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tried: two, as one may be lucky
+MAX_SURE_CONTACTS = 6  # with a beam; of more, its conditioning is tested
+MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tested: two, as one may be lucky
 # Change of the velocity over that of the mass: more is no longer in proportion. As in an ensemble, whose tests are in
 # `tests/solvers/studies/test_ensemble.py`.
 MAX_AMPLIFICATION = 10.0
 CHATTER_PERIODS = 3.0  # shortest kept periods; chatter under a law seldom breaks off for longer
-MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor what it loses is told, which is said
-REPEATED_STRIDE = 1_000  # steps between checkpoints of blows that are repeated for their figures, not their fields
+MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor its losses are resolved, which is said
+REPEATED_STRIDE = 1_000  # steps between checkpoints of impacts that are repeated for their figures, not their fields
 CHECKPOINT_NUMBERS = 100_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
 
@@ -139,7 +139,7 @@ class Modal(Method):
             fine = motion.step * steps / STEPS_PER_CONTACT
             notes.append(Note("few-steps-in-contact", Severity.WARNING, steps=steps, needed=fine))
         if raw > len(contacts):
-            remedy, doubtful = _remedy_of_chatter(motion)
+            remedy, uncertain = _remedy_of_chatter(motion)
             notes.append(
                 Note(
                     "modal-chatter",
@@ -147,7 +147,7 @@ class Modal(Method):
                     separations=raw - len(contacts),
                     period=period,
                     remedy=remedy,
-                    doubtful=doubtful,
+                    doubtful=uncertain,
                 )
             )
         return notes
@@ -156,7 +156,7 @@ class Modal(Method):
         return "modes"
 
     def _ill_conditioned(self, scene: Scene, motion: ModalMotion, contacts: list) -> list[Note]:
-        """Of many contacts with a beam, by blows of a mass that is changed a little."""
+        """Of many contacts with a beam, by impacts of a mass that is changed a little."""
         if not (self.estimate and bodies_that_bend(scene)) or len(contacts) <= MAX_SURE_CONTACTS:
             return []
         if not scene.impactor.free_mass:
@@ -182,7 +182,7 @@ class Modal(Method):
         ]
 
     def pair(self, scene: Scene) -> Pair:
-        """The modes that take part in this blow."""
+        """The modes that take part in this impact."""
         bodies = (scene.impactor, scene.target)
         pair = [body.modes(self.modes).excited() for body in bodies]
         if self.frame != "mean-axis":
@@ -216,8 +216,8 @@ class Modal(Method):
         steps = _steps_of_a_contact(motion)
         if steps < MIN_STEPS_PER_CONTACT:  # so coarse that half the steps may be as wrong; second order
             estimated = max(estimated, 2.0 * steps**-2.0)
-        blow = scene.halting_time if bodies_that_bend(scene) and scene.rigid_contact else _blow(scene)
-        return max(estimated, 1.0) if blow < motion.pair.resolved_time else estimated
+        lasts = scene.halting_time if bodies_that_bend(scene) and scene.rigid_contact else _fading_time(scene)
+        return max(estimated, 1.0) if lasts < motion.pair.resolved_time else estimated
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)
@@ -231,8 +231,8 @@ class Modal(Method):
         return _follow(scene, pair, step, count)
 
 
-def _blow(scene: Scene) -> float:
-    """Time in which the force of a rigid blow between a mass and a rod fades, m / Z [s]; infinite for other blows."""
+def _fading_time(scene: Scene) -> float:
+    """Time in which the force of a rigid impact between a mass and a rod fades, m / Z [s]; infinite for others."""
     ringing = [body for body in (scene.impactor, scene.target) if body.time_unit is not None]
     if len(ringing) != 1 or not isinstance(ringing[0], Waveguide) or not scene.rigid_contact:
         return math.inf
@@ -244,8 +244,8 @@ def _remedy_of_chatter(motion: ModalMotion) -> tuple[str, int]:
     """What to do about it, an option of the note, and how many of its gaps may be real."""
     if motion.scene.rigid_contact:
         return "law", 0
-    doubtful = motion.doubtful_gaps(CHATTER_PERIODS)
-    return "gaps" if doubtful else "modes", doubtful
+    uncertain = motion.uncertain_gaps(CHATTER_PERIODS)
+    return "gaps" if uncertain else "modes", uncertain
 
 
 def _steps_of_a_contact(motion: ModalMotion) -> float:
@@ -339,9 +339,9 @@ def _contact(scene: Scene, pair: Pair, step: float) -> tuple[Any, Residual]:
 
 
 def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tuple[ModalMotion, Record]:
-    """Another blow of a rigid impactor on the same target over the same steps, and the record it was written into.
+    """Another impact of a rigid impactor on the same target over the same steps, and the record it was written into.
 
-    For many blows in a row that differ by the impactor or the contact law alone: nothing is worked out twice, and a
+    For many impacts in a row that differ by the impactor or the contact law alone: nothing is worked out twice, and a
     record that is handed back is written over, with the motion that belonged to it.
     """
     pair = replace(motion.pair, impactor=scene.impactor.modes(0))

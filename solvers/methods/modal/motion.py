@@ -1,4 +1,4 @@
-"""What the modal kernel has recorded, as a motion: fields and histories, and contacts told from chatter."""
+"""What the modal kernel has recorded, as a motion: fields and histories, and contacts apart from chatter."""
 
 from functools import cached_property
 
@@ -55,7 +55,7 @@ class ModalMotion:
         return self.record.contact_force[self._cell(time)]
 
     def resolved_force(self, time):
-        """The raw force averaged over the shortest kept period: the finest that these modes can tell."""
+        """The raw force averaged over the shortest kept period: the finest that these modes can resolve."""
         half = 0.5 * self.pair.resolved_time
         if half == 0.0:
             return self.force(time)
@@ -306,8 +306,8 @@ class ModalMotion:
         return edges[::2], edges[1::2]
 
     @cached_property
-    def _opening_told(self) -> float:
-        """How far the faces must part before these modes can tell it [m]."""
+    def _resolved_opening(self) -> float:
+        """How far the faces must part before these modes resolve it [m]."""
         peak = float(self.resolved_force(self._instants).max())
         return LEAST_OPENING * self.pair.residual_compliance * peak
 
@@ -318,15 +318,15 @@ class ModalMotion:
         return not self.scene.rigid_contact and all(body.bends for body in rings)
 
     def _apart(self, first: int, last: int) -> bool:
-        """Whether the faces truly part between these instants: no resolved force, and a gap that the modes can tell."""
+        """Whether the faces truly part between these instants: no resolved force, and a gap that the modes resolve."""
         if self._every_gap_counts:
             return True
         if (last - first) * self.step < self.pair.resolved_time:
             return False
         dent = self._law.dent(float(self.deepest[first]))
-        return dent - float(self.record.indentation[first : last + 1].min()) > self._opening_told
+        return dent - float(self.record.indentation[first : last + 1].min()) > self._resolved_opening
 
-    def doubtful_gaps(self, periods: float) -> int:
+    def uncertain_gaps(self, periods: float) -> int:
         """How many gaps of the raw force are not counted, and yet last longer than so many shortest kept periods."""
         starts, ends = (edges.tolist() for edges in self.raw_contacts())
         longest = periods * self.pair.resolved_time / self.step
@@ -334,7 +334,7 @@ class ModalMotion:
         return sum(start - end > longest and not self._apart(end, start) for end, start in gaps)
 
     def contacts(self) -> list[ContactPeriod]:
-        """Contact periods as far as these modes can tell, by the resolved force: the rest is chatter."""
+        """Contact periods as far as these modes resolve them, by the resolved force: the rest is chatter."""
         starts, ends = (edges.tolist() for edges in self.raw_contacts())
         parts = [self._apart(end, start) for end, start in zip(ends[:-1], starts[1:], strict=True)]
         firsts = [start for start, kept in zip(starts, [True, *parts], strict=True) if kept]
@@ -357,7 +357,7 @@ class ModalMotion:
         return self.step * (first + _upward_zero(*(self.record.indentation[first - 1 : first + 2] - dent).tolist()))
 
     def _end(self, after: int) -> float:
-        """When the force ran out [s], in the step before instant `after`; the end, if that comes too soon to tell."""
+        """When the force ran out [s], in the step before instant `after`; the end, if that comes too soon."""
         dent = self._law.dent(float(self.deepest[after]))
         depth = self.record.indentation
         gap = float(depth[after]) - dent
@@ -366,7 +366,7 @@ class ModalMotion:
         if not self.parted and after < self.steps and not self._every_gap_counts:
             opened = dent - float(depth[after:].min())
             soon = (self.steps - after) * self.step < self.pair.resolved_time
-            if soon or 0.0 < opened <= self._opening_told:
+            if soon or 0.0 < opened <= self._resolved_opening:
                 return self.duration
         if gap > 0.0:  # damping has used up the force before the faces were apart; it is smooth up to there
             return self.step * (after - 1 + run_out(*self.record.contact_force[max(after - 4, 0) : after - 1].tolist()))

@@ -10,7 +10,7 @@ from ...bodies import Rod, Wall, Waveguide
 from ...contact import Hertz, Linear, Power
 from ...contact.duration import contact_time, exponent_of
 from ...numerics.collisions import Collision, damped_collision, path_collision, power_collision, sine_collision
-from ...numerics.single_degree import SQUARE, Blow, against_equal, on_spring
+from ...numerics.single_degree import SQUARE, Response, against_equal, on_spring
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion, ShapeField, field_as_a_whole
@@ -140,7 +140,7 @@ def _notes(scene: Scene, model: str, motion: SampledMotion, contact: ContactPeri
 
 @dataclass(frozen=True)
 class Estimate:
-    """What a quasi-static model says of a blow, which it takes for one contact."""
+    """What a quasi-static model says of an impact, which it takes for one contact."""
 
     motion: SampledMotion
     duration: float  # [s]
@@ -161,9 +161,11 @@ class _Instants:
         self.contact = np.linspace(0.0, contact_time, SAMPLES_PER_CONTACT + 1)
         self.flight = contact_time + np.linspace(0.0, max(flight, 1e-9 * contact_time), count)
 
-    def period(self, blow: Blow) -> ContactPeriod:
+    def period(self, response: Response) -> ContactPeriod:
         end = min(self.parting, self.duration)
-        time, force, impulse = (values[: self.contact.size] for values in (blow.time, blow.force, blow.impulse))
+        time, force, impulse = (
+            values[: self.contact.size] for values in (response.time, response.force, response.impulse)
+        )
         peak = max(float(force[time <= end].max()), float(np.interp(end, time, force)))
         return ContactPeriod(0.0, end, float(np.interp(end, time, impulse)), peak)
 
@@ -178,41 +180,41 @@ def _on_spring(scene: Scene, with_mass: bool, duration: float | None) -> Estimat
     reduced, carried = 1.0 / (1.0 / mass + 1.0 / spring.whole_mass), spring.carried if with_mass else 0.0
     half_swing = math.pi * math.sqrt((reduced + carried) / spring.stiffness)
     instants = _Instants(half_swing, scene.time_unit, duration)
-    blow = on_spring(reduced, carried, spring.stiffness, speed, instants.contact, instants.flight)
-    moving = blow.impulse / spring.whole_mass
-    moved = (speed * blow.time - blow.position) * reduced / spring.whole_mass
-    drift, gained = target.velocity * blow.time, speed - blow.impulse / mass
+    response = on_spring(reduced, carried, spring.stiffness, speed, instants.contact, instants.flight)
+    moving = response.impulse / spring.whole_mass
+    moved = (speed * response.time - response.position) * reduced / spring.whole_mass
+    drift, gained = target.velocity * response.time, speed - response.impulse / mass
     start = 0.5 * target.mass * target.velocity**2 if target.velocity else 0.0
     whole_mass = 0.0 if math.isinf(spring.whole_mass) else spring.whole_mass
     energies = {
         "impactor": 0.5 * mass * (target.velocity + gained) ** 2,
         "target_rigid": start + whole_mass * moving * (target.velocity + 0.5 * moving),
-        "target_vibration": 0.5 * spring.stiffness * blow.bent**2 + 0.5 * carried * blow.bent_rate**2,
+        "target_vibration": 0.5 * spring.stiffness * response.bent**2 + 0.5 * carried * response.bent_rate**2,
         "local": np.zeros_like(moving),
-        "dissipated": np.full_like(moving, 0.5 * speed * blow.impulse[0]),  # as two bodies become one
+        "dissipated": np.full_like(moving, 0.5 * speed * response.impulse[0]),  # as two bodies become one
     }
     motion = SampledMotion(
-        time=blow.time,
-        force=blow.force,
-        impulse=blow.impulse,
-        impactor_position=drift + moved + blow.position,
+        time=response.time,
+        force=response.force,
+        impulse=response.impulse,
+        impactor_position=drift + moved + response.position,
         impactor_velocity=target.velocity + gained,
-        end_position=drift + moved + blow.bent,
-        end_velocity=target.velocity + moving + blow.bent_rate,
-        rigid_velocity=target.velocity + spring.rigid_mean * moving + spring.mean * blow.bent_rate,
+        end_position=drift + moved + response.bent,
+        end_velocity=target.velocity + moving + response.bent_rate,
+        rigid_velocity=target.velocity + spring.rigid_mean * moving + spring.mean * response.bent_rate,
         energies=energies,
-        field=None if spring.field is None else spring.field(blow, moved, moving),
+        field=None if spring.field is None else spring.field(response, moved, moving),
     )
     extra = {
-        "initial_impulse": float(blow.impulse[0]),
-        "peak_root_force": float(spring.stiffness * blow.bent[: SAMPLES_PER_CONTACT + 1].max()),
+        "initial_impulse": float(response.impulse[0]),
+        "peak_root_force": float(spring.stiffness * response.bent[: SAMPLES_PER_CONTACT + 1].max()),
     }
     if target.bends:
         extra |= {
             "equivalent_mass": spring.carried,
-            "peak_deflection": float(blow.bent[: SAMPLES_PER_CONTACT + 1].max()),
+            "peak_deflection": float(response.bent[: SAMPLES_PER_CONTACT + 1].max()),
         }
-    return Estimate(motion, instants.duration, instants.period(blow), diagnostics=extra)
+    return Estimate(motion, instants.duration, instants.period(response), diagnostics=extra)
 
 
 def _two_rods(scene: Scene, printed: bool, duration: float | None) -> Estimate:
@@ -227,22 +229,22 @@ def _two_rods(scene: Scene, printed: bool, duration: float | None) -> Estimate:
     start = speed if printed else 15.0 / 16.0 * speed
     contact_time = math.pi * math.sqrt(rod.mass / (SQUARE * rod.stiffness))
     instants = _Instants(contact_time, rod.round_trip_time, duration)
-    blow = against_equal(rod.mass, rod.stiffness, speed, start, instants.contact, instants.flight)
+    response = against_equal(rod.mass, rod.stiffness, speed, start, instants.contact, instants.flight)
     mirrored = 0.0 if stop else 1.0
-    after = blow.time >= instants.parting
+    after = response.time >= instants.parting
     after[: instants.contact.size] = False
-    leaving = np.where(after, -mirrored * blow.velocity, 0.0)  # of the touching faces
-    away = leaving * (blow.time - instants.parting)
-    mean = centre - mirrored * blow.velocity if not stop else np.zeros_like(blow.velocity)
-    impactor = 0.5 * rod.mass * (centre + blow.velocity) ** 2
+    leaving = np.where(after, -mirrored * response.velocity, 0.0)  # of the touching faces
+    away = leaving * (response.time - instants.parting)
+    mean = centre - mirrored * response.velocity if not stop else np.zeros_like(response.velocity)
+    impactor = 0.5 * rod.mass * (centre + response.velocity) ** 2
     rigid = 0.5 * rod.mass * mean**2
     motion = SampledMotion(
-        time=blow.time,
-        force=blow.force,
-        impulse=blow.impulse,
-        impactor_position=centre * blow.time + blow.position,
-        impactor_velocity=centre + blow.velocity,
-        end_position=centre * blow.time + away,
+        time=response.time,
+        force=response.force,
+        impulse=response.impulse,
+        impactor_position=centre * response.time + response.position,
+        impactor_velocity=centre + response.velocity,
+        end_position=centre * response.time + away,
         end_velocity=centre + leaving,
         rigid_velocity=mean,
         energies={
@@ -252,12 +254,14 @@ def _two_rods(scene: Scene, printed: bool, duration: float | None) -> Estimate:
             "local": np.zeros_like(mean),
             "dissipated": np.zeros_like(mean),
         },
-        field=_bent_rod(target, blow, centre * blow.time + away, centre + leaving) if isinstance(target, Rod) else None,
+        field=_bent_rod(target, response, centre * response.time + away, centre + leaving)
+        if isinstance(target, Rod)
+        else None,
     )
-    return Estimate(motion, instants.duration, instants.period(blow))
+    return Estimate(motion, instants.duration, instants.period(response))
 
 
-def _bent_rod(rod: Rod, blow: Blow, face: np.ndarray, face_rate: np.ndarray) -> ShapeField:
+def _bent_rod(rod: Rod, response: Response, face: np.ndarray, face_rate: np.ndarray) -> ShapeField:
     """The touching face, and the shape u = (8/3) x1 (xi - xi^2 / 2) of a rod that hangs from it."""
 
     def shapes(x):
@@ -268,8 +272,8 @@ def _bent_rod(rod: Rod, blow: Blow, face: np.ndarray, face_rate: np.ndarray) -> 
         place = x / rod.length
         return np.stack((np.zeros_like(place), -8.0 / 3.0 * (1.0 - place) / rod.length))
 
-    coordinates, rates = np.stack((face, blow.bent), axis=1), np.stack((face_rate, blow.bent_rate), axis=1)
-    return ShapeField(blow.time, coordinates, rates, shapes, slopes, rod.material.young)
+    coordinates, rates = np.stack((face, response.bent), axis=1), np.stack((face_rate, response.bent_rate), axis=1)
+    return ShapeField(response.time, coordinates, rates, shapes, slopes, rod.material.young)
 
 
 def _local(scene: Scene, model: str, duration: float | None) -> Estimate:

@@ -1,4 +1,4 @@
-"""Structures that bend in one shape only, the static one under the blow: a spring that carries some of their mass."""
+"""Structures that bend in one shape only, the static one under the impact: a spring that carries some of their mass."""
 
 import math
 from collections.abc import Callable
@@ -9,7 +9,7 @@ import numpy as np
 
 from ...bodies import AnyBody, Bending, Rod, SpringMass
 from ...numerics.beams.statics import rigid_motion, static_shape
-from ...numerics.single_degree import Blow
+from ...numerics.single_degree import Response
 from ...solution.sampled_motion import ShapeField
 
 
@@ -17,7 +17,7 @@ class Spring(NamedTuple):
     """A body that bends by `bent`, the displacement of the struck place against its motion as a whole.
 
     whole_mass: that moves on as a whole, infinite if none does; rigid_mean, mean: of the motion as a whole and of the
-    bent shape over the mass, each 1 where it is struck. field: of (blow, position as a whole, its rate), if any.
+    bent shape over the mass, each 1 where it is struck. field: of (response, position as a whole, its rate), if any.
     """
 
     stiffness: float  # [N/m]
@@ -25,7 +25,7 @@ class Spring(NamedTuple):
     whole_mass: float = math.inf
     mean: float = 1.0
     rigid_mean: float = 1.0
-    field: Callable[[Blow, np.ndarray, np.ndarray], ShapeField] | None = None
+    field: Callable[[Response, np.ndarray, np.ndarray], ShapeField] | None = None
 
     def half_swing(self, mass: float) -> float:
         """Half a period [s] with this mass on it [kg]."""
@@ -62,21 +62,21 @@ def _(target: Bending) -> Spring:
     return _bent_beam(target)
 
 
-def _straight(rod: Rod) -> Callable[[Blow, np.ndarray, np.ndarray], ShapeField]:
+def _straight(rod: Rod) -> Callable[[Response, np.ndarray, np.ndarray], ShapeField]:
     def shapes(x):
         return (1.0 - x / rod.length)[None, :]
 
     def slopes(x):
         return np.full((1, x.size), -1.0 / rod.length)
 
-    return lambda blow, *_: ShapeField(
-        blow.time, blow.bent[:, None], blow.bent_rate[:, None], shapes, slopes, rod.material.young
+    return lambda response, *_: ShapeField(
+        response.time, response.bent[:, None], response.bent_rate[:, None], shapes, slopes, rod.material.young
     )
 
 
 @lru_cache(maxsize=64)  # asked for several times in a solve, and again when a slider of the impactor moves
 def _bent_beam(beam: Bending) -> Spring:
-    """Static shape of the beam under the blow, held by its supports or by its own inertia.
+    """Static shape of the beam under the impact, held by its supports or by its own inertia.
 
     At the tip of a cantilever 3 E I / L^3 and 33/140 of the mass, in the middle of a beam on two pins 48 E I / L^3 and
     17/35. Differs: thesis 8.4.3 leaves the mass of the beam out.
@@ -100,12 +100,12 @@ def _bent_beam(beam: Bending) -> Spring:
     def resultant(of):
         return lambda x: np.stack((of(x) / shape.compliance, np.zeros_like(x), np.zeros_like(x)))
 
-    def field(blow, moved, rate):
+    def field(response, moved, rate):
         drift = beam.velocity
-        coordinates = np.stack((blow.bent, moved, drift * blow.time), axis=1)
-        rates = np.stack((blow.bent_rate, rate, np.full_like(rate, drift)), axis=1)
+        coordinates = np.stack((response.bent, moved, drift * response.time), axis=1)
+        rates = np.stack((response.bent_rate, rate, np.full_like(rate, drift)), axis=1)
         moments, fibre = resultant(shape.moments), beam.half_depth / beam.second_moment
-        return ShapeField(blow.time, coordinates, rates, shapes, moments, fibre, moments, resultant(shape.shears))
+        return ShapeField(response.time, coordinates, rates, shapes, moments, fibre, moments, resultant(shape.shears))
 
     rigid_mean = 1.0 if beam.fixed else float(whole.shape(np.array([0.5 * beam.length]))[0])
     return Spring(1.0 / shape.compliance, carried + beam.end_mass * tip**2, whole.mass, mean, rigid_mean, field)

@@ -17,7 +17,7 @@ SLOW_ROUND_TRIPS = 5.0  # that a slow contact outlasts; shorter ones leave waves
 NEGLIGIBLE_ENERGY = 0.01  # share of it that an estimate may leave out without a word
 SHORT_CONTACT = 0.5  # of half a fundamental period: a shorter contact does not follow the swing of a beam
 RINGING_MODES = 60  # of a beam that a contact is asked to leave ringing; more are beyond MAX_RADIANS
-MAX_RADIANS = 100.0  # of a mode during a contact, of which a thousand instants still tell the force
+MAX_RADIANS = 100.0  # of a mode during a contact, of which a thousand instants still give the force
 
 
 def equal_rods(scene: Scene) -> bool:

@@ -29,7 +29,7 @@ from .chain_scene import CONTACT_ROUNDING, MILLIONTH, UNKNOWN, ChainHistory, Cha
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail
 TRIALS = 20_000  # numbers of steps among which is looked for the one that suits the lengths of the rods best
-COARSER = 0.45  # steps of the second solve, as a share of those of the first: their difference tells the error
+COARSER = 0.45  # steps of the second solve, as a share of those of the first: their difference gives the error
 
 
 class GridHistory(ChainHistory):

@@ -104,7 +104,7 @@ class ChainMotion:
         return self.history.speed * momentum / target.mass
 
     def _end_mass_velocity(self, t: np.ndarray) -> np.ndarray:
-        """Of the mass on the far end [v]; unlike that of the face it is told by no jump."""
+        """Of the mass on the far end [v]; unlike that of the face it makes no jump."""
         last = len(self.history.rods)
         return np.where(t > 0.0, self.history.sampled(last, SPEED, t), self.history.chain.mass_drift[last])
 

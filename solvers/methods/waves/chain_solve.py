@@ -13,7 +13,7 @@ from .chain_grid import COARSER, GridHistory
 from .chain_scene import ChainHistory, ChainScene
 
 COARSE_TOLERANCES = (1e-7, 1e-5)  # with each the echoes that count are some times fewer
-LOOSER = 10.0  # what is found with a tolerance this many times larger tells its error
+LOOSER = 10.0  # what is found with a tolerance this many times larger gives its error
 POOR = 1e-4  # error of a velocity [v]: with a larger one a chain is so sensitive that a grid may be better
 SURE = 2.0  # times what a grid differs by from a coarser one: measured on random chains, see the tests
 FIRST_LOOK = 20.0  # round trips of the longest rod: how far a grid looks at first for when the bodies part

@@ -117,7 +117,7 @@ class SteppedHistory(History):
     totals: np.ndarray
     square_totals: np.ndarray
     difference: float
-    COARSE = 64  # steps per round trip of the first look, which finds how long the blow lasts
+    COARSE = 64  # steps per round trip of the first look, which finds how long the impact lasts
 
     @classmethod
     def strike(cls, scene: Scene, until: float, steps: int) -> "SteppedHistory":
@@ -144,7 +144,7 @@ class SteppedHistory(History):
     @classmethod
     def _lasting(cls, beta: float, reflection: float) -> tuple[float, bool]:
         """When the last contact ends [T], on the coarse grid, and whether the bodies part then; with room for few steps
-        first: most blows are short.
+        first: most impacts are short.
         """
         limit, most = 1_000, int(min(cls.COARSE * MAX_ROUND_TRIPS, 2_000_000))
         while True:

@@ -11,7 +11,7 @@ from .fields import BendingField
 from .statics import rigid_motion
 
 # Displacement over the largest: below it the rider alters the frequency of a mode by less than its rounding, and no
-# root beside the pole could be told from it.
+# root beside the pole could be distinguished from it.
 NODE_AMPLITUDE = 1e-7
 
 

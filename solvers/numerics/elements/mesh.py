@@ -60,16 +60,16 @@ class Mesh(NamedTuple):
 
     @property
     def resolved_time(self) -> float:
-        """Who is apart for less may touch, as far as it can tell [s]. Bending waves disperse: a beam has no fronts."""
+        """Bodies apart for less may still touch [s]. Bending waves disperse: a beam has no fronts."""
         return self.shortest_period if self.bends else front_time(self.size, self.shortest_period)
 
     def moving(self, velocity: float) -> np.ndarray:
-        """Rates of all unknowns [m/s, rad/s] before the blow; of what is held all are zero."""
+        """Rates of all unknowns [m/s, rad/s] before the impact; of what is held all are zero."""
         return velocity * self.free[0] if velocity else np.zeros(self.size)
 
     @property
     def whole(self) -> np.ndarray | None:
-        """The motion as a whole that a blow starts, (unknowns,), 1 where it is struck; None if the body is held."""
+        """The motion as a whole that an impact starts, (unknowns,), 1 where it is struck; None if the body is held."""
         if not self.free.size:
             return None
         inertia = banded.times(self.mass, self.free) @ self.free.T
@@ -86,7 +86,7 @@ class Mesh(NamedTuple):
 
     @property
     def rigid_mass(self) -> float:
-        """What a blow feels of the body's motion as a whole [kg]; infinite if it is held."""
+        """What an impact feels of the body's motion as a whole [kg]; infinite if it is held."""
         whole = self.whole
         return np.inf if whole is None else float(whole @ banded.times(self.mass, whole))
 

@@ -15,7 +15,7 @@ from ..law_functions import FORCE, MEMORY, STORED
 from .banded import Factors, factorised, solve, substitute, widened
 from .line import Line, Wholes
 
-TAKEN_OUT = 4  # steps between which motions as wholes gather in the unknowns: a blow changes them little in so few
+TAKEN_OUT = 4  # steps between which motions as wholes gather in the unknowns: an impact changes them little in so few
 
 
 class Record(NamedTuple):

@@ -1,7 +1,7 @@
 """Instantaneous impulses between pairs of rigid bodies, on arrays: the last axes are vectors (3) and tensors (3, 3).
 
 A pair touches at one point with a unit normal n from the first body to the second, without friction. Positions are
-told by c = centre of mass - contact point, so that a body moves at v + c x w where it is touched.
+given by c = centre of mass - contact point, so that a body moves at v + c x w where it is touched.
 Source: note on rigid-body impulses, 1/mu = 1/m1 + 1/m2 + sum (c x n)^T I^-1 (c x n) and J = (1 + e) mu v_imp.
 Differs: the note prints I^-1 c x J n without parentheses; read from left to right it is wrong. It is I^-1 (c x J n).
 """
@@ -82,7 +82,7 @@ def residuals(
 ) -> tuple[np.ndarray, np.ndarray]:
     """What the pairs gained of momentum [kg m/s] and of angular momentum [kg m2/s] about a point fixed in space.
 
-    Both (..., 3), and zero but for rounding. `about` is told from the contact point [m]. An immovable body takes what
+    Both (..., 3), and zero but for rounding. `about`: from the contact point [m]. An immovable body takes what
     the impulse gives it.
     """
     momentum, angular = np.zeros(3), np.zeros(3)

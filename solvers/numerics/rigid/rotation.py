@@ -1,4 +1,4 @@
-"""How a rigid body turns that nothing touches: Euler's equations, to draw bodies before and after a blow."""
+"""How a rigid body turns that nothing touches: Euler's equations, to draw bodies before and after an impact."""
 
 import numpy as np
 

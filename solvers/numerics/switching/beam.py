@@ -23,7 +23,7 @@ from .phases import Contact, Phase, Phases
 # `test_mode_switch_beams.py`.
 SAMPLES_PER_PERIOD = 16
 MAX_PHASES = 4_000  # changes of modes; more are chatter, which is said
-MAX_SAMPLED_NUMBERS = 1_000_000_000  # samples times modes: some seconds; a longer blow is stopped, which is said
+MAX_SAMPLED_NUMBERS = 1_000_000_000  # samples times modes: some seconds; a longer impact is stopped, which is said
 MAX_FORCE_SAMPLES = 20_000  # kept of each contact; fewer, and drawn forces lose their peaks
 # Lowest periods for which a mass that moves away slowly is watched for another touch. Fewer, and a late contact is
 # missed; more cost time only.
@@ -67,8 +67,8 @@ class Record(NamedTuple):
 
 
 class SwitchedBeam(Phases):
-    """The whole blow: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good, or whether
-    it had to be `stopped` before, as there are limits to phases and steps.
+    """The whole impact: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good, or
+    whether it had to be `stopped` before, as there are limits to phases and steps.
     """
 
     smoothing = "none"
@@ -81,7 +81,7 @@ class SwitchedBeam(Phases):
         self.sets = _sets(together, alone, mass, length)
 
     def solve(self, limit: float) -> None:
-        """Follow the blow until the bodies part for good, or to `limit` [s]."""
+        """Follow the impact until the bodies part for good, or to `limit` [s]."""
         sets, modes = self.sets, self.sets.at.size
         steps = [2.0 * np.pi / float(bank.frequencies[-1]) / SAMPLES_PER_PERIOD for bank in (sets.pull, sets.gap)]
         turns = [exact_turn(bank.frequencies, step) for bank, step in zip((sets.pull, sets.gap), steps, strict=True)]

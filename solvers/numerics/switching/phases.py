@@ -37,7 +37,7 @@ class Contact(NamedTuple):
 
 
 class Phases:
-    """The `phases` of a blow, evaluated at any time (times,).
+    """The `phases` of an impact, evaluated at any time (times,).
 
     together: modes of the body with the mass on it; alone: its own; mass: that of the impactor, m1.
     left_out: share of the energy of the mass that `together` does not hold at the first touch.

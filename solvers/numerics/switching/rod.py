@@ -15,14 +15,14 @@ from .rod_phases import RodPhases
 # Of the shortest period kept, at which signs are looked at to find roots. With fewer, two roots within one sample are
 # missed, and with them a contact; see `test_mode_switch.py`.
 SAMPLES_PER_PERIOD = 16
-MAX_PHASES = 400  # changes of modes; a blow of more chatters, which is said
+MAX_PHASES = 400  # changes of modes; an impact of more chatters, which is said
 # Of what the modes left out move the mass: a mean pull below it is none. Smaller, Gibbs' ripples end contacts falsely;
 # larger, real partings are missed; see `test_mode_switch.py`.
 LEAST_PULL = 0.05
 
 
 class SwitchedModes(RodPhases):
-    """The whole blow: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good."""
+    """The whole impact: `solve` fills `phases` and `contacts`, and says whether the bodies `parted` for good."""
 
     def __init__(self, beta: float, fixed: bool, modes: int, smoothing: str = "delay"):
         super().__init__(beta, fixed, modes, smoothing)
@@ -33,7 +33,7 @@ class SwitchedModes(RodPhases):
         self._turns: dict[bool, tuple[np.ndarray, np.ndarray]] = {}
 
     def solve(self, limit: float) -> None:
-        """Follow the blow until the bodies part for good, or to `limit`."""
+        """Follow the impact until the bodies part for good, or to `limit`."""
         at = self.together.at_contact
         rigid_velocity = 0.0 if self.fixed else 1.0 / (1.0 + self.beta)
         nothing = np.zeros_like(at)

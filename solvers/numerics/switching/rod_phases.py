@@ -17,7 +17,7 @@ SMOOTHINGS = ("delay", "lanczos", "none")
 
 
 class RodPhases(Phases):
-    """The `phases` of a blow on a rod, evaluated at any time; arrays of times in units of T.
+    """The `phases` of an impact on a rod, evaluated at any time; arrays of times in units of T.
 
     smoothing: what the contact force is. "none": the truncated series, which overshoots each jump and falls below zero
     too early (Gibbs); "lanczos": the series averaged over the shortest kept period; "delay": F = Z (v + 2 a) from the

@@ -31,7 +31,7 @@ def _barycentric_weights(nodes: np.ndarray) -> np.ndarray:
 
 _WEIGHTS = _barycentric_weights(NODES)
 _STAGE_WEIGHTS = _barycentric_weights(STAGE_NODES)
-# value at 0 of the polynomial through the stages alone: against the true start value it tells the error of the step
+# value at 0 of the polynomial through the stages alone: against the true start value it gives the error of the step
 BACK_TO_START = (_STAGE_WEIGHTS / -STAGE_NODES) / (_STAGE_WEIGHTS / -STAGE_NODES).sum()
 
 

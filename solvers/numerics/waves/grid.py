@@ -43,7 +43,7 @@ def _arriving(lags, left, right, node, n):
 
 @inner_kernel
 def _parting_front(chain, lags, left, right, force, node, n, speed, give, mean):
-    """Mean force of rigid faces that a front of tension parts within step n, told by the steps before and after it.
+    """Mean force of rigid faces that a front of tension parts within step n, known by the steps before and after it.
 
     `mean`: of the force that would hold them together: part of the step the force of the step before, then that of the
     step after, which pulls. Where no front comes, the mean itself if it pushes.

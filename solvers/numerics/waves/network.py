@@ -25,7 +25,7 @@ from .nodes import add_break, finish, prepare, seen, share_of_error, simple_forc
 from .parts import BONDED, LAW, PRESSED, RIGID_FACES, mobility
 from .record import FORCE, jumped, pushed
 
-FORESEEN = 0.1  # of the force that a step shows which is tried and found too long: so large it will be
+FORESEEN = 0.1  # of the force that a rejected step shows: so large it will be
 LEAST_STEP = 1e-13  # tried next, as a share of the time: below it rounding is taken for detail
 
 # how a solve ended
@@ -118,7 +118,7 @@ def _next_node(chain, state, until):
 
 @inner_kernel
 def _announce(chain, state, record, node, t, limit, changed, tolerance):
-    """After a stretch that began at t: tell the neighbours if it began with a jump. False if there is no more room."""
+    """After a stretch that began at t: let the neighbours know if with a jump. False if there is no more room."""
     if limit - state.time[node] <= tiny(limit):
         state.time[node] = limit
         record.start[node, record.count[node]] = limit

@@ -51,7 +51,7 @@ class State(NamedTuple):
 
 
 def new_state(chain: Chain, capacity: int) -> State:
-    """Where every node is before the blow; room for so many arrivals of jumps at each."""
+    """Where every node is before the impact; room for so many arrivals of jumps at each."""
     nodes = chain.kind.size
     closed = (chain.gap <= 0.0) & (chain.kind != LAW)
     closed[chain.contact] = True
@@ -79,7 +79,7 @@ def new_state(chain: Chain, capacity: int) -> State:
 
 @inner_kernel
 def tiny(t):
-    """Two times closer than this are told apart by rounding only."""
+    """Two times closer than this differ by rounding only."""
     return 4e-15 * max(t, 1.0)
 
 
@@ -110,7 +110,7 @@ def _arrivals(record, sender, quantity, delay, t, step, seek, arriving):
     The first is the value after a jump at t, the last the value before a jump at t + step.
     """
     back, near = t - delay, tiny(t)
-    if back < -near and back + step <= near:  # nothing was sent before the blow
+    if back < -near and back + step <= near:  # nothing was sent before the impact
         for i in range(POINTS):
             arriving[i] = 0.0
         return seek

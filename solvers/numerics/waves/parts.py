@@ -13,9 +13,9 @@ FREE, ABSORBING, PRESSED, BONDED, RIGID_FACES, LAW = range(6)
 class Chain(NamedTuple):
     """Nodes 0 to n joined by n rods, rod i between nodes i and i + 1.
 
-    impedance, transit, drift (rods,): Z, L / c and the velocity before the blow; kind (nodes,); mass_left, mass_right
+    impedance, transit, drift (rods,): Z, L / c and the velocity before the impact; kind (nodes,); mass_left, mass_right
     (nodes,): a rigid body beside the node, 0 for none, infinite for a wall; mass_drift (nodes,), its first velocity;
-    gap (nodes,): between the faces before the blow; contact: the node that the impactor strikes.
+    gap (nodes,): between the faces before the impact; contact: the node that the impactor strikes.
     """
 
     impedance: np.ndarray

@@ -108,7 +108,7 @@ def highest(record, node, first, last):
 
 @inner_kernel
 def jumped(record, state, node, tolerance):
-    """Whether the last stretch begins with a jump or a bend in what the node sends, as far as `tolerance` can tell."""
+    """Whether the last stretch begins with a jump or a bend in what the node sends, as `tolerance` resolves it."""
     n, peak = record.count[node] - 1, 0.0
     for other in range(state.largest.size):
         peak = max(peak, state.largest[other])

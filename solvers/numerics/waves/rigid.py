@@ -20,7 +20,7 @@ from ..polynomials import GAUSS_NODES, GAUSS_WEIGHTS, RootWork, roots, shift, tr
 
 WINDOW, HORIZON = 2.0, 80.0  # of the exponent x: searched window by window, as exp(-x) ends all beyond the horizon
 PARTED, STOPPED, FULL = 0, 1, 2
-FOREVER = 20_000.0  # asked for that long, a blow is followed only until the bodies part for good
+FOREVER = 20_000.0  # asked for that long, an impact is followed only until the bodies part for good
 
 
 @inner_kernel

@@ -33,17 +33,17 @@ def test_an_address_sets_a_scene_first_and_then_the_rest():
     assert kept["modes"] == 20
 
 
-def test_another_support_in_an_address_moves_the_blow_to_where_the_beam_is_free():
+def test_another_support_in_an_address_moves_the_impact_to_where_the_beam_is_free():
     kept, _ = from_address({"scene": [b"hammer-on-cantilever"], "support": [b"pinned-pinned"]})
     assert kept["place"] == 0.5
     kept, _ = from_address({"scene": [b"hammer-on-cantilever"], "support": [b"pinned-pinned"], "place": [b"1"]})
     assert kept["place"] == 1.0  # asked for, and so refused where it is solved
 
 
-def test_the_picker_tells_the_number_of_a_figure():
-    told = dict(entry for _, scenes in scene_groups() for entry in scenes)
-    assert told["figure-8.15"].startswith("Figure 8.15: ") and told["table-8.4"].startswith("Table 8.4: ")
-    assert ":" not in told["fixed-rod"]
+def test_the_picker_shows_the_number_of_a_figure():
+    reported = dict(entry for _, scenes in scene_groups() for entry in scenes)
+    assert reported["figure-8.15"].startswith("Figure 8.15: ") and reported["table-8.4"].startswith("Table 8.4: ")
+    assert ":" not in reported["fixed-rod"]
 
 
 @given(

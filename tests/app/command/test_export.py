@@ -11,7 +11,7 @@ from app.command.main import main
 
 
 def test_a_netcdf_file_holds_histories_and_fields(tmp_path, capsys):
-    target = tmp_path / "blow.nc"
+    target = tmp_path / "impact.nc"
     assert main(["solve", "fixed-rod", "--series", str(target)]) == 0
     solution = solvers.solve(solvers.load("fixed-rod"))
     with netcdf_file(target, mmap=False) as file:
@@ -52,15 +52,15 @@ def test_a_netcdf_file_has_the_names_that_scripts_rely_on(tmp_path, capsys):
 
 def test_without_xarray_netcdf_is_refused_before_solving_and_csv_is_written(tmp_path, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "xarray", None)
-    assert main(["solve", "fixed-rod", "--series", str(tmp_path / "blow.nc")]) == 2
+    assert main(["solve", "fixed-rod", "--series", str(tmp_path / "impact.nc")]) == 2
     said = capsys.readouterr()
     assert "NetCDF needs xarray: pip install 'strikewave[notebook]'" in said.err
     assert said.err.count("\n") == 1
     assert said.out == ""
-    assert main(["solve", "fixed-rod", "--series", str(tmp_path / "blow.csv")]) == 0
-    assert (tmp_path / "blow.csv").read_text().startswith("time_s,contact_force_N,")
+    assert main(["solve", "fixed-rod", "--series", str(tmp_path / "impact.csv")]) == 0
+    assert (tmp_path / "impact.csv").read_text().startswith("time_s,contact_force_N,")
 
 
-def test_a_netcdf_file_that_cannot_be_written_is_told(tmp_path, capsys):
-    assert main(["solve", "fixed-rod", "--series", str(tmp_path / "nowhere" / "blow.nc")]) == 2
+def test_a_netcdf_file_that_cannot_be_written_is_reported(tmp_path, capsys):
+    assert main(["solve", "fixed-rod", "--series", str(tmp_path / "nowhere" / "impact.nc")]) == 2
     assert "a file that can be written (No such file or directory)" in capsys.readouterr().err

@@ -147,7 +147,7 @@ def test_the_report_for_people(capsys):
     assert "not defined" not in text
 
 
-def test_the_report_tells_what_is_unfinished(capsys):
+def test_the_report_says_what_is_unfinished(capsys):
     text = answer(capsys, "solve", "fixed-rod", "--set", "method.duration=5e-5")
     assert "Note: The bodies are still in contact" in text
     assert "not defined" in text  # Poisson's restitution
@@ -163,10 +163,10 @@ def test_bodies_in_space(capsys, tmp_path):
     assert "effective mass                  0.25 kg" in text
     assert "target after    velocity (-0.6, 0, 0) m/s   spin (0, 0, 3) rad/s" in text
     assert "a stop" in answer(capsys, "solve", "note-rod", "--set", 'target={ kind = "stop" }')
-    assert "no history" in refusal(capsys, "solve", "note-rod", "--series", str(tmp_path / "blow.csv"))
+    assert "no history" in refusal(capsys, "solve", "note-rod", "--series", str(tmp_path / "impact.csv"))
 
 
-def test_a_rigid_blow_on_an_axis_jumps(capsys, tmp_path):
+def test_a_rigid_impact_on_an_axis_jumps(capsys, tmp_path):
     path = tmp_path / "histories.csv"
     found = result(capsys, "free-rod", "--set", "method.name=rigid", "--series", str(path))
     assert found["contacts"] == [{"start": 0.0, "end": 0.0, "impulse": approx(2.133), "peak_force": None}]
@@ -360,7 +360,7 @@ def test_compare_in_json_for_scripts(capsys):
     assert exact["method"]["name"] == "waves" and exact["rebound_error"] == 0.0
 
 
-def test_compare_of_a_prescribed_force_tells_how_its_target_moves_on(capsys):
+def test_compare_of_a_prescribed_force_says_how_its_target_moves_on(capsys):
     said = answer(capsys, "compare", "pressure-bar")
     moved = solvers.solve(solvers.load("pressure-bar")).target_velocity
     assert f"its target moves on at          {moved:+.8g} m/s" in said

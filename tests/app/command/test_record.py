@@ -18,7 +18,7 @@ LATE = 321.7  # us: the clock of the record at first touch
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
-    """Two gauges in microstrain, twelve bits and noise, semicolons and decimal commas, 100 us before the blow."""
+    """Two gauges in microstrain, twelve bits and noise, semicolons and decimal commas, 100 us before the impact."""
     time = np.arange(-100, 1500) * 1e-6
     strain = np.array([expected(BALL, "strain", time, x) for x in PLACES])
     peak = np.abs(strain).max()
@@ -71,8 +71,8 @@ def test_what_was_compared_can_be_written(capsys, file, tmp_path):
     with series.open() as lines:
         rows = list(csv.DictReader(lines))
     assert len(rows) == 1600
-    measured, told = (np.array([float(row[f"{who}_strain_2"]) for row in rows]) for who in ("measured", "solution"))
-    assert np.linalg.norm(measured - told) < 0.02 * np.linalg.norm(told)
+    measured, reported = (np.array([float(row[f"{who}_strain_2"]) for row in rows]) for who in ("measured", "solution"))
+    assert np.linalg.norm(measured - reported) < 0.02 * np.linalg.norm(reported)
 
 
 def test_the_report_says_it_in_a_table(capsys, file):

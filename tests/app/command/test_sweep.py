@@ -70,7 +70,7 @@ def test_bodies_in_space_leave_with_vectors(capsys):
     found = rows(capsys, "note-rod", "--vary", "method.restitution=0..1:3")
     assert all(len(row["impactor"]["final_velocity"]) == 3 for row in found)
     text = answer(capsys, "sweep", "note-rod", "--vary", "method.restitution=0..1:3")
-    assert "(" in text and "  -  " in text  # a blow of no duration has no peak force
+    assert "(" in text and "  -  " in text  # an impact of no duration has no peak force
 
 
 @pytest.mark.parametrize(

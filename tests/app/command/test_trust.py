@@ -43,12 +43,12 @@ def test_an_ensemble_has_the_promised_keys(capsys):
 
 
 def test_the_table_has_a_line_for_every_figure(capsys):
-    told = answer(
+    reported = answer(
         capsys, "ensemble", "fixed-rod", "--runs", "10", "--set", "method.name=modal", "--key", "target.length"
     )
-    assert "10 runs by modal, target.length changed" in told
+    assert "10 runs by modal, target.length changed" in reported
     for name in ("first parting [s]", "final velocity [m/s]", "contacts ", "peak force [N]"):
-        (line,) = [line for line in told.splitlines() if line.startswith(f"  {name}")]
+        (line,) = [line for line in reported.splitlines() if line.startswith(f"  {name}")]
         assert line.split()[-1] in ("firm", "loose", "trusted")
 
 
@@ -120,8 +120,8 @@ def test_convergence_has_the_promised_keys(capsys):
 
 def test_convergence_of_the_elements_that_the_scene_names(capsys):
     words = ("--set", "method.name=fe-nodal", "--modes", "5,10,20")
-    told = answer(capsys, "convergence", "bronze-rod-steel-ball", *words)
-    assert "by fe-nodal" in told and "  elements" in told and "final velocity: " in told
+    reported = answer(capsys, "convergence", "bronze-rod-steel-ball", *words)
+    assert "by fe-nodal" in reported and "  elements" in reported and "final velocity: " in reported
 
 
 @pytest.mark.parametrize(

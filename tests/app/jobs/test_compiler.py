@@ -91,7 +91,7 @@ class Gate:
 
 
 def test_newer_choices_do_not_wait_for_what_older_ones_need(monkeypatch):
-    gate, shown, told = Gate(), [], []
+    gate, shown, reported = Gate(), [], []
     monkeypatch.setattr(runner, "COMPILER", gate)
 
     def work(choice):
@@ -100,14 +100,14 @@ def test_newer_choices_do_not_wait_for_what_older_ones_need(monkeypatch):
         return choice
 
     async def visit():
-        visitor = Runner(work, shown.append, shown.append, wait=told.append, start=start)
+        visitor = Runner(work, shown.append, shown.append, wait=reported.append, start=start)
         first = asyncio.create_task(visitor.want("slow law"))
-        while not told:
+        while not reported:
             await asyncio.sleep(0.01)
-        assert told == [COMPILING]
+        assert reported == [COMPILING]
         await visitor.want("quick law")
         await first
-        assert shown == ["quick law"] and told == [COMPILING, ""]
+        assert shown == ["quick law"] and reported == [COMPILING, ""]
         gate.opened.set()
         await visitor.want("slow law")
 

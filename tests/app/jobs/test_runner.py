@@ -47,8 +47,8 @@ def test_a_failure_becomes_a_sentence_and_the_next_wish_is_served():
 
     async def visit():
         runner = Runner(work, shown.append, refused.append, start=start)
-        for wish in ("bad value", "bug", "good"):
-            await runner.want(wish)
+        for request in ("bad value", "bug", "good"):
+            await runner.want(request)
 
     run(visit())
     assert shown == ["good"]
@@ -168,13 +168,15 @@ def test_what_nobody_waits_for_is_abandoned_and_who_comes_back_is_answered():
     assert shown == ["two is answered"]
 
 
-def test_who_waits_long_is_told_how_long_at_most(monkeypatch):
+def test_who_waits_long_sees_how_long_at_most(monkeypatch):
     monkeypatch.setattr("app.jobs.runner.LONG_AFTER", 0.1)
-    told = []
+    reported = []
 
     async def main():
-        runner = Runner(lambda choice: time.sleep(0.5), told.append, told.append, told.append, seconds=7.0, start=start)
+        runner = Runner(
+            lambda choice: time.sleep(0.5), reported.append, reported.append, reported.append, seconds=7.0, start=start
+        )
         await runner.want("slow")
 
     run(main())
-    assert "given up after 7 s of computing" in told[0] and told[-1] == ""
+    assert "given up after 7 s of computing" in reported[0] and reported[-1] == ""

@@ -61,7 +61,7 @@ def test_a_frame_is_the_same_as_solved_here():
 
     found, here = with_workers(test), solve_frame(choices)
     arrays = [message[4 + int.from_bytes(message[:4], "little") :] for message in (found, here)]
-    assert arrays[0] == arrays[1] and len(arrays[0]) > 10_000  # the header also tells how long it took
+    assert arrays[0] == arrays[1] and len(arrays[0]) > 10_000  # the header also has how long it took
 
 
 @pytest.mark.slow
@@ -154,14 +154,14 @@ def test_while_two_seats_are_free_a_visitor_still_has_one():
     with_workers(test)
 
 
-def test_work_that_can_be_stopped_tells_and_ends_with_what_it_has():
+def test_work_that_can_be_stopped_reports_and_ends_with_what_it_has():
     async def test(workers):
-        told = []
-        job = workers.start(works.until_cancelled, 5, stoppable=True, tell=told.append, level=LONG)
-        while not told:
+        reported = []
+        job = workers.start(works.until_cancelled, 5, stoppable=True, report=reported.append, level=LONG)
+        while not reported:
             await asyncio.sleep(0.01)
         job.end()
-        assert await job.answer == "some of 5" and told == ["begun"]
+        assert await job.answer == "some of 5" and reported == ["begun"]
         assert await workers.start(works.double, 3, level=LONG).answer == 6
 
     with_workers(test)

@@ -14,12 +14,12 @@ POOL = ThreadPoolExecutor(8)
 class ThreadJob:
     level, computed = 0, 0.0
 
-    def __init__(self, work, arguments, compiled, stoppable, tell):
+    def __init__(self, work, arguments, compiled, stoppable, report):
         self.begun = time.monotonic()
         self._ended = threading.Event()
         loop = asyncio.get_running_loop()
         more = (self._ended.is_set,) if stoppable else ()
-        more += (lambda part: loop.call_soon_threadsafe(tell, part),) if tell else ()
+        more += (lambda part: loop.call_soon_threadsafe(report, part),) if report else ()
 
         def run():
             with compiled_only() if compiled else nullcontext():
@@ -31,5 +31,5 @@ class ThreadJob:
         self._ended.set()
 
 
-def start(work, *arguments, visitor=None, level=0, seconds=0.0, compiled=True, stoppable=False, tell=None):
-    return ThreadJob(work, arguments, compiled, stoppable, tell)
+def start(work, *arguments, visitor=None, level=0, seconds=0.0, compiled=True, stoppable=False, report=None):
+    return ThreadJob(work, arguments, compiled, stoppable, report)

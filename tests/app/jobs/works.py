@@ -47,8 +47,8 @@ def blas_threads(_):
     return os.environ.get("OPENBLAS_NUM_THREADS")
 
 
-def until_cancelled(value, cancelled, tell):
-    tell("begun")
+def until_cancelled(value, cancelled, report):
+    report("begun")
     while not cancelled():
         time.sleep(0.005)
     return f"some of {value}"

@@ -86,7 +86,7 @@ def test_where_along_the_rod_it_is_struck(place):
     assert solvers.solve(scene).effective_mass == approx(1.0 / inverse, rel=1e-14)
 
 
-def test_moving_the_blow_along_a_brick_keeps_it_on_the_face():
+def test_moving_the_impact_along_a_brick_keeps_it_on_the_face():
     brick = solvers.load("brick-off-centre")
     moved = struck_at(brick, 0.5)
     shift = np.array(moved.target.centre) - np.array(brick.target.centre)
@@ -155,5 +155,5 @@ def test_the_stage_draws(stage, name):
     for t in (-1.0, -0.3, 0.0, 0.4, 1.0):
         inked, red = stage.evaluate("([text, t]) => show(text, t)", [text, t])
         assert inked > 300
-        # the impulse is drawn from the blow on, if there is one
+        # the impulse is drawn from the impact on, if there is one
         assert (red > 50) == (t >= 0.0 and solution.impulse > 0.0)

@@ -38,7 +38,7 @@ def test_a_budget_is_kept_to_rather_than_a_tolerance():
 
 
 @pytest.mark.parametrize(
-    "key, value, told",
+    "key, value, reported",
     [
         ("panel", "weather", "Analysis: 'weather' is not possible. Choose one of energy, needs,"),
         ("panel", "needs,<b>", "Analysis: 'text' is not possible."),
@@ -49,9 +49,9 @@ def test_a_budget_is_kept_to_rather_than_a_tolerance():
         ("waves", "1", "Exact waves: '1' is not possible. Choose true or false."),
     ],
 )
-def test_what_is_not_allowed_is_told_with_its_key_and_left_out(key, value, told):
+def test_what_is_not_allowed_is_reported_with_its_key_and_left_out(key, value, reported):
     kept, refused = read(**{key: value})
-    assert len(refused) == 1 and refused[0].startswith(told)
+    assert len(refused) == 1 and refused[0].startswith(reported)
     assert set(kept) <= {"plan_shown"}
 
 

@@ -31,7 +31,7 @@ def test_every_method_in_one_table(open_page):
     rigid = table.locator("tbody tr", has_text="rigid bodies")
     error = float(rigid.locator("td").nth(1).inner_text().replace("−", "-"))
     left = page.header("exact")["final"]
-    assert error == pytest.approx(100 * (-1.0 - left), rel=2e-3)  # three digits; an elastic blow against a wall
+    assert error == pytest.approx(100 * (-1.0 - left), rel=2e-3)  # three digits; an elastic impact against a wall
     page.answered(lambda: drag(page, "Mass ratio", 0.9))
     page.wait(COMPARED, timeout=LONG)
     expect(waves).to_contain_text("1 of 1")

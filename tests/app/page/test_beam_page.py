@@ -20,7 +20,7 @@ FORCE_TOP = "() => strikewave.page.beam.force.chart.area.getBoundingClientRect()
 LONG = 120_000  # ms: in a fresh copy the kernels of the studies are compiled first
 
 
-def test_a_beam_is_drawn_and_its_story_told(open_page):
+def test_a_beam_is_drawn_and_its_story_shown(open_page):
     page = open_page(SCENE)
     contacts = page.header("main")["contacts"]
     assert contacts > 5
@@ -160,8 +160,8 @@ def test_how_far_to_trust_it(open_page):
     band = page.evaluate("() => strikewave.page.analyses.trust.figure.model('bands').data")
     edges = [band[f"force-{edge}"] for edge in ("lowest", "low", "high", "highest")]
     assert all(list(row) == sorted(row) for row in zip(*edges, strict=True)) and max(edges[3]) > 0
-    told = page.evaluate("() => strikewave.page.analyses.convergence.figure.model('differences').data")
-    assert {"peak force", "final velocity"} <= set(told["quantity"]) and 40 not in told["count"]
+    reported = page.evaluate("() => strikewave.page.analyses.convergence.figure.model('differences').data")
+    assert {"peak force", "final velocity"} <= set(reported["quantity"]) and 40 not in reported["count"]
     page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("fixed-rod"))
     expect(page.tab.locator(".study-trust")).to_be_hidden()
 
@@ -205,7 +205,7 @@ def test_the_data_of_a_beam_can_be_saved(open_page, tmp_path):
     assert len(rows) == 2002
 
 
-def test_a_support_that_would_hold_the_struck_place_moves_the_blow(open_page):
+def test_a_support_that_would_hold_the_struck_place_moves_the_impact(open_page):
     page = open_page("?scene=hammer-on-cantilever")
     page.answered(lambda: page.tab.get_by_label("Support", exact=True).select_option("pinned-pinned"))
     settled(page)
@@ -225,7 +225,7 @@ def test_choices_that_cannot_be_solved_are_set_back(open_page):
     assert page.header("chosen")["place"] == 1.0
 
 
-def test_a_blow_beside_the_clamp_is_told_as_one_on_a_wall(open_page):
+def test_an_impact_beside_the_clamp_is_reported_as_one_on_a_wall(open_page):
     page = open_page("?scene=hammer-on-cantilever&place=0.05")
     story = page.tab.locator(".story:visible")
     expect(story).to_contain_text("from the clamp, which holds it back almost at once")

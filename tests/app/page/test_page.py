@@ -31,7 +31,7 @@ def settled(page) -> None:
     page.wait("() => { const p = strikewave.page; return !p.asked && !p.telling && !Object.keys(p.waiting).length; }")
 
 
-def test_the_first_view_tells_the_story_of_the_fixed_rod(open_page):
+def test_the_first_view_shows_the_story_of_the_fixed_rod(open_page):
     page = open_page()
     contacts = page.header("exact")["contacts"]
     assert [c[:2] for c in contacts] == [

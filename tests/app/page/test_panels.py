@@ -1,4 +1,4 @@
-"""What the panels beside the solution tell, and the long runs behind them."""
+"""What the panels beside the solution report, and the long runs behind them."""
 
 import asyncio
 import json
@@ -44,16 +44,16 @@ def test_a_built_in_scene_shows_its_table_at_once():
 
 
 def test_a_measurement_that_is_stopped_keeps_what_it_found():
-    stop, told = threading.Event(), []
+    stop, reported = threading.Event(), []
 
-    def tell(text):
-        told.append(json.loads(text))
+    def report(text):
+        reported.append(json.loads(text))
         stop.set()
 
-    found = json.loads(tradeoff_data(asked("two-balls"), stop.is_set, tell))
+    found = json.loads(tradeoff_data(asked("two-balls"), stop.is_set, report))
     assert found["stopped"] in ("cancelled", None) and found["points"]
     stop.set()
-    nothing = json.loads(tradeoff_data(asked("two-balls"), stop.is_set, tell))
+    nothing = json.loads(tradeoff_data(asked("two-balls"), stop.is_set, report))
     assert nothing["stopped"] == "cancelled" and nothing["points"] == []
 
 
@@ -107,10 +107,10 @@ def test_what_is_finer_than_the_sliders_is_not_shown():
 def test_the_maps_say_what_the_library_found(monkeypatch):
     monkeypatch.setattr(stability_view, "STEPS", 3)
     monkeypatch.setattr(stability_view, "ACROSS", 4)
-    told, asking = [], asked("fixed-rod", stability_axis="contact_stiffness")
+    reported, asking = [], asked("fixed-rod", stability_axis="contact_stiffness")
     stability_kernels(asking)
-    found = json.loads(stability_data(asking, never, told.append))
-    assert json.loads(told[-1])["done"] == 4 == json.loads(told[-1])["of"]
+    found = json.loads(stability_data(asking, never, reported.append))
+    assert json.loads(reported[-1])["done"] == 4 == json.loads(reported[-1])["of"]
     first = found["maps"][0]
     assert first["name"] == "modal" and first["failures"] == 0
     assert len(first["runs"]) == 3 and all(len(row) == 4 for row in first["runs"])
@@ -118,7 +118,7 @@ def test_the_maps_say_what_the_library_found(monkeypatch):
     assert failed not in "".join(first["runs"])
     frozen = next(each for each in found["maps"] if each["name"] == "newmark-frozen")
     assert failed in "".join(frozen["runs"]) and len(frozen["limit"]) == 4
-    stopped = json.loads(stability_data(asking, lambda: True, told.append))
+    stopped = json.loads(stability_data(asking, lambda: True, reported.append))
     assert stopped["cancelled"] and stopped["maps"][0]["count"] == 0
 
 
@@ -173,16 +173,16 @@ def ran(work, kernels=lambda asked: None, meanwhile=None):
     return published, refused
 
 
-def test_a_long_run_tells_parts_and_then_the_whole():
-    def work(asked, cancelled, tell):
-        tell("a part")
+def test_a_long_run_reports_parts_and_then_the_whole():
+    def work(asked, cancelled, report):
+        report("a part")
         return f"all of {asked}"
 
     assert ran(work) == (["a part", "all of asked"], [])
 
 
 def test_a_long_run_can_be_stopped_and_keeps_what_it_has():
-    def work(asked, cancelled, tell):
+    def work(asked, cancelled, report):
         done = threading.Event()
         while not cancelled():
             done.wait(0.01)
@@ -192,10 +192,10 @@ def test_a_long_run_can_be_stopped_and_keeps_what_it_has():
 
 
 def test_a_long_run_that_fails_says_so_in_a_sentence(caplog):
-    def refuses(asked, cancelled, tell):
+    def refuses(asked, cancelled, report):
         raise ValueError("scene: got nothing; allowed: something")
 
-    def breaks(asked, cancelled, tell):
+    def breaks(asked, cancelled, report):
         raise ZeroDivisionError
 
     assert ran(refuses) == ([], ["scene: got nothing; allowed: something"])
@@ -215,7 +215,7 @@ def test_kernels_of_a_long_run_are_compiled_elsewhere(monkeypatch):
         raise long_run.NotCompiled("one")
 
     monkeypatch.setattr(long_run, "COMPILER", Elsewhere)
-    assert ran(lambda asked, cancelled, tell: "done", kernels) == (["done"], [])
+    assert ran(lambda asked, cancelled, report: "done", kernels) == (["done"], [])
     assert wanted == [("kernels", "asked")]
 
 

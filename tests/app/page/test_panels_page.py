@@ -6,12 +6,12 @@ from playwright.sync_api import expect
 from .test_page import drag, settled
 
 LONG = 60_000  # ms: in a fresh copy kernels are compiled first
-TOLD = "name => strikewave.page.analyses[name].root.getAttribute('aria-busy') === 'false'"
+SHOWN = "name => strikewave.page.analyses[name].root.getAttribute('aria-busy') === 'false'"
 
 
 def opened(page, label, name):
     page.analysis(label)
-    page.wait(TOLD, name, timeout=LONG)
+    page.wait(SHOWN, name, timeout=LONG)
     return page.tab.locator(f".{name}")
 
 
@@ -33,7 +33,7 @@ def test_the_plan_follows_the_question_and_can_be_shown(open_page):
 
 def test_what_the_library_says_is_in_the_words_of_the_page(open_page):
     page = open_page("?method=modal&panel=needs")
-    page.wait(TOLD, "needs", timeout=LONG)
+    page.wait(SHOWN, "needs", timeout=LONG)
     expect(page.tab.locator(".needs")).to_contain_text("that of quasi-static structure would be")
     expect(page.tab.locator(".warnings")).to_contain_text("shortest kept period (2.35 µs)")
 
@@ -48,7 +48,7 @@ def test_the_dot_on_the_map_follows_the_sliders(open_page):
     pixels = page.picture()
     page.answered(lambda: drag(page, "Mass ratio", 0.7))
     settled(page)
-    page.wait(TOLD, "needs")
+    page.wait(SHOWN, "needs")
     after = page.evaluate(here)
     assert after[1] == pytest.approx(page.header("chosen")["mass_ratio"], rel=1e-6)
     assert after != before
@@ -146,7 +146,7 @@ def test_panels_fit_a_phone(open_page):
         ("Choose method by error", "tolerance"),
     ):
         page.analysis(label)
-        page.wait(TOLD, name, timeout=LONG)
+        page.wait(SHOWN, name, timeout=LONG)
         page.fits(390)
 
 
@@ -201,7 +201,7 @@ def test_a_tolerance_chooses_the_method(open_page):
     page = open_page("?scene=free-rod")
     page.tab.get_by_label("Compare with", exact=True).select_option("auto")
     panel = page.tab.locator(".auto")
-    page.wait(TOLD, "tolerance", timeout=LONG)
+    page.wait(SHOWN, "tolerance", timeout=LONG)
     expect(panel.locator(".verdict")).to_contain_text("exact waves")
     panel.get_by_label("exact waves may be chosen").uncheck()
     page.wait("() => strikewave.page.analyses.tolerance.answer?.chosen.auto_waves === false", timeout=LONG)
@@ -278,13 +278,13 @@ def test_a_link_opens_panels_with_their_questions(open_page):
     expect(page.tab.locator(".needs").get_by_label("Question")).to_have_value("stresses")
     panel.get_by_label("Quantity").select_option("impulse")
     page.wait("() => location.search.includes('quantity=impulse')")
-    page.wait(TOLD, "tolerance", timeout=LONG)
+    page.wait(SHOWN, "tolerance", timeout=LONG)
     panel.get_by_label("Keep to").select_option("time")
     page.wait("() => location.search.includes('budget=0.05') && !location.search.includes('tolerance=')")
     again = open_page("?" + page.tab.url.split("?")[1])
     expect(again.tab.locator(".auto").get_by_label("Keep to")).to_have_value("time")
     expect(again.tab.locator(".auto").get_by_label("Quantity")).to_have_value("impulse")
-    again.wait(TOLD, "tolerance", timeout=LONG)
+    again.wait(SHOWN, "tolerance", timeout=LONG)
     again.analysis("Choose method by error")
     again.wait("() => location.search.includes('panel=needs') && !location.search.includes('quantity')")
 
@@ -296,7 +296,7 @@ def test_a_link_works_out_the_stability_it_names(open_page):
     page.wait("() => strikewave.page.analyses.energy.figure.model('energy-cursor')", timeout=LONG)
 
 
-def test_a_bad_link_is_told_and_otherwise_ignored(open_page):
+def test_a_bad_link_is_reported_and_otherwise_ignored(open_page):
     page = open_page("?panel=needs,weather&tolerance=7&axis=<b>&error=0.1")
     toast = page.tab.locator(".toast")
     expect(toast).to_contain_text("Analysis: 'weather' is not possible. Choose one of energy, needs")

@@ -24,7 +24,7 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
 from app.page.lab import VERSION
-from app.serving.guard import REPORTED, SETTABLE, judge
+from app.serving.guard import REPORTED, SETTABLE, decide
 from app.serving.limits import HASTE_BURST, MAX_BODY, MAX_REFUSED, OVER_PAUSE
 from app.serving.uploads import MAX_RECEIVED
 
@@ -130,7 +130,7 @@ def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(ser
             wanted = properties | {"esm", "text", "visible", "name", "data", "stylesheets"}
             for name in sorted(wanted - SETTABLE if model == own else wanted):
                 change = {"kind": "ModelChanged", "model": {"id": model}, "attr": name, "new": SCRIPT[:90]}
-                assert judge("PATCH-DOC", {"events": [change]}, own, SETTABLE).events == [], (model, name)
+                assert decide("PATCH-DOC", {"events": [change]}, own, SETTABLE).events == [], (model, name)
                 if name in REPORTED:
                     continue
                 await client.patch(change)  # and on the wire

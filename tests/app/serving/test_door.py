@@ -16,10 +16,10 @@ SECRET = b"a secret of this process"
 class Socket:
     def __init__(self, token, idle=0.0):
         self.session_id, self.active = get_session_id(token), time.monotonic() - idle
-        self.told = None
+        self.reported = None
 
     def turn_out(self, sentence):
-        self.told = sentence
+        self.reported = sentence
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_who_is_idle_for_long_makes_room(door, monkeypatch):
     token = door.issue({})
     assert not door.full and door.refuses(token, []) is None
     door.enter(Socket(token))
-    assert "idle" in idle.told and not any(socket.told for socket in sockets)
+    assert "idle" in idle.reported and not any(socket.reported for socket in sockets)
 
 
 def test_a_class_may_come_at_once_and_a_flood_may_not(door):

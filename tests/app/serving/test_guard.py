@@ -17,8 +17,8 @@ SAID = {"kind": "MessageSent", "msg_type": "bokeh_event", "msg_data": READY}
 
 
 def taken(*events, kind="PATCH-DOC"):
-    verdict = guard.judge(kind, {"events": list(events)}, OWN, guard.SETTABLE)
-    return None if verdict.reason else verdict.events
+    decision = guard.decide(kind, {"events": list(events)}, OWN, guard.SETTABLE)
+    return None if decision.reason else decision.events
 
 
 def test_choices_and_what_is_opened_and_asked_are_taken_and_nothing_else_of_the_same_model():
@@ -74,8 +74,8 @@ def test_what_panel_reports_by_itself_is_dropped_without_a_word():
 
 @pytest.mark.parametrize("kind", ["PUSH-DOC", "SERVER-INFO-REQ", "ACK", "OK", "nonsense"])
 def test_no_other_message_is_taken(kind):
-    assert guard.judge(kind, {"events": []}, OWN, guard.SETTABLE).reason
-    assert guard.judge("PATCH-DOC", [], OWN, guard.SETTABLE).reason
+    assert guard.decide(kind, {"events": []}, OWN, guard.SETTABLE).reason
+    assert guard.decide("PATCH-DOC", [], OWN, guard.SETTABLE).reason
 
 
 def test_of_choices_that_are_set_again_only_the_newest_is_kept():

@@ -43,7 +43,7 @@ def test_the_example_is_what_its_header_says():
     assert np.abs(rows[:, 1] - made[:, 1]).max() < 1.5 * bit  # a value on the edge may round either way
 
 
-def test_a_record_is_compared_and_tells_of_the_force(server):
+def test_a_record_is_compared_and_predicts_of_the_force(server):
     status, answer = post(server, GOOD)
     assert status == 200 and answer["kind"] == "strain" and answer["notes"] == []
     assert answer["shift"] == approx(-example_record.LATE, abs=0.2e-6)
@@ -53,8 +53,8 @@ def test_a_record_is_compared_and_tells_of_the_force(server):
         assert 100 < len(history) <= MAX_POINTS and np.all(np.diff(history) > 0.0)
     assert max(answer["recovered"]["force"]) == approx(PEAK, rel=0.01)
     measured = np.interp(answer["computed"]["time"], answer["time"], answer["values"])
-    told = np.array(answer["computed"]["model"])
-    assert np.linalg.norm(measured - told) < 0.03 * np.linalg.norm(told)
+    reported = np.array(answer["computed"]["model"])
+    assert np.linalg.norm(measured - reported) < 0.03 * np.linalg.norm(reported)
 
 
 def test_another_speed_shows_as_another_scale(server):
@@ -118,7 +118,7 @@ def test_what_is_too_large_is_not_kept(server):
     assert post(server, GOOD)[0] == 200
 
 
-def test_a_body_that_does_not_tell_its_size_is_cut(server):
+def test_a_body_that_does_not_say_its_size_is_cut(server):
     host, port = server.split(":")
     with socket.create_connection((host, int(port)), timeout=20) as wire:
         head = (

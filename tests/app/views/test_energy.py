@@ -25,7 +25,7 @@ def test_the_shares_add_up_at_every_instant(scene, law):
     assert (lost[-1] > 1.0) == (LAWS[law].LOSSY or LAWS[law].PLASTIC)
 
 
-def test_the_energy_of_a_beam_is_told_apart_into_motion_and_bending():
+def test_the_energy_of_a_beam_is_split_into_motion_and_bending():
     shares = energy_shares(Choices(**choices_of(BEAM), scene=BEAM).chosen())
     parts = [shares[name] for name, _ in SHARES.values() if name in shares]
     assert np.sum(parts, axis=0) == pytest.approx(100.0, abs=1e-6)

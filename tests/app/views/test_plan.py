@@ -26,7 +26,7 @@ def planned(*given, **changes):
 
 
 @pytest.mark.parametrize("scene", ["fixed-rod", "figure-10.2", "xylophone-bar", "figure-9.1", "two-unequal-rods"])
-def test_the_page_tells_the_plan_of_the_library(scene):
+def test_the_page_shows_the_plan_of_the_library(scene):
     found, own = planned(scene), plan(load(scene))
     assert [row["model"] for row in found["candidates"]] == [row.parts for row in own.candidates]
     assert found["candidates"][found["picked"]]["model"] == own.chosen.parts

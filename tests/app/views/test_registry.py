@@ -19,7 +19,7 @@ from app.views import registry
 
 def weather_data(asked): return asked["rain"]
 def season_data(asked): return ""
-def storm_data(asked, cancelled, tell): return ""
+def storm_data(asked, cancelled, report): return ""
 def storm_kernels(asked): pass
 
 asked = {"rain": Question(param.Number(default=0.5, bounds=(0.0, 1.0)), "wet")}
@@ -85,7 +85,7 @@ def test_every_kind_of_scene_is_one_that_views_name():
 # --- what is asked, and when ------------------------------------------------------------------------------------------
 
 
-class Wishes:
+class Requests:
     """In place of a runner: what it is asked."""
 
     def __init__(self):
@@ -106,13 +106,13 @@ def page(monkeypatch):
         with suppress(StopIteration):
             act().send(None)
 
-    async def tell(act, *given):
+    async def report(act, *given):
         act(*given)
 
     monkeypatch.setattr(panel.state, "execute", at_once)
     lab = Lab()
-    lab._tell, lab._runner = tell, Wishes()
-    lab._runners = {name: Wishes() for name in lab._runners}
+    lab._report, lab._runner = report, Requests()
+    lab._runners = {name: Requests() for name in lab._runners}
     return lab
 
 

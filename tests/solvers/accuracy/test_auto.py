@@ -14,7 +14,7 @@ from bench.random_scenes import random_scene
 from solvers import Auto, SceneError, SceneNotSupported
 from solvers.accuracy.auto import ASKABLE
 from solvers.accuracy.cost_model import expected_time
-from solvers.accuracy.quantities import Answer, Truth
+from solvers.accuracy.quantities import Metrics, Reference
 from solvers.methods.validity import ended_early
 from solvers.methods.waves import method as waves
 from solvers.methods.waves.chain import ExactHistory
@@ -25,7 +25,7 @@ MODES = ("modal", "mode-switch", "fe-modal", "fe-nodal", "quasi-static", "rigid"
 
 
 def true_error(scene, solution, quantity: str) -> float:
-    return abs(Truth.of(solvers.Waves(tolerance=1e-11).solve(scene)).errors(Answer.of(solution))[quantity])
+    return abs(Reference.of(solvers.Waves(tolerance=1e-11).solve(scene)).errors(Metrics.of(solution))[quantity])
 
 
 def test_where_waves_are_exact_nothing_else_is_needed():
@@ -56,7 +56,7 @@ def test_it_keeps_its_word_on_any_scene(number, tolerance, quantity):
 
 
 @pytest.mark.parametrize("quantity", ["rebound", "impulse", "peak-force", "force-history", "contact-time"])
-def test_without_waves_the_estimate_is_near_the_truth(quantity):
+def test_without_waves_the_estimate_is_near_the_exact_solution(quantity):
     scene = bronze_rod()
     solution = solvers.solve(scene, "auto", quantity=quantity, tolerance=0.01, among=list(MODES))
     chosen = solution.diagnostics["chosen"]
@@ -76,10 +76,10 @@ def test_a_smaller_tolerance_takes_more_modes():
 
 
 def test_the_cheapest_that_is_good_enough_is_chosen_the_same_each_time():
-    # a blow so soft that the rod moves as a whole: thesis 3.2, rigid bodies will do
+    # an impact so soft that the rod moves as a whole: thesis 3.2, rigid bodies will do
     scene = struck_rod(1.0, "free", contact_table("linear", softness=1e4))
     assert solvers.solve(scene, "auto").method["name"] == "rigid"
-    among = ["modal", "quasi-static", "rigid"]  # exact waves cost no more in so short a blow
+    among = ["modal", "quasi-static", "rigid"]  # exact waves cost no more in so short an impact
     solution = solvers.solve(scene, "auto", quantity="peak-force", among=among)
     assert solution.method["name"] == "quasi-static"  # a rigid body has no force
     tried = solution.diagnostics["chosen"]["tried"]
@@ -94,7 +94,7 @@ def test_the_error_of_the_rebound_is_known_whatever_is_asked():
 
 
 def test_a_force_that_modes_do_not_find_is_not_claimed():
-    # rigid contact: truncated modes overshoot each jump, so their peaks agree with each other and not with the truth
+    # rigid contact: truncated modes overshoot each jump, so their peaks agree with each other and are all wrong
     solution = solvers.solve(struck_rod(0.5, "free"), "auto", quantity="peak-force", tolerance=0.03, among=["modal"])
     chosen = solution.diagnostics["chosen"]
     assert not chosen["met"] or "No second method" in " ".join(map(str, solution.notes))
@@ -114,7 +114,7 @@ def test_methods_that_differ_are_both_named_and_no_resolution_is_foretold():
     assert "differs from 'mode-switch modes=" in second and "which of them is right" in second
 
 
-def test_an_estimate_of_a_force_within_a_time_is_doubted_where_nothing_gives_way():
+def test_an_estimate_of_a_force_within_a_time_gets_a_note_where_nothing_gives_way():
     rigid, soft = (
         solvers.solve(struck_rod(1.0, "fixed", contact), "auto", quantity="peak-force", budget=0.5, among=["modal"])
         for contact in (None, contact_table("linear", softness=1.0))
@@ -134,13 +134,13 @@ def test_a_time_for_a_force_that_modes_get_wrong_is_shared_with_a_second_method(
     chosen = solution.diagnostics["chosen"]
     assert {row["method"]["name"] for row in chosen["tried"]} == set(among)
     assert not chosen["met"]
-    told = " ".join(map(str, solution.notes))
+    reported = " ".join(map(str, solution.notes))
     true = true_error(scene, solution, "peak-force")
     assert true > 0.02
     assert chosen["estimated_error"] is None or chosen["estimated_error"] > 0.4 * true
     # which of them came further within the time depends on the machine
-    assert any(f"A second method, '{second}=" in told for second in ("fe-modal elements", "modal modes"))
-    assert "which of them is right" in told
+    assert any(f"A second method, '{second}=" in reported for second in ("fe-modal elements", "modal modes"))
+    assert "which of them is right" in reported
 
 
 def test_the_least_time_has_a_second_method_too():
@@ -231,7 +231,7 @@ def test_a_scene_file_may_ask_for_it():
     again = solvers.Scene.from_table(scene.table())
     solution = solvers.solve(again)
     assert solution.diagnostics["chosen"]["tolerance"] == 0.001
-    assert Auto.read({"budget": 0.05}).goal is None and Auto.read({}).goal == 0.01
+    assert Auto.read({"budget": 0.05}).allowed_error is None and Auto.read({}).allowed_error == 0.01
 
 
 def test_a_step_of_waves_costs_the_same_under_any_law():
@@ -269,7 +269,7 @@ def test_a_force_without_limit_is_not_climbed_after():
 
 
 @pytest.mark.parametrize("quantity", ["peak-force", "force-history", "contact-time"])
-def test_what_no_method_tells_of_a_blow_is_not_claimed(quantity):
+def test_what_no_method_predicts_of_an_impact_is_not_claimed(quantity):
     solution = solvers.solve(solvers.load("brick-off-centre"), "auto", quantity=quantity)  # of no duration
     chosen = solution.diagnostics["chosen"]
     assert chosen["met"] is False and chosen["estimated_error"] is None
@@ -319,7 +319,7 @@ def test_what_is_reported_is_of_the_very_solution_returned(number, beams, quanti
 
 
 def assert_of_this_very_solution(scene, solution, quantity: str):
-    """Solved again by the methods it names, nothing of it differs, nor its errors from those told."""
+    """Solved again by the methods it names, nothing of it differs, nor its errors from those reported."""
     chosen = solution.diagnostics["chosen"]
     again = named(solution.method).solve(scene)
     assert again.impactor_velocity == solution.impactor_velocity and again.contacts == solution.contacts
@@ -327,7 +327,7 @@ def assert_of_this_very_solution(scene, solution, quantity: str):
     for key in again.diagnostics.keys() - own:
         assert again.diagnostics[key] == solution.diagnostics[key]
     if chosen["proof"] is not None:
-        errors = Truth.of(named(chosen["proof"]).solve(scene)).errors(Answer.of(again))
+        errors = Reference.of(named(chosen["proof"]).solve(scene)).errors(Metrics.of(again))
         if scene.contact.NAME != "rigid":
             assert chosen["estimated_error"] == abs(errors[quantity])
         assert solution.diagnostics["estimated_error"] == abs(errors["rebound"])

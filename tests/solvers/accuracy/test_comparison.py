@@ -52,7 +52,7 @@ def test_fifty_modes_find_both_contacts_under_their_chatter(mass_ratio):
     assert row.resolved_force_error < row.force_error
 
 
-def test_errors_are_found_minus_exact_in_units_of_the_blow():
+def test_errors_are_found_minus_exact_in_units_of_the_impact():
     scene = struck_rod(2.0, speed=3.0)
     (row,) = compare(scene, [Modal(modes=10)], repeats=1)
     exact, found = solvers.solve(scene, "waves"), solvers.solve(scene, "modal", modes=10)
@@ -86,7 +86,7 @@ def test_finer_steps_come_nearer():
         ([(0, 2), (3, 4)], [(0, 5)], [True, False]),  # one long contact is not two
         ([(0, 2), (3, 4)], [(0, 2), (2.1, 2.9)], [True, False]),
         ([(0, 2), (3, 4)], [(0, 1), (1.5, 2), (3.9, 4.5)], [True, True]),  # a spare one does not stand for another
-        ([(0, 2)], [(0, 0)], [True]),  # a blow of no duration
+        ([(0, 2)], [(0, 0)], [True]),  # an impact of no duration
         ([(0, 2), (3, 4)], [], [False, False]),
     ],
 )
@@ -114,7 +114,7 @@ def test_without_an_exact_solution_there_is_nothing_to_compare_with():
         compare(solvers.load("note-rod"))
 
 
-def test_a_blow_of_no_duration_has_no_force():
+def test_an_impact_of_no_duration_has_no_force():
     (row,) = compare(struck_rod(1.0), ["rigid"], repeats=1)
     # a rigid wall of restitution 1 sends the mass back as it came; thesis (4.37): exactly 0.69888 of it
     assert row.rebound_error == approx(-1.0 + 0.6988755819961635, abs=1e-12)

@@ -9,14 +9,14 @@ import pytest
 from pytest import approx
 
 import solvers
-from bench.tradeoffs import already_stored, blows_of, measure
+from bench.tradeoffs import already_stored, impacts_of, measure
 from solvers import METHODS, ContactPeriod, SceneError, SceneNotSupported, TradeOff, tradeoff
 from solvers.accuracy import store
 from solvers.accuracy import tradeoff as measuring
-from solvers.accuracy.quantities import QUANTITIES, Answer, Truth
+from solvers.accuracy.quantities import QUANTITIES, Metrics, Reference
 from solvers.accuracy.refinement import ladders, refusals
 from solvers.accuracy.tradeoff import _beyond
-from solvers.accuracy.tradeoff_table import Point, Reference
+from solvers.accuracy.tradeoff_table import Point, ReferenceInfo
 from solvers.regimes.models import QUESTIONS, errors, figures
 from solvers.text.notes import Note, Severity
 from tests.catalog import bronze_rod, struck_rod
@@ -53,7 +53,7 @@ def test_every_method_that_can_has_points_and_the_others_say_why(rod_table):
     assert found.refused == {}
     scene = bronze_rod()
     assert refusals(scene) == {"mode-switch": METHODS["mode-switch"].read({}).refusal(scene)}
-    assert {ladder.rungs[0].NAME for ladder in ladders(scene)} == set(METHODS) - {"mode-switch"}
+    assert {ladder.levels[0].NAME for ladder in ladders(scene)} == set(METHODS) - {"mode-switch"}
 
 
 def test_errors_are_those_of_the_solutions_themselves(rod_table):
@@ -81,7 +81,7 @@ def test_the_reference_is_the_exact_one_where_there_is_one(rod_table):
     assert found.reference.uncertainty["rebound"] <= 1e-14  # rounding: see waves
 
 
-def test_a_blow_of_no_duration_has_neither_force_nor_peak(rod_table):
+def test_an_impact_of_no_duration_has_neither_force_nor_peak(rod_table):
     found, _ = rod_table
     errors = errors_by_label(found)["rigid"]
     assert errors["peak-force"] is errors["force-history"] is None
@@ -101,7 +101,7 @@ def test_finer_is_nearer_and_times_are_of_warm_solves(rod_table):
         assert (point.spread is None) == (point.repeats == 1)
 
 
-def test_the_table_grows_point_by_point_the_truth_of_each_known(rod_table):
+def test_the_table_grows_point_by_point_the_error_of_each_known(rod_table):
     found, seen = rod_table
     assert [len(table.points) for table in seen] == list(range(1, len(seen) + 1))
     assert {table.stopped for table in seen} == {"under way"} and found.stopped == "cancelled"
@@ -129,7 +129,7 @@ def test_errors_below_the_uncertainty_are_equal():
         )
 
     points = [point(1.0, 0.1), point(2.0, 0.01), point(3.0, -0.001), point(4.0, 0.05)]
-    reference = Reference("converged", {}, {"rebound": 0.01}, "")
+    reference = ReferenceInfo("converged", {}, {"rebound": 0.01}, "")
     found = TradeOff({}, {"rebound": ""}, reference, points, {}, [], {}, "", "", 0.0)
     assert found.front("rebound") == points[:2]
 
@@ -194,7 +194,7 @@ def test_a_complete_table_is_kept_for_this_scene_only(own_cache):
     scene = brick.replace({"impactor.mass": 1.5 * brick.impactor.mass})  # another than the shipped one
     first = tradeoff(scene)
     assert tradeoff(scene) == first
-    renamed = scene.replace({"title": "The same blow"})
+    renamed = scene.replace({"title": "The same impact"})
     assert solvers.stored_tradeoff(renamed) == first  # a name changes nothing that happens
     assert solvers.stored_tradeoff(scene.replace({"impactor.mass": 2.0 * scene.impactor.mass})) is None
     assert tradeoff(scene, fresh=True) != first
@@ -220,13 +220,13 @@ def test_shipped_scenes_bring_their_table(name):
     labels = errors_by_label(found)
     assert len(labels) > 8
     if found.reference.kind == "exact":  # measured then, recomputed now: only the machine has changed
-        errors = Truth.of(solvers.solve(scene, "waves")).errors(Answer.of(solvers.solve(scene, "modal", modes=50)))
+        errors = Reference.of(solvers.solve(scene, "waves")).errors(Metrics.of(solvers.solve(scene, "modal", modes=50)))
         assert labels["modal modes=50"]["rebound"] == approx(errors["rebound"], abs=1e-7)
 
 
 @pytest.mark.slow
 def test_every_stored_table_belongs_to_a_scene_that_comes_with_the_library():
-    tables = blows_of(solvers.scene_names())
+    tables = impacts_of(solvers.scene_names())
     for path in store.SHIPPED.glob("*.json"):
         scene, called = tables[path.stem]  # KeyError: of no scene any more
         assert path.stat().st_size < 3_000 + 300 * len(solvers.stored_tradeoff(scene).points)
@@ -237,12 +237,12 @@ def test_every_stored_table_belongs_to_a_scene_that_comes_with_the_library():
             assert found.scene == solvers.load(name).table()
             assert set(found.quantities) == set(QUANTITIES) and found.points
             assert {point.method["name"] for point in found.points} <= {
-                ladder.rungs[0].NAME for ladder in ladders(scene)
+                ladder.levels[0].NAME for ladder in ladders(scene)
             }
 
 
 def test_every_scene_that_some_method_can_solve_brings_its_table():
-    for scene, called in blows_of(solvers.scene_names()).values():
+    for scene, called in impacts_of(solvers.scene_names()).values():
         if ladders(scene):
             table = store.shipped(scene)
             assert table is not None, called
@@ -258,7 +258,7 @@ def test_a_table_is_packed_without_losing_what_is_read(rod_table):
         assert kept.wall_time == approx(point.wall_time, rel=5e-4)
         for quantity, error in point.errors.items():
             assert kept.errors[quantity] == (None if error is None else approx(error, rel=5e-5))
-        exact = ("method", "ladder", "knob", "size", "contacts", "invented_contacts", "repeats", "label")
+        exact = ("method", "ladder", "resolution", "size", "contacts", "invented_contacts", "repeats", "label")
         assert [getattr(kept, name) for name in exact] == [getattr(point, name) for name in exact]
         assert list(map(str, kept.notes)) == list(map(str, point.notes))
     assert again.refused == found.refused and list(map(str, again.remarks)) == list(map(str, found.remarks))
@@ -317,26 +317,26 @@ def test_only_the_quantities_asked_for_are_shown():
     ],
 )
 def test_contact_times(true, found, error):
-    """From first touch to last parting, as a blow of no duration does not tell."""
+    """From first touch to last parting, unknown of an impact of no duration."""
     answers = [
-        Answer(
+        Metrics(
             np.ones(1), 1.0, 1.0, tuple(ContactPeriod(*pair, 1.0, 1.0) for pair in pairs), 0.0, np.ones(1), None, None
         )
         for pairs in (true, found)
     ]
-    told = Truth(struck_rod(), None, answers[0]).errors(answers[1])["contact-time"]
-    assert told == (None if error is None else approx(error))
+    reported = Reference(struck_rod(), None, answers[0]).errors(answers[1])["contact-time"]
+    assert reported == (None if error is None else approx(error))
 
 
 @pytest.mark.parametrize("name", ["fixed-rod", "bronze-rod-steel-ball", "table-8.4"])
 def test_contact_times_mean_the_same_to_the_planner_and_to_a_tolerance(name):
     scene = solvers.load(name)
     fine, coarse = (solvers.Modal(modes=modes, estimate=False).solve(scene) for modes in (20, 6))
-    told = Truth.of(fine, False).errors(Answer.of(coarse, False))["contact-time"]
+    reported = Reference.of(fine, False).errors(Metrics.of(coarse, False))["contact-time"]
     foretold = errors(figures(coarse), figures(fine))[QUESTIONS.index("contact-times")]
-    assert abs(told) == approx(foretold, rel=1e-12) and foretold > 1e-6
+    assert abs(reported) == approx(foretold, rel=1e-12) and foretold > 1e-6
     apparent = [solvers.contact_times(solution).apparent for solution in (coarse, fine)]
-    assert told == approx(apparent[0] / apparent[1] - 1.0, rel=1e-9)
+    assert reported == approx(apparent[0] / apparent[1] - 1.0, rel=1e-9)
 
 
 def test_the_key_of_a_scene_is_what_happens_in_it():

@@ -33,7 +33,7 @@ def test_what_follows_from_a_rectangle():
     assert found.line.rotary_inertia == 0.0
 
 
-def test_height_is_along_the_blow():
+def test_height_is_along_the_impact():
     flat, high = (beam(section={"width": w, "height": h}) for w, h in ((0.03, 0.01), (0.01, 0.03)))
     assert high.second_moment == approx(9.0 * flat.second_moment, rel=1e-14)
 
@@ -110,7 +110,7 @@ def test_a_law_that_needs_a_radius_asks_for_it():
         Scene.from_table(scene)
 
 
-def test_what_a_theory_cannot_tell_is_said():
+def test_what_a_theory_does_not_cover_is_said():
     short = struck_beam(length=0.1)
     assert any("3.33 times as long as deep" in str(note) for note in solvers.solve(short, modes=5).notes)
     assert not beam().notes()

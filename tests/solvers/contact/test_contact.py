@@ -610,7 +610,7 @@ def test_nominal_and_delivered_agree_next_to_one(name):
 
 @each_viscous
 @pytest.mark.parametrize("nominal", [0.0, 0.3, 1.0])
-def test_nominal_restitution_is_told_back(name, nominal):
+def test_nominal_restitution_is_reported_back(name, nominal):
     table = contact_table(name)
     del table["restitution"]
     scene = struck_rod(1.0, "free", table | {"nominal_restitution": nominal})
@@ -698,7 +698,7 @@ def test_a_yield_strength_is_needed():
 # --- limits -----------------------------------------------------------------------------------------------------------
 
 
-def test_limits_are_told():
+def test_limits_are_reported():
     def sentences(contact, depth):
         scene = sphere_scene(contact)
         return [str(note) for note in scene.contact.limits(depth, scene.impactor, scene.target)]

@@ -1,10 +1,10 @@
-"""Estimates of the error against the true one: random blows, and blows in which every mesh fails alike."""
+"""Estimates of the error against the true one: random impacts, and impacts in which every mesh fails alike."""
 
 import pytest
 
 import solvers
 from tests.catalog import struck_rod
-from tests.random_estimates import FIRST, KINDS, SCENES, SHARE, judged
+from tests.random_estimates import FIRST, KINDS, SCENES, SHARE, rated
 
 COUNTS = {"fe-nodal": 12, "fe-modal": 12, "balance": 60, "fe-nodal on beams": 4, "fe-modal on beams": 30}
 
@@ -14,13 +14,13 @@ COUNTS = {"fe-nodal": 12, "fe-modal": 12, "balance": 60, "fe-nodal on beams": 4,
 def test_true_errors_are_within_twice_the_estimates(kind):
     """Of balances, which knew half the elements only, 13 to 23 % were not; the worst was 100 times its estimate."""
     beyond = FIRST + SCENES  # seeds that the benchmark does not use
-    found = list(judged(kind, range(beyond, beyond + COUNTS[kind])))
+    found = list(rated(kind, range(beyond, beyond + COUNTS[kind])))
     assert len(found) > 0.5 * COUNTS[kind]
-    missed = [blow for blow in found if not blow.owned]
+    missed = [impact for impact in found if not impact.owned]
     assert len(missed) <= max(1, round((1.0 - SHARE) * len(found)))
 
 
-# blows on a rod so heavy that a wave does not leave the struck node before they are over: 2.6 to 11 times the estimate
+# impacts on a rod so heavy that no wave leaves the struck node before they are over: 2.6 to 11 times the estimate
 SHORT = [
     ("linear", {"stiffness": 1e11}, 134.0, 7),
     ("linear", {"stiffness": 3e8}, 866.0, 13),
@@ -34,7 +34,7 @@ SHORT = [
 
 @pytest.mark.parametrize("method", ["fe-nodal", "fe-modal"])
 @pytest.mark.parametrize("law, constants, ratio, elements", SHORT)
-def test_blows_shorter_than_a_mesh_can_tell_are_owned_to(law, constants, ratio, elements, method):
+def test_impacts_shorter_than_a_mesh_can_resolve_are_owned_to(law, constants, ratio, elements, method):
     scene = struck_rod(ratio, "free", {"law": law} | constants)
     found = solvers.solve(scene, method, elements=elements)
     true = solvers.solve(scene, "waves", duration=found.duration).impactor_velocity

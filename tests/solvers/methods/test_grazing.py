@@ -1,4 +1,4 @@
-"""Blows next to one contact more or less say so."""
+"""Impacts next to one contact more or less say so."""
 
 import pytest
 
@@ -24,11 +24,11 @@ def test_mass_ratio_one_is_about_to_lose_its_second_contact():
 
 
 @pytest.mark.parametrize(("mass_ratio", "support"), [(0.8, "fixed"), (2.0, "fixed"), (1.0, "free"), (30.0, "fixed")])
-def test_other_blows_do_not(mass_ratio, support):
+def test_other_impacts_do_not(mass_ratio, support):
     assert not notes(mass_ratio, support)
 
 
-def test_only_whole_blows_are_asked():
+def test_only_whole_impacts_are_asked():
     scene = struck_rod(1.0)
     assert not solvers.solve(scene, "waves", duration=3.0 * scene.time_unit).notes
 

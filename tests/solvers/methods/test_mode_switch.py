@@ -77,11 +77,11 @@ FIXED_ERRORS = {modes: (0.7 / modes**2, 0.7 / modes**2) for modes in (20, 50, 10
 @pytest.mark.parametrize("mass_ratio", RATIOS)
 @pytest.mark.parametrize("modes", FIXED_ERRORS)
 def test_fixed_rod_finds_every_contact_and_converges(mass_ratio, modes):
-    truth, found = exact(mass_ratio), ModeSwitch(modes=modes, estimate=False).solve(struck_rod(mass_ratio))
-    assert len(found.contacts) == len(truth.contacts)  # two at 0.1, 0.25, 0.8 and 1, one at 2 and 5
+    reference, found = exact(mass_ratio), ModeSwitch(modes=modes, estimate=False).solve(struck_rod(mass_ratio))
+    assert len(found.contacts) == len(reference.contacts)  # two at 0.1, 0.25, 0.8 and 1, one at 2 and 5
     rebound, ends = FIXED_ERRORS[modes]
-    assert found.impactor_velocity == approx(truth.impactor_velocity, abs=rebound)
-    for mine, true in zip(found.contacts, truth.contacts, strict=True):
+    assert found.impactor_velocity == approx(reference.impactor_velocity, abs=rebound)
+    for mine, true in zip(found.contacts, reference.contacts, strict=True):
         assert mine.start / T == approx(true.start / T, abs=ends)
         assert mine.end / T == approx(true.end / T, abs=ends)
 
@@ -92,7 +92,7 @@ def test_free_rod_parts_at_the_tension_front(mass_ratio):
         found = ModeSwitch(modes=modes, estimate=False).solve(struck_rod(mass_ratio, "free"))
         (contact,) = found.contacts
         assert contact.end <= T * (1.0 + 1e-12)
-        assert contact.end / T == approx(1.0, abs=1.0 / modes)  # a force of exp(-10) tells the end no finer
+        assert contact.end / T == approx(1.0, abs=1.0 / modes)  # a force of exp(-10) gives the end no finer
         # the series rounds off the kink of the velocity by what is left out, 2 beta / (pi^2 modes) of v
         assert found.impactor_velocity == approx(np.exp(-2.0 * mass_ratio), abs=0.21 * mass_ratio / modes)
 
@@ -129,16 +129,16 @@ def test_first_contact_follows_5_22():
 
 
 def test_fields_are_those_of_the_waves():
-    found, truth = ModeSwitch(modes=200).solve(struck_rod(1.0)), exact(1.0)
+    found, reference = ModeSwitch(modes=200).solve(struck_rod(1.0)), exact(1.0)
     time, x = np.array([0.3, 1.2, 1.8, 2.14, 2.7]) * T, ROD.length * np.array([0.0, 0.21, 0.55, 0.93])
     unit = SIGMA0_AREA / ROD.area
-    assert found.motion.displacement(time, x) == approx(truth.motion.displacement(time, x), abs=3e-4 * T)
+    assert found.motion.displacement(time, x) == approx(reference.motion.displacement(time, x), abs=3e-4 * T)
     # at the struck end the series of stress takes the mean of its jump from the force to nothing: leave it out
     inside = found.motion.stress(time, x[1:])
-    assert inside == approx(truth.motion.stress(time, x[1:]), abs=0.02 * unit)
-    assert found.motion.force(time[:2]) == approx(truth.motion.force(time[:2]), rel=5e-3)
-    assert found.motion.end_velocity(time) == approx(truth.motion.end_velocity(time), abs=5e-3)
-    assert found.motion.rigid_velocity(time) == approx(truth.motion.rigid_velocity(time), abs=5e-3)
+    assert inside == approx(reference.motion.stress(time, x[1:]), abs=0.02 * unit)
+    assert found.motion.force(time[:2]) == approx(reference.motion.force(time[:2]), rel=5e-3)
+    assert found.motion.end_velocity(time) == approx(reference.motion.end_velocity(time), abs=5e-3)
+    assert found.motion.rigid_velocity(time) == approx(reference.motion.rigid_velocity(time), abs=5e-3)
 
 
 # -- what is conserved, and what the change of modes costs ------------------------------------------------------------
@@ -207,7 +207,7 @@ def test_refusals_and_options():
     assert len(found.contacts) == 3 and any("Gibbs" in str(note) for note in found.notes)
 
 
-def test_the_energy_that_few_modes_lose_is_told_with_the_remedy():
+def test_the_energy_that_few_modes_lose_is_reported_with_the_remedy():
     heavy = ModeSwitch(modes=50).solve(struck_rod(30.0))
     assert heavy.energy["dissipated"] > 0.1 * heavy.energy["initial"]
     assert any("12.9% of the energy" in str(note) and "'waves'" in str(note) for note in heavy.notes)

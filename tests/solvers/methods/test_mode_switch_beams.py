@@ -13,7 +13,7 @@ from solvers.numerics.switching import beam as beam_switch
 from solvers.numerics.switching.beam import overlap_integrals
 from tests.catalog import RIGID, STEEL_ROD_MASS, struck_beam
 
-# Support, place, theory, mass on the end: everything a blow can meet
+# Support, place, theory, mass on the end: everything an impact can meet
 BEAMS = [
     {},
     {"at": 0.6, "end_mass": 1.0},
@@ -66,7 +66,7 @@ def test_the_first_contact_is_the_echo_of_the_highest_mode(modes, printed):
 
 
 @pytest.mark.parametrize("change", [-1e-2, -1e-4, 0.0, 1e-4, 1e-2])
-def test_what_is_sure_of_the_whole_blow(change):
+def test_what_is_sure_of_the_whole_impact(change):
     """Number of contacts and last velocity are ill-conditioned; these ranges hold for masses within 1 %."""
     found = solve(10, mass_ratio=1.0 / (1.0 + change))
     assert 39 <= len(found.contacts) <= 51  # thesis: 66, and 122 changes of modes for their 132
@@ -222,7 +222,7 @@ def test_long_contacts_keep_some_of_their_forces():
     assert found.impactor_velocity == approx(-1.0, abs=1e-3)
 
 
-def test_a_duration_cuts_the_blow():
+def test_a_duration_cuts_the_impact():
     found = solve(10, duration=5e-5)
     assert len(found.contacts) == 1 and found.contacts[0].end == 5e-5
     assert "still in contact" in str(found.notes[0])
@@ -249,7 +249,7 @@ def test_refusals_say_what_to_use(scene, words):
     assert "'modal'" in str(refused.value)
 
 
-def test_modes_faster_than_any_wave_are_doubted():
+def test_modes_faster_than_any_wave_get_a_note():
     assert not any("faster than any" in str(note) for note in solve(10, duration=1e-4).notes)
     assert any("keep at most 11" in str(note) for note in solve(20, duration=1e-4).notes)
 
@@ -260,7 +260,7 @@ def test_estimated_error_owns_to_the_scatter():
 
 
 @pytest.mark.parametrize("duration", [3e-5, 7.5e-5, 2e-4])
-def test_the_estimate_of_a_blow_that_is_cut_off_is_of_that_instant(duration):
+def test_the_estimate_of_an_impact_that_is_cut_off_is_of_that_instant(duration):
     """Cut off in the first contact, after it, and later on: other modes are compared at the same instant."""
     scene = struck_beam(1.0, RIGID)
     found = solvers.solve(scene, "mode-switch", modes=10, duration=duration)

@@ -1,4 +1,4 @@
-"""Orders of convergence, fitted and asserted for every method, knob and contact law: one table.
+"""Orders of convergence, fitted and asserted for every method, resolution and contact law: one table.
 
 How smooth the contact force is limits the order in modes, those left out being a spring that follows slowly: a jump of
 the force is missed by 1 / modes of a rod, a bend by modes^-2, a jump of its curvature by modes^-3. A mesh of a rod
@@ -22,16 +22,16 @@ from tests.catalog import WITH_INDENTATION, T, contact_table, struck_beam, struc
 
 QUICK = {"estimate": False}
 SHARP = Waves(tolerance=1e-12)
-NEAR = 8  # neighbouring resolutions per rung: where in a step a contact opens or yields is a matter of chance
+NEAR = 8  # neighbouring resolutions per level: where in a step a contact opens or yields is a matter of chance
 SMOOTH = {"hertz", "power", "hunt-crossley", "lankarani-nikravesh"}  # no bend at first touch
 
 
 class Case(NamedTuple):
-    """A method with one knob on scenes that differ by the law, and the order in that knob for each of the laws."""
+    """A method with one resolution on scenes that differ by the law, and for each law the order in that resolution."""
 
     name: str
-    at: Callable[[int], object]  # the method on a rung
-    knob: str
+    at: Callable[[int], object]  # the method on a level
+    resolution: str
     ladder: tuple[int, ...]
     orders: dict[str, float]
     exact: object  # the method that the others tend to, or what the figure tends to
@@ -54,8 +54,8 @@ def beam(theory: str, mass_ratio: float = 1.0) -> Callable[[str], Scene]:
     return scene
 
 
-def doubling(first: int, rungs: int = 4) -> tuple[int, ...]:
-    return tuple(first * 2**k for k in range(rungs))
+def doubling(first: int, levels: int = 4) -> tuple[int, ...]:
+    return tuple(first * 2**k for k in range(levels))
 
 
 def every(order: float, **others: float) -> dict[str, float]:
@@ -152,7 +152,7 @@ def lost(solution: solvers.Solution) -> float:
     return solution.energy["dissipated"]
 
 
-def first_blow(solution: solvers.Solution) -> float:
+def first_impact(solution: solvers.Solution) -> float:
     return solution.motion.impulses[1][0]
 
 
@@ -170,7 +170,7 @@ BALANCES = [
     Case("balance", lambda n: Balance(modes=n, restitution=0.0, **QUICK), "modes", doubling(6), {"rigid": 1.0},
          0.0, 0.2, rod(), figure=lost),
     Case("balance", lambda n: Balance(modes=n, restitution=0.0, **QUICK), "modes", doubling(6), {"rigid": 1.0},
-         0.0, 0.1, beam("euler-bernoulli"), 1e-4, figure=first_blow),
+         0.0, 0.1, beam("euler-bernoulli"), 1e-4, figure=first_impact),
 ]  # fmt: skip
 
 THREE_CONTACTS = 3e-3  # [s]
@@ -213,8 +213,8 @@ def named() -> Iterator:
         words = [getattr(given, option, "") for option in ("scheme", "status")]
         for law in case.orders:
             target = case.scene(law).target
-            told = [case.name, *words, case.knob, getattr(target, "theory", target.support), law]
-            yield pytest.param(case, law, id="-".join(filter(None, told)))
+            reported = [case.name, *words, case.resolution, getattr(target, "theory", target.support), law]
+            yield pytest.param(case, law, id="-".join(filter(None, reported)))
 
 
 @pytest.mark.slow
@@ -225,29 +225,37 @@ def test_order(case, law):
     def figure(method) -> float:
         return case.figure(method.solve(scene, case.duration))
 
-    def error(rung: int) -> float:
-        near = 1 if case.knob in ("steps", "elements") and law in SMOOTH else NEAR if case.knob == "steps" else 3
-        found = [figure(case.at(rung + rung * k // (2 * near))) for k in range(near)]
+    def error(level: int) -> float:
+        near = (
+            1
+            if case.resolution in ("steps", "elements") and law in SMOOTH
+            else NEAR
+            if case.resolution == "steps"
+            else 3
+        )
+        found = [figure(case.at(level + level * k // (2 * near))) for k in range(near)]
         return math.sqrt(np.mean((np.array(found) - exact) ** 2))
 
     exact = case.exact if isinstance(case.exact, float) else figure(case.exact)
-    errors = [error(rung) for rung in case.ladder]
+    errors = [error(level) for level in case.ladder]
     order = -np.polyfit(np.log(case.ladder), np.log(errors), 1)[0]
     assert order == approx(case.orders[law], abs=case.band), errors
 
 
-def test_every_knob_of_every_method_is_here_with_every_law():
-    told = {(case.name, case.knob, law) for case in CASES for law in case.orders}
-    told |= {("waves", "steps", "rigid"), ("waves", "tolerance", "rigid")}  # see `test_waves`; exact whatever it is
+def test_every_resolution_of_every_method_is_here_with_every_law():
+    reported = {(case.name, case.resolution, law) for case in CASES for law in case.orders}
+    reported |= {("waves", "steps", "rigid"), ("waves", "tolerance", "rigid")}  # see `test_waves`; exact whatever it is
     scenes = {law: struck_rod(contact=contact_table(law)) for law in solvers.LAWS}
     for name, method in METHODS.items():
-        for knob in method.RESOLUTIONS:  # closed forms have none
-            coarse = method.read({knob: 100}) if knob != "tolerance" else method.read({})
-            able = {(name, knob, law) for law, scene in scenes.items() if coarse.refusal(scene) is None}
-            assert {one for one in able if name != "balance" or one[2] == "rigid"} <= told  # which knows no law
+        for resolution in method.RESOLUTIONS:  # closed forms have none
+            coarse = method.read({resolution: 100}) if resolution != "tolerance" else method.read({})
+            able = {(name, resolution, law) for law, scene in scenes.items() if coarse.refusal(scene) is None}
+            assert {one for one in able if name != "balance" or one[2] == "rigid"} <= reported  # which knows no law
 
 
 def test_the_law_has_no_say_in_balances():
-    blows = [struck_rod(contact=contact_table(law)) for law in ("rigid", "hertz", "plastic-power")]
-    found = {Balance(elements=20, restitution=0.5, **QUICK).solve(blow, 2.0 * T).impactor_velocity for blow in blows}
+    impacts = [struck_rod(contact=contact_table(law)) for law in ("rigid", "hertz", "plastic-power")]
+    found = {
+        Balance(elements=20, restitution=0.5, **QUICK).solve(impact, 2.0 * T).impactor_velocity for impact in impacts
+    }
     assert len(found) == 1

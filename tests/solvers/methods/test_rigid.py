@@ -400,7 +400,7 @@ def test_missing_keys(name):
     assert refused.value.key == f"impactor.{name}"
 
 
-def test_moments_that_no_body_has_are_doubted():
+def test_moments_that_no_body_has_get_a_note():
     """In a plane only one of them counts, so they are not refused; a plate in four digits is not doubted."""
     plane = solvers.solve(Scene.from_table(with_value("target.inertia", [0.0, 0.0, 0.24])))
     assert plane.effective_mass == approx(0.25, rel=1e-15)

@@ -20,7 +20,7 @@ from solvers.studies.sweep import sweep
 from tests.catalog import SCENES, contact_table, struck_beam, struck_rod
 
 
-class Blow(NamedTuple):
+class Impact(NamedTuple):
     scene: Scene
     method: str
     options: dict[str, Any] = {}
@@ -31,9 +31,9 @@ class Blow(NamedTuple):
 
 class Case(NamedTuple):
     says: tuple[str, ...]  # cause and remedy
-    fault: Blow
-    remedied: Blow
-    sound: Blow
+    fault: Impact
+    remedied: Impact
+    sound: Impact
     right: Callable[[Solution], bool]  # once remedied; not before
 
 
@@ -73,96 +73,96 @@ STIFF, SOFT = ({"law": "hertz", "stiffness": k} for k in (1e13, 2.4e10))
 CASES = {
     "chatter": Case(
         ("chatter at the shortest kept period", "soft enough"),
-        Blow(struck_rod(), "modal", {"modes": 50}),
-        Blow(struck_rod(contact=contact_table("hertz", 3.0)), "modal", {"modes": 50}),
-        Blow(SCENES["bronze-rod-steel-ball"], "modal", {"modes": 50}),
+        Impact(struck_rod(), "modal", {"modes": 50}),
+        Impact(struck_rod(contact=contact_table("hertz", 3.0)), "modal", {"modes": 50}),
+        Impact(SCENES["bronze-rod-steel-ball"], "modal", {"modes": 50}),
         makes_no_false_touch,
     ),
     "Gibbs": Case(
         ("False separation", "at 0.9691 round trips", "Gibbs", "'delay'"),
-        Blow(struck_rod(), "mode-switch", {"modes": 20, "smoothing": "none"}),
-        Blow(struck_rod(), "mode-switch", {"modes": 20, "smoothing": "delay"}),
-        Blow(struck_rod(0.8), "mode-switch", {"modes": 20, "smoothing": "none"}),
+        Impact(struck_rod(), "mode-switch", {"modes": 20, "smoothing": "none"}),
+        Impact(struck_rod(), "mode-switch", {"modes": 20, "smoothing": "delay"}),
+        Impact(struck_rod(0.8), "mode-switch", {"modes": 20, "smoothing": "none"}),
         counts_right,
     ),
     "missed by modes": Case(
         ("Missed re-contact", "from 2.125 to 2.163 round trips", "0.66 %", "keep more"),
-        Blow(struck_rod(), "modal", {"modes": 10}),
-        Blow(struck_rod(), "modal", {"modes": 50}),
-        Blow(struck_rod(2.0), "modal", {"modes": 10}),
+        Impact(struck_rod(), "modal", {"modes": 10}),
+        Impact(struck_rod(), "modal", {"modes": 50}),
+        Impact(struck_rod(2.0), "modal", {"modes": 10}),
         counts_right,
     ),
     "missed by elements": Case(
         ("Missed re-contact", "local stiffness blur", "'fe-modal' as it comes"),
-        Blow(struck_rod(), "fe-nodal"),
-        Blow(struck_rod(), "fe-modal"),
-        Blow(struck_rod(0.8), "fe-nodal"),
+        Impact(struck_rod(), "fe-nodal"),
+        Impact(struck_rod(), "fe-modal"),
+        Impact(struck_rod(0.8), "fe-nodal"),
         counts_right,
     ),
     "near grazing": Case(
         ("Near grazing", "one contact instead of 2", "trust rebound and impulse"),
-        Blow(struck_rod(), "waves"),
-        Blow(struck_rod(0.9), "waves"),
-        Blow(struck_rod(2.0), "waves"),
+        Impact(struck_rod(), "waves"),
+        Impact(struck_rod(0.9), "waves"),
+        Impact(struck_rod(2.0), "waves"),
         lambda found: (
             len(exact(found.scene.replace({"impactor.mass": 0.98 * found.scene.impactor.mass})).contacts) == 2
         ),
     ),
     "truncated law": Case(
         ("1.16 times that of full plastic flow", "less than some 4.2 m/s"),
-        Blow(PLASTIC.replace({"impactor.velocity": 5.0}), "quasi-static"),
-        Blow(PLASTIC.replace({"impactor.velocity": 4.1}), "quasi-static"),
-        Blow(PLASTIC, "quasi-static"),
+        Impact(PLASTIC.replace({"impactor.velocity": 5.0}), "quasi-static"),
+        Impact(PLASTIC.replace({"impactor.velocity": 4.1}), "quasi-static"),
+        Impact(PLASTIC, "quasi-static"),
         is_within_its_law,
     ),
     "too few modes, law": Case(
         ("too short for modes down to a period", "peak force and the front", "8 modes"),
-        Blow(struck_rod(contact=FRONT), "modal", {"modes": 3}),
-        Blow(struck_rod(contact=FRONT), "modal", {"modes": 8}),
-        Blow(struck_rod(contact=contact_table("hertz", 3.0)), "modal", {"modes": 3}),
+        Impact(struck_rod(contact=FRONT), "modal", {"modes": 3}),
+        Impact(struck_rod(contact=FRONT), "modal", {"modes": 8}),
+        Impact(struck_rod(contact=contact_table("hertz", 3.0)), "modal", {"modes": 3}),
         peaks_right,
     ),
     "too few modes, rigid": Case(
         ("too short for modes down to a period", "do not trust", "211 modes"),
-        Blow(struck_rod(20.0), "modal", {"modes": 10}),
-        Blow(struck_rod(20.0), "modal", {"modes": 211}),
-        Blow(struck_rod(2.0), "modal", {"modes": 10}),
+        Impact(struck_rod(20.0), "modal", {"modes": 10}),
+        Impact(struck_rod(20.0), "modal", {"modes": 211}),
+        Impact(struck_rod(2.0), "modal", {"modes": 10}),
         rebounds_right,
     ),
     "too few elements": Case(
         ("too short for elements down to a period", "263 elements"),
-        Blow(struck_rod(20.0), "fe-modal", {"elements": 10}),
-        Blow(struck_rod(20.0), "fe-modal", {"elements": 263}),
-        Blow(struck_rod(2.0), "fe-modal", {"elements": 10}),
+        Impact(struck_rod(20.0), "fe-modal", {"elements": 10}),
+        Impact(struck_rod(20.0), "fe-modal", {"elements": 263}),
+        Impact(struck_rod(2.0), "fe-modal", {"elements": 10}),
         rebounds_right,
     ),
     "too coarse": Case(
         ("off by 6", "take more steps"),
-        Blow(struck_rod(20.0), "waves", {"steps": 20}),
-        Blow(struck_rod(20.0), "waves", {"steps": 1000}),
-        Blow(struck_rod(0.3), "waves", {"steps": 200}),
+        Impact(struck_rod(20.0), "waves", {"steps": 20}),
+        Impact(struck_rod(20.0), "waves", {"steps": 1000}),
+        Impact(struck_rod(0.3), "waves", {"steps": 200}),
         rebounds_right,
     ),
     "ill-conditioned": Case(
         ("Ill-conditioned", "contacts starts from how", "band of an ensemble", "softer contact"),
-        Blow(struck_beam(contact=STIFF), "modal", {"modes": 30}),
-        Blow(struck_beam(contact=SOFT), "modal", {"modes": 30}),
-        Blow(SCENES["figure-8.14"], "modal", {"modes": 30}),
+        Impact(struck_beam(contact=STIFF), "modal", {"modes": 30}),
+        Impact(struck_beam(contact=SOFT), "modal", {"modes": 30}),
+        Impact(SCENES["figure-8.14"], "modal", {"modes": 30}),
         is_well_conditioned,
     ),
 }
 
 
-def told(found: Solution, words: tuple[str, ...]) -> list[str]:
+def reported(found: Solution, words: tuple[str, ...]) -> list[str]:
     return [note for note in found.notes if all(word in str(note) for word in words)]
 
 
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES)
-def test_a_doubt_comes_where_it_belongs_and_goes_with_its_remedy(case):
+def test_a_note_comes_where_it_belongs_and_goes_with_its_remedy(case):
     fault, remedied, sound = case.fault.solve(), case.remedied.solve(), case.sound.solve()
-    assert len(told(fault, case.says)) == 1 and not case.right(fault)
-    for blow in (remedied, sound):
-        assert not told(blow, case.says[:1])
+    assert len(reported(fault, case.says)) == 1 and not case.right(fault)
+    for impact in (remedied, sound):
+        assert not reported(impact, case.says[:1])
     assert case.right(remedied)
 
 
@@ -188,12 +188,12 @@ def test_a_contact_law_has_its_limits_whatever_the_method():
               "material": {"young": 210e9, "density": 7900.0, "yield": 300e6}}  # fmt: skip
     scene = Scene.from_table({"impactor": ball, "target": target, "contact": {"law": "hertz"}})
     for method in ("waves", "modal", "fe-nodal", "quasi-static"):
-        assert len(told(solvers.solve(scene, method), ("first yield", "'plastic-power'"))) == 1
+        assert len(reported(solvers.solve(scene, method), ("first yield", "'plastic-power'"))) == 1
     chosen = solvers.solve(scene, "auto", tolerance=0.05)
-    assert len(told(chosen, ("first yield",))) == 1  # and not twice
+    assert len(reported(chosen, ("first yield",))) == 1  # and not twice
 
 
-def test_doubts_are_printed(capsys):
+def test_notes_are_printed(capsys):
     assert main(["solve", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=10"]) == 0
     assert "Note: Missed re-contact: exact waves touch again from 2.125" in capsys.readouterr().out
 
@@ -269,19 +269,19 @@ def test_the_damping_of_a_beam_is_named_beside_that_of_the_law():
 
 
 @pytest.mark.parametrize(
-    "blow",
+    "impact",
     [
-        Blow(struck_rod(1.0, contact=contact_table("hunt-crossley")), "balance"),  # knows no law
-        Blow(struck_rod(1.0, contact=contact_table("hunt-crossley")), "rigid"),
-        Blow(struck_rod(0.1, "free", contact=contact_table("hunt-crossley")), "quasi-static", {"model": "local"}),
-        Blow(struck_rod(1.0, contact=contact_table("hunt-crossley", restitution=1.0)), "waves"),  # takes nothing
-        Blow(struck_rod(1.0, contact=contact_table("plastic-linear")), "waves"),  # what flows is no wave
-        Blow(struck_rod(1.0, contact=contact_table("hertz")), "waves"),
-        Blow(SCENES["figure-3.3"], "modal"),  # two balls
+        Impact(struck_rod(1.0, contact=contact_table("hunt-crossley")), "balance"),  # knows no law
+        Impact(struck_rod(1.0, contact=contact_table("hunt-crossley")), "rigid"),
+        Impact(struck_rod(0.1, "free", contact=contact_table("hunt-crossley")), "quasi-static", {"model": "local"}),
+        Impact(struck_rod(1.0, contact=contact_table("hunt-crossley", restitution=1.0)), "waves"),  # takes nothing
+        Impact(struck_rod(1.0, contact=contact_table("plastic-linear")), "waves"),  # what flows is no wave
+        Impact(struck_rod(1.0, contact=contact_table("hertz")), "waves"),
+        Impact(SCENES["figure-3.3"], "modal"),  # two balls
     ],
 )
-def test_where_nothing_is_counted_twice_nothing_is_said(blow):
-    assert not twice(blow.solve())
+def test_where_nothing_is_counted_twice_nothing_is_said(impact):
+    assert not twice(impact.solve())
 
 
 def test_a_sweep_does_not_pay_for_notes_that_nobody_reads(monkeypatch):

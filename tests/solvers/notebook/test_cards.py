@@ -18,17 +18,17 @@ def cells(shown: object) -> list[str]:
 @pytest.mark.parametrize("name", SCENES)
 def test_every_scene_has_a_card(name):
     scene = SCENES[name]
-    told = cells(scene)
-    assert f"Scene {scene.title}" in told
-    assert scene.contact.NAME in told
-    assert any(text.startswith(scene.target.kind) for text in told)
+    reported = cells(scene)
+    assert f"Scene {scene.title}" in reported
+    assert scene.contact.NAME in reported
+    assert any(text.startswith(scene.target.kind) for text in reported)
 
 
 def test_a_scene_says_what_strikes_what():
-    told = cells(struck_rod(mass_ratio=2.0))
-    assert "mass, 1.0665 kg, velocity 1 m/s" in told
-    assert "mass ratio, target / impactor2" in told
-    assert "speed of approach1 m/s" in told
+    reported = cells(struck_rod(mass_ratio=2.0))
+    assert "mass, 1.0665 kg, velocity 1 m/s" in reported
+    assert "mass ratio, target / impactor2" in reported
+    assert "speed of approach1 m/s" in reported
 
 
 @pytest.mark.parametrize("key", ["title", "source", "note"])
@@ -41,40 +41,40 @@ def test_what_a_scene_says_is_escaped(key):
 
 def test_a_solution_shows_figures_accuracy_and_notes():
     solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=5)
-    told = cells(solution)
-    assert f"impulse{solution.impulse:.6g} N s" in told
-    assert f"{solution.contacts[0].end:.6g} s" in told
-    assert f"impactor leaves at{solution.impactor_velocity:.6g} m/s" in told
-    assert f"energy residual{solution.diagnostics['energy_error']:.6g}" in told
+    reported = cells(solution)
+    assert f"impulse{solution.impulse:.6g} N s" in reported
+    assert f"{solution.contacts[0].end:.6g} s" in reported
+    assert f"impactor leaves at{solution.impactor_velocity:.6g} m/s" in reported
+    assert f"energy residual{solution.diagnostics['energy_error']:.6g}" in reported
     error = solution.diagnostics["estimated_error"]
-    assert f"estimated error of the velocity{error:.6g} of the impact speed" in told
+    assert f"estimated error of the velocity{error:.6g} of the impact speed" in reported
     assert solution.notes
-    assert set(map(str, solution.notes)) <= set(told)
+    assert set(map(str, solution.notes)) <= set(reported)
 
 
 @pytest.mark.parametrize("name", ["brick-off-centre", "pressure-bar", "two-balls"])
 def test_solutions_without_some_figures_have_cards(name):
     solution = solvers.solve(solvers.load(name))
-    told = cells(solution)
-    assert f"impulse{solution.impulse:.6g} N s" in told
-    assert any(text.startswith("impactor leaves at") for text in told) == (solution.impactor_velocity is not None)
+    reported = cells(solution)
+    assert f"impulse{solution.impulse:.6g} N s" in reported
+    assert any(text.startswith("impactor leaves at") for text in reported) == (solution.impactor_velocity is not None)
 
 
 def test_a_tradeoff_shows_the_points_that_nothing_beats():
     found = solvers.tradeoff(solvers.load("two-balls"), ["rebound"], fresh=True, seconds=1.0)
-    told = cells(found)
-    assert found.reference.words in " ".join(told)
+    reported = cells(found)
+    assert found.reference.words in " ".join(reported)
     for point in found.front("rebound"):
-        assert point.label in told
-    assert {f"{name} cannot{reason}" for name, reason in found.refused.items()} <= set(told)
+        assert point.label in reported
+    assert {f"{name} cannot{reason}" for name, reason in found.refused.items()} <= set(reported)
 
 
 def test_a_plan_shows_every_candidate_and_why():
     plan = solvers.plan(solvers.load("fixed-rod"), "peak-force", 0.05)
-    told = cells(plan)
-    assert f"why{plan.reason}" in told
-    assert f"chosen{plan.model}" in told
-    assert {candidate.model for candidate in plan.candidates} <= set(told)
+    reported = cells(plan)
+    assert f"why{plan.reason}" in reported
+    assert f"chosen{plan.model}" in reported
+    assert {candidate.model for candidate in plan.candidates} <= set(reported)
 
 
 def test_a_plan_beside_what_was_measured_warns():
@@ -85,8 +85,8 @@ def test_a_plan_beside_what_was_measured_warns():
 
 def test_a_stability_map_shows_every_integrator():
     found = solvers.stability(solvers.load("fixed-rod"), grid=(3, 3), modes=3, workers=1)
-    told = cells(found)
+    reported = cells(found)
     for of in found.maps.values():
-        assert of.label in told
-        assert f"{of.failures} of 9" in told or str(of.reason) in told
-    assert set(map(str, found.notes)) <= set(told)
+        assert of.label in reported
+        assert f"{of.failures} of 9" in reported or str(of.reason) in reported
+    assert set(map(str, found.notes)) <= set(reported)

@@ -95,8 +95,8 @@ def test_a_motion_that_knows_no_place_in_the_impactor_is_not_asked_for_one():
 
 def test_a_dataset_is_written_and_read_without_loss(solution, tmp_path):
     data = solution.dataset()
-    data.to_netcdf(tmp_path / "blow.nc")
-    with xarray.open_dataset(tmp_path / "blow.nc") as read:
+    data.to_netcdf(tmp_path / "impact.nc")
+    with xarray.open_dataset(tmp_path / "impact.nc") as read:
         xarray.testing.assert_identical(read.load(), data)
 
 

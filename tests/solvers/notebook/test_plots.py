@@ -53,7 +53,7 @@ def test_the_force_is_that_of_the_motion_with_every_jump():
     assert list(zip(starts, ends, strict=True)) == [(contact.start, contact.end) for contact in solution.contacts]
 
 
-def test_a_raw_force_has_what_its_modes_can_tell_beside_it():
+def test_a_raw_force_has_what_its_modes_can_resolve_beside_it():
     solution = solvers.solve(solvers.load("timoshenko-1913-long"))
     resolved = solution.plot("force").Curve.Resolved
     expected = solution.motion.resolved_force(resolved["time"])

@@ -20,7 +20,7 @@ def bank_of(elements: int, modes: int | None = None, mass_ratio: float = 1.0) ->
     return Bank(np.append(0.0, found.frequencies), np.append(mass**-0.5, -found.at_contact), -1)
 
 
-def blow(bank: Bank, variant: str, restitution: float, step: float, tolerance: float = 0.0, end: float = 5e-4):
+def impact(bank: Bank, variant: str, restitution: float, step: float, tolerance: float = 0.0, end: float = 5e-4):
     """Rebound velocity at 1 m/s, events in use, fraction of the energy lost, and energy that has come from nowhere."""
     q, p = np.zeros(bank.closing.size), np.zeros(bank.closing.size)
     p[0] = 1.0 / bank.closing[0]
@@ -62,7 +62,7 @@ TABLES_6_2_AND_6_3 = [
 
 @pytest.mark.parametrize("elements, modes, restitution, step, rebound, count, duration", TABLES_6_2_AND_6_3)
 def test_tables_6_2_and_6_3(elements, modes, restitution, step, rebound, count, duration):
-    found, events, _, _ = blow(bank_of(elements, modes), "step-end", restitution, step)
+    found, events, _, _ = impact(bank_of(elements, modes), "step-end", restitution, step)
     assert found == approx(rebound, rel=1e-9)  # the rows are chaotic: rounding grows to 1e-13
     assert events.time.size == count
     assert events.time[-1] == approx(duration, rel=1e-12)
@@ -84,7 +84,7 @@ TABLES_6_4_AND_6_5 = [
 
 @pytest.mark.parametrize("restitution, step, rebound, count, duration, lost", TABLES_6_4_AND_6_5)
 def test_tables_6_4_and_6_5(restitution, step, rebound, count, duration, lost):
-    found, events, found_lost, _ = blow(bank_of(30), "step-end", restitution, step)
+    found, events, found_lost, _ = impact(bank_of(30), "step-end", restitution, step)
     assert found == approx(rebound, rel=1e-9)
     assert events.time.size == count
     assert events.time[-1] == approx(duration, rel=1e-12)
@@ -105,7 +105,7 @@ def test_table_6_1_one_balance_with_three_elements():
 @pytest.mark.parametrize("restitution", [1.0, 0.5, 0.0])
 def test_no_energy_comes_from_nowhere(variant, restitution):
     bank = bank_of(20)
-    _, events, lost, error = blow(bank, variant, restitution, fine(bank), 1e-9)
+    _, events, lost, error = impact(bank, variant, restitution, fine(bank), 1e-9)
     assert abs(error) < 1e-12
     assert np.all(events.lost >= -1e-15)
     assert lost == approx(0.0, abs=1e-15) if restitution == 1.0 else lost > 0.0
@@ -114,7 +114,7 @@ def test_no_energy_comes_from_nowhere(variant, restitution):
 def test_event_located_faces_never_overlap():
     bank = bank_of(20)
     for restitution in (1.0, 0.3):
-        _, events, _, _ = blow(bank, "event-located", restitution, fine(bank))
+        _, events, _, _ = impact(bank, "event-located", restitution, fine(bank))
         times = np.linspace(0.0, events.time[-1], 5000)
         after = np.searchsorted(events.time, times, "right") - 1
         joined = balances.joined(bank)
@@ -126,13 +126,13 @@ def test_event_located_faces_never_overlap():
 def test_below_one_the_loss_does_not_depend_on_restitution(elements, modes, bound):
     # Differs: tables 6.4 and 6.5 print losses of 74 to 9 %, which are those of the step; resolved they fall as 1/n
     bank = bank_of(elements, modes)
-    losses = [blow(bank, "event-located", restitution, fine(bank))[2] for restitution in (0.0, 0.3, 0.5)]
+    losses = [impact(bank, "event-located", restitution, fine(bank))[2] for restitution in (0.0, 0.3, 0.5)]
     assert max(losses) < bound
     assert max(losses) - min(losses) < 0.3 * min(losses)
 
 
 def test_resolved_loss_falls_with_elements_and_the_rebound_tends_to_the_exact_one():
-    found = [blow(bank_of(n), "event-located", 0.0, fine(bank_of(n))) for n in (30, 60, 120)]
+    found = [impact(bank_of(n), "event-located", 0.0, fine(bank_of(n))) for n in (30, 60, 120)]
     losses = [lost for _, _, lost, _ in found]
     assert losses[1] / losses[0] == approx(0.5, abs=0.1)
     assert losses[2] / losses[1] == approx(0.5, abs=0.1)
@@ -141,16 +141,16 @@ def test_resolved_loss_falls_with_elements_and_the_rebound_tends_to_the_exact_on
 
 def test_the_search_step_does_not_matter():
     bank = bank_of(20)
-    coarse = blow(bank, "event-located", 0.3, fine(bank))
-    dense = blow(bank, "event-located", 0.3, fine(bank) / 7.0)
+    coarse = impact(bank, "event-located", 0.3, fine(bank))
+    dense = impact(bank, "event-located", 0.3, fine(bank) / 7.0)
     assert coarse[1].time.size == dense[1].time.size
     assert coarse[0] == approx(dense[0], rel=1e-9)
 
 
 def test_step_halving_meets_the_same_first_balances():
     bank = bank_of(20)
-    located = blow(bank, "event-located", 1.0, fine(bank))[1]
-    halved = blow(bank, "step-halving", 1.0, fine(bank), 1e-16)[1]
+    located = impact(bank, "event-located", 1.0, fine(bank))[1]
+    halved = impact(bank, "step-halving", 1.0, fine(bank), 1e-16)[1]
     # 1e-16 m of overlap at about 1 m/s are 1e-16 s; chaos lets it grow
     assert halved.time[:8] == approx(located.time[:8], rel=1e-8)
     assert halved.impulse[:8] == approx(located.impulse[:8], rel=1e-7)

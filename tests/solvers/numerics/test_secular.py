@@ -45,7 +45,7 @@ def test_rods_that_are_alike():
 
 @pytest.mark.parametrize("size", [2, 3, 400])
 def test_low_frequencies_keep_their_digits(size):
-    """Each to its own rounding, as Newton's next step tells, however much stiffer the others are."""
+    """Each to its own rounding, as Newton's next step shows, however much stiffer the others are."""
     poles = (np.pi * (np.arange(size) + 0.5)) ** 2
     found, _ = held_together(poles, np.ones(size))
     sums = [float((1.0 / (poles - root)).sum()) for root in found]

@@ -15,10 +15,10 @@ from tests.catalog import SCENES, struck_rod
 BALL = SCENES["bronze-rod-steel-ball"]
 TRIP = BALL.target.round_trip_time
 LONG = 4.0 * TRIP  # four passages of every echo
-BLOWS = {
+IMPACTS = {
     support: solvers.solve(BALL.replace({"target.support": support}), duration=LONG) for support in ("free", "fixed")
 }
-RIGID_BLOW = solvers.solve(struck_rod(1.0, "fixed"), duration=4.0 * struck_rod().target.round_trip_time)
+RIGID_IMPACT = solvers.solve(struck_rod(1.0, "fixed"), duration=4.0 * struck_rod().target.round_trip_time)
 
 
 def gauge(solution, x, step, kind="strain", until=None):
@@ -51,33 +51,33 @@ def echoing(rod, x, step):
 CORNERS = 2e-3
 
 
-@pytest.mark.parametrize("support", list(BLOWS))
+@pytest.mark.parametrize("support", list(IMPACTS))
 @pytest.mark.parametrize("x", [0.5, 1.0])
 @pytest.mark.parametrize("kind", ["strain", "stress", "force"])
 def test_one_gauge_gives_the_force_through_all_echoes(support, x, kind):
-    found = from_one_gauge(gauge(BLOWS[support], x, 1e-6, kind), BLOWS[support].scene.target, x)
-    assert error(found, BLOWS[support]) < CORNERS
+    found = from_one_gauge(gauge(IMPACTS[support], x, 1e-6, kind), IMPACTS[support].scene.target, x)
+    assert error(found, IMPACTS[support]) < CORNERS
     assert found.time[-1] == approx(LONG - x / BALL.target.wave_speed, abs=2e-6)
 
 
 def test_until_the_echo_comes_it_is_the_pulse_shifted_back():
     x, rod = 1.0, BALL.target
-    record = gauge(BLOWS["free"], x, 1e-6)
+    record = gauge(IMPACTS["free"], x, 1e-6)
     found = from_one_gauge(record, rod, x)
     until_echo = found.time < 2.0 * (rod.length - x) / rod.wave_speed
     shifted = -rod.material.young * rod.area * np.interp(found.time + x / rod.wave_speed, record.time, record.values)
     assert found.force[until_echo] == approx(shifted[until_echo], rel=1e-12, abs=1e-9)
 
 
-@pytest.mark.parametrize("support", list(BLOWS))
+@pytest.mark.parametrize("support", list(IMPACTS))
 @pytest.mark.parametrize("places", [(0.5, 1.0), (0.1, 1.3), (0.0, 0.7), (0.4, 1.48)])
 def test_two_gauges_need_no_word_of_the_far_end(support, places):
-    records = [gauge(BLOWS[support], x, 1e-6) for x in places]
-    found = from_two_gauges(*records, BLOWS[support].scene.target, *places)
-    assert error(found, BLOWS[support]) < CORNERS
+    records = [gauge(IMPACTS[support], x, 1e-6) for x in places]
+    found = from_two_gauges(*records, IMPACTS[support].scene.target, *places)
+    assert error(found, IMPACTS[support]) < CORNERS
 
 
-def test_two_gauges_tell_any_wave_that_comes_back():
+def test_two_gauges_find_any_wave_that_comes_back():
     rod, places, step = BALL.target, (0.3, 0.9), 1e-6
     time = np.arange(0.0, 3.0 * TRIP, step)
 
@@ -97,8 +97,8 @@ def test_two_gauges_tell_any_wave_that_comes_back():
 
 
 def test_gauges_need_not_be_sampled_alike():
-    records = gauge(BLOWS["free"], 0.5, 1e-6), gauge(BLOWS["free"], 1.0, 1.7e-6)
-    assert error(from_two_gauges(*records, BALL.target, 0.5, 1.0), BLOWS["free"]) < 2 * CORNERS  # 1.7^1.5
+    records = gauge(IMPACTS["free"], 0.5, 1e-6), gauge(IMPACTS["free"], 1.0, 1.7e-6)
+    assert error(from_two_gauges(*records, BALL.target, 0.5, 1.0), IMPACTS["free"]) < 2 * CORNERS  # 1.7^1.5
 
 
 @pytest.mark.parametrize("support", ["free", "fixed", "anechoic"])
@@ -120,10 +120,10 @@ def test_second_order_in_the_step_of_the_record(gauges, support):
 
 
 def test_jumps_of_rigid_contact_are_blurred_by_a_step_only():
-    rod, x = RIGID_BLOW.scene.target, 0.1
+    rod, x = RIGID_IMPACT.scene.target, 0.1
     step = rod.round_trip_time / 2000.3
-    found = from_one_gauge(gauge(RIGID_BLOW, x, step), rod, x)
-    true = RIGID_BLOW.motion.force(found.time)
+    found = from_one_gauge(gauge(RIGID_IMPACT, x, step), rod, x)
+    true = RIGID_IMPACT.motion.force(found.time)
     wrong = np.abs(found.force - true) > 1e-3 * true.max()
     # jumps: start, return of the front, and what they leave behind; each within a step on either side
     assert wrong.sum() < 40 and wrong.mean() < 0.01
@@ -131,7 +131,7 @@ def test_jumps_of_rigid_contact_are_blurred_by_a_step_only():
 
 @pytest.mark.parametrize("gauges", [1, 2])
 def test_force_and_motion_at_any_section(gauges):
-    solution, rod = BLOWS["free"], BALL.target
+    solution, rod = IMPACTS["free"], BALL.target
     records = [gauge(solution, x, 1e-6) for x in (0.5, 1.0)]
     found = from_one_gauge(records[0], rod, 0.5) if gauges == 1 else from_two_gauges(*records, rod, 0.5, 1.0)
     for x in (0.0, 0.3, 1.2):
@@ -144,7 +144,7 @@ def test_force_and_motion_at_any_section(gauges):
 
 @pytest.mark.parametrize("gauges", [1, 2])
 def test_white_noise_and_twelve_bits_stay_bounded(gauges):
-    solution, rod = BLOWS["free"], BALL.target
+    solution, rod = IMPACTS["free"], BALL.target
     places = (0.5, 1.0)
     random = np.random.default_rng(1)
     records, peak = [], 0.0
@@ -181,17 +181,17 @@ def test_white_noise_where_readings_coincide(support, factor):
 
 @pytest.mark.parametrize("bits, most", [(12, 2e-3), (8, 3e-2)])
 def test_quantised_records_give_the_peak_and_the_impulse(bits, most):
-    clean = gauge(BLOWS["free"], 1.0, 1e-6)
+    clean = gauge(IMPACTS["free"], 1.0, 1e-6)
     bit = 2.0 * np.abs(clean.values).max() / 2**bits
     found = from_one_gauge(Record(clean.time, bit * np.round(clean.values / bit), "strain"), BALL.target, 1.0)
     early = found.time < TRIP
-    assert found.force[early].max() == approx(BLOWS["free"].peak_force, rel=most)
-    assert np.trapezoid(found.force[early], found.time[early]) == approx(BLOWS["free"].impulse, rel=2 * most)
+    assert found.force[early].max() == approx(IMPACTS["free"].peak_force, rel=most)
+    assert np.trapezoid(found.force[early], found.time[early]) == approx(IMPACTS["free"].impulse, rel=2 * most)
 
 
 @pytest.mark.parametrize("gauges", [1, 2])
 def test_an_offset_of_zero_does_not_run_away(gauges):
-    solution, rod = BLOWS["free"], BALL.target
+    solution, rod = IMPACTS["free"], BALL.target
     clean = [gauge(solution, x, 1e-6) for x in (0.5, 1.0)]
     off = Record(clean[0].time, clean[0].values + 1e-6, "strain")
     if gauges == 1:
@@ -205,7 +205,7 @@ def test_an_offset_of_zero_does_not_run_away(gauges):
 
 
 def test_what_is_measured_before_the_wave_can_come_is_noise():
-    clean = gauge(BLOWS["free"], 1.0, 1e-6)
+    clean = gauge(IMPACTS["free"], 1.0, 1e-6)
     time = np.concatenate((np.arange(-100e-6, -0.5e-6, 1e-6), clean.time))
     values = np.concatenate((np.full(100, 1e-5), clean.values))
     values[(time >= 0.0) & (time < 0.99 / BALL.target.wave_speed)] = 1e-5
@@ -222,21 +222,21 @@ def test_what_is_measured_before_the_wave_can_come_is_noise():
         ({"target.end_mass": 1.0}, 0.5, "two gauges"),
     ],
 )
-def test_one_gauge_that_cannot_tell_is_refused(change, x, said):
-    record = gauge(BLOWS["free"], 0.5, 1e-6)
+def test_one_gauge_that_does_not_cover_is_refused(change, x, said):
+    record = gauge(IMPACTS["free"], 0.5, 1e-6)
     with pytest.raises(SceneError, match=said):
         from_one_gauge(record, BALL.replace(change).target, x)
 
 
 def test_two_gauges_must_be_apart():
-    record = gauge(BLOWS["free"], 0.5, 1e-6)
+    record = gauge(IMPACTS["free"], 0.5, 1e-6)
     for x2 in (0.5, 0.4, 0.502):
         with pytest.raises(SceneError, match="one step of the records"):
             from_two_gauges(record, record, BALL.target, 0.5, x2)
 
 
 def test_records_that_miss_the_wave_are_refused():
-    clean = gauge(BLOWS["free"], 1.0, 1e-6)
+    clean = gauge(IMPACTS["free"], 1.0, 1e-6)
     late, early = clean.time > 350e-6, clean.time < 250e-6
     with pytest.raises(SceneError, match="record start: got"):
         from_one_gauge(Record(clean.time[late], clean.values[late], "strain"), BALL.target, 1.0)
@@ -247,5 +247,5 @@ def test_records_that_miss_the_wave_are_refused():
 def test_records_too_long_for_the_echoes_in_them_are_refused():
     rod, step = BALL.target, 2.5e-8
     time = np.arange(150_000) * step
-    with pytest.raises(SceneError, match=r"rows where 1.* echoes must be told apart"):
+    with pytest.raises(SceneError, match=r"rows where 1.* echoes must be distinguished"):
         from_one_gauge(Record(time, np.sin(time), "strain"), rod, rod.length - 0.6 * step * rod.wave_speed)

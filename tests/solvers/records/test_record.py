@@ -31,7 +31,7 @@ def test_strain_is_positive_in_tension_and_stress_in_compression():
         assert as_stress(Record(after_front, expected(BALL, kind, after_front, 1.0), kind), rod) == approx(stress)
 
 
-def test_a_gauge_sees_nothing_before_the_blow_and_nothing_is_known_after_the_solution():
+def test_a_gauge_sees_nothing_before_the_impact_and_nothing_is_known_after_the_solution():
     found = expected(BALL, "strain", np.array([-1.0, -1e-9, 0.5 / ROD.wave_speed, 1.0]), 1.0)
     assert found[:3].tolist() == [0.0, 0.0, 0.0] and np.isnan(found[3])
 
@@ -72,7 +72,7 @@ def test_noise_moves_it_by_less_than_a_sample():
     assert found.residual.relative == approx(noise, rel=0.1)  # what is left is the noise
 
 
-def test_a_rigid_blow_with_its_jumps_is_put_back_to_a_step():
+def test_a_rigid_impact_with_its_jumps_is_put_back_to_a_step():
     solution = solvers.solve(solvers.load("fixed-rod"))
     time = np.linspace(-2e-5, solution.duration, 900)
     record = Record(time + 1e-4, expected(solution, "force", time), "force")

@@ -70,7 +70,7 @@ def test_expected_is_the_largest_error_measured_around_a_scene():
 
 
 def test_the_expected_error_of_every_model_on_rods_is_that_of_fresh_scenes():
-    above, told = 0, 0
+    above, reported = 0, 0
     for k in range(60):
         family, law = RODS[k % 2], ("linear", "hertz")[k // 2 % 2]
         ratio, time = random_groups((1e-2, 1e-2), (1e3, 1e2))
@@ -79,16 +79,16 @@ def test_the_expected_error_of_every_model_on_rods_is_that_of_fresh_scenes():
         expected = models_table(family, law).around(ratio, time)
         assert np.array_equal(np.isinf(true), np.isinf(expected))
         finite = np.isfinite(true) & (expected < MOST)
-        told += finite.sum()
+        reported += finite.sum()
         above += np.sum(true[finite] > 1.25 * expected[finite] + 2e-3)
         assert np.all(true[finite] < 4.0 * expected[finite] + 0.05)
-    assert told > 300 and above < 0.03 * told
+    assert reported > 300 and above < 0.03 * reported
 
 
 @pytest.mark.slow
 def test_the_expected_error_of_every_model_on_beams_is_that_of_fresh_scenes():
     # a contact much shorter than the period opens and closes many times: the rebound is ill-conditioned there
-    above, told = 0, 0
+    above, reported = 0, 0
     for k in range(12):
         family = BEAMS[k % 4]
         ratio, time = random_groups((0.1, 0.2), (1e2, 1e1))
@@ -96,9 +96,9 @@ def test_the_expected_error_of_every_model_on_beams_is_that_of_fresh_scenes():
         true = model_errors(scene, figures(swept_reference(scene)))
         expected = models_table(family, "linear").around(ratio, time)
         finite = np.isfinite(true)
-        told += finite.sum()
+        reported += finite.sum()
         above += np.sum(true[finite] > 1.25 * expected[finite] + 5e-3)
-    assert told > 60 and above < 0.08 * told
+    assert reported > 60 and above < 0.08 * reported
 
 
 def test_so_many_modes_are_needed():
@@ -197,7 +197,7 @@ def test_a_smaller_tolerance_never_takes_a_smaller_model():
             assert all(c.expected_error >= 0.0 for c in found.candidates)
 
 
-def test_slow_blows_are_elastic_and_quick_ones_are_not():
+def test_slow_impacts_are_elastic_and_quick_ones_are_not():
     slow = {"contact": {"law": "plastic-power", "stiffness": 1e10, "yield_indentation": 1e-6}}
     scene = family_scene("free-rod", 1.0, 30.0).replace(slow)
     begins = scene.speed / plan(scene).groups["impact_parameter"]
@@ -213,8 +213,8 @@ def test_slow_blows_are_elastic_and_quick_ones_are_not():
 
 @pytest.mark.slow
 def test_what_is_planned_keeps_to_the_tolerance_where_energy_is_lost():
-    # a rod that gives way takes from the contact what would have been lost there: elastic blows tell too little
-    kept, told, random = 0, 0, np.random.default_rng(8)
+    # a rod that gives way takes from the contact what would have been lost there: elastic impacts show too little
+    kept, reported, random = 0, 0, np.random.default_rng(8)
     for k in range(16):
         law = ("hunt-crossley", "plastic-linear")[k // 2 % 2]
         loss = random.uniform(0.2, 0.9) if law == "hunt-crossley" else 10.0 ** random.uniform(0.3, 2.5)
@@ -223,9 +223,9 @@ def test_what_is_planned_keeps_to_the_tolerance_where_energy_is_lost():
         for number, question in enumerate(QUESTIONS):
             found = plan(scene, question, 0.1)
             assert found.measured and found.expected_error <= 0.1
-            told += 1
+            reported += 1
             kept += errors(figures(solvers.solve(found.planned)), true)[number] <= 0.1
-    assert told == 64 and kept >= 0.95 * told
+    assert reported == 64 and kept >= 0.95 * reported
 
 
 def test_more_loss_than_was_measured_is_a_guess():

@@ -2,7 +2,7 @@
 
 Not repeated is what other tests check already: tables 6.1 to 6.5 in test_balances, figures 4.20 to 4.22 in
 test_balance, (4.13) to (4.40) in test_restitution, table 7.1 in test_contact, the bare steps of table 8.1 in
-test_newmark, 10.2 in test_floating_frame, 8.3 in test_beam_blows.
+test_newmark, 10.2 in test_floating_frame, 8.3 in test_beam_impacts.
 """
 
 import math
@@ -345,7 +345,7 @@ def test_scenes_of_10_2(frame, impactor, target, restitution):
     assert found.restitution["newton"] == approx(restitution, abs=5e-4)
 
 
-def test_a_note_is_kept_and_told():
+def test_a_note_is_kept_and_reported():
     scene = struck_rod().replace({"note": "What is seen."})
     assert scene.note == scene.table()["note"] == "What is seen."
     assert "note" not in struck_rod().table()

@@ -14,7 +14,7 @@ def at(time: float) -> np.ndarray:
 
 @pytest.mark.parametrize("number", range(13, 21))
 def test_scenes_show_what_their_figure_shows(number):
-    """As long as the figure needs: the first contact, until they meet again, contact 11, or the whole blow."""
+    """As long as the figure needs: the first contact, until they meet again, contact 11, or the whole impact."""
     contacts = solvers.solve(SCENES[f"figure-5.{number}"]).contacts
     assert len(contacts) == {13: 1, 14: 1, 15: 1, 16: 3, 17: 2, 18: 2, 19: 49, 20: 12}[number]
 

@@ -122,7 +122,7 @@ def test_figures_8_5_and_8_6_both_lag():
     ],
 )
 def test_figures_8_9_and_8_10(name, peak, at, parting, velocity, deflection, contacts):
-    """The well-determined beginning against an independent integration; the rest as the note tells it."""
+    """The well-determined beginning against an independent integration; the rest as the note says."""
     found = solvers.solve(SCENES[name])
     first, (time, force) = found.contacts[0], found.motion.force_history()
     within = time <= first.end
@@ -165,11 +165,11 @@ def test_figure_8_22_is_euler_bernoulli_beside_the_static_shape():
     part = np.linspace(0.0, 1.0, 61)
     bent = found.motion.displacement(time[[tip.argmax()]], part * scene.target.length)[0] / tip.max()
     assert np.abs(bent - 3.0 * (part**2 / 2.0 - part**3 / 6.0)).max() < 0.03  # (8.13)
-    told = []
+    reported = []
     for model in ("structural-massless", "structural"):
         static = solvers.solve(scene, "quasi-static", model=model)
-        told += [static.motion.end_position(np.linspace(0.0, static.duration, 8001)).max() * 1e3, static.peak_force]
-    assert told == approx([1.163738, 1832.887, 1.047, 1334.0], rel=3e-4)  # (8.14), (8.15)
+        reported += [static.motion.end_position(np.linspace(0.0, static.duration, 8001)).max() * 1e3, static.peak_force]
+    assert reported == approx([1.163738, 1832.887, 1.047, 1334.0], rel=3e-4)  # (8.14), (8.15)
     assert found.peak_force == approx(7.66e3, rel=1e-3)
 
 

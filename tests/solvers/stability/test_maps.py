@@ -134,8 +134,8 @@ def test_every_law_keeps_its_energy_on_rods_and_beams_as_they_are_solved(law, wh
     assert abs(found.diagnostics["energy_error"]) <= KEPT
     assert math.isfinite(found.impulse) and abs(found.impactor_velocity) <= problem.scene.speed * (1.0 + KEPT)
     assert found.diagnostics["steps"] == steps
-    told = any("still in contact" in str(note) for note in found.notes)
-    assert told == (found.contacts[-1].end >= found.duration * (1.0 - 1e-12))
+    reported = any("still in contact" in str(note) for note in found.notes)
+    assert reported == (found.contacts[-1].end >= found.duration * (1.0 - 1e-12))
 
 
 # --- limits by theory -------------------------------------------------------------------------------------------------
@@ -174,7 +174,7 @@ def test_a_frozen_status_fails_where_it_was_measured(stiffness):
         assert not any(run(name, problem, step).ending == DIVERGED for step in steps.tolist())
 
 
-def test_failures_below_a_limit_are_told():
+def test_failures_below_a_limit_are_reported():
     scene = struck_rod(0.03)
     problem = problem_of(scene, {"contact_stiffness": 100.0}, 10)
     limit = INTEGRATORS["central-difference"].limit(problem) / problem.step_unit
@@ -290,10 +290,10 @@ def test_a_run_that_needs_more_steps_is_stopped_and_says_so():
     assert LASTING not in found.maps["modal"].ending
 
 
-def test_progress_is_told_and_a_cancelled_map_is_left_empty():
-    told = []
-    stability(struck_rod(), ["modal"], grid=(2, 5), progress=lambda done, columns: told.append((done, columns)))
-    assert sorted(told) == [(k, 5) for k in range(1, 6)]
+def test_progress_is_reported_and_a_cancelled_map_is_left_empty():
+    reported = []
+    stability(struck_rod(), ["modal"], grid=(2, 5), progress=lambda done, columns: reported.append((done, columns)))
+    assert sorted(reported) == [(k, 5) for k in range(1, 6)]
     found = stability(struck_rod(), ["modal"], grid=(2, 5), cancel=lambda: True)
     assert np.all(found.maps["modal"].ending == NOT_RUN) and found.maps["modal"].failures == 0
     json.dumps(found.table(), allow_nan=False)

@@ -1,4 +1,4 @@
-"""More modes: known orders are found, what does not converge is told, and the blow beside a half-space."""
+"""More modes: known orders are found, what does not converge is reported, and the impact beside a half-space."""
 
 import math
 
@@ -10,33 +10,33 @@ import solvers
 from solvers import Modal, SceneError, compare_with_half_space, contact_times, convergence
 from solvers.numerics.rods import composite_rod_modes
 from solvers.studies.contact_times import half_periods
-from solvers.studies.convergence import _judge
+from solvers.studies.convergence import _rate
 from tests.catalog import ROD, T, bronze_rod, contact_table, struck_beam, struck_rod
 
 COUNTS = np.array([3.0, 5.0, 10.0, 20.0, 40.0, 80.0])
 
 
-def judged(values, scale=1.0, name="impulse"):
-    return _judge(name, COUNTS, values, scale, "modes")
+def rated(values, scale=1.0, name="impulse"):
+    return _rate(name, COUNTS, values, scale, "modes")
 
 
 @pytest.mark.parametrize("order", [0.5, 1.0, 2.0, 3.5])
 def test_a_known_order_is_found_and_what_is_left_too(order):
-    differences, found, told = judged(2.0 + COUNTS**-order, 2.0)
+    differences, found, reported = rated(2.0 + COUNTS**-order, 2.0)
     assert found == approx(order, abs=0.02)
     assert differences == approx((COUNTS**-order - 80.0**-order) / 2.0, rel=1e-12)
-    assert told.code == "converges" and "converges as modes^-" in str(told)
-    assert told.values["error"] == approx(80.0**-order / 2.0, rel=0.1)
+    assert reported.code == "converges" and "converges as modes^-" in str(reported)
+    assert reported.values["error"] == approx(80.0**-order / 2.0, rel=0.1)
 
 
 def test_what_goes_to_zero_or_to_infinity_does_not_converge():
-    assert "falls as modes^-1" in str(judged(1e-4 / COUNTS)[2])
-    assert "grows as modes^+1.5" in str(judged(COUNTS**1.5)[2])
-    irregular = judged(1.0 + 0.01 * np.array([1.0, -3.0, 2.0, -1.0, 2.0, 0.0]))
+    assert "falls as modes^-1" in str(rated(1e-4 / COUNTS)[2])
+    assert "grows as modes^+1.5" in str(rated(COUNTS**1.5)[2])
+    irregular = rated(1.0 + 0.01 * np.array([1.0, -3.0, 2.0, -1.0, 2.0, 0.0]))
     assert irregular[1] is None and irregular[2].code == "no-order"
-    assert judged(np.ones(6))[2].code == "same-for-all"
-    assert judged(np.array([1, 1, 2, 3, 3, 3.0]), 3.0, "contacts")[2].values["count"] == 20
-    assert judged(np.array([1, 1, 2, 3, 3, 4.0]), 3.0, "contacts")[2].code == "contacts-scatter"
+    assert rated(np.ones(6))[2].code == "same-for-all"
+    assert rated(np.array([1, 1, 2, 3, 3, 3.0]), 3.0, "contacts")[2].values["count"] == 20
+    assert rated(np.array([1, 1, 2, 3, 3, 4.0]), 3.0, "contacts")[2].code == "contacts-scatter"
 
 
 def test_modes_of_a_rod_in_hertz_contact_converge():
@@ -116,7 +116,7 @@ def test_contact_times_without_a_swing():
     assert contact_times(swinging).half_period == approx(math.pi * math.sqrt((target.mass + mass) / target.stiffness))
 
 
-def test_the_blow_on_a_half_space_is_the_closed_form_of_hertz():
+def test_the_impact_on_a_half_space_is_the_closed_form_of_hertz():
     scene = bronze_rod()
     beside = compare_with_half_space(scene)
     mass, speed, stiffness = scene.impactor.mass, scene.speed, scene.contact.stiffness
@@ -127,7 +127,7 @@ def test_the_blow_on_a_half_space_is_the_closed_form_of_hertz():
     assert beside.impactor_velocity == approx(-speed, rel=1e-12)
 
 
-def test_the_blow_on_a_half_space_keeps_the_law():
+def test_the_impact_on_a_half_space_keeps_the_law():
     scene = struck_rod(contact=contact_table("plastic-power"))
     beside = compare_with_half_space(scene)
     assert beside.scene.contact == scene.contact and beside.scene.target.material == ROD.material
@@ -145,7 +145,7 @@ def test_no_half_space_in_rigid_contact():
         )
 
 
-def test_a_rigid_blow_on_a_slender_beam_does_not_converge():
+def test_a_rigid_impact_on_a_slender_beam_does_not_converge():
     """The first separation is the echo of the highest mode kept: the more modes, the earlier, down to nothing."""
     found = convergence(struck_beam(contact={"law": "rigid"}), (5, 10, 20, 40))
     assert "does not converge, it falls as modes^-1." in str(found.summary["first_parting"])
@@ -178,7 +178,7 @@ def test_the_order_in_modes_of_a_beam_is_that_of_the_first_touch(law, constants,
     assert -np.polyfit(np.log(counts), np.log(errors), 1)[0] == approx(order, rel=0.25)
 
 
-def test_a_hertz_blow_on_a_beam_converges_with_its_shear():
+def test_a_hertz_impact_on_a_beam_converges_with_its_shear():
     found = convergence(solvers.load("timoshenko-1913-long"), (4, 8, 16, 32))
     assert {"support_shear", "peak_shear"} <= set(found.values)
     assert found.order["impulse"] > 2.0 and found.order["support_shear"] > 2.0

@@ -1,4 +1,4 @@
-"""Ensembles: every run is what a solve of its own says, known sensitivities, verdicts that tell jumps from drift."""
+"""Ensembles: every run is what a solve of its own says, known sensitivities, verdicts on jumps and on drift."""
 
 import math
 from dataclasses import replace
@@ -127,7 +127,7 @@ def rows_of(response, changes):
     return row
 
 
-def test_verdicts_tell_jumps_from_drift():
+def test_verdicts_distinguish_jumps_from_drift():
     changes = perturbations(200, 1e-2)
     drift = rows_of(lambda change: -3.0 * change, changes)
     assert drift.verdict == "firm" and drift.sensitivity == approx(-3.0) and drift.amplification < 3.0
@@ -162,10 +162,10 @@ def test_an_impactor_that_can_bend_is_changed_in_length():
     assert found.key == "impactor.length" and not found.ill_conditioned
 
 
-def test_progress_is_told():
-    told = []
-    ensemble(struck_rod(), runs=12, progress=lambda done, runs: told.append((done, runs)))
-    assert told == [(done, 12) for done in range(1, 13)]
+def test_progress_is_reported():
+    reported = []
+    ensemble(struck_rod(), runs=12, progress=lambda done, runs: reported.append((done, runs)))
+    assert reported == [(done, 12) for done in range(1, 13)]
 
 
 @pytest.mark.parametrize(
@@ -196,19 +196,19 @@ def test_what_it_cannot_know_is_refused():
         ensemble(solvers.load("two-unequal-rods"), key="impactor.mass")
 
 
-def test_a_stiff_blow_on_a_beam_is_ill_conditioned():
+def test_a_stiff_impact_on_a_beam_is_ill_conditioned():
     """Thesis 8.3 with 15 modes: the first parting is known to a hair, the sequence that follows is not."""
     stiff = struck_beam(contact={"law": "linear", "stiffness": 1.771875e10})
     found = ensemble(stiff, Modal(modes=15), runs=60)
     rows = {row.quantity: row for row in found.spread}
     assert rows["first_parting"].verdict == "firm"
     assert rows["contacts"].verdict == rows["final_velocity"].verdict == "not to be trusted"
-    assert rows["final_velocity"].amplification > 1e3  # 1e-6 in mass tells
+    assert rows["final_velocity"].amplification > 1e3  # 1e-6 in mass matters
     assert found.ill_conditioned and str(found.summary).startswith("Ill-conditioned")
     assert np.ptp(found.force.highest - found.force.lowest) > 0.5 * found.force.highest.max()
 
 
-def test_a_plastic_blow_on_a_beam_is_well_conditioned():
+def test_a_plastic_impact_on_a_beam_is_well_conditioned():
     scene, method = solvers.load("table-8.4"), Modal(modes=5, steps=8000, estimate=False)
     found = ensemble(scene, method, runs=10)
     rows = {row.quantity: row for row in found.spread}

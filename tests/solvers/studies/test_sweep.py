@@ -1,4 +1,4 @@
-"""Sweeps: every row is what a solve of its own says, and what is known of the blow at all mass ratios."""
+"""Sweeps: every row is what a solve of its own says, and what is known of the impact at all mass ratios."""
 
 import numpy as np
 import pytest
@@ -166,7 +166,7 @@ def test_scenes_that_are_not_the_simple_one_are_solved_one_by_one():
     assert modal.estimated_error.min() > 1e-6
 
 
-def test_a_blow_too_long_for_all_the_others_is_solved_alone():
+def test_an_impact_too_long_for_all_the_others_is_solved_alone():
     base, mass = solvers.load("fixed-rod"), 2.133 * 9e5
     found = solvers.solve_many(base, {"impactor.mass": [1.0, mass]})
     checked_against_single_solves(found, [base.replace({"impactor.mass": each}) for each in (1.0, mass)])

@@ -172,9 +172,9 @@ def test_rods_masses_walls_and_chains():
     half = {key: STEEL_ROD[key] for key in ("section", "material")} | {"length": 0.15}
     chain = {"impactor": {"mass": STEEL_ROD_MASS, "velocity": 1.0}, "target": {"kind": "rods", "rods": [half, half]}}
     for method in ("fe-nodal", "fe-modal"):
-        blow = solvers.solve(Scene.from_table({"impactor": rod, "target": other}), method)
-        assert blow.impactor_velocity == approx(0.0, abs=0.02)  # (4.7): the shorter rod stops
-        assert blow.target_velocity == approx(2.0 / 3.0, abs=0.02)
+        impact = solvers.solve(Scene.from_table({"impactor": rod, "target": other}), method)
+        assert impact.impactor_velocity == approx(0.0, abs=0.02)  # (4.7): the shorter rod stops
+        assert impact.target_velocity == approx(2.0 / 3.0, abs=0.02)
         wall = solvers.solve(Scene.from_table({"impactor": rod, "target": {"kind": "stop"}}), method)
         assert wall.impactor_velocity == approx(-1.0, abs=0.01)
         both = solvers.solve(Scene.from_table(chain), method, elements=40).impactor_velocity
@@ -210,7 +210,7 @@ def test_the_estimate_is_of_the_size_of_the_error():
 
 
 @pytest.mark.parametrize("method, options", VARIANTS, ids=IDS)
-def test_a_blow_too_short_for_the_mesh_is_doubted_and_a_long_one_is_followed(method, options):
+def test_an_impact_too_short_for_the_mesh_gets_a_note_and_a_long_one_is_followed(method, options):
     short = solvers.solve(struck_rod(1e4), method, **options)
     assert short.diagnostics["estimated_error"] >= 1.0
     long = solvers.solve(struck_rod(1e-6), method, **options)

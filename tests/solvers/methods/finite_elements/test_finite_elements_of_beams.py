@@ -30,7 +30,7 @@ def quick(method: str, **options):
     return replace(solvers.METHODS[method].read({"elements": 40} | options), estimate=False)
 
 
-BLOWS = [
+IMPACTS = [
     {"support": "cantilever"},
     {"support": "cantilever", "end_mass": 0.5, "theory": "timoshenko"},
     {"support": "pinned-pinned", "at": 0.3},
@@ -43,7 +43,7 @@ BLOWS = [
 
 @EACH
 @pytest.mark.parametrize("law", [SOFT, {"law": "rigid"}], ids=["hertz", "rigid"])
-@pytest.mark.parametrize("beam", BLOWS, ids=lambda beam: " ".join(map(str, beam.values())))
+@pytest.mark.parametrize("beam", IMPACTS, ids=lambda beam: " ".join(map(str, beam.values())))
 def test_accounts_balance(method, options, law, beam):
     scene = struck_beam(1.0, law, **beam)
     solution = solvers.solve(scene, quick(method, **options), duration=1.5e-3)
@@ -58,8 +58,8 @@ def test_accounts_balance(method, options, law, beam):
     json.dumps(solution.table())
 
 
-@pytest.mark.parametrize("beam", BLOWS, ids=lambda beam: " ".join(map(str, beam.values())))
-def test_a_soft_blow_is_that_of_the_exact_modes(beam):
+@pytest.mark.parametrize("beam", IMPACTS, ids=lambda beam: " ".join(map(str, beam.values())))
+def test_a_soft_impact_is_that_of_the_exact_modes(beam):
     scene = struck_beam(1.0, SOFT, **beam)
     exact = solvers.solve(scene, Modal(modes=60, estimate=False), duration=1.5e-3)
     times, x = np.array([2e-4, 1.2e-3]), np.linspace(0.02, 0.28, 7)
@@ -81,7 +81,7 @@ def test_a_soft_blow_is_that_of_the_exact_modes(beam):
             assert found.energy[part] == approx(exact.energy[part], abs=3e-3 * scene.initial_energy)
 
 
-@pytest.mark.parametrize("beam", BLOWS, ids=lambda beam: " ".join(map(str, beam.values())))
+@pytest.mark.parametrize("beam", IMPACTS, ids=lambda beam: " ".join(map(str, beam.values())))
 def test_supports_carry_what_the_modes_left_out_pass_on(beam):
     scene = struck_beam(1.0, SOFT, **beam)
     exact = solvers.solve(scene, Modal(modes=60, estimate=False), duration=8e-4).motion
@@ -107,7 +107,7 @@ def test_nothing_is_carried_over_a_free_end(method, options, support, theory):
     for name in ("shear", "moment"):
         field = getattr(found, name)
         assert np.abs(field(times, free)).max() < 1e-7 * np.abs(field(times, x)).max()
-    if method != "balance":  # whose forces are blows, in all modes at once
+    if method != "balance":  # whose forces are impacts, in all modes at once
         exact = solvers.solve(scene, Modal(modes=60, estimate=False), duration=6e-4).motion
         true, between = exact.shear(times, x), np.abs(x - 0.15) > 0.01  # it jumps where the beam is struck
         assert np.abs(found.shear(times, x) - true)[:, between].max() < 0.02 * np.abs(true).max()
@@ -174,12 +174,12 @@ def test_momentum_of_a_free_beam_by_its_own_velocities():
         times = motion.course.step * motion.course.stride * np.array([100, 400, 800])
         along = np.trapezoid(motion.velocity(times, x), x, axis=1) * scene.target.mass / scene.target.length
         assert along == approx(motion.impulse(times), rel=2e-4)
-        # and about the middle: the blow has an arm of 0.2 L
+        # and about the middle: the impact has an arm of 0.2 L
         turning = np.trapezoid(motion.velocity(times, x) * (x - 0.15), x, axis=1) * scene.target.mass / 0.3
         assert turning == approx(0.2 * 0.3 * motion.impulse(times), rel=2e-4)
 
 
-def test_a_slow_blow_bends_as_a_steady_force_does():
+def test_a_slow_impact_bends_as_a_steady_force_does():
     # so soft that the contact lasts for many periods of the beam: M = F (L - x) towards the clamp, V = -F
     scene = struck_beam(1e-3, {"law": "linear", "stiffness": 1e4})
     assert scene.contact.stiffness < 0.01 * 3.0 * 14175.0 / 0.3**3
@@ -226,7 +226,7 @@ def test_a_frozen_status_is_cut_where_it_diverges_and_agrees_where_it_does_not()
     assert both[0].impactor_velocity == approx(both[1].impactor_velocity, abs=1e-5)
 
 
-def test_blows_end_where_beams_turn_away():
+def test_impacts_end_where_beams_turn_away():
     for beam in ({"support": "free-free", "at": 1.0}, {"support": "pinned-free"}):
         scene = struck_beam(1.0, SOFT, **beam)
         for method in ("fe-nodal", "fe-modal"):
@@ -255,7 +255,7 @@ def test_the_coarsest_meshes(elements):
                     continue  # see below
                 found = solvers.solve(scene, method, elements=elements, duration=5e-4)
                 assert abs(found.diagnostics["energy_error"]) < 1e-10
-    # two elements between clamps have one mode that a blow in the middle moves, and must leave it out to give way
+    # two elements between clamps have one mode that an impact in the middle moves, and must leave it out to give way
     light = struck_beam(1e5, {"law": "rigid"}, support="clamped-clamped")
     if elements == 1:
         return  # refused, see below
@@ -286,7 +286,7 @@ def test_what_is_refused():
     assert caught.value.key == "method.modes"
 
 
-def test_what_a_rigid_contact_is_told_to_be():
+def test_what_a_rigid_contact_is_reported_to_be():
     scene = struck_beam(1.0, {"law": "rigid"})
     nodal = solvers.solve(scene, quick("fe-nodal", elements=15), duration=2e-3)
     assert any("1.772e+09 N/m" in str(note) for note in nodal.notes)  # E I / l^3
@@ -297,7 +297,7 @@ def test_what_a_rigid_contact_is_told_to_be():
 
 @pytest.mark.parametrize("support, at", [("free-free", 0.5), ("free-free", 0.9), ("pinned-free", 1.0)])
 @pytest.mark.parametrize("stiffness", [1e3, 1e5])
-def test_a_soft_blow_that_carries_a_beam_far_keeps_its_energy(support, at, stiffness):
+def test_a_soft_impact_that_carries_a_beam_far_keeps_its_energy(support, at, stiffness):
     scene = struck_beam(1.0, {"law": "linear", "stiffness": stiffness}, support=support, at=at)
     found = solvers.solve(scene, quick("fe-nodal", elements=100))
     course = found.motion.course

@@ -64,7 +64,7 @@ def test_static_compliance_is_complete():
     assert few.residual_compliance > 10.0 * many.residual_compliance
 
 
-# -- the blow of thesis 10.2 ------------------------------------------------------------------------------------------
+# -- the impact of thesis 10.2 ----------------------------------------------------------------------------------------
 
 
 def test_thesis_10_2():
@@ -121,10 +121,10 @@ def test_end_with_the_frame_has_a_stress_that_is_not_there():
 
 def test_quiet_periods_at_mid_length_are_there():
     """Differs: thesis 10.2 and its conclusion 13 find none with clamped shapes; they follow the waves to 0.3 %."""
-    truth = Waves().solve(SCENE)
-    time = np.linspace(0.0, 0.99 * truth.duration, 600)
+    reference = Waves().solve(SCENE)
+    time = np.linspace(0.0, 0.99 * reference.duration, 600)
     middle = np.array([0.5 * SCENE.target.length])
-    exact = truth.motion.stress(time, middle)[:, 0]
+    exact = reference.motion.stress(time, middle)[:, 0]
     errors = {}
     for frame in ("attached", "mean-axis"):
         stress = strike(frame).motion.stress(time, middle)[:, 0]
@@ -165,7 +165,7 @@ def hertz_on_free_rod(beta, softness):
     return Scene.from_table({"impactor": {"mass": mass, "velocity": 1.0}, "target": target, "contact": contact})
 
 
-def test_softness_of_the_bronze_blow():
+def test_softness_of_the_bronze_impact():
     scene, mass = SCENE, SCENE.impactor.mass
     tau = (mass / scene.contact.stiffness) ** 0.4 * scene.speed**-0.2
     assert tau == approx(5.282875220042228e-05, rel=1e-12)

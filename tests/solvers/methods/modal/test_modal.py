@@ -43,7 +43,7 @@ def test_rigid_contact_on_the_fixed_rod(modes, percent):
     solution = fixed_rod(modes)
     assert abs(solution.impactor_velocity / EXACT_FIXED - 1.0) < percent / 100.0
     assert len(solution.contacts) == 2
-    # as sharp as the shortest kept period, which is all these modes can tell
+    # as sharp as the shortest kept period, which is all these modes resolve
     first, second = solution.contacts
     for found, exact in ((first.end, 1.533833820809153), (second.start, 2.124623234942172)):  # (4.25), (4.31)
         assert found / T == approx(exact, abs=solution.diagnostics["resolved_time"] / T)
@@ -93,7 +93,7 @@ def test_one_mode_is_enough_to_run():
 
 @pytest.mark.parametrize("support, rebound", [("free", (1.0 - 0.5) / (1.0 + 0.5)), ("fixed", -1.0)])
 def test_a_soft_spring_leaves_no_vibration(support, rebound):
-    # K -> 0: an elastic blow between two rigid bodies, (3.10), the fixed rod being a wall; neglected: EA/L softness^-1
+    # K -> 0: an elastic impact between two rigid bodies, (3.10), the fixed rod a wall; neglected: EA/L softness^-1
     softness = 1e6
     solution = Modal(modes=5).solve(struck_rod(0.5, support, contact_table("linear", softness)))
     assert solution.impactor_velocity == approx(rebound, abs=10.0 / softness)
@@ -207,7 +207,7 @@ def test_resolved_force_is_the_mean_over_the_shortest_kept_period():
     assert edges[0] == 0.0
 
 
-def test_resolved_force_is_much_nearer_to_the_truth_than_the_raw_one():
+def test_resolved_force_is_much_nearer_to_the_exact_solution_than_the_raw_one():
     exact = Waves().solve(SCENES["fixed-rod"]).motion
     time = (np.arange(4000) + 0.5) / 4000 * 1.5 * T  # within the first contact
     true = exact.force(time)
@@ -433,7 +433,7 @@ def test_a_rod_against_a_stop_mirrors_two_equal_rods():
 
 
 @pytest.mark.parametrize("law", ["hertz", "kelvin-voigt", "plastic-power"])
-def test_the_same_blow_seen_from_either_body(law):
+def test_the_same_impact_seen_from_either_body(law):
     """A rod that strikes a mass is a mass that strikes a rod."""
     contact = contact_table(law, softness=2.0) | ({"damping": 3e4} if law == "kelvin-voigt" else {})
     contact.pop("restitution", None)
@@ -497,7 +497,7 @@ def test_as_many_contacts_as_there_are(beta, support):
     assert any("chatter" in str(note) for note in found.notes) == (raw > len(found.contacts))
 
 
-def test_a_blow_too_short_for_the_modes_is_said():
+def test_an_impact_too_short_for_the_modes_is_said():
     short = Modal(modes=20, estimate=False).solve(struck_rod(15.0, "free"))
     (note,) = (note for note in short.notes if "too short" in str(note))
     assert "150 modes" in str(note)  # T / 30 against 5 T / 20
@@ -519,7 +519,7 @@ def test_still_in_contact_does_not_hang_on_chatter():
     assert not any("still" in str(note) for note in found.notes)
 
 
-def test_rigid_contact_tells_no_velocity_of_the_struck_face():
+def test_rigid_contact_gives_no_velocity_of_the_struck_face():
     # it chatters with the last kept modes and does not converge
     assert fixed_rod(50).restitution["newton_at_contact"] is None
     soft = Modal(modes=50).solve(struck_rod(1.0, "free", contact_table("hertz", 3.0)))
@@ -564,7 +564,7 @@ def test_steps_and_duration_are_kept():
     assert solution.method == {"name": "modal", "modes": 7, "steps": 321, "frame": "mean-axis", "residual": True}
 
 
-def test_steps_without_a_duration_go_over_the_whole_blow():
+def test_steps_without_a_duration_go_over_the_whole_impact():
     unasked = Modal(modes=10).solve(struck_rod(1.0, "fixed"))
     solution = Modal(modes=10, steps=2000).solve(struck_rod(1.0, "fixed"))
     assert solution.diagnostics["steps"] == 2000
@@ -591,6 +591,6 @@ def test_bad_options_are_refused(options, key):
 
 
 @pytest.mark.parametrize("method", ["modal", "fe-nodal", "fe-modal"])
-def test_a_number_of_steps_is_no_limit_that_cuts_a_blow_short(method):
+def test_a_number_of_steps_is_no_limit_that_cuts_an_impact_short(method):
     solution = solvers.solve(bronze_rod(), method, steps=4000)
     assert not [note for note in solution.notes if "limit" in str(note)]

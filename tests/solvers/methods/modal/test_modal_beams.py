@@ -16,7 +16,7 @@ THEORIES = ("euler-bernoulli", "timoshenko")
 STIFFNESS = 2.4e10  # N/m^1.5, of a steel ball of 25 mm on steel
 
 
-def plastic_blow(theory: str, law: str, mass: float = 2.133, radius: float = 0.025, yields: float = 280e6) -> Scene:
+def plastic_impact(theory: str, law: str, mass: float = 2.133, radius: float = 0.025, yields: float = 280e6) -> Scene:
     """Thesis 8.4 with five modes and none left out, a density of 7900 kg/m3 and kappa = 5/6."""
     changes = {"target.theory": theory, "contact.law": law, "impactor.mass": mass, "impactor.radius": radius}
     changes |= {"impactor.material.yield": yields, "target.material.yield": yields, "method.modes": 5}
@@ -34,18 +34,18 @@ def plastic_blow(theory: str, law: str, mass: float = 2.133, radius: float = 0.0
     ],
 )
 def test_thesis_8_4_with_five_modes(theory, law, velocity, lost):
-    coarse, fine = (solvers.solve(plastic_blow(theory, law), steps=n, duration=6e-3) for n in (30_000, 120_000))
+    coarse, fine = (solvers.solve(plastic_impact(theory, law), steps=n, duration=6e-3) for n in (30_000, 120_000))
     assert fine.impactor_velocity == approx(velocity, abs=1e-6)
     assert fine.energy["dissipated"] == approx(lost, abs=1e-6)
     assert abs(coarse.impactor_velocity - velocity) < 2e-5
-    assert solvers.solve(plastic_blow(theory, law)).impactor_velocity == approx(velocity, abs=1e-5)
+    assert solvers.solve(plastic_impact(theory, law)).impactor_velocity == approx(velocity, abs=1e-5)
 
 
 @pytest.mark.parametrize(
     ("law", "lost"), [("plastic-linear", 0.012822865612297465), ("plastic-power", 0.008298902927704192)]
 )
 def test_thesis_8_4_4_of_50_g(law, lost):
-    found = solvers.solve(plastic_blow("timoshenko", law, 0.05))
+    found = solvers.solve(plastic_impact("timoshenko", law, 0.05))
     assert len(found.contacts) == 1
     assert found.energy["dissipated"] == approx(lost, rel=1e-5)
 
@@ -133,7 +133,7 @@ def test_shear_is_the_slope_of_the_moment():
 
 
 @pytest.mark.parametrize("support", ["cantilever", "pinned-pinned", "clamped-clamped"])
-def test_supports_carry_a_slow_blow_with_one_mode_as_with_all(support):
+def test_supports_carry_a_slow_impact_with_one_mode_as_with_all(support):
     """On a soft spring the beam bends as at rest: its supports carry the force, and M'' = 0 beside it."""
     law = {"law": "linear", "stiffness": 1e4}
     scene = struck_beam(1e-2, law, support=support, at=0.6, length=0.2, damping=0.2)  # so that it hardly rings
@@ -149,13 +149,13 @@ def test_supports_carry_a_slow_blow_with_one_mode_as_with_all(support):
 
 @pytest.mark.parametrize("theory", THEORIES)
 @pytest.mark.parametrize("support", SUPPORTS)
-def test_few_modes_tell_the_moments_and_support_reactions(support, theory):
+def test_few_modes_give_the_moments_and_support_reactions(support, theory):
     scene = struck_beam(support=support, theory=theory, at=0.6)
     few, many = (Modal(modes=count, estimate=False).solve(scene, 6e-4).motion for count in (20, 80))
     time, x = np.linspace(0.0, 6e-4, 150), np.linspace(0.0, 0.3, 21)
     for name, places, share in (("shear", x[[0, -1]], 4e-3), ("moment", x, 1e-3), ("stress", x, 1e-3)):
         true = getattr(many, name)(time, places)
-        share = 5e-4 if theory == "euler-bernoulli" else share  # no shear waves, which nothing slow tells
+        share = 5e-4 if theory == "euler-bernoulli" else share  # no shear waves, which nothing slow shows
         whole = np.abs(many.shear(time, x)).max() if name == "shear" else np.abs(true).max()
         assert np.abs(getattr(few, name)(time, places) - true).max() < share * whole
 
@@ -242,7 +242,7 @@ def test_energy_is_never_created(law, support, theory, modes, softness, mass, at
 
 
 @pytest.mark.parametrize("theory", THEORIES)
-def test_a_light_mass_in_rigid_contact_is_doubted_until_the_modes_give_way(theory):
+def test_a_light_mass_in_rigid_contact_gets_a_note_until_the_modes_give_way(theory):
     """With modes heavier than the mass it rebounds in one impulse, the faster the fewer: waves nearly stop it."""
     light = struck_beam(60.0, RIGID, support="clamped-clamped", at=0.3, theory=theory)
     few, many = (Modal(modes=count).solve(light, 3e-5) for count in (10, 160))
@@ -266,8 +266,8 @@ def test_a_free_end_slows_down_a_mass_in_sixteen_times_the_time(support):
     assert middle.halting_time == approx(2.0 * mass**2 / (np.pi * beside), rel=1e-9)
 
 
-def test_a_contact_of_few_steps_is_doubted():
-    """A grain on a long beam: it must rebound as from a half-space, which no few steps tell."""
+def test_a_contact_of_few_steps_gets_a_note():
+    """A grain on a long beam: it must rebound as from a half-space, which few steps do not show."""
     sphere = {"kind": "sphere", "radius": 2e-4, "velocity": 1.0, "material": STEEL_BEAM["material"]}
     law = {"law": "plastic-power", "yield_indentation": 5e-9}
     scene = struck_beam(1.0, law, support="pinned-pinned", length=3.0).replace({"impactor": sphere})

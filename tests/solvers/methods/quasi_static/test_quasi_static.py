@@ -152,8 +152,8 @@ def test_field_is_a_straight_line():
 
 def test_against_the_waves():
     """Thesis 5.4: for equal masses the peak is half that of the waves, 0.46831; a heavy impactor feels a spring."""
-    found, truth = QuasiStatic(model="structural-massless").solve(struck_rod(1.0)), Waves().solve(struck_rod(1.0))
-    assert found.peak_force / truth.peak_force == approx(0.4683105308334812, rel=1e-6)
+    found, reference = QuasiStatic(model="structural-massless").solve(struck_rod(1.0)), Waves().solve(struck_rod(1.0))
+    assert found.peak_force / reference.peak_force == approx(0.4683105308334812, rel=1e-6)
     assert found.peak_force == approx(SIGMA0_AREA, rel=1e-9)
     heavy = QuasiStatic(model="structural-massless").solve(struck_rod(0.1))
     fronts = Waves().solve(struck_rod(0.1)).peak_force  # figure 5.11: their steps stand on the half sine
@@ -161,10 +161,12 @@ def test_against_the_waves():
     assert heavy.peak_force / fronts == approx(0.776271, abs=1e-6)  # recomputed
     errors = []
     for beta in (0.1, 0.01, 0.001):
-        found, truth = QuasiStatic().solve(struck_rod(beta)), Waves().solve(struck_rod(beta))
-        errors.append(abs(found.impactor_velocity - truth.impactor_velocity))
-        assert found.contacts[0].end == approx(truth.contacts[-1].end, rel=0.1)
-        assert found.peak_force == approx(truth.peak_force, rel=2.0 * math.sqrt(beta))  # fronts on top of a half sine
+        found, reference = QuasiStatic().solve(struck_rod(beta)), Waves().solve(struck_rod(beta))
+        errors.append(abs(found.impactor_velocity - reference.impactor_velocity))
+        assert found.contacts[0].end == approx(reference.contacts[-1].end, rel=0.1)
+        assert found.peak_force == approx(
+            reference.peak_force, rel=2.0 * math.sqrt(beta)
+        )  # fronts on top of a half sine
     assert errors[0] < 0.01 and errors[2] < 0.001
 
 
@@ -244,7 +246,7 @@ def test_accounts_of_a_bent_beam(beam, model):
     )
 
 
-def test_bent_beams_are_doubted_with_numbers():
+def test_bent_beams_get_a_note_with_numbers():
     heavy = QuasiStatic().solve(struck_beam(0.1, RIGID))
     assert heavy.notes == []
     alike = QuasiStatic().solve(struck_beam(1.0, RIGID))
@@ -261,7 +263,7 @@ def test_bent_beams_are_doubted_with_numbers():
     assert speck.notes == []
 
 
-def test_the_vibration_that_a_local_blow_leaves_is_what_a_modal_one_loses():
+def test_the_vibration_that_a_local_impact_leaves_is_what_a_modal_one_loses():
     """Of the 50 g of thesis 8.4.4 on a Hertzian contact: the estimate by the force on a half-space is near."""
     scene = struck_beam(STEEL_ROD_MASS / 0.02)
     note = QuasiStatic(model="local").solve(scene).notes[0]
@@ -270,7 +272,7 @@ def test_the_vibration_that_a_local_blow_leaves_is_what_a_modal_one_loses():
     assert share == approx(lost, rel=0.5)
 
 
-def test_local_blows_on_beams_feel_the_mass_where_they_strike():
+def test_local_impacts_on_beams_feel_the_mass_where_they_strike():
     """Free and struck beside its centre: 1 / (1 / m + d^2 / J); on a pin J / x^2."""
     for beam, felt in (
         ({"support": "free-free", "at": 0.9}, 1.0 / 2.92),
@@ -433,7 +435,7 @@ def test_work_of_loading_is_that_of_the_law_to_rounding(law, energy):
     assert np.array(work) + 0.5 * MASS * found.rate[rising] ** 2 == approx(energy, rel=1e-12)
 
 
-def test_plastic_blow_leaves_a_dent():
+def test_plastic_impact_leaves_a_dent():
     law = PlasticLinear(2e10, 1e-5)
     found = QuasiStatic().solve(two_masses(law))
     assert found.residual_indentation == approx(law.dent(found.peak_indentation), rel=1e-12)
@@ -449,8 +451,8 @@ def test_damped_law_delivers_its_restitution(restitution):
     found = damped_collision(law, MASS, SPEED, 1e-4)
     assert -found.rate[-1] / SPEED == approx(restitution, abs=1e-10)
     assert found.lost[-1] / (0.5 * MASS * SPEED**2) == approx(1.0 - restitution**2, abs=1e-10)
-    blow = QuasiStatic().solve(two_masses(law, target="stop"))
-    assert blow.diagnostics["delivered_restitution"] == approx(restitution, abs=1e-10)
+    impact = QuasiStatic().solve(two_masses(law, target="stop"))
+    assert impact.diagnostics["delivered_restitution"] == approx(restitution, abs=1e-10)
 
 
 @pytest.mark.parametrize("law", [law for law in solvers.LAWS if law != "rigid"])
@@ -475,14 +477,14 @@ def test_every_law_between_compact_bodies(law, target):
 # -- which model, and refusals ----------------------------------------------------------------------------------------
 
 
-def test_a_contact_that_waves_outrun_is_doubted():
+def test_a_contact_that_waves_outrun_gets_a_note():
     """The ball of thesis 10.2 loses two thirds of its energy to waves; a speck next to none."""
-    blow = QuasiStatic().solve(bronze_rod())
-    assert "0.19 round trips" in str(blow.notes[0])
+    impact = QuasiStatic().solve(bronze_rod())
+    assert "0.19 round trips" in str(impact.notes[0])
     lighter = bronze_rod().replace({"impactor.mass": 1e-3})
     assert "6% of the energy" in str(QuasiStatic().solve(lighter).notes[0])
     assert 1.0 - Waves().solve(lighter).restitution["newton"] ** 2 == approx(0.06, abs=0.005)
-    assert Waves().solve(bronze_rod()).restitution["newton"] < 0.6 < blow.restitution["newton"]
+    assert Waves().solve(bronze_rod()).restitution["newton"] < 0.6 < impact.restitution["newton"]
     assert QuasiStatic().solve(bronze_rod().replace({"impactor.mass": 1e-7})).notes == []
     assert "Masses alike" in str(QuasiStatic().solve(struck_rod(1.0)).notes[0])
     (note,) = QuasiStatic().solve(struck_rod(0.05)).notes
@@ -491,9 +493,9 @@ def test_a_contact_that_waves_outrun_is_doubted():
 
 def test_a_heavy_rod_is_not_structural_and_said_so():
     """A hundred times the mass: waves stop it in m / Z = T / 200, and next to nothing comes back."""
-    found, truth = QuasiStatic().solve(struck_rod(100.0)), Waves().solve(struck_rod(100.0))
+    found, reference = QuasiStatic().solve(struck_rod(100.0)), Waves().solve(struck_rod(100.0))
     assert "100 times as heavy" in str(found.notes[0]) and "0.005 round trips" in str(found.notes[0])
-    assert abs(found.impactor_velocity - truth.impactor_velocity) > 0.02
+    assert abs(found.impactor_velocity - reference.impactor_velocity) > 0.02
 
 
 def test_a_damped_contact_leaves_no_dent():
@@ -550,10 +552,10 @@ def test_duration_may_end_inside_the_contact(scene):
 
 
 @pytest.mark.parametrize("target", ["rod", "beam"])
-def test_a_held_body_that_gives_way_as_a_spring_is_told(target):
+def test_a_held_body_that_gives_way_as_a_spring_is_reported(target):
     local = solvers.METHODS["quasi-static"].read({"model": "local"})
 
-    def told(stiffness: float) -> tuple[bool, float]:
+    def reported(stiffness: float) -> tuple[bool, float]:
         law = {"law": "linear", "stiffness": stiffness}
         scene = struck_rod(0.01, "fixed", law) if target == "rod" else struck_beam(0.02, law)
         found = local.solve(scene)
@@ -562,5 +564,5 @@ def test_a_held_body_that_gives_way_as_a_spring_is_told(target):
 
     own = struck_rod().target.stiffness if target == "rod" else 3.0 * 14175.0 / 0.3**3
     for softness, doubted in ((2.0, True), (5000.0, False)):
-        said, peak = told(own / softness)
+        said, peak = reported(own / softness)
         assert said == doubted == (peak > 1.02)

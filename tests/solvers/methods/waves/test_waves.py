@@ -126,7 +126,7 @@ def test_a_tiny_mass_is_stopped_and_thrown_back_by_the_first_echo():
 # --- an independent integration ---------------------------------------------------------------------------------------
 
 
-def reference_blow_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], float]:
+def reference_impact_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], float]:
     """Contacts (start, end) / T and final velocity / v, by the method of steps with DOP853.
 
     Touching: v1' = -2 beta (v1 + 2 s_in), s = v1 + s_in; apart: gap' = v1 + 2 s_in, s = -s_in; s_in(t) = s(t - 1).
@@ -185,7 +185,7 @@ def reference_blow_on_a_fixed_rod(beta: float) -> tuple[list[list[float]], float
 @pytest.mark.slow
 @pytest.mark.parametrize("beta", [0.1, 0.4, 0.75, 1.0, 1.3, 2.0, 3.0, 4.5, 6.0])
 def test_fixed_rod_against_an_independent_integration(beta):
-    contacts, final = reference_blow_on_a_fixed_rod(beta)
+    contacts, final = reference_impact_on_a_fixed_rod(beta)
     solution = Waves().solve(struck_rod(beta, "fixed"))
     found = [(contact.start / T, contact.end / T) for contact in solution.contacts]
     assert np.array(found) == approx(np.array(contacts), abs=1e-9)
@@ -194,7 +194,7 @@ def test_fixed_rod_against_an_independent_integration(beta):
 
 def test_the_independent_integration_sees_second_contacts():
     """Else the comparison above would say nothing about them."""
-    assert {len(reference_blow_on_a_fixed_rod(beta)[0]) for beta in (0.4, 1.0)} == {1, 2}
+    assert {len(reference_impact_on_a_fixed_rod(beta)[0]) for beta in (0.4, 1.0)} == {1, 2}
 
 
 def reference_first_contact(scene: Scene) -> tuple[float, float, float]:
@@ -310,11 +310,11 @@ def test_the_bodies_only_push(support, mass_ratio):
 def test_a_law_accounts_for_all_energy(law, support, mass_ratio, softness, restitution):
     scene = struck_rod(mass_ratio, support, contact_table(law, softness, restitution))
     solution = Waves(tolerance=1e-9).solve(scene)
-    told = solution.diagnostics["estimated_error"]
-    if told > 1e-9:  # rarely, and then it is said
+    reported = solution.diagnostics["estimated_error"]
+    if reported > 1e-9:  # rarely, and then it is said
         assert any("instead of 1e-10" in str(note) for note in solution.notes)
-    assert abs(solution.diagnostics["energy_error"]) <= max(told, 1e-9)
-    assert abs(solution.diagnostics["momentum_error"]) <= max(told, 1e-9)
+    assert abs(solution.diagnostics["energy_error"]) <= max(reported, 1e-9)
+    assert abs(solution.diagnostics["momentum_error"]) <= max(reported, 1e-9)
     assert solution.energy["dissipated"] >= -1e-9 * solution.energy["initial"]
     if not LAWS[law].LOSSY and not LAWS[law].PLASTIC:
         assert solution.energy["dissipated"] == approx(0.0, abs=1e-9 * solution.energy["initial"])
@@ -507,7 +507,7 @@ def test_stepped_waves_are_second_order(beta):
     counts = np.array([64, 128, 256, 512, 1024])
     errors = [error(int(n)) for n in counts]
     assert np.polyfit(np.log(1.0 / counts), np.log(errors), 1)[0] == approx(2.0, abs=0.3)
-    # 1 % of what the blow exchanges at 64 steps a round trip, falling with the square of the step
+    # 1 % of what the impact exchanges at 64 steps a round trip, falling with the square of the step
     assert errors[-1] < 0.01 * (64 / 1024) ** 2
 
 
@@ -594,7 +594,7 @@ def test_order_helper_measures_an_order():
     assert observed_order(lambda h: 3.0 + 2.0 * h**2, [0.1, 0.05, 0.025, 0.0125]) == approx(2.0, abs=1e-9)
 
 
-def test_a_stepped_blow_is_as_long_as_it_lasts_however_long_that_is():
+def test_a_stepped_impact_is_as_long_as_it_lasts_however_long_that_is():
     for beta in (1e-3, 1.0):  # a mass far heavier than the rod pushes on for a thousand round trips
         exact, stepped = (Waves(steps=steps).solve(struck_rod(beta)) for steps in (None, 100_000))
         assert stepped.contacts[-1].end == approx(exact.contacts[-1].end, rel=1e-3)

@@ -58,7 +58,7 @@ def test_no_mode_is_missed_and_none_found_twice(support, mass, length, terms, co
 
 
 def test_pinned_ends_have_two_spectra_and_pure_shear():
-    """At the cut-off all sections turn alike and nothing moves across, so no blow moves it; missed if n starts at 1."""
+    """At the cut-off all sections turn alike and nothing moves across, so no impact moves it: n starts at 0."""
     modes = beam_modes(THICK, "pinned-pinned", 0.1, 40)
     shear = int(np.argmin(np.abs(modes.frequencies - THICK.cut_off)))
     assert modes.frequencies[shear] == approx(THICK.cut_off, rel=1e-15)

@@ -191,7 +191,7 @@ def test_few_modes_of_many_elements_are_those_found_all_at_once(line, support):
     assert few.rigid_mass == all_of_them.rigid_mass
 
 
-def test_what_a_blow_feels_of_the_motion_as_a_whole():
+def test_what_an_impact_feels_of_the_motion_as_a_whole():
     mass, length = 2.133, EULER.length
     for at, felt in ((0.5, mass), (1.0, mass / 4.0), (0.25, 1.0 / (1.0 / mass + 0.25**2 * 12.0 / mass))):
         assert beam_mesh(EULER, "free-free", at * length, 8).rigid_mass == approx(felt, rel=1e-10)
