@@ -26,7 +26,7 @@ from .contact import LAWS, Rigid
 from .contact.duration import contact_time
 from .contact.protocol import Law
 from .numerics.rigid import impulses
-from .validation import SceneError
+from .validation import SceneError, allowed
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
@@ -59,7 +59,7 @@ class Scene:
         """
         given = validation.table("", given, ("title", "source", "note", "impactor", "target", "contact", "method"))
         for part in ("impactor", "target"):
-            validation.required("", given, part, "a table")
+            validation.required("", given, part, allowed("a-table"))
         impactor, target = read_body("impactor", given["impactor"]), read_body("target", given["target"])
         normal = _read_normal(impactor, target, given.get("contact"))
         if isinstance(impactor, Pulse):
@@ -70,7 +70,7 @@ class Scene:
             _check_masses(impactor, target)
         method = given.get("method", {})
         if not isinstance(method, Mapping):
-            raise SceneError("method", method, "a table with the name of a method, its options and duration")
+            raise SceneError("method", method, allowed("method-table"))
         return cls(
             impactor,
             target,
@@ -100,7 +100,7 @@ class Scene:
             for name in path:
                 table = table.setdefault(name, {})
                 if not isinstance(table, dict):
-                    raise SceneError(key, value, f"no key inside {name}, which is not a table")
+                    raise SceneError(key, value, allowed("no-table", name=name))
             table[last] = value
         return Scene.from_table(tables)
 
@@ -197,17 +197,16 @@ class Scene:
 def _on_rod(pulse: Pulse, target: AnyBody, contact: object) -> Pulse:
     """A prescribed force, which needs a rod to act on and no contact."""
     if not isinstance(target, Waveguide):
-        raise SceneError("target.kind", target.kind, "'rod' or 'rods': a pulse acts on the end of a rod")
+        raise SceneError("target.kind", target.kind, allowed("pulse-on-rod"))
     if contact is not None and contact != {"law": "rigid"}:
-        raise SceneError("contact", contact, "nothing: a pulse is a force, whatever the contact")
+        raise SceneError("contact", contact, allowed("no-contact"))
     return pulse.on(target.impedance)
 
 
 def _check_approach(impactor: AnyBody, target: AnyBody) -> None:
     """The bodies must come closer."""
     if impactor.velocity - target.velocity < SPEED_RANGE[0]:
-        allowed = f"less than the impactor's {impactor.velocity:g} m/s: the bodies must approach each other"
-        raise SceneError("target.velocity", target.velocity, allowed)
+        raise SceneError("target.velocity", target.velocity, allowed("approach", velocity=impactor.velocity))
 
 
 def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
@@ -215,8 +214,7 @@ def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
     ratio = target.mass / impactor.mass
     if not 1.0 / LARGEST_MASS_RATIO <= ratio <= LARGEST_MASS_RATIO and ratio != math.inf:
         low, high = target.mass / LARGEST_MASS_RATIO, target.mass * LARGEST_MASS_RATIO
-        allowed = f"{low:.3g} to {high:.3g} kg for this target: one then does not feel the other"
-        raise SceneError("impactor.mass", impactor.mass, allowed)
+        raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", low=low, high=high))
 
 
 def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[float, float, float] | None:
@@ -224,12 +222,12 @@ def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[f
     if not isinstance(impactor, Body) and not isinstance(target, Body):
         return None
     if not isinstance(impactor, Body):
-        raise SceneError("impactor.kind", impactor.kind, "'body': a body in space is struck by one")
+        raise SceneError("impactor.kind", impactor.kind, allowed("body-strikes"))
     if not isinstance(target, Body) and (not isinstance(target, Wall) or target.endless):
-        raise SceneError("target.kind", target.kind, "'body' or 'stop': what a body in space can strike")
+        raise SceneError("target.kind", target.kind, allowed("body-or-stop"))
     contact = validation.table("contact", {} if contact is None else contact, ("law", "normal"))
-    needed = "three numbers: the direction from the impactor to the target where they touch"
-    normal = read_normal("contact.normal", validation.required("contact", contact, "normal", needed))
+    given = validation.required("contact", contact, "normal", allowed("normal"))
+    normal = read_normal("contact.normal", given)
     check_struck("impactor", impactor, normal)
     check_struck("target", target, normal)
     return normal
@@ -238,7 +236,7 @@ def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[f
 def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spatial: bool = False) -> Law:
     """The contact law of two bodies from a table with the key law; bodies in space meet in one impulse."""
     if not isinstance(given, Mapping):
-        raise SceneError(key, given, "a table with the key law")
+        raise SceneError(key, given, allowed("law-table"))
     law: Any = LAWS[validation.choice(f"{key}.law", given.get("law", "rigid"), ("rigid",) if spatial else LAWS)]
     validation.table(key, given, ("law", *law.KEYS, *(("normal",) if spatial else ())))
     try:

@@ -9,7 +9,7 @@ from .methods import METHODS, usual_method
 from .methods.base import Method
 from .scene import Scene
 from .solution.solution import Solution
-from .validation import SceneError
+from .validation import SceneError, allowed
 
 CHOICES: dict[str, type[Method]] = {**METHODS, Auto.NAME: Auto}
 
@@ -40,7 +40,7 @@ def solve(scene: Scene, method: str | Method | None = None, duration: float | No
     table.pop("duration", None)
     if isinstance(method, Method):
         if options:
-            raise SceneError("method", options, "no options beside a method object; give them to the object")
+            raise SceneError("method", options, allowed("options-of-object"))
         return method.solve_in_full(scene, duration)
     if method is not None and method != (table.get("name") or usual_method(scene)):
         table = {"name": method}

@@ -10,11 +10,15 @@ from .text.notes import Note, Severity
 class SceneError(ValueError):
     """A value that cannot be used: which key, what it got, what is allowed."""
 
-    def __init__(self, key: str, value: object, allowed: str | Note):
+    def __init__(self, key: str, value: object, reason: str | Note):
         self.key, self.value = key, value
-        self.reason = allowed if isinstance(allowed, Note) else _allowed("other", allowed=allowed)
-        self.allowed = str(self.reason)
-        super().__init__(f"{key}: got {shown(value)}; allowed: {allowed}")
+        self.reason = reason if isinstance(reason, Note) else allowed("other", allowed=reason)
+        super().__init__(f"{key}: got {shown(value)}; allowed: {self.reason}")
+
+    @property
+    def allowed(self) -> str:
+        """What is allowed, in words."""
+        return str(self.reason)
 
 
 def shown(value: object) -> str:
@@ -32,25 +36,31 @@ def refused(error: SceneError) -> Note:
     return Note("refusals.value", Severity.REFUSAL, **values)
 
 
-def _allowed(code: str, **values: Any) -> Note:
+def allowed(code: str, **values: Any) -> Note:
+    """What may be given, by a code of `solvers/text/en/allowed.toml`."""
     return Note(f"allowed.{code}", Severity.REFUSAL, **values)
 
 
-def number(key: str, value: object, low: float, high: float, unit: str = "") -> float:
+def a_number(low: float, high: float, unit: str = "", inside: str = "nothing") -> Note:
+    """That a number in [low, high] is allowed; `inside` the rod or the record, if those are its bounds."""
+    return allowed("number", low=low, high=high, unit=unit or "none", inside=inside)
+
+
+def number(key: str, value: object, low: float, high: float, unit: str = "", inside: str = "nothing") -> float:
     """A finite number in [low, high]."""
     try:
         checked = float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else math.nan
     except OverflowError:
         checked = math.inf
     if not math.isfinite(checked) or not low <= checked <= high:
-        raise SceneError(key, value, _allowed("number", low=low, high=high, unit=unit or "none"))
+        raise SceneError(key, value, a_number(low, high, unit, inside))
     return checked
 
 
 def whole_number(key: str, value: object, low: int, high: int) -> int:
     """A whole number in [low, high]."""
     if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-        raise SceneError(key, value, _allowed("whole-number", low=low, high=high))
+        raise SceneError(key, value, allowed("whole-number", low=low, high=high))
     return value
 
 
@@ -58,14 +68,14 @@ def choice(key: str, value: object, options: Iterable[str]) -> str:
     """One of a few words."""
     options = tuple(options)
     if not isinstance(value, str) or value not in options:
-        raise SceneError(key, value, _allowed("choice", options=list(options)))
+        raise SceneError(key, value, allowed("choice", options=list(options)))
     return value
 
 
 def text(key: str, value: object, longest: int = 300) -> str:
     """A line of text."""
     if not isinstance(value, str) or len(value) > longest:
-        raise SceneError(key, value, _allowed("text", longest=longest))
+        raise SceneError(key, value, allowed("text", longest=longest))
     return value
 
 
@@ -73,16 +83,21 @@ def table(key: str, value: object, keys: Iterable[str]) -> Mapping[str, Any]:
     """A table with no other keys than these."""
     keys = tuple(keys)
     if not isinstance(value, Mapping):
-        raise SceneError(key, value, _allowed("table", keys=", ".join(keys)))
+        raise SceneError(key, value, allowed("table", keys=", ".join(keys)))
     for name in value:
         if name not in keys:
             full = f"{key}.{name}" if key else str(name)
-            raise SceneError(full, value[name], _allowed("key", keys=", ".join(keys)))
+            raise SceneError(full, value[name], allowed("key", keys=", ".join(keys)))
     return value
 
 
-def required(key: str, given: Mapping[str, Any], name: str, allowed: str) -> object:
+def required(key: str, given: Mapping[str, Any], name: str, what: Note) -> object:
     """The value of a key that must be there."""
     if name not in given:
-        raise SceneError(f"{key}.{name}" if key else name, None, _allowed("missing-key", what=allowed))
+        raise SceneError(f"{key}.{name}" if key else name, None, allowed("missing-key", what=what.table()))
     return given[name]
+
+
+def required_number(key: str, given: Mapping[str, Any], name: str, low: float, high: float, unit: str = "") -> float:
+    """A finite number in [low, high] that must be there."""
+    return number(f"{key}.{name}", required(key, given, name, a_number(low, high, unit)), low, high, unit)

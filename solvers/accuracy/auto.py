@@ -23,7 +23,7 @@ ASKABLE = tuple(name for name in QUANTITIES if name not in ("energy", "resolved-
 def _methods(key: str, value: object) -> tuple[str, ...]:
     """A list of names of methods."""
     if not isinstance(value, (list, tuple)) or not value:
-        raise validation.SceneError(key, value, "a list of methods: " + ", ".join(METHODS))
+        raise validation.SceneError(key, value, validation.allowed("methods", names=list(METHODS)))
     return tuple(validation.choice(key, name, METHODS) for name in value)
 
 

@@ -5,7 +5,7 @@ from typing import Any
 from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
 from ..scene import Scene
 from ..solution.solution import Solution
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 # Where no exact solution is known; usual: more than any method beside it keeps. With fewer, 'modal' with as many modes
 # seems exact. Orders in the number of modes: `tests/solvers/methods/test_orders.py`.
@@ -49,13 +49,11 @@ def exact_solution(scene: Scene, restitution: float) -> Solution:
     beams, of which no exact solution is known.
     """
     if scene.bends:
-        raise SceneError(
-            "target.kind", scene.target.kind, "a body other than a beam, whose impact has no exact solution"
-        )
+        raise SceneError("target.kind", scene.target.kind, allowed("not-bending"))
     for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
             return method.solve_in_full(scene, scene.method.get("duration"))
-    raise SceneError("method.name", None, "a scene that some method can solve")
+    raise SceneError("method.name", None, allowed("solvable"))
 
 
 def modes_beside(scene: Scene, shown: Solution) -> Solution | None:

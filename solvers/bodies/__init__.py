@@ -64,6 +64,6 @@ def read_body(key: str, given: object) -> AnyBody:
     """A body from the table `[impactor]` or `[target]` of a scene file, by its `kind`. Raises SceneError."""
     kinds, usual = (IMPACTORS, "mass") if key == "impactor" else (TARGETS, "rod")
     if not isinstance(given, Mapping):
-        raise validation.SceneError(key, given, "a table with kind and what that kind needs")
+        raise validation.SceneError(key, given, validation.allowed("kind-table"))
     kind = validation.choice(f"{key}.kind", given.get("kind", usual), kinds)
     return kinds[kind].read(key, given)

@@ -18,7 +18,7 @@ from ..numerics.modes import Modes
 from ..text.notes import Note, Severity
 from ..validation import SceneError
 from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
-from .material import Material, read_material, read_radius
+from .material import LENGTH_RANGE, Material, read_radius, required_material
 from .protocol import AnyBody
 from .sections import Section, section_of_bar
 
@@ -111,8 +111,8 @@ class Beam(Bending):
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> "Beam":
         given = validation.table(key, given, cls.KEYS)
-        length = validation.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
-        material = validation.required(key, given, "material", "a name or a table with young and density")
+        length = validation.required_number(key, given, "length", *LENGTH_RANGE, "m")
+        material = required_material(key, given)
         if key == "impactor":
             support = validation.choice("impactor.support", given.get("support", "free-free"), ("free-free",))
             velocity = read_impact_velocity(given)
@@ -120,11 +120,11 @@ class Beam(Bending):
             support = validation.choice("target.support", given.get("support", "cantilever"), SUPPORTS)
             velocity = read_target_velocity(given)
             if velocity != 0.0 and support != "free-free":
-                raise SceneError("target.velocity", velocity, '0, or support = "free-free": what is held does not move')
+                raise SceneError("target.velocity", velocity, validation.allowed("still", support=["free-free"]))
         return cls(
-            validation.number(f"{key}.length", length, 1e-6, 1e6, "m"),
+            length,
             _read_section(key, given),
-            read_material(f"{key}.material", material),
+            material,
             support,
             validation.choice(f"{key}.theory", given.get("theory", "euler-bernoulli"), THEORIES),
             _read_place(key, given, support),
@@ -272,8 +272,7 @@ def _modes(line: BeamLine, support: str, place: float, count: int, end_mass: flo
 def _read_section(key: str, given: Mapping[str, Any]) -> Section:
     section = section_of_bar(key, given)
     if section.second_moment is None:
-        allowed = "a number of m4 beside the area: a beam bends (or give width and height, or radius)"
-        raise SceneError(f"{key}.section.second_moment", None, allowed)
+        raise SceneError(f"{key}.section.second_moment", None, validation.allowed("second-moment"))
     return section
 
 
@@ -288,7 +287,7 @@ def _read_place(key: str, given: Mapping[str, Any], support: str) -> float:
     at = validation.number(f"{key}.at", given.get("at", USUAL_PLACES.get(support, 0.5)), 0.0, 1.0)
     first, last = free_places(support)
     if not first <= at <= last:
-        raise SceneError(f"{key}.at", at, f"a fraction of the length from {first:g} to {last:g}: elsewhere it is held")
+        raise SceneError(f"{key}.at", at, validation.allowed("free-place", low=first, high=last))
     return at
 
 
@@ -296,5 +295,6 @@ def _read_end_mass(key: str, given: Mapping[str, Any], support: str) -> float:
     if "end_mass" not in given:
         return 0.0
     if support != "cantilever":
-        raise SceneError(f"{key}.end_mass", given["end_mass"], 'nothing here, or support = "cantilever"')
+        reason = validation.allowed("only-with", key="support", value=["cantilever"])
+        raise SceneError(f"{key}.end_mass", given["end_mass"], reason)
     return validation.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")

@@ -9,7 +9,7 @@ from .. import validation
 from ..numerics.elements.mesh import Mesh, point_mesh
 from ..numerics.modes import Modes, one_mode, rigid_body
 from ..validation import SceneError
-from .material import MATERIALS, Material, read_material, read_radius
+from .material import LENGTH_RANGE, MATERIALS, Material, read_material, read_radius, required_material
 from .protocol import Lumped
 
 MASS_RANGE = (1e-12, 1e12)  # kg
@@ -18,8 +18,7 @@ SPEED_RANGE = (1e-9, 1e6)  # m/s, of an approach
 
 def read_impact_velocity(given: Mapping[str, Any]) -> float:
     """`impactor.velocity`, which cannot be left out."""
-    velocity = validation.required("impactor", given, "velocity", "a number from 1e-09 to 1e+06 m/s")
-    return validation.number("impactor.velocity", velocity, *SPEED_RANGE, "m/s")
+    return validation.required_number("impactor", given, "velocity", *SPEED_RANGE, "m/s")
 
 
 def read_target_velocity(given: Mapping[str, Any]) -> float:
@@ -47,13 +46,15 @@ class RigidMass(Lumped):
         material = read_material(f"{key}.material", given.get("material", "steel"))
         radius = read_radius(f"{key}.radius", given.get("radius"))
         if kind == "sphere" and radius is None:
-            raise SceneError(f"{key}.radius", None, "a number from 1e-06 to 1e+06 m: a sphere needs its radius")
-        if "mass" in given:
-            mass = validation.number(f"{key}.mass", given["mass"], *MASS_RANGE, "kg")
-        elif kind == "sphere":
+            raise SceneError(
+                f"{key}.radius",
+                None,
+                validation.allowed("sphere-radius", what=validation.a_number(*LENGTH_RANGE, "m").table()),
+            )
+        if kind == "sphere" and "mass" not in given:
             mass = 4.0 / 3.0 * math.pi * radius**3 * material.density
         else:
-            raise SceneError(f"{key}.mass", None, "a number from 1e-12 to 1e+12 kg (the key is missing)")
+            mass = validation.required_number(key, given, "mass", *MASS_RANGE, "kg")
         velocity = read_impact_velocity(given) if key == "impactor" else read_target_velocity(given)
         return cls(kind, mass, velocity, radius, material)
 
@@ -85,11 +86,9 @@ class SpringMass(Lumped):
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> "SpringMass":
         given = validation.table(key, given, cls.KEYS)
-        mass = validation.required(key, given, "mass", "a number from 1e-12 to 1e+12 kg")
-        stiffness = validation.required(key, given, "stiffness", "a number from 1e-06 to 1e+20 N/m")
         return cls(
-            validation.number(f"{key}.mass", mass, *MASS_RANGE, "kg"),
-            validation.number(f"{key}.stiffness", stiffness, 1e-6, 1e20, "N/m"),
+            validation.required_number(key, given, "mass", *MASS_RANGE, "kg"),
+            validation.required_number(key, given, "stiffness", 1e-6, 1e20, "N/m"),
             read_radius(f"{key}.radius", given.get("radius")),
             read_material(f"{key}.material", given.get("material", "steel")),
         )
@@ -136,7 +135,7 @@ class Wall(Lumped):
         given = validation.table(key, given, cls.KEYS)
         kind = str(given["kind"])
         if kind == "half-space":
-            validation.required(key, given, "material", "a name or a table with young and density")
+            required_material(key, given)
         material = given.get("material")
         return cls(
             kind,

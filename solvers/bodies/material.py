@@ -1,8 +1,12 @@
 """Materials: linear elastic, homogeneous, perhaps with a yield strength for the contact laws that need one."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from .. import validation
+
+LENGTH_RANGE = (1e-6, 1e6)  # m, of bodies and of radii
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,7 @@ def read_material(key: str, given: object) -> Material:
     if isinstance(given, str):
         return MATERIALS[validation.choice(key, given, MATERIALS)]
     given = validation.table(key, given, ("young", "density", "poisson", "yield"))
-    needed = "a number; or give a material by name: " + ", ".join(MATERIALS)
+    needed = validation.allowed("material-constant", names=list(MATERIALS))
     yields = given.get("yield")
     return Material(
         validation.number(f"{key}.young", validation.required(key, given, "young", needed), 1e3, 1e13, "Pa"),
@@ -50,6 +54,12 @@ def read_material(key: str, given: object) -> Material:
     )
 
 
+def required_material(key: str, given: Mapping[str, Any]) -> Material:
+    """The material of a body that must have one. Raises SceneError."""
+    material = validation.required(key, given, "material", validation.allowed("material"))
+    return read_material(f"{key}.material", material)
+
+
 def read_radius(key: str, given: object) -> float | None:
     """Radius of curvature at the contact [m], or None for a flat face."""
-    return None if given is None else validation.number(key, given, 1e-6, 1e6, "m")
+    return None if given is None else validation.number(key, given, *LENGTH_RANGE, "m")

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .protocol import AnyBody
 
 SHAPES = ("rectangle", "triangle", "half-sine", "trapezoid")
 MAX_POINTS = 2_000
 SINE_POINTS = 65  # straight lines in a half sine; they miss at most 3e-4 of its peak
+LEAST_FORCE = 1e-9  # [N]; smaller, and nothing happens
 
 
 @dataclass(frozen=True)
@@ -43,15 +44,13 @@ class Pulse(AnyBody):
         if "points" in given:
             for name in ("shape", "force", "duration", "rise"):
                 if name in given:
-                    raise SceneError(f"{key}.{name}", given[name], "nothing beside points")
+                    raise SceneError(f"{key}.{name}", given[name], allowed("nothing-beside", other="points"))
             return cls(*_read_points(f"{key}.points", given["points"]))
         shape = validation.choice(f"{key}.shape", given.get("shape", "rectangle"), SHAPES)
-        force = validation.required(key, given, "force", "a number from 1e-09 to 1e+15 N")
-        force = validation.number(f"{key}.force", force, 1e-9, 1e15, "N")
-        duration = validation.required(key, given, "duration", "a number from 1e-09 to 10 s")
-        duration = validation.number(f"{key}.duration", duration, 1e-9, 10.0, "s")
+        force = validation.required_number(key, given, "force", LEAST_FORCE, 1e15, "N")
+        duration = validation.required_number(key, given, "duration", 1e-9, 10.0, "s")
         if "rise" in given and shape != "trapezoid":
-            raise SceneError(f"{key}.rise", given["rise"], 'nothing here, or shape = "trapezoid"')
+            raise SceneError(f"{key}.rise", given["rise"], allowed("only-with", key="shape", value=["trapezoid"]))
         rise = validation.number(f"{key}.rise", given.get("rise", 0.1 * duration), 0.0, 0.5 * duration, "s")
         times, shares = _shape(shape, duration, rise)
         return cls(tuple(times), tuple(force * share for share in shares))
@@ -83,17 +82,17 @@ def _shape(shape: str, duration: float, rise: float) -> tuple[list[float], list[
 
 
 def _read_points(key: str, given: object) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    allowed = f"2 to {MAX_POINTS} pairs [time in s, force in N >= 0], times from 0 and never going back"
+    pairs = allowed("force-points", most=MAX_POINTS)
     if not isinstance(given, list) or not 2 <= len(given) <= MAX_POINTS:
-        raise SceneError(key, given, allowed)
+        raise SceneError(key, given, pairs)
     times, forces = [], []
     for number, point in enumerate(given, 1):
         if not isinstance(point, list) or len(point) != 2:
-            raise SceneError(f"{key}[{number}]", point, allowed)
+            raise SceneError(f"{key}[{number}]", point, pairs)
         times.append(validation.number(f"{key}[{number}]", point[0], 0.0, 10.0, "s"))
         forces.append(validation.number(f"{key}[{number}]", point[1], 0.0, 1e15, "N"))
     if times[0] != 0.0 or any(b < a for a, b in pairwise(times)) or times[-1] < 1e-9:
-        raise SceneError(key, given, allowed)
-    if max(forces) < 1e-9:
-        raise SceneError(key, given, "a force that is somewhere at least 1e-09 N")
+        raise SceneError(key, given, pairs)
+    if max(forces) < LEAST_FORCE:
+        raise SceneError(key, given, allowed("some-force", least=LEAST_FORCE))
     return tuple(times), tuple(forces)

@@ -8,7 +8,8 @@ import numpy as np
 
 from .. import validation
 from ..numerics.rigid import impulses
-from ..validation import SceneError
+from ..text.notes import Note
+from ..validation import SceneError, allowed
 from .lumped import MASS_RANGE, SPEED_RANGE
 from .protocol import AnyBody
 
@@ -45,11 +46,11 @@ class Body(AnyBody):
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> "Body":
         given = validation.table(key, given, cls.KEYS)
-        mass = validation.required(key, given, "mass", "a number from 1e-12 to 1e+12 kg")
+        mass = validation.required_number(key, given, "mass", *MASS_RANGE, "kg")
         still = {"velocity": NOWHERE} if key == "target" else {}
-        velocity = validation.required(key, still | dict(given), "velocity", "three numbers [m/s]")
+        velocity = validation.required(key, still | dict(given), "velocity", _three_numbers(SPEED_RANGE[1], "m/s"))
         return cls(
-            validation.number(f"{key}.mass", mass, *MASS_RANGE, "kg"),
+            mass,
             read_vector(f"{key}.velocity", velocity, SPEED_RANGE[1], "m/s"),
             _read_inertia(key, given),
             read_vector(f"{key}.centre", given.get("centre", NOWHERE), MAX_LENGTH, "m"),
@@ -83,10 +84,14 @@ def in_space(body: AnyBody) -> impulses.Bodies:
     )
 
 
+def _three_numbers(largest: float, unit: str) -> Note:
+    return allowed("three-numbers", largest=largest, unit=unit or "none")
+
+
 def read_vector(key: str, given: object, largest: float, unit: str = "") -> Vector:
     """Three numbers. Raises SceneError naming the key, or the place in the list."""
     if not isinstance(given, (list, tuple)) or len(given) != 3:
-        raise SceneError(key, given, f"three numbers, each from {-largest:g} to {largest:g}" + f" {unit}".rstrip())
+        raise SceneError(key, given, _three_numbers(largest, unit))
     x, y, z = (validation.number(f"{key}[{i}]", value, -largest, largest, unit) for i, value in enumerate(given))
     return x, y, z
 
@@ -96,7 +101,7 @@ def read_normal(key: str, given: object) -> Vector:
     vector = np.array(read_vector(key, given, 1e9))
     largest = np.abs(vector).max()
     if largest == 0.0:
-        raise SceneError(key, given, "three numbers that are not all zero: from the impactor to the target")
+        raise SceneError(key, given, allowed("direction"))
     length = float(np.linalg.norm(vector / largest)) * largest
     return tuple((vector if abs(length - 1.0) < 1e-15 else vector / largest / (length / largest)).tolist())
 
@@ -104,24 +109,21 @@ def read_normal(key: str, given: object) -> Vector:
 def check_struck(key: str, body: object, normal: Vector) -> None:
     """Refuses a body struck so that it would turn about an axis about which nothing resists."""
     if isinstance(body, Body) and impulses.unresisted(in_space(body), np.array(normal)):
-        allowed = (
-            "a moment of inertia about every axis about which the impact turns the body (a thin rod: struck across)"
-        )
-        raise SceneError(f"{key}.inertia", [list(row) for row in body.inertia], allowed)
+        raise SceneError(f"{key}.inertia", [list(row) for row in body.inertia], allowed("inertia-where-it-turns"))
 
 
 def _read_inertia(key: str, given: Mapping[str, Any]) -> Tensor:
     """The tensor from nine numbers, or from three principal moments about `axes` (rows; x, y and z unless given)."""
     inertia, name = given.get("inertia", NOWHERE), f"{key}.inertia"
     if not isinstance(inertia, (list, tuple)) or len(inertia) != 3:
-        raise SceneError(name, inertia, "three rows of three numbers, or three principal moments [kg m2]")
+        raise SceneError(name, inertia, allowed("inertia"))
     if any(isinstance(row, (list, tuple)) for row in inertia):
         if "axes" in given:
-            raise SceneError(f"{key}.axes", given["axes"], "nothing beside a full tensor, which has its axes in it")
+            raise SceneError(f"{key}.axes", given["axes"], allowed("axes-of-moments"))
         rows = [read_vector(f"{name}[{i}]", row, HEAVIEST_MOMENT, "kg m2") for i, row in enumerate(inertia)]
         tensor = np.array(rows)
         if np.abs(tensor - tensor.T).max() > MAX_ASYMMETRY * np.abs(tensor).max():
-            raise SceneError(name, inertia, "a symmetric tensor")
+            raise SceneError(name, inertia, allowed("symmetric-tensor"))
     else:
         moments = np.array(read_vector(name, inertia, HEAVIEST_MOMENT, "kg m2"))
         axes = _read_axes(f"{key}.axes", given["axes"]) if "axes" in given else np.eye(3)
@@ -135,10 +137,10 @@ def _read_inertia(key: str, given: Mapping[str, Any]) -> Tensor:
 def _read_axes(key: str, given: object) -> np.ndarray:
     """Three directions at right angles, as rows."""
     if not isinstance(given, (list, tuple)) or len(given) != 3:
-        raise SceneError(key, given, "three rows, each the direction of a principal axis")
+        raise SceneError(key, given, allowed("axes"))
     axes = np.array([read_normal(f"{key}[{i}]", row) for i, row in enumerate(given)])
     if np.abs(axes @ axes.T - np.eye(3)).max() > FOUR_DIGITS:
-        raise SceneError(key, given, "three directions at right angles")
+        raise SceneError(key, given, allowed("right-angles"))
     left, _, right = np.linalg.svd(axes)  # the nearest ones that are so exactly
     return left @ right
 
@@ -147,4 +149,4 @@ def _check_moments(key: str, given: object, tensor: np.ndarray) -> None:
     low, middle, high = np.linalg.eigvalsh(tensor).tolist()
     if low < -MAX_ASYMMETRY * max(high, -low):
         found = f"(here {low:.6g}, {middle:.6g} and {high:.6g})"
-        raise SceneError(key, given, f"a tensor whose principal moments {found} are not negative")
+        raise SceneError(key, given, allowed("positive-moments", moments=found))

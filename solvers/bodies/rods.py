@@ -10,9 +10,9 @@ from ..numerics.elements.mesh import Mesh, rod_mesh
 from ..numerics.modes import Modes
 from ..numerics.rods import attached_rod_modes, rod_modes
 from ..text.notes import Note, Severity
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
-from .material import Material, read_material, read_radius
+from .material import LENGTH_RANGE, Material, read_radius, required_material
 from .protocol import AnyBody
 from .sections import section_of_bar
 
@@ -188,9 +188,9 @@ class Rods(Waveguide):
     def read(cls, key: str, given: Mapping[str, Any]) -> "Rods":
         """From the table `[target]`; `rods` is a list of tables. Raises SceneError naming the key."""
         given = validation.table(key, given, cls.KEYS)
-        parts = validation.required(key, given, "rods", f"a list of 1 to {MAX_RODS} tables, each a rod")
+        parts = validation.required(key, given, "rods", allowed("list", low=1, high=MAX_RODS, of="rods"))
         if not isinstance(parts, list) or not 1 <= len(parts) <= MAX_RODS:
-            raise SceneError(f"{key}.rods", parts, f"a list of 1 to {MAX_RODS} tables, each a rod")
+            raise SceneError(f"{key}.rods", parts, allowed("list", low=1, high=MAX_RODS, of="rods"))
         support = validation.choice(f"{key}.support", given.get("support", "fixed"), SUPPORTS)
         velocity = read_target_velocity(given)
         if support != "free":
@@ -205,7 +205,7 @@ class Rods(Waveguide):
             if number > 1:
                 joints.append(_read_joint(name, part))
             elif set(part) & {"joint", "gap", "contact"}:
-                raise SceneError(name, dict(part), "no joint, gap or contact: the first rod meets the impactor")
+                raise SceneError(name, dict(part), allowed("first-rod"))
         return cls(tuple(rods), tuple(joints), support, velocity, read_radius(f"{key}.radius", given.get("radius")))
 
     @property
@@ -268,13 +268,9 @@ def _mesh(rods: tuple[Rod, ...], elements: int, fixed: bool, lumping: float) -> 
 
 def _read_bar(key: str, given: Mapping[str, Any]) -> tuple[float, float, Material]:
     """Length, area and material."""
-    length = validation.required(key, given, "length", "a number from 1e-06 to 1e+06 m")
-    material = validation.required(key, given, "material", "a name or a table with young and density")
-    return (
-        validation.number(f"{key}.length", length, 1e-6, 1e6, "m"),
-        section_of_bar(key, given).area,
-        read_material(f"{key}.material", material),
-    )
+    length = validation.required_number(key, given, "length", *LENGTH_RANGE, "m")
+    material = required_material(key, given)
+    return length, section_of_bar(key, given).area, material
 
 
 def _bar_table(rod: Rod) -> dict[str, Any]:
@@ -287,10 +283,10 @@ def _read_joint(key: str, given: Mapping[str, Any]) -> Joint:
     if kind == "bonded":
         for name in ("gap", "contact"):
             if name in given:
-                raise SceneError(f"{key}.{name}", given[name], 'nothing here, or joint = "touching"')
+                raise SceneError(f"{key}.{name}", given[name], allowed("only-with", key="joint", value=["touching"]))
         return Joint(True)
     if contact is not None and not isinstance(contact, Mapping):
-        raise SceneError(f"{key}.contact", contact, "a table with the key law")
+        raise SceneError(f"{key}.contact", contact, allowed("law-table"))
     return Joint(False, validation.number(f"{key}.gap", given.get("gap", 0.0), 0.0, 1e3, "m"), contact)
 
 
@@ -298,11 +294,11 @@ def _read_end_mass(key: str, given: Mapping[str, Any], support: str) -> float:
     if "end_mass" not in given:
         return 0.0
     if support != "free":
-        raise SceneError(f"{key}.end_mass", given["end_mass"], 'nothing here, or support = "free"')
+        raise SceneError(f"{key}.end_mass", given["end_mass"], allowed("only-with", key="support", value=["free"]))
     return validation.number(f"{key}.end_mass", given["end_mass"], *MASS_RANGE, "kg")
 
 
 def _still(key: str, velocity: float) -> float:
     if velocity != 0.0:
-        raise SceneError(f"{key}.velocity", velocity, '0, or support = "free": what is held does not move')
+        raise SceneError(f"{key}.velocity", velocity, allowed("still", support=["free"]))
     return velocity

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from .. import validation
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
-FORMS = "{ width, height }, { radius } or { area }"
+FORMS = allowed("section", sides="{ width, height }", radius="{ radius }", area="{ area }")
 BENDING_KEYS = ("second_moment", "shear_coefficient")
 
 
@@ -50,7 +50,7 @@ def read_section(key: str, given: object) -> Section:
     given = validation.table(key, given, ("width", "height", "radius", "area", *BENDING_KEYS))
     names = frozenset(given) - frozenset(BENDING_KEYS)
     if names not in tuple(map(frozenset, (("width", "height"), ("radius",), ("area",)))):
-        raise SceneError(key, dict(given), f"exactly one of {FORMS}")
+        raise SceneError(key, dict(given), FORMS)
     second, shear = (given.get(name) for name in BENDING_KEYS)
     if second is not None:
         second = validation.number(f"{key}.second_moment", second, 1e-30, 1e16, "m4")
@@ -61,7 +61,7 @@ def read_section(key: str, given: object) -> Section:
         # the outer fibre of the rectangle of this area and second moment
         return Section(area, second, None if second is None else math.sqrt(3.0 * second / area), shear)
     if second is not None:
-        raise SceneError(f"{key}.second_moment", second, "nothing here: it follows from the shape; or give the area")
+        raise SceneError(f"{key}.second_moment", second, allowed("follows-from-shape"))
     sides = {name: validation.number(f"{key}.{name}", given[name], 1e-7, 1e4, "m") for name in names}
     if "radius" in sides:
         radius = sides["radius"]

@@ -15,8 +15,7 @@ LARGEST_CONTACT = 1.0 / 3.0  # radius of the contact over that of the bodies: be
 
 def read_stiffness(given: Mapping[str, Any], unit: str) -> float:
     """`contact.stiffness` of a law that cannot derive it."""
-    value = validation.required("contact", given, "stiffness", f"a number from 1e-06 to 1e+20 {unit}")
-    return validation.number("contact.stiffness", value, *STIFFNESS_RANGE, unit)
+    return validation.required_number("contact", given, "stiffness", *STIFFNESS_RANGE, unit)
 
 
 def hertz_stiffness(given: Mapping[str, Any], impactor: Any, target: Any) -> float:
@@ -27,19 +26,17 @@ def hertz_stiffness(given: Mapping[str, Any], impactor: Any, target: Any) -> flo
     """
     if "stiffness" in given:
         return read_stiffness(given, "N/m^1.5")
-    radius, modulus = derived("stiffness", "1e-06 to 1e+20 N/m^1.5", impactor, target)
+    radius, modulus = derived("stiffness", validation.a_number(*STIFFNESS_RANGE, "N/m^1.5"), impactor, target)
     return 4.0 / 3.0 * modulus * math.sqrt(radius)
 
 
-def derived(name: str, values: str, impactor: Any, target: Any) -> tuple[float, float]:
+def derived(name: str, what: Note, impactor: Any, target: Any) -> tuple[float, float]:
     """R [m] and E* [Pa] for a constant that was not given. Raises SceneError where the bodies do not give it."""
     radius, modulus = contact_radius(impactor, target), contact_modulus(impactor, target)
     if radius is None:
-        allowed = f"a number from {values}, or impactor.radius or target.radius to derive it from (all are missing)"
-        raise validation.SceneError(f"contact.{name}", None, allowed)
+        raise validation.SceneError(f"contact.{name}", None, validation.allowed("radius-or", what=what.table()))
     if modulus is None:
-        allowed = f"a number from {values}, or a material of at least one body (both are rigid)"
-        raise validation.SceneError(f"contact.{name}", None, allowed)
+        raise validation.SceneError(f"contact.{name}", None, validation.allowed("modulus-or", what=what.table()))
     return radius, modulus
 
 
@@ -74,13 +71,12 @@ def yield_indentation(given: Mapping[str, Any], impactor: Any, target: Any) -> f
     """
     if "yield_indentation" in given:
         return validation.number("contact.yield_indentation", given["yield_indentation"], *LENGTH_RANGE, "m")
-    radius, modulus = derived("yield_indentation", "1e-15 to 1e+06 m", impactor, target)
+    what = validation.a_number(*LENGTH_RANGE, "m")
+    radius, modulus = derived("yield_indentation", what, impactor, target)
     strength = yield_strength(impactor, target)
     if strength is None:
-        allowed = (
-            "a number from 1e-15 to 1e+06 m, or yield in the material of a body to derive it from (all are missing)"
-        )
-        raise validation.SceneError("contact.yield_indentation", None, allowed)
+        reason = validation.allowed("strength-or", what=what.table())
+        raise validation.SceneError("contact.yield_indentation", None, reason)
     return first_yield(radius, modulus, strength)
 
 

@@ -23,12 +23,11 @@ def read_damping(given: Mapping[str, Any], dashpot: Dashpot, unit: float, unit_n
     """The damping constant by exactly one of its three keys; `unit`: that of the number one. Raises SceneError."""
     names = [name for name in ("restitution", "nominal_restitution", "damping") if name in given]
     if not names:
-        allowed = f"a number from {LEAST_RESTITUTION} to 1; or give nominal_restitution or damping (all are missing)"
-        raise validation.SceneError("contact.restitution", None, allowed)
+        reason = validation.allowed("damping-or", what=validation.a_number(LEAST_RESTITUTION, 1.0).table())
+        raise validation.SceneError("contact.restitution", None, reason)
     if len(names) > 1:
-        raise validation.SceneError(
-            f"contact.{names[1]}", given[names[1]], f"nothing beside {names[0]}: one of the two"
-        )
+        reason = validation.allowed("nothing-beside", other=names[0])
+        raise validation.SceneError(f"contact.{names[1]}", given[names[1]], reason)
     name, value = names[0], given[names[0]]
     if name == "restitution":
         return dashpot.number(validation.number("contact.restitution", value, LEAST_RESTITUTION, 1.0)) * unit

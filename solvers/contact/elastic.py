@@ -130,8 +130,7 @@ class Power(NamedTuple):
 
     @classmethod
     def read(cls, given: Mapping[str, Any], impactor: Any, target: Any) -> "Power":
-        value = validation.required("contact", given, "exponent", "a number from 1 to 3")
-        exponent = validation.number("contact.exponent", value, *EXPONENT_RANGE)
+        exponent = validation.required_number("contact", given, "exponent", *EXPONENT_RANGE)
         return cls(read_stiffness(given, f"N/m^{exponent:g}"), exponent)
 
     def scaled(self, length: float, speed: float, force: float) -> "Power":

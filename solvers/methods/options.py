@@ -35,7 +35,7 @@ def word(options: Iterable[str]) -> Reader:
 def flag(key: str, value: object) -> bool:
     """true or false."""
     if not isinstance(value, bool):
-        raise validation.SceneError(key, value, "true or false")
+        raise validation.SceneError(key, value, validation.allowed("flag"))
     return value
 
 

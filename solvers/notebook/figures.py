@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 PARTS = {
     "impactor": "kinetic and elastic energy of the impactor",
@@ -73,6 +73,5 @@ def origin(scene: Any) -> str:
 def moving(solution: Any) -> Any:
     """The motion of a solution. Raises SceneError if it has none."""
     if solution.motion is None:
-        allowed = "a solution with a history: one impulse between bodies in space has none; table() has all there is"
-        raise SceneError("solution", solution.method["name"], allowed)
+        raise SceneError("solution", solution.method["name"], allowed("with-history"))
     return solution.motion

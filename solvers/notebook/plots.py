@@ -11,7 +11,7 @@ from typing import Any
 import holoviews as hv
 import numpy as np
 
-from ..validation import SceneError, choice
+from ..validation import SceneError, allowed, choice
 from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, moving, origin, reach
 
 INSTANTS, PLACES = 801, 401
@@ -82,8 +82,7 @@ def _waves(solution: Any, motion: Any) -> Any:
     """Stress over place and time."""
     first, last = reach(solution)
     if last <= first:
-        allowed = "'force', 'motion' or 'energy': nothing here has a length that waves could run along"
-        raise SceneError("what", "waves", allowed)
+        raise SceneError("what", "waves", allowed("no-length"))
     x, time, stress = np.linspace(first, last, PLACES), _instants(solution), FIELDS["stress"]
     place = hv.Dimension("x", label=f"place from {origin(solution.scene)}", unit="m")
     values = stress.of(motion, time, x)

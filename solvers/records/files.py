@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .record import KINDS, Record
 
 MAX_BYTES, MAX_ROWS, LEAST_ROWS = 2_000_000, 200_000, 8
@@ -28,14 +28,15 @@ def load_record(path: str | Path, **how: Any) -> Record:
     """A record from a file; `how` as in `read_record`. Raises SceneError naming what is wrong."""
     try:
         if not Path(path).is_file():
-            raise SceneError("record", str(path), "a file with a measured record")
+            raise SceneError("record", str(path), allowed("record.file"))
         check_size(Path(path).stat().st_size)
         content = Path(path).read_bytes()
     except (OSError, ValueError) as error:
         if isinstance(error, SceneError):
             raise
-        reason = getattr(error, "strerror", None) or "not a name a file could have"
-        raise SceneError("record", str(path), f"a file that can be read ({reason})") from None
+        why = getattr(error, "strerror", None)
+        reason = allowed("record.readable", why=why) if why else allowed("record.unreadable-name")
+        raise SceneError("record", str(path), reason) from None
     return read_record(content, **how)
 
 
@@ -63,9 +64,9 @@ def read_record(
     names, rows = _names(rows, separator, columns, kind)
     chosen, found, factors = _choose(names, kind, gauge)
     if len(rows) < LEAST_ROWS:
-        raise SceneError("record", f"{len(rows)} rows of numbers", f"at least {LEAST_ROWS}")
+        raise SceneError("record", f"{len(rows)} rows of numbers", allowed("at-least", low=LEAST_ROWS))
     if len(rows) > MAX_ROWS:
-        raise SceneError("record", f"{len(rows)} rows", f"at most {MAX_ROWS}")
+        raise SceneError("record", f"{len(rows)} rows", allowed("at-most", high=MAX_ROWS))
     table = _table(rows, separator, names, chosen)
     time, values = table[:, 0] * factors[0], table[:, 1] * factors[1] * sign
     _check_time(time, [number for number, _ in rows])
@@ -81,8 +82,7 @@ def _names(
     named = _are_names(first, separator)
     if columns is None and not named:
         if kind is None:
-            allowed = f"the names of the columns, with units, such as {COLUMNS}"
-            raise SceneError("record row 1", rows[0][1], allowed)
+            raise SceneError("record row 1", rows[0][1], allowed("record.names", columns=COLUMNS))
         columns = ("time_s", {"stress": "stress_Pa", "force": "force_N"}.get(kind, kind))
     return columns or tuple(first), rows[1:] if named else rows
 
@@ -90,7 +90,7 @@ def _names(
 def check_size(size: int) -> None:
     """Raises SceneError for more bytes than are read."""
     if size > MAX_BYTES:
-        raise SceneError("record", f"{size} bytes", f"at most {MAX_BYTES} bytes: cut out or thin what matters")
+        raise SceneError("record", f"{size} bytes", allowed("record.size", most=MAX_BYTES))
 
 
 def _text(content: bytes | str) -> str:
@@ -105,7 +105,7 @@ def _text(content: bytes | str) -> str:
             continue
         if "\0" not in text:
             return text.lstrip("\ufeff")
-    raise SceneError("record", "bytes that are no text", "a table as text, such as CSV in UTF-8")
+    raise SceneError("record", "bytes that are no text", allowed("record.text"))
 
 
 def _rows(text: str) -> tuple[list[tuple[int, str]], str]:
@@ -116,7 +116,7 @@ def _rows(text: str) -> tuple[list[tuple[int, str]], str]:
         if line.strip() and not line.lstrip().startswith("#")
     ]
     if not rows:
-        raise SceneError("record", "no rows", f"at least {LEAST_ROWS} rows of numbers")
+        raise SceneError("record", "no rows", allowed("record.rows", least=LEAST_ROWS))
     sample = rows[min(1, len(rows) - 1)][1]
     return rows, next((separator for separator in ";\t," if separator in sample), " ")
 
@@ -152,11 +152,11 @@ def _choose(names: tuple[str, ...], kind: str | None, gauge: int) -> tuple[tuple
     values = [column for column in known if column[1] in ((kind,) if kind else KINDS)]
     shown = ", ".join(str(name)[:20] for name in names)[:60]
     if not times:
-        raise SceneError("record columns", shown, f"one of time with its unit among them; names are {COLUMNS}")
+        raise SceneError("record columns", shown, allowed("record.time-column", columns=COLUMNS))
     if not values:
-        raise SceneError("record columns", shown, f"one of {kind or 'strain, stress or force'}; names are {COLUMNS}")
+        raise SceneError("record columns", shown, allowed("record.value-column", kind=kind or "any", columns=COLUMNS))
     if kind is None and len({column[1] for column in values}) > 1:
-        raise SceneError("record columns", shown, "one kind of value, or say which: " + ", ".join(KINDS))
+        raise SceneError("record columns", shown, allowed("record.one-kind", kinds=list(KINDS)))
     validation.whole_number("gauge", gauge, 1, len(values))
     value = values[gauge - 1]
     return (times[0][0], value[0]), value[1], (times[0][2], value[2])
@@ -182,8 +182,8 @@ def _meaning(name: str) -> tuple[str, float] | None:
         return "strain", UNITS["strain"][word]
     kind = {"t": "time", "contact_force": "force"}.get(word, word)
     if unit not in UNITS[kind]:
-        spelled = ", ".join(f"{kind}_{unit}" if unit else kind for unit in UNITS[kind])
-        raise SceneError(f"record column {name[:40]!r}", unit or "no unit", f"a name with its unit: {spelled}")
+        spelled = [f"{kind}_{unit}" if unit else kind for unit in UNITS[kind]]
+        raise SceneError(f"record column {name[:40]!r}", unit or "no unit", allowed("record.unit", names=spelled))
     return kind, UNITS[kind][unit]
 
 
@@ -196,7 +196,8 @@ def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], 
             value = _number(cells[column], separator) if column < len(cells) else None
             if value is None:
                 got = cells[column].strip() if column < len(cells) else None
-                raise SceneError(f"record row {number}, column {str(names[column])[:40]!r}", got, "a finite number")
+                key = f"record row {number}, column {str(names[column])[:40]!r}"
+                raise SceneError(key, got, allowed("record.finite"))
             table[index, side] = value
     return table
 
@@ -204,26 +205,23 @@ def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], 
 def _check_unit(values: np.ndarray, kind: str, name: str) -> None:
     largest = float(np.abs(values).max())
     if largest > LARGEST[kind]:
-        question = {
-            "strain": "are these microstrain?",
-            "stress": "are these really Pa?",
-            "force": "are these really N?",
-        }
-        allowed = f"at most {LARGEST[kind]:g} in SI units ({question[kind]} name the column with its unit)"
-        raise SceneError(f"record column {name!r}", largest, allowed)
+        reason = allowed("record.value", most=LARGEST[kind], kind=kind)
+        raise SceneError(f"record column {name!r}", largest, reason)
 
 
 def _check_time(time: np.ndarray, numbers: list[int]) -> None:
     steps = np.diff(time)
     if not (steps > 0.0).all():
         at = int(np.argmax(steps <= 0.0)) + 1
-        raise SceneError(f"record row {numbers[at]}, time", f"{time[at]:.9g} s", f"more than {time[at - 1]:.9g} s")
+        reason = allowed("record.later", time=time[at - 1])
+        raise SceneError(f"record row {numbers[at]}, time", f"{time[at]:.9g} s", reason)
     span = float(time[-1] - time[0])
     if not SPANS[0] <= span <= SPANS[1]:
-        allowed = f"from {SPANS[0]:g} to {SPANS[1]:g} s (is the unit of time in the name of its column right?)"
-        raise SceneError("record time", f"{span:.3g} s from first to last row", allowed)
+        reason = allowed("record.span", low=SPANS[0], high=SPANS[1])
+        raise SceneError("record time", f"{span:.3g} s from first to last row", reason)
     median = float(np.median(steps))
     at = int(np.argmax(steps))
     if steps[at] > GAP * median:
         got = f"a gap of {steps[at]:.3g} s up to here"
-        raise SceneError(f"record row {numbers[at + 1]}, time", got, f"steps of at most {GAP:g} x {median:.3g} s")
+        reason = allowed("record.even-steps", times=GAP, step=median)
+        raise SceneError(f"record row {numbers[at + 1]}, time", got, reason)

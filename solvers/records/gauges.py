@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .record import Record, as_stress
 
 MOST_READINGS = 50_000_000  # interpolated for the sums below: a second or two
@@ -49,7 +49,7 @@ class RecoveredWaves:
 
     def stress(self, x: float) -> tuple[np.ndarray, np.ndarray]:
         """Times [s] at which the stress [Pa] at section `x` [m] is known, and the stress."""
-        lag = validation.number("x", x, 0.0, self.rod.length, "m, within the rod") / self.rod.wave_speed
+        lag = validation.number("x", x, 0.0, self.rod.length, "m", "rod") / self.rod.wave_speed
         times = self.time[self.time <= self.time[-1] - lag]
         sent = np.interp(times - lag, self.time, self.sent, left=0.0)
         return times, sent + np.interp(times + lag, self.time, self.returned)
@@ -69,13 +69,13 @@ def from_one_gauge(record: Record, rod: Any, x: float) -> RecoveredWaves:
     Raises SceneError for a rod whose far end carries a mass (use two gauges), or a gauge too near that end.
     """
     if rod.end_mass:
-        raise SceneError("target.end_mass", rod.end_mass, "0, as one gauge must know what comes back; or two gauges")
+        raise SceneError("target.end_mass", rod.end_mass, allowed("record.no-end-mass"))
     reflection = {"free": -1.0, "fixed": 1.0, "anechoic": 0.0}[rod.support]
     lag = _lag(rod, x)
     delay = rod.round_trip_time - 2.0 * lag
     if reflection and delay < record.step:
         most = rod.length - 0.5 * record.step * rod.wave_speed
-        raise SceneError("at", x, f"at most {most:.6g} m: at the far end both waves are one")
+        raise SceneError("at", x, allowed("record.one-gauge", most=most))
     quiet, time = _Quiet(record, rod, lag), _instants(record, lag)
     terms = 1 + int(time[-1] / delay) if reflection else 1
     _check_terms(terms, time.size)
@@ -102,7 +102,7 @@ def from_two_gauges(first: Record, second: Record, rod: Any, x1: float, x2: floa
     apart = lag2 - lag1
     if not apart >= max(first.step, second.step):
         least = max(first.step, second.step) * rod.wave_speed
-        raise SceneError("at", x2, f"at least {x1 + least:.6g} m, one step of the records from the first gauge")
+        raise SceneError("at", x2, allowed("record.second-gauge", least=x1 + least))
     one, two = _Quiet(first, rod, lag1), _Quiet(second, rod, lag2)
     ends = min(first.time[-1] - lag1, second.time[-1] + apart - lag1)
     time = _instants(first, lag1, ends)
@@ -122,8 +122,7 @@ class _Quiet:
     def __init__(self, record: Record, rod: Any, lag: float):
         self._time, self._stress, self._lag = record.time, as_stress(record, rod), lag
         if record.time[0] > lag + record.step:
-            allowed = f"at most {lag:.6g} s, when the first wave comes by, with time zero at first touch"
-            raise SceneError("record start", float(record.time[0]), allowed)
+            raise SceneError("record start", float(record.time[0]), allowed("record.begins", time=lag))
 
     def at(self, times: np.ndarray) -> np.ndarray:
         slack = 1e-9 * (self._time[-1] - self._time[0])
@@ -132,20 +131,18 @@ class _Quiet:
 
 
 def _lag(rod: Any, x: float) -> float:
-    return validation.number("at", x, 0.0, rod.length, "m, within the rod") / rod.wave_speed
+    return validation.number("at", x, 0.0, rod.length, "m", "rod") / rod.wave_speed
 
 
 def _instants(record: Record, lag: float, ends: float = math.inf) -> np.ndarray:
     """From first touch to the last instant that the record covers, at the record's own step."""
     last = min(float(record.time[-1]) - lag, ends)
     if not last >= 2.0 * record.step:
-        allowed = f"more than {lag:.6g} s, when the first wave comes by, with time zero at first touch"
-        raise SceneError("record end", float(record.time[-1]), allowed)
+        raise SceneError("record end", float(record.time[-1]), allowed("record.ends", time=lag))
     return np.arange(0, math.floor(last / record.step * (1.0 + 1e-12)) + 1) * record.step
 
 
 def _check_terms(terms: int, instants: int) -> None:
     if terms * instants > MOST_READINGS:
-        most = MOST_READINGS // terms
-        allowed = f"at most {most} rows where {terms} echoes must be distinguished: a shorter record, or longer steps"
-        raise SceneError("record", f"{instants} rows", allowed)
+        reason = allowed("record.echoes", most=MOST_READINGS // terms, terms=terms)
+        raise SceneError("record", f"{instants} rows", reason)

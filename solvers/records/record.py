@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 KINDS = ("strain", "stress", "force")
 LAGS = 1 << 17  # most grid points of the search for the shift
@@ -58,12 +58,10 @@ class Record:
         """At other times, which must lie within the record."""
         times = np.asarray(times, float)
         if times.ndim != 1 or times.size < 2 or not (np.diff(times) > 0.0).all():
-            raise SceneError("times", "these", "at least two, increasing")
+            raise SceneError("times", "these", allowed("record.times"))
         slack = 1e-9 * (self.time[-1] - self.time[0])
         for outside in (times[0], times[-1]):
-            validation.number(
-                "times", float(outside), self.time[0] - slack, self.time[-1] + slack, "s, within the record"
-            )
+            validation.number("times", float(outside), self.time[0] - slack, self.time[-1] + slack, "s", "record")
         return Record(times, np.interp(times, self.time, self.values), self.kind)
 
     def at(self, times: np.ndarray) -> np.ndarray:
@@ -77,7 +75,7 @@ class Record:
         model, difference = model[known], (self.values - model)[known]
         norm, peak = float(np.linalg.norm(model)), float(np.abs(model).max(initial=0.0))
         if norm == 0.0:
-            raise SceneError("record", f"{int(known.sum())} samples", "some while the solution is known and not zero")
+            raise SceneError("record", f"{int(known.sum())} samples", allowed("record.overlap"))
         return Residual(float(np.linalg.norm(difference)) / norm, float(np.abs(difference).max()) / peak, model.size)
 
     def aligned(self, times: np.ndarray, values: np.ndarray, shift: float | None = None) -> Alignment:
@@ -88,9 +86,9 @@ class Record:
         Error: of the shift about a hundredth of a step for smooth histories; where the solution jumps, one step.
         """
         if not np.ptp(self.values) > 0.0:
-            raise SceneError("record", f"{self.values[0]:g} in every row", "values that change")
+            raise SceneError("record", f"{self.values[0]:g} in every row", allowed("record.changing"))
         if not np.any(values):
-            raise SceneError("solution", "zero at all times", "one that is not: the record has nothing to lie on")
+            raise SceneError("solution", "zero at all times", allowed("record.some-solution"))
         if shift is None:
             coarse, step = self._coarse_shift(np.asarray(times, float), np.asarray(values, float))
             shift = _lowest(lambda by: self._fit(by, times, values)[0], coarse - 1.5 * step, coarse + 1.5 * step)
@@ -110,16 +108,14 @@ class Record:
         own = np.interp(np.arange(self.time[0], self.time[-1], step), self.time, self.values)
         model = np.interp(np.arange(times[0], times[-1], step), times, values)
         if model.size < 2:
-            raise SceneError("record", f"{self.step:.3g} s between samples", "steps shorter than the solution")
+            raise SceneError("record", f"{self.step:.3g} s between samples", allowed("record.short-steps"))
         products = correlate(model, own, method="fft")
         known = np.concatenate(([0.0], np.cumsum(model**2)))  # of it, the part that lies under the record
         starts = np.arange(products.size) - (own.size - 1)
         under = known[np.clip(starts + own.size, 0, model.size)] - known[np.clip(starts, 0, model.size)]
         best = int(np.argmax(np.maximum(products, 0.0) ** 2 / np.maximum(under, 1e-9 * known[-1])))
         if products[best] <= 1e-9 * np.linalg.norm(model) * np.linalg.norm(own):
-            raise SceneError(
-                "record", "the other sign than the solution everywhere", "its own sign: turn it by sign -1"
-            )
+            raise SceneError("record", "the other sign than the solution everywhere", allowed("record.sign"))
         return times[0] - self.time[0] + (best - (own.size - 1)) * step, step
 
     def _fit(self, shift: float, times: np.ndarray, values: np.ndarray) -> tuple[float, float]:
@@ -159,11 +155,11 @@ def expected(solution: Any, kind: str, times: np.ndarray, x: float | None = None
     values = np.where(times < 0.0, 0.0, math.nan)
     parts = solution.scene.target.rods
     if solution.motion is None or (not parts and (kind != "force" or x)):
-        raise SceneError("record", kind, "a scene whose target is a rod; of other targets, only the contact force")
+        raise SceneError("record", kind, allowed("record.target-rod"))
     if not x:
         values[known] = solution.motion.force(times[known])
         return values if kind == "force" else _from_stress(kind, values / parts[0].area, parts[0])
-    place = validation.number("at", x, 0.0, sum(rod.length for rod in parts), "m, within the rod")
+    place = validation.number("at", x, 0.0, sum(rod.length for rod in parts), "m", "rod")
     values[known] = solution.motion.stress(times[known], np.array([place]))[:, 0]
     return _from_stress(kind, values, rod_at(parts, place))
 

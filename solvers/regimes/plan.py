@@ -17,7 +17,7 @@ from ..numerics.rigid.impulses import strike
 from ..scene import Scene
 from ..text.messages import FORMATS
 from ..text.notes import Note, Severity
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .contours import contour
 from .models import LOSSES, MODELS, QUESTIONS, contact_duration, family_of, models_of
 from .tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
@@ -361,7 +361,7 @@ def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
             names = ("quasi-static", "rigid")
     usable = [name for name in names if METHODS[name]().refusal(scene) is None]
     if not usable:
-        raise SceneError("scene", scene.target.kind, "bodies that one of the methods can solve")
+        raise SceneError("scene", scene.target.kind, allowed("solvable"))
     name = usable[0]
     options: dict[str, Any] = {"name": name}
     model = {"rigid": "rigid-impulse", "quasi-static": "local-quasi-static"}.get(name, name)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..scene import Scene
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
 SCENES = Path(__file__).parent
@@ -42,10 +42,7 @@ def load(name_or_path: str | Path) -> Scene:
             found = False
         if not found:
             plain = [name for name in scene_names() if "." not in name][:12]
-            allowed = (
-                f"a scene file, or a built-in one: {', '.join(plain)} ..., figure-4.13 ...; impact scenes lists all"
-            )
-            raise SceneError("scene", str(name_or_path), allowed)
+            raise SceneError("scene", str(name_or_path), allowed("scene", names=plain))
     return Scene.from_table(read_toml(path))
 
 
@@ -53,10 +50,10 @@ def read_toml(path: Path) -> dict[str, Any]:
     import tomllib
 
     if path.stat().st_size > MAX_FILE_SIZE:
-        raise SceneError("scene", str(path), f"a file of at most {MAX_FILE_SIZE} bytes")
+        raise SceneError("scene", str(path), allowed("scene-size", most=MAX_FILE_SIZE))
     try:
         return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except (ValueError, RecursionError) as error:  # syntax, encoding, endless numbers, endless nesting
-        raise SceneError("scene", str(path), f"a TOML file in UTF-8 ({_named(error)})") from None
+        raise SceneError("scene", str(path), allowed("toml", why=_named(error))) from None
     except OSError as error:
-        raise SceneError("scene", str(path), f"a readable file ({error.strerror})") from None
+        raise SceneError("scene", str(path), allowed("readable", why=error.strerror)) from None

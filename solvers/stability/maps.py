@@ -15,7 +15,7 @@ from ..methods.base import SceneNotSupported, never
 from ..numerics.processors import all_processors
 from ..scene import Scene
 from ..text.notes import Note, Severity, coded
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .integrators import BOUND, DIVERGED, LASTING, Outcome
 from .runs import INTEGRATORS, Problem, bound, damped, own_stiffness, problem_of, run
 
@@ -190,7 +190,7 @@ def _read_axes(scene: Scene, names: Sequence[str], grid: Sequence[int | Sequence
     names = tuple(names)
     check_axes(scene, names)
     if len(grid) != 2:
-        raise SceneError("grid", grid, "two numbers of values, or two lists of values")
+        raise SceneError("grid", grid, allowed("grid"))
     first, second = (_read_axis(name, given) for name, given in zip(names, grid, strict=True))
     return first, second
 
@@ -201,15 +201,15 @@ def check_axes(scene: Scene, names: Sequence[str]) -> None:
     if refusal:
         raise SceneNotSupported("stability", scene.target.kind, refusal)
     if len(names) != 2 or names[0] == names[1]:
-        raise SceneError("axes", names, f"two different ones of {', '.join(AXES)}")
+        raise SceneError("axes", names, allowed("two-axes", names=list(AXES)))
     for name in names:
         validation.choice("axes", name, AXES)
     if names[1] == "step":
-        raise SceneError("axes", names, "the step as the first of the two")
+        raise SceneError("axes", names, allowed("step-first"))
     if "restitution" in names and damped(scene.contact) is None:
-        raise SceneError("axes", "restitution", f"another axis: {scene.contact.NAME} is plastic and knows no damping")
+        raise SceneError("axes", "restitution", allowed("no-damping-axis", law=scene.contact.NAME))
     if "mass_ratio" in names and not math.isfinite(scene.target.mass):
-        raise SceneError("axes", "mass_ratio", f"another axis: the mass of a {scene.target.kind} has no end")
+        raise SceneError("axes", "mass_ratio", allowed("no-mass-axis", target=scene.target.kind))
 
 
 def _read_axis(name: str, given: int | Sequence[float]) -> Axis:

@@ -11,6 +11,7 @@ from ..methods.base import SceneNotSupported
 from ..scene import Scene
 from ..solution.solution import Solution, apparent_time
 from ..text.notes import Note, Severity
+from ..validation import allowed
 
 MODES = 200  # from which the half period with the mass attached is worked out
 STUCK = 0.7, 1.3  # half periods from first touch to last parting: the impactor swings with the body as if stuck to it
@@ -90,9 +91,9 @@ def compare_with_half_space(scene: Scene) -> Solution:
     Beside the scene's own solution it shows how much of the impact is local. Source: thesis 8.4.4.
     """
     if scene.rigid_contact:
-        raise SceneNotSupported("contact.law", "rigid", "a law that gives way: nothing else does on a half-space")
+        raise SceneNotSupported("contact.law", "rigid", allowed("yielding-law"))
     if not scene.impactor.free_mass or scene.target.material is None:
-        raise SceneNotSupported("impactor.kind", scene.impactor.kind, "a rigid impactor on a body of some material")
+        raise SceneNotSupported("impactor.kind", scene.impactor.kind, allowed("rigid-impactor"))
     material, radius = scene.target.material, scene.target.radius
     target: dict[str, Any] = {"kind": "half-space", "material": material.table()}
     beside = Scene.from_table(

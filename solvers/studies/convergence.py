@@ -18,7 +18,7 @@ from ..solution.motion import Bends
 from ..solution.solution import Solution
 from ..solve import read_method
 from ..text.notes import Note, Severity
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .sensitivity import plain
 
 COUNTS = (3, 5, 10, 20, 40, 80)
@@ -120,10 +120,10 @@ UNITS = {
 
 def _counts(given: Sequence[int]) -> list[int]:
     if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
-        raise SceneError("modes", given, f"a list of {FEWEST} to {MOST} whole numbers")
+        raise SceneError("modes", given, allowed("list", low=FEWEST, high=MOST, of="whole"))
     counts = [validation.whole_number("modes", count, 1, 10_000) for count in given]
     if counts != sorted(set(counts)):
-        raise SceneError("modes", counts, "whole numbers that rise")
+        raise SceneError("modes", counts, allowed("rising"))
     return counts
 
 
@@ -140,7 +140,7 @@ def _method(scene: Scene, given: str | Method) -> tuple[Method, str, float | Non
     kind = next((name for name in ("elements", "modes") if name in options), None)
     if kind is None:
         known = [name for name, method in METHODS.items() if {"elements", "modes"} & {f.name for f in fields(method)}]
-        raise SceneError("method.name", chosen.NAME, "a method with modes or elements: " + ", ".join(known))
+        raise SceneError("method.name", chosen.NAME, allowed("resolved-method", names=known))
     if getattr(chosen, kind) is None:  # some, where it is left out, do without
         chosen = replace(chosen, **{kind: 1})
     return chosen.without_estimate(), kind, duration

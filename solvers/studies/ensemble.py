@@ -20,7 +20,7 @@ from ..solution.motion import Motion
 from ..solution.solution import ContactPeriod, Solution
 from ..solve import read_method
 from ..text.notes import Note, Severity, coded
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .sensitivity import FIGURES, Band, Spread, band_of, ill_conditioned, plain, spread_table, summary
 
 LEAST_RUNS, MOST_RUNS = 10, 10_000
@@ -96,7 +96,7 @@ def ensemble(
     spread = validation.number("spread", spread, *SPREAD_RANGE)
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
     if scene.normal is not None or scene.prescribed_force:
-        raise SceneNotSupported("scene", scene.title, "two bodies that meet on an axis, for an ensemble")
+        raise SceneNotSupported("scene", scene.title, allowed("two-on-axis"))
     key = key or ("impactor.mass" if scene.impactor.free_mass else "impactor.length")
     chosen, duration, notes = _method(scene, method)
     value = _value(scene, key)
@@ -161,9 +161,9 @@ def _value(scene: Scene, key: str) -> float:
     for name in key.split("."):
         found = found.get(name) if isinstance(found, Mapping) else None
     if isinstance(found, bool) or not isinstance(found, (int, float)) or found == 0.0:
-        raise SceneError("key", key, "a key of the scene with a number other than zero, such as impactor.mass")
+        raise SceneError("key", key, allowed("perturbed-number"))
     if isinstance(found, int):
-        raise SceneError("key", key, "a key that takes any number, not a whole number")
+        raise SceneError("key", key, allowed("perturbed-real"))
     return float(found)
 
 

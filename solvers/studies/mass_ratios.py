@@ -8,7 +8,7 @@ from .. import validation
 from ..jit import kernel
 from ..numerics.arrays import copy_to
 from ..numerics.waves import rigid as rigid_waves
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 
 RATIO_RANGE = (1e-6, 1e6)  # beyond it the lighter body does not feel the heavier one within doubles' reach
 MOST_CONTACTS = 16
@@ -47,7 +47,7 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
     wrong = ratios[~((ratios >= low) & (ratios <= high))] if ratios.ndim == 1 else ratios.ravel()
     if wrong.size or not ratios.size:
         got = float(wrong[0]) if wrong.size else None
-        raise SceneError("ratios", got, f"a list of mass ratios from {low:g} to {high:g}")
+        raise SceneError("ratios", got, allowed("mass-ratios", low=low, high=high))
     count, contacts = np.empty(ratios.size, np.int64), np.full((ratios.size, MOST_CONTACTS, 7), np.nan)
     for pieces in PIECES:
         sent = rigid_waves.Pieces.of(pieces, TERMS, MOST_CONTACTS)

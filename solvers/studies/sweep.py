@@ -18,7 +18,7 @@ from ..numerics.waves import rigid_figures
 from ..scene import Scene
 from ..solution.solution import Solution
 from ..solve import read_method, solve
-from ..validation import SceneError
+from ..validation import SceneError, allowed
 from .mass_ratios import TERMS
 
 MOST_VALUES = 2_000
@@ -34,13 +34,13 @@ def spaced(low: float, high: float, count: int = 21, spacing: str | None = None)
     """
     validation.whole_number("count", count, 2, MOST_QUICK)
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
-        raise SceneError("range", (low, high), "two finite numbers, the smaller one first")
+        raise SceneError("range", (low, high), allowed("range"))
     if spacing is None:
         spacing = "log" if low > 0.0 and high / low >= 100.0 else "linear"
     validation.choice("spacing", spacing, ("linear", "log"))
     if spacing == "log":
         if low <= 0.0:
-            raise SceneError("range", low, "a number above zero, where the spacing is 'log'")
+            raise SceneError("range", low, allowed("above-zero"))
         return np.geomspace(low, high, count)
     return np.linspace(low, high, count)
 
@@ -84,10 +84,10 @@ def solve_many(
         rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
         scenes = [_with(scenes, dict(zip(arrays, row, strict=True))) for row in rows]
     elif columns is not None:
-        raise SceneError("columns", sorted(columns), "nothing, where there is a list of scenes")
+        raise SceneError("columns", sorted(columns), allowed("no-columns"))
     validation.whole_number("number of scenes", len(scenes), 1, MOST_QUICK)
     if any(scene.normal is not None for scene in scenes):
-        raise SceneError("scenes", "bodies in space", "bodies on an axis")
+        raise SceneError("scenes", "bodies in space", allowed("scenes-on-axis"))
     if all(_quick(scene, method) for scene in scenes):
         return _impacts_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers)
     with all_processors(workers) as pool:
@@ -105,11 +105,13 @@ def _check_columns(columns: Mapping[str, np.ndarray]) -> None:
     for key, values in columns.items():
         first = next(iter(columns))
         if values.ndim != 1 or not 1 <= values.size <= MOST_QUICK:
-            raise SceneError(key, f"an array of shape {values.shape}", f"a list of 1 to {MOST_QUICK} numbers")
+            reason = allowed("list", low=1, high=MOST_QUICK, of="numbers")
+            raise SceneError(key, f"an array of shape {values.shape}", reason)
         if values.size != columns[first].size:
-            raise SceneError(key, f"{values.size} values", f"as many as there are for {first}, {columns[first].size}")
+            reason = allowed("as-many-values", key=first, count=columns[first].size)
+            raise SceneError(key, f"{values.size} values", reason)
     if not columns:
-        raise SceneError("columns", "nothing", "values for at least one key")
+        raise SceneError("columns", "nothing", allowed("some-columns"))
 
 
 # Keys of scenes that follow from no other, by what they change: mass and speed of the impactor, length and area.

@@ -66,9 +66,8 @@ class Balance(Method):
         found = super().read(given)
         for name, variants in (("step", VARIANTS[1:]), ("tolerance", VARIANTS[2:])):
             if given.get(name) is not None and found.variant not in variants:
-                raise validation.SceneError(
-                    f"method.{name}", given[name], f"nothing here, or variant = {variants[0]!r}"
-                )
+                reason = validation.allowed("only-with", key="variant", value=[variants[0]])
+                raise validation.SceneError(f"method.{name}", given[name], reason)
         return replace(found, elements=found._elements)
 
     def why_not(self, scene: Scene) -> Note | None:

@@ -224,9 +224,7 @@ class Plan:
             fine = duration / count
         if fine > limit * (1.0 + 1e-9):
             least = math.ceil(duration / limit)
-            raise validation.SceneError(
-                "method.steps", count, f"at least {least} for this mesh, contact and duration: the step is explicit"
-            )
+            raise validation.SceneError("method.steps", count, validation.allowed("explicit-steps", least=least))
         expected_steps, nodes = count or math.ceil(expected / fine), max(nodes, 1)
         stride = max(1, expected_steps // min(SNAPSHOTS, max(10, MOST_NUMBERS // nodes)))
         if count is not None:

@@ -53,7 +53,7 @@ class FeNodal(FiniteElements):
     def read(cls, given: Mapping[str, Any]) -> Self:
         found = super().read(given)
         if found.status == "frozen" and found.scheme != "newmark":
-            raise validation.SceneError("method.status", found.status, "'implicit', or scheme = 'newmark'")
+            raise validation.SceneError("method.status", found.status, validation.allowed("frozen-status"))
         return found
 
     def why_not(self, scene: Scene) -> Note | None:
