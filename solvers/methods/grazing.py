@@ -7,6 +7,7 @@ import numpy as np
 
 from ..bodies import Rod
 from ..numerics.waves import rigid as rigid_waves
+from ..numerics.waves.contact_table import ContactTable
 from ..scene import Scene
 from ..solution.solution import ContactPeriod
 from ..text.notes import Note, Severity
@@ -42,21 +43,21 @@ def miscounted(scene: Scene, contacts: Sequence[ContactPeriod], duration: float,
     true = _contacts(scene.mass_ratio, 1.0 if scene.target.fixed else -1.0)
     if true is None:
         return None
-    trip, shares = scene.time_unit, (true[:, 2] - true[:, 3]) / (true[0, 2] - true[-1, 3])
-    counts = (shares > MIN_REPORTED_IMPULSE) & (true[:, 0] < duration / trip - END_MARGIN)
+    trip, shares = scene.time_unit, true.impulse_share
+    counts = (shares > MIN_REPORTED_IMPULSE) & (true.start < duration / trip - END_MARGIN)
     found = np.array([[contact.start, contact.end] for contact in contacts]) / trip
-    begun = np.count_nonzero(true[:, 0] < duration / trip)
+    begun = np.count_nonzero(true.start < duration / trip)
     if np.count_nonzero(counts) <= len(found) <= begun:  # who finds the slight ones too is right
         return None
-    true, shares = true[counts], shares[counts]
-    if len(found) < len(true):
-        gaps = np.abs(true[:, 0, None] - found[None, :, 0]).min(axis=1)
+    true, shares = true.at(counts), shares[counts]
+    if len(found) < true.count:
+        gaps = np.abs(true.start[:, None] - found[None, :, 0]).min(axis=1)
         missed = int(np.argmax(gaps))
-        start, end, impulse = true[missed, 0], true[missed, 1], 100.0 * shares[missed]
+        start, end, impulse = true.start[missed], true.end[missed], 100.0 * shares[missed]
         return Note("contact-missed", Severity.WARNING, start=start, end=end, impulse=impulse, cause=cause)
-    apart = np.array([np.abs(true[:, 1] - end).min() for end in found[:-1, 1]])
+    apart = np.array([np.abs(true.end - end).min() for end in found[:-1, 1]])
     end = found[int(np.argmax(apart)), 1]
-    return Note("contact-broken", Severity.WARNING, end=end, contacts=len(found), true=len(true), cause=cause)
+    return Note("contact-broken", Severity.WARNING, end=end, contacts=len(found), true=true.count, cause=cause)
 
 
 def one_front(scene: Scene) -> bool:
@@ -72,19 +73,19 @@ def one_front(scene: Scene) -> bool:
     )
 
 
-def _contacts(beta: float, reflection: float) -> np.ndarray | None:
-    """Of each contact start, end, velocity before and after, and more; None if the impact is far from simple."""
+def _contacts(beta: float, reflection: float) -> ContactTable[np.ndarray] | None:
+    """None if the impact is far from simple."""
     for pieces in HISTORY_PIECES:
         sent = rigid_waves.Pieces.of(pieces, HISTORY_TERMS, pieces)
         status, _, count = rigid_waves.strike(beta, reflection, rigid_waves.FOREVER, sent)
         if status == rigid_waves.PARTED:
-            return sent.contacts[:count]
+            return ContactTable.of(sent.contacts[:count])
     return None
 
 
 def _count(beta: float, reflection: float) -> int | Any:
     contacts = _contacts(beta, reflection)
-    return None if contacts is None else contacts.shape[0]
+    return None if contacts is None else contacts.count
 
 
 def _edge(beta: float, reflection: float, here: int | None, far: float) -> tuple[float, int] | None:

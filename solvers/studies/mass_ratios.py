@@ -8,6 +8,7 @@ from .. import validation
 from ..jit import kernel
 from ..numerics.arrays import copy_to
 from ..numerics.waves import rigid as rigid_waves
+from ..numerics.waves.contact_table import ContactTable
 from ..validation import SceneError, allowed
 
 RATIO_RANGE = (1e-6, 1e6)  # beyond it the lighter body does not feel the heavier one within doubles' reach
@@ -53,18 +54,19 @@ def mass_ratio_sweep(support: str = "fixed", ratios: np.ndarray | None = None) -
         sent = rigid_waves.Pieces.of(pieces, TERMS, MOST_CONTACTS)
         if _impacts(reflection, np.ascontiguousarray(ratios), sent, count, contacts):
             break
-    last = np.take_along_axis(contacts, (count - 1)[:, None, None], axis=1)[:, 0]
-    rebound, end_speed = last[:, 3], last[:, 6]
+    table = ContactTable.of(contacts)
+    last = table.at((np.arange(ratios.size), count - 1))
+    rebound = last.velocity_after
     target = 0.0 if support == "fixed" else (1.0 - rebound) / ratios
     return MassRatioSweep(
         support=support,
         mass_ratio=ratios,
         contacts=count,
-        periods=contacts[:, : count.max(), :2].copy(),
+        periods=np.stack((table.start, table.end), axis=-1)[:, : count.max()],
         rebound_velocity=rebound,
-        peak_stress=np.nanmax(contacts[:, :, 4], axis=1),
+        peak_stress=np.nanmax(table.peak_stress, axis=1),
         restitution=target - rebound,
-        restitution_at_contact=end_speed - rebound,
+        restitution_at_contact=last.face_velocity - rebound,
     )
 
 

@@ -4,12 +4,14 @@ Units: time in round trips T, velocity in the impact speed v, displacement in v 
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from ...numerics.waves import rigid as rigid_waves
 from ...numerics.waves import rigid_figures
 from ...numerics.waves import stepped as stepped_waves
+from ...numerics.waves.contact_table import ContactTable
 from ...scene import Scene
 from ...text.notes import Note
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS
@@ -17,10 +19,19 @@ from ..validity import cut_short
 from .chain_scene import UNKNOWN, end_notes
 
 
+class WaveFigures(NamedTuple):
+    """What is not in the table of contacts, at one time: see `rigid_figures.figures`."""
+
+    impulse: float  # [Z v T]
+    target: float  # velocity of the centre of mass of the rod [v]
+    compressing: float  # impulse up to the end of compression; NaN if that never comes
+    energy: float  # of the rod [Z v v T]
+
+
 class History:
     """What one of the kernels returned, in its units: the wave sent, and the motion of the mass."""
 
-    contacts: np.ndarray
+    contacts: ContactTable[np.ndarray]
     reach: float  # last time known
     steps: int
     notes: list[Note]
@@ -29,7 +40,7 @@ class History:
     def jumps(self) -> np.ndarray:
         """Times at which the force may jump or bend: every event and every return of one."""
         trips = np.arange(math.floor(self.reach) + 1)
-        events = self.contacts[:, :2].ravel()
+        events = np.concatenate((self.contacts.start, self.contacts.end))
         return np.unique((events[:, None] + trips).ravel()) if trips.size < 200 else np.unique(np.append(events, trips))
 
     def estimated_error(self, residual: float) -> float:
@@ -39,6 +50,7 @@ class History:
 
 class RigidHistory(History):
     pieces: list[np.ndarray]
+    _rows: np.ndarray  # of the contacts, as kernels take them
     kappa: float
     reflection: float
     FIRST_PIECES, MAX_PIECES = 64, 200_000  # most impacts have a dozen; room for more takes longer than they
@@ -56,14 +68,15 @@ class RigidHistory(History):
             if status != rigid_waves.FULL or pieces >= cls.MAX_PIECES:
                 break
             pieces = min(8 * pieces, cls.MAX_PIECES)
-        *self.pieces, self.contacts = sent.first(count, contacts)
+        *self.pieces, self._rows = sent.first(count, contacts)
+        self.contacts = ContactTable.of(self._rows)
         self.kappa, self.reflection = 2.0 * beta, reflection
         self.reach, self.steps = float(self.pieces[0][-1]), int(count)
         full, trip = None, scene.time_unit
         if status == rigid_waves.FULL:
             times = (self.reach * trip, until * trip) if asked else (None, None)
             full = cut_short(cls.MAX_PIECES, "pieces", *times)
-        self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(self.contacts[-1, 5])), asked, full)
+        self.notes = end_notes(status == rigid_waves.PARTED, bool(np.isnan(self.contacts.position[-1])), asked, full)
         self.complete = status == rigid_waves.PARTED or (asked and not full)
         return self
 
@@ -92,16 +105,15 @@ class RigidHistory(History):
         return np.where(t > 0.0, velocity, 1.0)
 
     def _flights(self, t):
-        for row, (_, end, _, speed, _, place, _) in enumerate(self.contacts):
-            following = self.contacts[row + 1, 0] if row + 1 < len(self.contacts) else math.inf
-            if not math.isnan(place):
-                yield (t >= end) & (t <= following), end, speed, place
+        following = np.append(self.contacts.start[1:], math.inf)
+        for row, touches in zip(self.contacts.rows(), following, strict=True):
+            if not math.isnan(row.position):
+                yield (t >= row.end) & (t <= touches), row.end, row.velocity_after, row.position
 
-    def figures(self, time: float) -> np.ndarray:
-        """See `rigid_figures.figures`."""
+    def figures(self, time: float) -> WaveFigures:
         out = np.empty(rigid_figures.FIGURES)
-        rigid_figures.figures(time, 0.5 * self.kappa, self.reflection, *self.pieces, self.contacts, out)
-        return out
+        rigid_figures.figures(time, 0.5 * self.kappa, self.reflection, *self.pieces, self._rows, out)
+        return WaveFigures(*out.tolist())
 
     def squares(self, begin, end):
         start, coefficients, degrees, _ = self.pieces
@@ -130,15 +142,16 @@ class SteppedHistory(History):
         self.per_trip = max(2, round(steps / until))
         count = max(1, math.ceil(until * self.per_trip - 1e-9))
         found = stepped_waves.strike(beta, reflection, self.per_trip, count, True, 1000)
-        self.before, self.after, self.position, self.velocity, self.contacts, _ = found
+        self.before, self.after, self.position, self.velocity, rows, _ = found
+        self.contacts = ContactTable.of(rows)
         self.reach, self.steps = count / self.per_trip, count
         self.totals = np.concatenate(([0.0], np.cumsum(0.5 * (self.after[:-1] + self.before[1:])))) / self.per_trip
         square = (self.after[:-1] ** 2 + self.after[:-1] * self.before[1:] + self.before[1:] ** 2) / 3.0
         self.square_totals = np.concatenate(([0.0], np.cumsum(square))) / self.per_trip
-        self.notes = end_notes(parted, bool(self.contacts[-1, 1] >= self.reach), asked)
+        self.notes = end_notes(parted, bool(self.contacts.end[-1] >= self.reach), asked)
         half = max(1, self.per_trip // 2)
-        coarse = stepped_waves.strike(beta, reflection, half, math.ceil(self.reach * half), True, 1000)
-        self.difference = abs(float(coarse[3][-1] - self.velocity[-1]))
+        _, _, _, velocity, *_ = stepped_waves.strike(beta, reflection, half, math.ceil(self.reach * half), True, 1000)
+        self.difference = abs(float(velocity[-1] - self.velocity[-1]))
         return self
 
     @classmethod
@@ -149,9 +162,9 @@ class SteppedHistory(History):
         limit, most = 1_000, int(min(cls.COARSE * MAX_ROUND_TRIPS, 2_000_000))
         while True:
             limit = min(8 * limit, most)
-            contacts, parted = stepped_waves.strike(beta, reflection, cls.COARSE, limit, False, 1000)[4:]
+            *_, contacts, parted = stepped_waves.strike(beta, reflection, cls.COARSE, limit, False, 1000)
             if parted or limit == most:
-                return float(contacts[-1, 1]), bool(parted)
+                return float(ContactTable.of(contacts).end[-1]), bool(parted)
 
     def estimated_error(self, residual):
         return max(self.difference, residual, 1e-15)

@@ -61,19 +61,19 @@ class Waves(Method):
         history = (
             RigidHistory.strike(scene, until) if self.steps is None else SteppedHistory.strike(scene, until, self.steps)
         )
-        shown = until if duration is not None else min(history.contacts[-1, 1] + AFTERGLOW, history.reach)
+        shown = until if duration is not None else min(history.contacts.end[-1] + AFTERGLOW, history.reach)
         shown = float(min(shown, history.reach))
         wall_time = clock() - begun
         motion = WaveMotion(scene, history)
         rod, speed = scene.target.known_as(Waveguide), scene.impactor.velocity
         contacts = [
             ContactPeriod(
-                start=trip * start,
-                end=trip * end,
-                impulse=scene.impactor.mass * speed * (before - after),
-                peak_force=rod.impedance * speed * peak,
+                start=trip * row.start,
+                end=trip * row.end,
+                impulse=scene.impactor.mass * speed * (row.velocity_before - row.velocity_after),
+                peak_force=rod.impedance * speed * row.peak_stress,
             )
-            for start, end, before, after, peak, *_ in history.contacts.tolist()
+            for row in history.contacts.rows()
         ]
 
         def figures() -> dict[str, Any]:
@@ -141,21 +141,21 @@ class Waves(Method):
 
 def _figures(scene: Scene, history: RigidHistory, shown: float, touching: bool, wall_time: float) -> dict[str, Any]:
     """As `summary` gives them, from the pieces of the exact wave up to the time `shown` [T]."""
-    rod, speed, last = scene.target.known_as(Waveguide), scene.impactor.velocity, history.contacts[-1]
-    impulse, target, compressing, energy = history.figures(shown).tolist()
+    rod, speed, last = scene.target.known_as(Waveguide), scene.impactor.velocity, history.contacts.at(-1)
+    found = history.figures(shown)
     force, trip = rod.impedance * speed, rod.round_trip_time
-    target = 0.0 if rod.held else speed * target
+    target = 0.0 if rod.held else speed * found.target
     rigid = 0.0 if rod.held else 0.5 * rod.mass * target**2
-    final = speed * float(last[3])
+    final = speed * float(last.velocity_after)
     return balanced(
         scene,
         final,
         target,
-        force * trip * impulse,
+        force * trip * found.impulse,
         {
             "impactor": 0.5 * scene.impactor.mass * final**2,
             "target_rigid": rigid,
-            "target_vibration": force * speed * trip * energy - rigid,
+            "target_vibration": force * speed * trip * found.energy - rigid,
             "local": 0.0,
             "dissipated": 0.0,
         },
@@ -163,8 +163,8 @@ def _figures(scene: Scene, history: RigidHistory, shown: float, touching: bool, 
         if touching
         else {
             "newton": (target - final) / speed,
-            "poisson": impulse / compressing - 1.0 if compressing > 0.0 else None,
-            "newton_at_contact": float(last[6] - last[3]),
+            "poisson": found.impulse / found.compressing - 1.0 if found.compressing > 0.0 else None,
+            "newton_at_contact": float(last.face_velocity - last.velocity_after),
         },
         wall_time,
     )
@@ -206,7 +206,7 @@ class WaveMotion:
 
     def _touching(self, time, after):
         t = np.asarray(time, float) / self._trip
-        start, end = self.history.contacts[:, 0], self.history.contacts[:, 1]
+        start, end = self.history.contacts.start, self.history.contacts.end
         inside = (t[:, None] >= start) & (t[:, None] < end) if after else (t[:, None] > start) & (t[:, None] <= end)
         return inside.any(axis=1)
 
