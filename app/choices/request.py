@@ -5,7 +5,7 @@ from typing import Any
 
 from solvers import Scene
 
-from .scene_of import acting_choices, chosen_scene, kind_of
+from .scene_of import acting_choices, chosen_scene, kind_of, own_choices
 
 
 @dataclass(frozen=True)
@@ -32,6 +32,11 @@ class Request:
     def kind(self) -> str:
         """Of scene, see `kind_of`."""
         return kind_of(self.scene)
+
+    @property
+    def own(self) -> dict[str, Any]:
+        """The choices with which the page opens the scene."""
+        return own_choices(self.chosen["scene"])
 
     @property
     def acting(self) -> list[str]:

@@ -32,6 +32,11 @@ def choices_of(name: str) -> dict[str, Any]:
     return dict(_own_values(name))
 
 
+def own_choices(name: str) -> dict[str, Any]:
+    """A value for every choice, as the page opens a built-in scene; an address says only what differs from these."""
+    return Choices(scene=name, **choices_of(name)).chosen()
+
+
 @cache
 def _own_values(name: str) -> dict[str, Any]:
     scene = SCENES[name]

@@ -58,6 +58,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
     header = {
         "kind": "axial",
         "chosen": request.chosen,
+        "own": request.own,
         "acting": request.acting,
         "refusals": refusals(scene),
         "title": scene.title,

@@ -74,6 +74,7 @@ def beam_frame(request: Request) -> bytes:
     header |= {
         "kind": "beam",
         "chosen": request.chosen,
+        "own": request.own,
         "acting": request.acting,
         "refusals": refused,
         "refused": reason and reason.table(),

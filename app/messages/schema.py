@@ -30,6 +30,7 @@ def _optional(fields: Fields) -> Fields:
 COMMON: Fields = {
     "kind": Field("string", "of the message: axial, beam or bodies"),
     "chosen": Field("Chosen", "a value for every choice; None outside the page"),
+    "own": Field("Chosen", "the same, as the page opens the scene"),
     "acting": Field("string[]", "choices that act on this scene"),
     "refusals": Field("Record<string, Note | null>", "by method: why it cannot solve the scene, or None"),
     "title": Field("string"),

@@ -43,6 +43,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
     header = {
         "kind": "bodies",
         "chosen": request and request.chosen,
+        "own": request.own if request else None,
         "acting": request.acting if request else [],
         "refusals": {},
         "title": scene.title,

@@ -2,15 +2,18 @@
 import { AxialView } from './axial/view.js';
 import { BeamView } from './beam/view.js';
 import { watchScrolling } from './charts/gestures.js';
+import { Compare } from './compare/compare.js';
 import { Analyses } from './panels/panels.js';
 import { writeAddress } from './shell/address.js';
+import { Changes } from './shell/changes.js';
 import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
-import { download, make } from './shell/dom.js';
+import { make } from './shell/dom.js';
 import { First } from './shell/first.js';
 import { Layout } from './shell/layout.js';
 import { decode } from './shell/message.js';
 import { Player } from './shell/player.js';
+import { copyLink, saveData } from './shell/share.js';
 import { Striker } from './shell/striker.js';
 import { Symbols } from './shell/symbols.js';
 import { goOn, stateOf } from './shell/state.js';
@@ -20,6 +23,7 @@ import { text } from './text/catalogue.js';
 
 /** @import { Chosen, Frame } from './shell/message.js' */
 /** @import { Chart } from './charts/chart.js' */
+/** @import { Scaled } from './compare/scales.js' */
 /** @import { Model } from './shell/model.js' */
 /** @import { Stack } from './shell/stack.js' */
 /** @import { Event, Events } from './shell/story.js' */
@@ -28,12 +32,12 @@ import { text } from './text/catalogue.js';
 const SHEETS = [
   ...['lab', 'layout', 'controls', 'player', 'story', 'first'].map((name) => `shell/${name}.css`),
   'charts/charts.css',
+  'compare/compare.css',
   'space/stage.css',
   'beam/beam.css',
   ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
 ];
 const NAME = 'Strikewave';
-const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same
 const READ = 150; // ms for which words stand before they change again
 const LONG_CAPTION = 130; // letters, beyond which it is written smaller
 const TOAST = 8000; // ms for which a complaint is shown
@@ -46,7 +50,7 @@ const isRange = (element) => element?.getAttribute('type') === 'range';
 /**
  * What shows an impact of one kind.
  * @typedef {object} View
- * @property {{ root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
+ * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
  * @property {Told} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {HTMLElement[]} buttons  beside the caption
@@ -54,6 +58,9 @@ const isRange = (element) => element?.getAttribute('type') === 'range';
  * @property {{ root: HTMLElement }} [colours]  the choice of what they show
  * @property {Stack} [stack]  charts over time
  * @property {Chart} [strip]  the one of them that a phone always shows
+ * @property {import('./axial/charts.js').Cycle} [cycle]
+ * @property {import('./beam/charts.js').Dispersion} [dispersion]
+ * @property {() => void} dress  pictures in their colours and to their scale
  * @property {(hidden: boolean) => void} hide
  * @property {(frame: any) => void} load
  * @property {() => void} draw
@@ -74,9 +81,6 @@ const isRange = (element) => element?.getAttribute('type') === 'range';
 
 export class Page {
   /** @type {Frame} */ frame; // that is shown
-  /** @type {Record<string, any>} */ waiting = {}; // changes that are to be sent
-  asked = 0; // when the last was, or 0 if it is answered
-  /** @type {number | undefined} */ patience;
   /** @type {number} */ telling = 0;
   toldAt = 0;
   /** @type {number | undefined} */ hush;
@@ -92,6 +96,8 @@ export class Page {
     this.model = model;
     this.waiter = new Waiting(model);
     this.names = Object.keys(model.spec);
+    /** @type {Changes} */
+    this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
     this.controls = new Controls(
       model.spec,
       (name, value) => this.send(name, value),
@@ -103,9 +109,10 @@ export class Page {
       range: () => this.range(),
       hold: (holding) => this.caption.classList.toggle('speaking', holding),
     });
+    this.compare = new Compare(this);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
-    this.space = new SpaceView();
+    this.space = new SpaceView(this);
     /** @type {Record<Frame['kind'], View>} */
     this.views = { axial: this.axial, beam: this.beam, bodies: this.space };
     this.analyses = new Analyses(this);
@@ -122,7 +129,11 @@ export class Page {
     this.root.append(this.toast);
     el.append(...SHEETS.map(sheet), this.root, this.waiter.root);
     const back = () => this.flush();
-    this.connection = new Connection(model, this.root, { state: () => stateOf(this), late: () => this.late, back });
+    this.connection = new Connection(model, this.root, {
+      state: () => stateOf(this),
+      late: () => this.changes.late,
+      back,
+    });
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
@@ -135,12 +146,12 @@ export class Page {
     const copy = make('button', {
       type: 'button',
       textContent: text('page.copy-link'),
-      onclick: () => this.copyLink(),
+      onclick: () => copyLink(this),
     });
     const save = make('button', {
       type: 'button',
       textContent: text('page.save-data'),
-      onclick: () => this.saveData(),
+      onclick: () => saveData(this),
     });
     save.title = text('page.save-data-about');
     const scene = this.controls.fields.scene.root;
@@ -149,7 +160,10 @@ export class Page {
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
     const caption = make('div', { className: 'caption-row' }, this.caption, ...all.flatMap(({ buttons }) => buttons));
-    const pinned = [caption, ...all.map(({ stage }) => stage.root), this.player.root];
+    const { bar: kept, second, tag } = this.compare;
+    this.player.root.append(kept.button);
+    const stages = make('div', { className: 'stages' }, tag, ...all.map(({ stage }) => stage.root), second.root);
+    const pinned = [caption, stages, this.player.root, kept.row];
     const charts = all.flatMap(({ stack }) => (stack ? [stack.root] : []));
     return new Layout({ bar, choices, pinned, charts }, () => this.place());
   }
@@ -174,6 +188,7 @@ export class Page {
     model.on('frame', () => this.take());
     model.on('refused', () => {
       if (!model.refused) return;
+      this.changes.leave();
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
@@ -194,7 +209,7 @@ export class Page {
       if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
       const tag = from?.tagName ?? '';
       if (event.key === ' ' ? TAKE_SPACE.includes(tag) : TAKE_LETTERS.includes(tag) && !isRange(from)) return;
-      if (this.player.key(event)) event.preventDefault();
+      if (this.player.key(event) || this.compare.key(event)) event.preventDefault();
     };
     document.addEventListener('keydown', key);
     const resized = new ResizeObserver(() => requestAnimationFrame(() => this.redraw()));
@@ -209,14 +224,12 @@ export class Page {
     });
   }
   /**
-   * Changes go out one at a time: the next when the last is answered, and then only the newest of each.
    * @param {string} name
    * @param {number | string} value
    */
   send(name, value) {
-    this.waiting[name] = value;
     this.player.rest();
-    this.flush();
+    this.changes.set(name, value);
   }
   /**
    * Choose something otherwise than by its control, which follows.
@@ -227,49 +240,45 @@ export class Page {
     this.controls.show(name, value);
     this.send(name, value);
   }
-  /** Milliseconds for which an answer has been awaited. */
-  get late() {
-    return this.asked ? performance.now() - this.asked : 0;
+  /**
+   * Go to settings, those that are not given as the scene has them.
+   * @param {Partial<Chosen>} settings
+   * @param {(frame: Frame | null) => void} [done]  with the frame that answers them, or nothing
+   */
+  goTo(settings, done = () => {}) {
+    this.player.rest();
+    this.changes.go(this.frame, settings, done);
   }
-  flush() {
-    const names = Object.keys(this.waiting);
-    const left = this.asked ? PATIENCE - (performance.now() - this.asked) : 0;
-    if (!names.length || this.connection?.lost) return; // kept until there is a server again
-    if (left > 0) {
-      // an answer that never comes must not hold the next change for good
-      clearTimeout(this.patience);
-      this.patience = window.setTimeout(() => this.flush(), left + 1);
-      return;
-    }
-    const changes = this.waiting;
-    this.waiting = {};
-    let changed = false;
-    for (const name of names) {
-      if (Object.is(this.model[name], changes[name])) continue;
-      changed = true;
-      this.asked = performance.now();
-      this.model[name] = changes[name];
-    }
-    if (!changed) return;
+  #sent() {
     this.toast.hidden = true;
     this.waiter.soon('frame', text('page.solving'));
   }
+  get waiting() {
+    return this.changes.waiting;
+  }
+  get asked() {
+    return this.changes.asked;
+  }
+  flush() {
+    this.changes.flush();
+  }
   settle() {
-    this.asked = 0;
     this.waiter.over('frame');
-    this.flush();
+    this.changes.settle();
   }
   take(data = this.model.frame) {
     if (!data || !data.byteLength) return;
     this.frame = decode(data);
     this.root.inert = false;
     this.analyses.take(this.frame);
+    this.compare.take(data, this.frame);
     if (this.root.dataset.kind !== this.frame.kind) this.turn();
     this.view.load(this.frame);
     this.analyses.draw();
     this.player.load(this.frame);
     if (!this.resumed) this.resume();
     this.settle();
+    this.changes.arrived(this.frame);
     this.tell(this.frame.chosen);
     const { strikewave } = /** @type {any} */ (window); // for tests and benches
     Object.assign(window, { strikewave: { page: this, frames: (strikewave?.frames ?? 0) + 1 } });
@@ -278,8 +287,8 @@ export class Page {
   turn() {
     this.root.dataset.kind = this.frame.kind;
     for (const view of Object.values(this.views)) view.hide(view !== this.view);
-    this.layout.tabs.panel('story').replaceChildren(this.first.root, this.told.root);
-    this.layout.tabs.panel('numbers').replaceChildren(this.told.numbers);
+    this.layout.tabs.panel('story').replaceChildren(this.compare.told.root, this.first.root, this.told.root);
+    this.layout.tabs.panel('numbers').replaceChildren(this.compare.told.numbers, this.told.numbers);
     this.place();
   }
   // What the address has opened is gone on with as if it had been opened by hand.
@@ -304,6 +313,7 @@ export class Page {
       this.told.load(this.frame);
       this.told.at(this.player.t + this.player.start);
       this.first.load(this.frame);
+      this.compare.tell(this.frame);
       for (const root of [this.told.root, this.told.numbers]) this.symbols.mark(root);
       this.say();
       this.player.mark();
@@ -326,6 +336,7 @@ export class Page {
   show(t) {
     if (!this.frame) return;
     this.view.show(t);
+    this.compare.show(t);
     if (!this.telling) {
       this.told.at(t);
       this.say();
@@ -374,21 +385,6 @@ export class Page {
   /** @param {Chosen} chosen */
   address(chosen) {
     writeAddress(this.model, this.names, chosen);
-  }
-  async copyLink() {
-    try {
-      await navigator.clipboard.writeText(location.href);
-      this.complain(text('page.link-copied'));
-    } catch {
-      this.complain(text('page.link', { link: location.href }));
-    }
-  }
-  saveData() {
-    const { view, frame } = this;
-    const rows = view.rows?.();
-    if (rows)
-      download(new Blob([`${rows.join('\n')}\n`], { type: 'text/csv' }), `strikewave-${frame.chosen.scene}.csv`);
-    else this.complain(text('page.no-history'));
   }
 }
 

@@ -179,6 +179,8 @@ export class Force {
 // Force against indentation: the law's own curve, and the path of this impact.
 export class Cycle {
   /** @type {[factor: number, unit: string]} */ across = [1e6, 'µm']; // how the indentation is shown
+  /** @type {{ depth: Numbers, force: Numbers, name: string, style: Series['style'] }[]} */ kept = [];
+  reach = 0; // indentation that the axis is to reach, in any case [m]
 
   constructor() {
     this.chart = new Chart({
@@ -202,7 +204,7 @@ export class Cycle {
     const [loading, unloading] = [given(frame.cycleLoading, 'law'), given(frame.cycleUnloading, 'law')];
     const [path, force] = [given(frame.blowDepth, 'path'), given(frame.blowForce, 'path')];
     const most = (/** @type {Numbers} */ values) => values.reduce((a, b) => Math.max(a, b), 0);
-    const deep = Math.max(most(depth), most(path));
+    const deep = Math.max(most(depth), most(path), this.reach, ...this.kept.map((run) => most(run.depth)));
     this.across = scaled(deep, 'm');
     const [factor, xUnit] = this.across;
     const strong = Math.max(most(loading), most(force));
@@ -214,6 +216,8 @@ export class Cycle {
       { x, y: loading, name: text('axial.chart.loading'), style: 'prediction' },
     ];
     if (slow) series.push({ x, y: unloading, name: text('axial.chart.unloading'), style: 'dots' });
+    for (const { depth: other, force: y, name, style } of this.kept)
+      series.push({ x: other.map((a) => a * factor), y, path: true, name, style });
     this.chart.axis.load(0, 1.04 * deep * factor);
     this.chart.show({ series, xUnit });
   }

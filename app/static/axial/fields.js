@@ -20,6 +20,13 @@ export function at(samples, t, duration) {
   return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
 }
 
+/**
+ * What colours are in units of [SI].
+ * @param {{ stressUnit: number, speed: number }} frame
+ * @param {What} what
+ */
+export const unitOf = (frame, what) => (what === 'stress' ? frame.stressUnit : frame.speed);
+
 /** The field of one solution between two places; here of bodies that move as a whole, in which no wave runs. */
 export class Field {
   from = 0;

@@ -58,6 +58,15 @@ export class Stage {
     this.reach = reach * frame.speed * frame.trip;
     this.pressed = ['rod', 'pulse'].includes(frame.impactor.kind) ? 0 : pressed * frame.speed * frame.trip;
   }
+  /** What is drawn of movement [m]. */
+  ranges() {
+    return { reach: this.reach, pressed: this.pressed };
+  }
+  /** @param {Record<string, number>} ranges  in place of its own */
+  adopt({ reach, pressed }) {
+    this.reach = reach ?? this.reach;
+    this.pressed = pressed ?? this.pressed;
+  }
   /**
    * How movement is drawn: its largest takes a share of the picture, and the deepest indentation one of the striker.
    * Beside a length, of a rod or of a ball, it is exaggerated by a factor, which is rounded to 1, 2 or 5.

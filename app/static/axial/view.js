@@ -5,7 +5,7 @@ import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
-import { at, Field, SampledField, WaveField } from './fields.js';
+import { at, Field, SampledField, unitOf, WaveField } from './fields.js';
 import { ModalField } from './modal_field.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
@@ -63,9 +63,9 @@ export class AxialView {
   /** @param {AxialFrame} frame */
   load(frame) {
     this.frame = frame;
-    this.exactField = frame.rods.length ? new WaveField(frame) : new Field(frame, 'exact');
+    this.exactField = exactFieldOf(frame);
     this.#otherField = null;
-    this.axis.load(0, frame.duration);
+    this.axis.load(0, this.page.compare.span(frame));
     this.whole.hidden = true;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
     this.stack.arrange();
@@ -84,9 +84,10 @@ export class AxialView {
   // Colours of stage and x-t diagram.
   dress() {
     const { field, frame, what } = this;
-    const largest = this.exactField.largest(what);
+    const largest = this.page.compare.dress(what, this.exactField.largest(what), unitOf(frame, what));
     if (frame.rods.length) this.spaceTime.load(frame, field, what, largest);
     this.stage.load(frame, field, what, largest);
+    this.page.compare.share(this.stage);
     this.colours.show(what);
     this.draw();
   }
@@ -145,6 +146,15 @@ export class AxialView {
     return found;
   }
 }
+
+/** @param {AxialFrame} frame */
+const exactFieldOf = (frame) => (frame.rods.length ? new WaveField(frame) : new Field(frame, 'exact'));
+
+/**
+ * The field that the pictures of a message show.
+ * @param {AxialFrame} frame
+ */
+export const fieldOf = (frame) => (drawnFromOther(frame) ? otherFieldOf(frame) : exactFieldOf(frame));
 
 /** @param {AxialFrame} frame */
 function otherFieldOf(frame) {

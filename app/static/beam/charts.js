@@ -56,8 +56,10 @@ export class BeamSpaceTime {
   /**
    * @param {Axis} axis
    * @param {(t: number) => void} go
+   * @param {(what: What, end: number) => number} end  of the colours, which may be locked
    */
-  constructor(axis, go) {
+  constructor(axis, go, end) {
+    this.end = end;
     this.chart = new Chart({ ...XT, axis, xUnit: 'ms', y: [1, 0], go });
   }
   /**
@@ -86,13 +88,19 @@ export class BeamSpaceTime {
   draw() {
     const { axis } = this.chart;
     clearTimeout(this.resting);
-    this.whole ??= this.#picture(this.images[0], axis.whole);
-    const fine = this.fine?.x[0] === axis.view[0] && this.fine.x[1] === axis.view[1] ? this.fine : null;
+    this.whole ??= this.#picture(this.images[0], [0, this.frame.duration]);
+    const [start, end] = this.#stretch;
+    const fine = this.fine?.x[0] === start && this.fine.x[1] === end ? this.fine : null;
     if (axis.zoomed && !fine) this.resting = window.setTimeout(() => this.#refine(), REST);
     this.#show((axis.zoomed && fine) || this.whole);
   }
+  /** @returns {Range} what is in view of the impact; a solution that is kept may last longer */
+  get #stretch() {
+    const [start, end] = this.chart.axis.view;
+    return [start, Math.max(Math.min(end, this.frame.duration), start + 1e-9)];
+  }
   #refine() {
-    this.fine = this.#picture(this.images[1], this.chart.axis.view);
+    this.fine = this.#picture(this.images[1], this.#stretch);
     this.#show(this.fine);
   }
   /** @param {Picture} picture */
@@ -109,7 +117,7 @@ export class BeamSpaceTime {
   #picture(image, x) {
     const { field, what } = this;
     const values = field.picture(x, what);
-    paint(image, values, field.places, field.usualOf(values, 0));
+    paint(image, values, field.places, this.end(what, field.usualOf(values, 0)));
     const read = reader(values, field.places, x, [0, 1]);
     const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
       const value = read(t, place);

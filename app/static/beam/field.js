@@ -20,7 +20,7 @@ const EVERY = 2; // of so many places one, at each of them
 /** @type {Record<string, Float64Array>} */
 const rooms = {};
 /**
- * Room for numbers that each field of its size uses anew; only one field is shown at a time.
+ * Room for numbers that each field of its size uses anew; of those that are shown at a time, each has its own.
  * @param {string} name
  * @param {number} size
  */
@@ -46,10 +46,14 @@ export class BeamField {
   largest = forEach(() => 1e-30); // values over the whole impact
   usual = forEach(() => 1e-30); // where the colours end
 
-  /** @param {BeamFrame} frame */
-  constructor(frame) {
+  /**
+   * @param {BeamFrame} frame
+   * @param {string} room  in which its numbers are
+   */
+  constructor(frame, room) {
     this.frame = frame;
     this.places = frame.places;
+    this.room = room;
   }
   /**
    * Values along the beam at one instant: at all places, or at every `every`-th from `first`.
@@ -115,9 +119,12 @@ export class ModalBeamField extends BeamField {
   at = 0; // number of the step that is reached
   saved = 0; // rows of displacements, rates and the two of the whole, one every `stride` steps
 
-  /** @param {BeamFrame} frame */
-  constructor(frame) {
-    super(frame);
+  /**
+   * @param {BeamFrame} frame
+   * @param {string} room
+   */
+  constructor(frame, room) {
+    super(frame, room);
     const omega = given(frame.modalFrequencies, 'modalFrequencies');
     const push = given(frame.modalAtContact, 'modalAtContact');
     const damping = given(frame.damping, 'damping');
@@ -141,7 +148,7 @@ export class ModalBeamField extends BeamField {
     this.v = new Float64Array(n);
     this.steps = this.forces.length;
     this.stride = Math.max(1, Math.ceil((this.steps * n) / SAVED_NUMBERS));
-    this.rows = scratch('rows', (Math.floor(this.steps / this.stride) + 1) * (2 * n + 2));
+    this.rows = scratch(`${room} rows`, (Math.floor(this.steps / this.stride) + 1) * (2 * n + 2));
     this.rigid = [0, this.drift]; // displacement and velocity of the beam as a whole
     const shape = this.table('shape');
     this.tables = { deflection: shape, velocity: shape, moment: this.table('moment'), shear: this.table('shear') };
@@ -162,7 +169,7 @@ export class ModalBeamField extends BeamField {
   table(name) {
     const rows = arrayOf(this.frame, `${name}Rows`);
     const scale = arrayOf(this.frame, `${name}Scale`);
-    const found = scratch(`table ${name}`, rows.length);
+    const found = scratch(`${this.room} table ${name}`, rows.length);
     for (let i = 0, k = 0; i < scale.length; i++)
       for (let j = 0; j < this.places; j++, k++) found[k] = rows[k] * scale[i];
     return found;
@@ -270,9 +277,12 @@ export class ModalBeamField extends BeamField {
 
 /** Fields sampled by the server, for methods whose fields cannot be rebuilt here; closer together at first. */
 export class SampledBeamField extends BeamField {
-  /** @param {BeamFrame} frame */
-  constructor(frame) {
-    super(frame);
+  /**
+   * @param {BeamFrame} frame
+   * @param {string} room
+   */
+  constructor(frame, room) {
+    super(frame, room);
     this.time = given(frame.fieldTime, 'fieldTime');
     this.tables = {
       deflection: given(frame.fieldDeflection, 'fieldDeflection'),
@@ -298,5 +308,9 @@ export class SampledBeamField extends BeamField {
   }
 }
 
-/** @param {BeamFrame} frame */
-export const fieldOf = (frame) => (frame.modalForce ? new ModalBeamField(frame) : new SampledBeamField(frame));
+/**
+ * @param {BeamFrame} frame
+ * @param {string} [room]  of a field that is shown beside another
+ */
+export const fieldOf = (frame, room = '') =>
+  frame.modalForce ? new ModalBeamField(frame, room) : new SampledBeamField(frame, room);

@@ -5,6 +5,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
+import { FIELDS } from './field.js';
 import { drawSupports } from './supports.js';
 
 /** @import { BeamFrame } from '../shell/message.js' */
@@ -34,6 +35,7 @@ export class BeamStage {
   /** @type {Out} */ values; // of what the colours show, at the instant drawn
   /** @type {Out} */ moved;
   reach = 1; // the largest deflection [m]
+  usual = { moment: 1, velocity: 1, shear: 1, deflection: 1 }; // ends of the colours
   factor = 1; // by which movement would be exaggerated if there were room
   scales = { shear: 1, moment: 1 }; // values at the ends of the diagrams
   stressUnit = 1; // MPa in N m
@@ -67,9 +69,27 @@ export class BeamStage {
       if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
     this.factor = roundBelow((0.13 * frame.beam.length) / reach);
     this.reach = reach;
+    this.usual = { ...field.usual };
     // of both signs alike, so that the zero line stays
     this.scales = { shear: field.usual.shear * 1.25, moment: field.largest.moment * 1.2 };
     this.stressUnit = frame.beam.halfDepth / frame.beam.secondMoment / 1e6;
+  }
+  /** Movement [m], diagrams and ends of the colours [SI] that fill the picture. */
+  ranges() {
+    const { reach, scales, usual } = this;
+    return {
+      reach,
+      ...scales,
+      ...Object.fromEntries(Object.entries(usual).map(([key, end]) => [`usual ${key}`, end])),
+    };
+  }
+  /** @param {Record<string, number>} ranges  in place of its own */
+  adopt(ranges) {
+    this.reach = ranges.reach ?? this.reach;
+    for (const name of /** @type {const} */ (['shear', 'moment']))
+      this.scales[name] = ranges[name] ?? this.scales[name];
+    for (const name of FIELDS) this.usual[name] = ranges[`usual ${name}`] ?? this.usual[name];
+    this.factor = roundBelow((0.13 * this.frame.beam.length) / this.reach);
   }
   /** @param {number} t */
   draw(t) {
@@ -137,7 +157,7 @@ export class BeamStage {
   beam(c) {
     const { field, frame, thick, middle, scale, what } = this;
     const half = thick / 2;
-    const largest = field.usual[what];
+    const largest = this.usual[what];
     const last = field.places - 1;
     for (const [above, below, sign] of what === 'moment'
       ? [
@@ -279,7 +299,7 @@ export class BeamStage {
     const x = frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
     const y = 22;
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
-    const largest = this.field.usual[what] * unit;
+    const largest = this.usual[what] * unit;
     const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
     const colours = c.createLinearGradient(x, 0, x + bar, 0);
     for (let k = 0; k <= 6; k++) colours.addColorStop(k / 6, css(k / 3 - 1, 1));

@@ -36,7 +36,7 @@ export class BeamView {
     this.axis = new Axis();
     const go = (/** @type {number} */ t) => page.player.seek(t);
     this.stage = new BeamStage();
-    this.spaceTime = new BeamSpaceTime(this.axis, go);
+    this.spaceTime = new BeamSpaceTime(this.axis, go, (what, end) => page.compare.scales.end(what, end));
     this.force = new BeamForce(this.axis, go);
     this.motion = new BeamMotion(this.axis, go);
     this.dispersion = new Dispersion();
@@ -76,7 +76,7 @@ export class BeamView {
   load(frame) {
     this.frame = frame;
     this.field = fieldOf(frame);
-    this.axis.load(0, frame.duration);
+    this.axis.load(0, this.page.compare.span(frame));
     this.whole.hidden = true;
     this.slow.hidden = this.frame.contacts.length < 2;
     this.force.load(frame);
@@ -87,7 +87,9 @@ export class BeamView {
     this.draw();
   }
   dress() {
+    this.page.compare.dress(this.what);
     this.stage.load(this.frame, this.field, this.what);
+    this.page.compare.share(this.stage);
     this.spaceTime.load(this.frame, this.field, this.what);
     this.colours.show(this.what);
   }

@@ -27,6 +27,7 @@ import { Tools } from './tools.js';
  * @property {boolean} [path]  x is in any order
  * @property {import('./scale.js').Reach} [reach]  how far it may widen the range; by default it leads
  * @property {string} [cursor]  what its value at the clock is called in the head; none by default
+ * @property {string} [unit]  the only one of the chart in which it can be drawn
  */
 
 /**
@@ -74,8 +75,14 @@ import { Tools } from './tools.js';
  * @property {boolean} [points]  single samples are read, not all values at one x
  */
 
+/** @typedef {{ spans: Span[], color: string }} Stretches  contacts of a solution that is laid over */
+
 export class Chart extends Plot {
-  /** @type {Content} */ content = { series: [] };
+  /** @type {Content} */ content = { series: [] }; // that is drawn
+  /** @type {Content} */ own = { series: [] }; // without what is laid over
+  /** @type {Series[]} */ laid = []; // of other solutions, beneath its own
+  /** @type {Stretches[]} */ stretches = []; // below its own bars
+  /** @type {Record<string, Range> | null} */ held = null; // ranges of y by unit, without prefix: they are locked
   /** @type {{ x: number, y?: number, text?: string } | null} */ now = null; // what the clock shows
   /** @type {import('./tip.js').Reading | null} */ inspected = null; // what a pointer or a key reads
   /** @type {Range | null} */ selected = null; // what a drag has passed over
@@ -103,12 +110,35 @@ export class Chart extends Plot {
 
   /** @param {Content} content */
   show(content) {
-    this.content = content;
+    const unit = content.unit ?? this.options.unit;
+    const laid = this.laid.filter((series) => !series.unit || series.unit === unit);
+    this.own = content;
+    this.content = laid.length ? { ...content, series: [...content.series, ...laid] } : content;
     this.xUnit = content.xUnit ?? this.options.xUnit;
     this.inspected = null;
     this.tip.hide();
-    this.key(keysOf(content));
+    this.key(keysOf(this.content));
     if (content.readout !== undefined) this.say(content.readout);
+  }
+
+  /**
+   * Lay other solutions over what is shown.
+   * @param {Series[]} series
+   * @param {Stretches[]} [stretches]
+   */
+  lay(series, stretches = []) {
+    this.laid = series;
+    this.stretches = stretches;
+    if (this.xUnit) this.show(this.own);
+  }
+
+  /**
+   * The range of y as it is drawn, by unit, to be held.
+   * @returns {Record<string, Range>}
+   */
+  ranges() {
+    if (this.options.y || !this.box) return {};
+    return { [this.content.unit ?? this.options.unit ?? '']: [this.y[0] / this.factor, this.y[1] / this.factor] };
   }
 
   /** Draw all that changes with a solve or a zoom. */
@@ -118,9 +148,12 @@ export class Chart extends Plot {
     if (options.y) this.y = options.y;
     else {
       const { zero, pad = [0.08, 0.08] } = options;
-      const [low, high] = rangeOf(content.series, axis.view, { zoomed: axis.zoomed, zero, pad });
+      const unit = content.unit ?? options.unit ?? '';
+      const held = this.held?.[unit];
+      const [low, high] = held ?? rangeOf(content.series, axis.view, { zoomed: axis.zoomed, zero, pad });
+      if (this.held && !held) this.held[unit] = [low, high];
       const most = Math.max(Math.abs(low), Math.abs(high));
-      [this.factor, this.unitShown] = scaled(most, content.unit ?? options.unit ?? '');
+      [this.factor, this.unitShown] = scaled(most, unit);
       this.y = [low * this.factor, high * this.factor];
     }
     const caption = options.caption?.(this.unitShown, this.xUnit) ?? this.unitShown;
@@ -154,6 +187,7 @@ export class Chart extends Plot {
       }
     c.restore();
     if (bars) marks.bars(c, this, bars);
+    if (bars) this.stretches.forEach((other, k) => marks.bars(c, this, { ...bars, ...other, below: k + 1 }));
   }
 
   /** @param {Series} series */

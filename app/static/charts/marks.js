@@ -170,19 +170,19 @@ export function shades(c, plot, spans, color) {
 }
 
 /**
- * Stretches of x as thick bars at one height, within the box, at least so many pixels wide.
+ * Stretches of x as thick bars at one height, within the box, at least so many pixels wide; others `below` them.
  * @param {Context} c
  * @param {Plot} plot
- * @param {{ spans: Span[], at: number, least: number }} bars
+ * @param {{ spans: Span[], at: number, least: number, color?: string, below?: number }} bars
  */
-export function bars(c, plot, { spans, at, least }) {
+export function bars(c, plot, { spans, at, least, color = COLORS.ink, below = 0 }) {
   const { x, y, w, h } = plot.frame;
-  c.fillStyle = COLORS.ink;
+  c.fillStyle = color;
   for (const [start, end] of spans) {
     const left = Math.max(plot.px(start), x);
     const right = Math.min(plot.px(end), x + w);
     if (right < left) continue;
-    c.fillRect(left, Math.min(Math.max(plot.py(at) - 2, y), y + h - 4), Math.max(right - left, least), 4);
+    c.fillRect(left, Math.min(Math.max(plot.py(at) - 2, y) + 5 * below, y + h - 4), Math.max(right - left, least), 4);
   }
 }
 

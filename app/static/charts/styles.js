@@ -50,8 +50,29 @@ export const OTHER = { color: '#333333', marker: 'circle', size: 1 };
  * @property {boolean} [over]  drawn after all others
  */
 
+/** @typedef {'A' | 'B' | 'C' | 'D'} Letter  of a solution that is kept */
+/** @type {Record<Letter, string>} */
+export const KEPT = { A: '#1f8a4c', B: '#8a3fb5', C: '#8d5524', D: '#00838f' };
+
+/**
+ * Lines of a kept solution: its own, by the other method, and of the struck place.
+ * @template {Letter} Name
+ * @param {Name} letter
+ * @returns {Record<`kept${Name}` | `kept${Name}Dashed` | `kept${Name}Thin`, Style>}
+ */
+const keptAs = (letter) =>
+  /** @type {any} */ ({
+    [`kept${letter}`]: { color: KEPT[letter], width: 1.7 },
+    [`kept${letter}Dashed`]: { color: KEPT[letter], width: 2, dash: [6, 3], over: true },
+    [`kept${letter}Thin`]: { color: KEPT[letter], width: 1, dash: [2, 2] },
+  });
+
 /** @satisfies {Record<string, Style>} */
 const KNOWN = {
+  ...keptAs('A'),
+  ...keptAs('B'),
+  ...keptAs('C'),
+  ...keptAs('D'),
   exact: { color: COLORS.waves, width: 2 },
   wide: { color: COLORS.waves, width: 3.4 }, // to be seen beneath what is laid over it
   other: { color: COLORS.modal, width: 1.5 },

@@ -7,7 +7,7 @@ import { Slider } from './slider.js';
 /** @import { AxialFrame, Frame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
-const ORDER = [
+export const ORDER = [
   'scene',
   'mass_ratio',
   'speed',

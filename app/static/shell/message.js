@@ -11,6 +11,7 @@
  * @typedef {object} Common
  * @property {Record<string, number[]>} shapes  of the arrays, by name
  * @property {Chosen} chosen
+ * @property {Chosen} own  the same, as the page opens the scene
  * @property {string[]} acting  choices that act on this scene
  * @property {Record<string, Note | null>} refusals  by method: why it cannot solve the scene, or nothing
  * @property {string} title

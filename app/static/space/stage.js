@@ -7,6 +7,7 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, head, label, measure, stopAt } from './arrows.js';
+import { AXES, CORNERS, EDGES } from './box.js';
 import { poseAt } from './pose.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
@@ -22,23 +23,6 @@ import { add, cross, dot, size, times, triple } from './vectors.js';
 const BOTH = ['target', 'impactor']; // the one that strikes is drawn last
 const INK = { impactor: '#33475b', target: '#2f6fa8' };
 const FILL = { impactor: [93, 108, 123], target: [120, 170, 212] };
-const EDGES = [
-  [0, 1, 2],
-  [1, 2, 0],
-  [2, 0, 1],
-]; // normal of a face, and its two sides
-const CORNERS = [
-  [1, 1],
-  [1, -1],
-  [-1, -1],
-  [-1, 1],
-];
-/** @type {Vector[]} */
-const AXES = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
 const CIRCLE = Array.from({ length: 49 }, (_, k) => [Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI)]);
 const FONT = '12px system-ui, sans-serif';
 
@@ -82,6 +66,17 @@ export class BodiesStage {
       }
     }
     this.box = box;
+  }
+  /** Room about where the bodies meet [m], and the largest velocity and spin. */
+  ranges() {
+    const [left, right, low, high] = this.box;
+    return { left: -left, right, low: -low, high, speed: this.speed, spin: this.spin };
+  }
+  /** @param {Record<string, number>} ranges  in place of its own */
+  adopt({ high, left, low, right, speed, spin }) {
+    if (left !== undefined) this.box = [-left, right, -low, high];
+    this.speed = speed ?? this.speed;
+    this.spin = spin ?? this.spin;
   }
   /** @param {Which} name */
   #path(name) {

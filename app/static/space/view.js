@@ -2,12 +2,16 @@
 import { BodiesStage } from './stage.js';
 import { SpaceStory } from './story.js';
 
+/** @import { Page } from '../page.js' */
 /** @import { SpaceFrame } from '../shell/message.js' */
 
 export class SpaceView {
   after = 0;
+  /** @type {SpaceFrame} */ frame;
 
-  constructor() {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
     this.stage = new BodiesStage();
     this.story = new SpaceStory();
     /** @type {HTMLElement[]} */
@@ -20,7 +24,13 @@ export class SpaceView {
   }
   /** @param {SpaceFrame} frame */
   load(frame) {
-    this.stage.load(frame);
+    this.frame = frame;
+    this.dress();
+  }
+  dress() {
+    this.page.compare.dress('');
+    this.stage.load(this.frame);
+    this.page.compare.share(this.stage);
   }
   /** @param {number} t */
   show(t) {

@@ -1,0 +1,177 @@
+// Solutions that are kept: up to four, overlaid on every chart, told beside the one that is shown, and one of them
+// beside it in the picture. They are messages that the browser has already; nothing is solved for them.
+import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
+import { Bar, freeLetter } from './bar.js';
+import { Beside } from './beside.js';
+import { layOver } from './overlay.js';
+import { Run } from './run.js';
+import { Scales } from './scales.js';
+import { differing } from './settings.js';
+import { Told } from './told.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Frame } from '../shell/message.js' */
+/** @import { Question } from './questions.js' */
+
+const LONGEST = 5; // times the impact that is shown, to which a longer one stretches the axis of time
+
+export class Compare {
+  /** @type {Run[]} */ runs = [];
+  /** @type {Run | null} */ beside = null; // in the picture
+  /** @type {ArrayBuffer} */ bytes; // of the frame that is shown
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.scales = new Scales();
+    this.bar = new Bar(this);
+    this.told = new Told();
+    this.second = new Beside();
+    this.tag = make('span', { className: 'tag own', textContent: text('compare.now'), hidden: true });
+  }
+  get locked() {
+    return this.scales.locked;
+  }
+  /** Whether there are axes to be locked. */
+  get lockable() {
+    return this.page.frame.kind !== 'bodies';
+  }
+  /**
+   * Another message is about to be shown.
+   * @param {ArrayBuffer} bytes
+   * @param {Frame} frame
+   */
+  take(bytes, frame) {
+    this.bytes = bytes;
+    if (this.locked && this.page.root.dataset.kind !== frame.kind) this.lock(false); // other charts
+    layOver(this.page.views[frame.kind], frame, this.runs);
+  }
+  /**
+   * The message that is shown is kept; the run that has it, or nothing where there is no room.
+   * @returns {Run | null}
+   */
+  keep() {
+    const { page, runs } = this;
+    const letter = freeLetter(runs);
+    const same = runs.find((run) => !differing([page.frame, run.frame]).length);
+    if (same) page.complain(text('compare.already', { name: same.letter }));
+    else if (!letter) page.complain(text('compare.full'));
+    if (same || !letter) return same ?? null;
+    const run = new Run(letter, this.bytes);
+    this.runs = [...runs, run].sort((a, b) => a.letter.localeCompare(b.letter));
+    this.#changed();
+    return run;
+  }
+  /**
+   * What a key does. Whether it does anything.
+   * @param {KeyboardEvent} event
+   */
+  key(event) {
+    if (event.key.toLowerCase() !== 'k') return false;
+    this.keep();
+    return true;
+  }
+  /** @param {Run} run */
+  remove(run) {
+    this.runs = this.runs.filter((each) => each !== run);
+    if (this.beside === run) this.beside = null;
+    this.#changed();
+  }
+  clear() {
+    this.runs = [];
+    this.beside = null;
+    this.#changed();
+  }
+  /** @param {Run | null} run */
+  standBeside(run) {
+    this.beside = run;
+    this.#changed();
+  }
+  /** @param {boolean} locked */
+  lock(locked) {
+    this.scales.lock(this.page.view, this.page.frame, locked);
+    this.#changed();
+  }
+  /**
+   * Go back to the settings of a kept run.
+   * @param {Run} run
+   */
+  goBack({ frame }) {
+    this.page.goTo(frame.chosen);
+  }
+  /**
+   * A ready-made comparison: both settings are solved, the first is kept.
+   * @param {Question} question
+   */
+  ask({ first, second }) {
+    const { page } = this;
+    const { chosen } = page.frame;
+    page.goTo({ ...chosen, ...first }, (frame) => {
+      if (!frame || !this.keep()) return;
+      page.goTo({ ...chosen, ...second }, () => page.layout.show('story'));
+    });
+  }
+  /** What is kept, or how it is shown, has changed. */
+  #changed() {
+    const { page } = this;
+    if (!page.frame) return;
+    layOver(page.view, page.frame, this.runs);
+    const { axis } = page.view;
+    const zoomed = axis?.zoomed && axis.view;
+    axis?.load(0, this.span(page.frame));
+    if (zoomed) axis?.show(zoomed);
+    page.view.dress();
+    this.tell(page.frame);
+    page.redraw();
+    page.address(page.frame.chosen);
+  }
+  /**
+   * How much time the charts show, in units of the message.
+   * @param {Frame} frame
+   */
+  span(frame) {
+    if (frame.kind === 'bodies') return frame.duration;
+    if (this.scales.seconds) return this.scales.seconds / frame.trip;
+    const others = this.runs.flatMap(({ frame: kept }) =>
+      kept.kind === 'bodies' ? [] : [(kept.duration * kept.trip) / frame.trip],
+    );
+    return Math.max(frame.duration, ...others.map((t) => Math.min(t, LONGEST * frame.duration)));
+  }
+  /**
+   * Words and numbers, with those of what is shown.
+   * @param {Frame} frame
+   */
+  tell(frame) {
+    this.bar.load(frame);
+    this.told.load(frame, this.runs);
+  }
+  /**
+   * Dress the picture beside; where the colours of both end.
+   * @param {string} what  they show
+   * @param {number} [largest]  of what is shown, in units of its message
+   * @param {number} [unit]
+   */
+  dress(what, largest = 0, unit = 1) {
+    const { beside, scales, second } = this;
+    second.choose(beside);
+    this.tag.hidden = !beside;
+    const own = largest * unit;
+    const other = what === 'stress' || what === 'velocity' ? second.end(what) : 0;
+    const end = scales.end(what, own && Math.max(own, other));
+    second.load(what, end);
+    return end / unit;
+  }
+  /**
+   * Draw both pictures to one scale.
+   * @param {import('./scales.js').Scaled} stage  of what is shown
+   */
+  share(stage) {
+    const { stage: other } = this.second;
+    this.scales.share(stage, other && other.constructor === stage.constructor ? other : null);
+  }
+  /** @param {number} t  of what is shown */
+  show(t) {
+    this.second.draw(this.page.frame, t);
+  }
+}

@@ -1,0 +1,198 @@
+// Figures of a solution in SI units, and how far two solutions lie apart, in percent and in words.
+import { engineering, figures as digits, percent } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+import { kindsOf } from './settings.js';
+
+/** @import { AxialFrame, BeamFrame, Energies, Frame, SpaceFrame } from '../shell/message.js' */
+
+/** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
+/** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
+
+const UNITS = { time: 's', force: 'N', impulse: 'N s', length: 'm' };
+const SAME = 5e-4; // difference of two figures, as a share, that is none
+const WORTH = 5e-3; // difference that is worth a word
+const TIMES = 2; // from which one is said to be so many times the other
+
+/**
+ * Which of the two solutions of an impact along an axis is compared: the other method where only the way in which the
+ * impact is solved differs.
+ * @param {Frame} now
+ * @param {Frame} kept
+ * @returns {'exact' | 'other'}
+ */
+export function comparedOf(now, kept) {
+  const { impact, how } = kindsOf(now, kept);
+  const both = [now, kept].every((frame) => frame.kind === 'axial' && frame.other);
+  return how && !impact && both ? 'other' : 'exact';
+}
+
+/**
+ * @param {string} key
+ * @param {Size} size
+ * @param {number | null | undefined} value
+ * @returns {Figure}
+ */
+const figure = (key, size, value) => ({ key, name: text(`compare.figure.${key}`), size, value: value ?? null });
+
+/**
+ * @param {Energies} energy
+ * @returns {Figure[]}
+ */
+const energies = (energy) => [
+  figure('waves', 'share', (energy.target_vibration ?? 0) / energy.initial),
+  figure('lost', 'share', (energy.dissipated ?? 0) / energy.initial),
+];
+
+/**
+ * @param {AxialFrame} frame
+ * @param {'exact' | 'other'} which
+ */
+function ofAxial(frame, which) {
+  const { exact, other, speed, trip } = frame;
+  const told = (which === 'other' && other) || exact;
+  const { contacts } = told;
+  const touching = contacts.reduce((sum, [start, end]) => sum + end - start, 0);
+  return [
+    figure('force', 'force', told.peakForce),
+    figure('apparent', 'time', contacts.length ? (contacts[contacts.length - 1][1] - contacts[0][0]) * trip : null),
+    figure('real', 'time', touching * trip),
+    figure('contacts', 'count', contacts.length),
+    figure(
+      'impulse',
+      'impulse',
+      contacts.reduce((sum, [, , impulse]) => sum + impulse, 0),
+    ),
+    figure('rebound', 'velocity', told.final === null ? null : told.final * speed),
+    figure('restitution', 'number', told.restitution.newton),
+    figure('indentation', 'length', told.peakIndentation),
+    ...energies(told.energy),
+  ];
+}
+
+/** @param {BeamFrame} frame */
+function ofBeam({ main, span }) {
+  return [
+    figure('force', 'force', main.peakForce),
+    figure('apparent', 'time', span.apparent / 1e3),
+    figure('real', 'time', span.real / 1e3),
+    figure('contacts', 'count', main.contacts),
+    figure('impulse', 'impulse', main.impulse),
+    figure('rebound', 'velocity', main.final),
+    figure('restitution', 'number', main.restitution.newton),
+    figure('indentation', 'length', main.peakIndentation),
+    ...energies(main.energy),
+  ];
+}
+
+/**
+ * Of an impulse in space every figure that is one number, under its own name.
+ * @param {SpaceFrame} frame
+ * @returns {Figure[]}
+ */
+const ofSpace = ({ figures }) =>
+  figures.flatMap(([name, value, unit]) =>
+    Array.isArray(value) || name.endsWith('-error')
+      ? []
+      : [{ key: name, name: text(`space.row.${name}`), size: 'other', value, unit }],
+  );
+
+/**
+ * @param {Frame} frame
+ * @param {'exact' | 'other'} which
+ * @returns {Figure[]}
+ */
+export function figuresOf(frame, which) {
+  if (frame.kind === 'bodies') return ofSpace(frame);
+  return frame.kind === 'beam' ? ofBeam(frame) : ofAxial(frame, which);
+}
+
+/**
+ * A figure with its unit.
+ * @param {Figure} figure
+ */
+export function written({ size, value, unit = '' }) {
+  if (value === null) return '–';
+  if (size === 'count') return String(value);
+  if (size === 'share') return percent(value);
+  if (size === 'velocity') return `${digits(value)} m/s`;
+  if (size === 'number') return digits(value);
+  if (size === 'other') return `${digits(value, 4)} ${unit}`.trim();
+  return engineering(value, UNITS[size]);
+}
+
+/**
+ * How far a figure lies from another, as a share of that; null where a share says nothing.
+ * @param {Figure} one
+ * @param {Figure | undefined} from
+ */
+export function shareOf({ size, value }, from) {
+  if (value === null || !from || from.value === null || size === 'share') return null;
+  const base = from.value;
+  if (!base || value < 0 !== base < 0) return value === base ? 0 : null;
+  return value / base - 1;
+}
+
+/**
+ * The difference for a table: in percent, of shares in points of a percent.
+ * @param {Figure} one
+ * @param {Figure | undefined} from
+ */
+export function difference(one, from) {
+  if (one.value === null || from?.value === null || !from) return '';
+  if (one.size === 'share') return points(one.value - from.value);
+  if (one.size === 'count') return one.value === from.value ? '=' : signedOf(one.value - from.value, '');
+  const share = shareOf(one, from);
+  if (share === null) return '';
+  return Math.abs(share) < SAME ? '=' : signedOf(100 * share, ' %');
+}
+
+/** @param {number} change */
+const points = (change) => (Math.abs(change) < SAME ? '=' : signedOf(100 * change, ' pp'));
+
+/**
+ * @param {number} value
+ * @param {string} unit
+ */
+function signedOf(value, unit) {
+  const size = Math.abs(value);
+  return `${value < 0 ? '−' : '+'}${digits(size, size < 99.5 ? 2 : 3)}${unit}`;
+}
+
+/**
+ * What differs between the figures of two solutions, in words; the most telling first.
+ * @param {Figure[]} now
+ * @param {Figure[]} kept
+ */
+export function sentences(now, kept) {
+  return now.flatMap((one) => {
+    const from = kept.find(({ key }) => key === one.key);
+    if (!from || one.value === null || from.value === null || one.value === from.value) return [];
+    const share = shareOf(one, from);
+    if (share !== null && Math.abs(share) < WORTH) return [];
+    if (one.size === 'share' && Math.abs(one.value - from.value) < WORTH) return [];
+    const values = { figure: one.name, now: bound(written(one)), kept: bound(written(from)) };
+    return [text('compare.differs', { ...values, change: changeOf(one.size, share) })];
+  });
+}
+
+/** @param {number} value */
+const rounded = (value) => Number(value.toPrecision(2));
+
+/**
+ * A number and its unit stay on one line.
+ * @param {string} words
+ */
+const bound = (words) => words.replaceAll(' ', '\u00a0');
+
+/**
+ * Some percent more or less; so many times, where it is a multiple.
+ * @param {Size} size
+ * @param {number | null} share
+ */
+function changeOf(size, share) {
+  if (share === null || size === 'count') return '';
+  const ratio = 1 + share;
+  if (ratio >= TIMES) return text('compare.times', { ratio: rounded(ratio) });
+  const percents = { percent: rounded(100 * Math.abs(share)) };
+  return text(share > 0 ? 'compare.more-percent' : 'compare.less-percent', percents);
+}

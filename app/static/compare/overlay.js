@@ -1,0 +1,107 @@
+// Kept solutions on the charts of the one that is shown, each in its colour; times and units are those of the charts.
+import { KEPT } from '../charts/styles.js';
+import { naming } from '../text/words.js';
+import { kindsOf } from './settings.js';
+
+/** @import { Series, Stretches } from '../charts/chart.js' */
+/** @import { Samples } from '../charts/scale.js' */
+/** @import { View } from '../page.js' */
+/** @import { AxialFrame, BeamFrame, Frame } from '../shell/message.js' */
+/** @import { Run } from './run.js' */
+
+/** @typedef {{ force: Series[], moved: Series[], stretches: Stretches[] }} Laid */
+
+/**
+ * Which solutions of a kept run are drawn: the exact one where the impact differs, the other method where that does.
+ * @param {Frame} now
+ * @param {Run} run
+ * @returns {('exact' | 'other')[]}
+ */
+function drawnOf(now, { frame }) {
+  const { impact, how } = kindsOf(now, frame);
+  const other = how && frame.kind === 'axial' && Boolean(frame.other);
+  return [
+    ...(impact || !other ? [/** @type {const} */ ('exact')] : []),
+    ...(other ? [/** @type {const} */ ('other')] : []),
+  ];
+}
+
+/** @param {Frame} frame */
+const otherOf = (frame) => naming((frame.kind === 'axial' && frame.other?.name) || '');
+
+/**
+ * @param {Samples | null} samples
+ * @param {number} unit  of time in the chart [s]
+ * @param {Omit<Series, 'x' | 'y'>} how
+ * @returns {Series[]}
+ */
+const lineOf = (samples, unit, how) =>
+  samples ? [{ x: Array.from(samples.x, (t) => t / unit), y: samples.y, ...how }] : [];
+
+/**
+ * @param {AxialFrame | BeamFrame} now
+ * @param {Run[]} runs
+ * @returns {Laid}
+ */
+function laidOf(now, runs) {
+  /** @type {Laid} */
+  const laid = { force: [], moved: [], stretches: [] };
+  for (const run of runs)
+    for (const which of drawnOf(now, run)) {
+      const found = run.histories(which);
+      if (!found) continue;
+      const exact = which === 'exact';
+      const name = exact ? run.letter : `${run.letter}, ${otherOf(run.frame)}`;
+      const style = exact
+        ? /** @type {const} */ (`kept${run.letter}`)
+        : /** @type {const} */ (`kept${run.letter}Dashed`);
+      const thin = /** @type {const} */ (`kept${run.letter}Thin`);
+      laid.force.push(...lineOf(found.force, now.trip, { name, style }));
+      laid.moved.push(...lineOf(found.impactor, now.trip, { name, style, unit: 'm' }));
+      laid.moved.push(...lineOf(found.struck, now.trip, { name, style: thin, unit: 'm' }));
+      laid.moved.push(...lineOf(found.impactorRate, now.trip, { name, style, unit: 'm/s' }));
+      laid.moved.push(...lineOf(found.struckRate, now.trip, { name, style: thin, unit: 'm/s' }));
+      const spans = found.contacts.map(([start, end]) => /** @type {const} */ ([start / now.trip, end / now.trip]));
+      laid.stretches.push({ spans, color: KEPT[run.letter] });
+    }
+  return laid;
+}
+
+/**
+ * Lay kept runs over the charts of a view; what is loaded next is drawn with them.
+ * @param {View} view
+ * @param {Frame} now
+ * @param {Run[]} runs
+ */
+export function layOver(view, now, runs) {
+  if (!view.stack || !view.cycle || now.kind === 'bodies') return;
+  const { force, moved, stretches } = laidOf(now, runs);
+  const charts = Object.fromEntries(view.stack.charts);
+  charts.force.lay(force);
+  charts.moved.lay(moved);
+  charts.waves.lay([], stretches);
+  view.cycle.kept = runs.flatMap(({ frame, letter }) =>
+    'blowDepth' in frame && frame.blowDepth && frame.blowForce
+      ? [
+          {
+            depth: frame.blowDepth,
+            force: frame.blowForce,
+            name: letter,
+            style: /** @type {const} */ (`kept${letter}`),
+          },
+        ]
+      : [],
+  );
+  view.dispersion?.chart.lay(now.kind === 'beam' ? runs.flatMap((run) => dispersionOf(run)) : []);
+}
+
+/**
+ * @param {Run} run
+ * @returns {Series[]}
+ */
+function dispersionOf({ frame, letter }) {
+  if (frame.kind !== 'beam') return [];
+  return [
+    { x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, name: letter, style: `kept${letter}` },
+  ];
+}

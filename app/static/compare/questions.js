@@ -1,0 +1,38 @@
+// Comparisons that are ready made: two settings of this impact, the first of which is kept.
+
+/** @import { Chosen, Frame } from '../shell/message.js' */
+
+/** @typedef {{ key: string, first: Partial<Chosen>, second: Partial<Chosen> }} Question */
+
+const HEAVIER = 4;
+const FASTER = 2;
+const RODS = ['fixed-rod', 'free-rod'];
+
+/**
+ * Those that can be asked of this impact, the most telling first.
+ * @param {Frame} frame
+ * @returns {Question[]}
+ */
+export function questionsOf(frame) {
+  const { acting, chosen, kind } = frame;
+  const ratio = Number(chosen.mass_ratio);
+  const speed = Number(chosen.speed);
+  /** @type {[key: string, name: string, first: number | string, second: number | string][]} */
+  const all = [
+    ['modes', 'modes', 5, 100],
+    ['elements', 'elements', 10, 100],
+    ['law', 'law', 'rigid', 'hertz'],
+    ['hammer', 'mass_ratio', ratio, Math.max(ratio / HEAVIER, 1e-3)],
+    ['speed', 'speed', speed, Math.min(FASTER * speed, 100)],
+    ['theory', 'theory', 'euler-bernoulli', 'timoshenko'],
+  ];
+  if (kind === 'axial' && !frame.rods.length) all.splice(2, 1); // a rigid contact of rigid bodies takes no time
+  if (kind === 'bodies')
+    all.push(['restitution', 'restitution', 1, 0], ['off-centre', 'place', 0.5, Number(frame.own.place)]);
+  const found = all
+    .filter(([, name, first, second]) => acting.includes(name) && first !== second)
+    .map(([key, name, first, second]) => ({ key, first: { [name]: first }, second: { [name]: second } }));
+  if (RODS.includes(String(chosen.scene)))
+    found.push({ key: 'support', first: { scene: RODS[0] }, second: { scene: RODS[1] } });
+  return found;
+}

@@ -1,0 +1,33 @@
+// A solution that is kept: the message as it came, at most 100 kB, and what is taken from it when it is asked for.
+import { decode } from '../shell/message.js';
+import { historiesOf } from './histories.js';
+
+/** @import { Frame } from '../shell/message.js' */
+/** @import { Histories } from './histories.js' */
+
+export const MOST = 4;
+export const LETTERS = /** @type {const} */ (['A', 'B', 'C', 'D']);
+
+/** @typedef {(typeof LETTERS)[number]} Letter */
+
+export class Run {
+  /** @type {Record<string, Histories | null>} */ #histories = {};
+  /** @type {Frame | null} */ #frame = null;
+
+  /**
+   * @param {Letter} letter  by which it is called and coloured
+   * @param {ArrayBuffer} bytes
+   */
+  constructor(letter, bytes) {
+    this.letter = letter;
+    this.bytes = bytes;
+  }
+  /** @returns {Frame} */
+  get frame() {
+    return (this.#frame ??= decode(this.bytes));
+  }
+  /** @param {'exact' | 'other'} which */
+  histories(which) {
+    return (this.#histories[which] ??= historiesOf(this.frame, which));
+  }
+}

@@ -1,0 +1,61 @@
+// Scales that two pictures share, or that are locked: axes, colours, how much movement is exaggerated.
+
+/** @import { Range } from '../charts/scale.js' */
+/** @import { View } from '../page.js' */
+/** @import { Frame } from '../shell/message.js' */
+
+/** @typedef {Record<string, number>} Ranges  of a picture, SI units; the larger, the more it shows */
+/** @typedef {{ ranges: () => Ranges, adopt: (ranges: Ranges) => void }} Scaled */
+
+/**
+ * The larger of each.
+ * @param {Ranges} one
+ * @param {Ranges} other
+ */
+const larger = (one, other) =>
+  Object.fromEntries(Object.entries(one).map(([name, value]) => [name, Math.max(value, other[name] ?? 0)]));
+
+export class Scales {
+  locked = false;
+  seconds = 0; // that the charts show while they are locked
+  /** @type {Ranges | null} */ #picture = null;
+  /** @type {Record<string, number>} */ #ends = {}; // of colours
+
+  /**
+   * Lock the scales as a view has them, or let them follow again.
+   * @param {View} view
+   * @param {Frame} frame
+   * @param {boolean} locked
+   */
+  lock(view, frame, locked) {
+    this.locked = locked;
+    this.seconds = locked && view.axis && 'trip' in frame ? view.axis.whole[1] * frame.trip : 0;
+    this.#picture = locked ? view.stage.ranges() : null;
+    this.#ends = {};
+    for (const chart of chartsOf(view)) chart.held = locked ? chart.ranges() : null;
+  }
+  /**
+   * Where colours end: as locked, else where they end by themselves.
+   * @param {string} what
+   * @param {number} end
+   */
+  end(what, end) {
+    return this.locked ? (this.#ends[what] ??= end) : end;
+  }
+  /**
+   * Have a picture, and another beside it, drawn to one scale.
+   * @param {Scaled} stage
+   * @param {Scaled | null} second
+   */
+  share(stage, second) {
+    const own = this.#picture ?? stage.ranges();
+    const common = second && !this.locked ? larger(own, second.ranges()) : own;
+    for (const each of second ? [stage, second] : [stage]) each.adopt(common);
+  }
+}
+
+/** @param {View} view */
+const chartsOf = ({ cycle, stack }) => [
+  ...(stack?.charts.map(([, chart]) => chart) ?? []),
+  ...(cycle ? [cycle.chart] : []),
+];

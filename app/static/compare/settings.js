@@ -1,0 +1,60 @@
+// Settings in which solutions differ, in the words of their controls.
+import { ORDER } from '../shell/controls.js';
+import { pretty } from '../text/format.js';
+import { LABELS } from '../text/words.js';
+
+/** @import { Frame } from '../shell/message.js' */
+
+/** @type {Set<string | undefined>} */
+const UNITS = new Set(['N/m', 'N/m¹·⁵', 'N', 'm']); // that a value is written with
+const HOW = ['method', 'modes', 'elements']; // settings of how a scene is solved, not of what it is
+
+/**
+ * Names of the settings that act in any of these solutions and are not the same in all, in the order of the controls.
+ * @param {Frame[]} frames
+ */
+export function differing(frames) {
+  const acting = new Set(frames.flatMap((frame) => frame.acting));
+  return ORDER.filter(
+    (name) => acting.has(name) && frames.some(({ chosen }) => chosen[name] !== frames[0].chosen[name]),
+  );
+}
+
+/**
+ * Whether two solutions are of different impacts, and whether they are solved in different ways.
+ * @param {Frame} one
+ * @param {Frame} other
+ */
+export function kindsOf(one, other) {
+  const names = differing([one, other]);
+  // where nothing is lost in the contact, restitution belongs to methods and to rigid-body theory
+  const lossless = [one, other].every((frame) => frame.kind === 'axial' && !frame.damps);
+  const how = names.filter((name) => HOW.includes(name) || (name === 'restitution' && lossless));
+  return { impact: how.length < names.length, how: how.length > 0 };
+}
+
+/**
+ * A setting in words: "Hertz", "2 m/s", "Modes 5".
+ * @param {string} name
+ * @param {Frame} frame
+ */
+function settingOf(name, { chosen, title }) {
+  const { options, title: control, unit } = LABELS[name];
+  const value = chosen[name];
+  if (name === 'scene') return title;
+  if (typeof value !== 'number') return options?.[value] ?? value;
+  return unit === 'm/s'
+    ? `${pretty(value)} ${unit}`
+    : `${control} ${pretty(value)}${UNITS.has(unit) ? ` ${unit}` : ''}`;
+}
+
+/**
+ * Settings of a solution as one line: "Mass ratio 0.25, Hertz".
+ * @param {string[]} names
+ * @param {Frame} frame
+ */
+export const lineOf = (names, frame) =>
+  names
+    .filter((name) => frame.acting.includes(name))
+    .map((name) => settingOf(name, frame))
+    .join(', ');

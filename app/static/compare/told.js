@@ -1,0 +1,88 @@
+// Kept solutions beside the one that is shown, in the story and among the numbers.
+import { KEPT } from '../charts/styles.js';
+import { headOf, make, rowOf } from '../shell/dom.js';
+import { heading, scrolled } from '../shell/story.js';
+import { text } from '../text/catalogue.js';
+import { comparedOf, difference, figuresOf, sentences, written } from './figures.js';
+import { differing, lineOf } from './settings.js';
+
+/** @import { Frame } from '../shell/message.js' */
+/** @import { Letter, Run } from './run.js' */
+
+/**
+ * The sign of a kept solution, in its colour.
+ * @param {Letter} letter
+ */
+export function signOf(letter) {
+  const sign = make('b', { className: 'sign-of', textContent: letter });
+  sign.style.background = KEPT[letter];
+  return sign;
+}
+
+export class Told {
+  constructor() {
+    this.list = make('div');
+    this.root = make(
+      'section',
+      { className: 'story compared', hidden: true },
+      heading(text('compare.title')),
+      this.list,
+    );
+    this.table = make('table', { className: 'figures' });
+    this.numbers = make(
+      'section',
+      { className: 'story compared', hidden: true },
+      heading(text('compare.title')),
+      scrolled(this.table),
+    );
+  }
+  /**
+   * @param {Frame} now
+   * @param {Run[]} runs
+   */
+  load(now, runs) {
+    this.root.hidden = this.numbers.hidden = !runs.length;
+    if (!runs.length) return;
+    this.list.replaceChildren(...runs.map((run) => this.#paragraph(now, run)));
+    this.#fill(now, runs);
+  }
+  /**
+   * @param {Frame} now
+   * @param {Run} run
+   */
+  #paragraph(now, { frame, letter }) {
+    const names = differing([now, frame]);
+    const settings = { name: letter, now: lineOf(names, now), settings: lineOf(names, frame) };
+    const head = names.length ? text('compare.against', settings) : text('compare.against-same', settings);
+    const root = make('div', { className: 'against' }, make('p', {}, signOf(letter), head));
+    if (!names.length) return root;
+    const which = comparedOf(now, frame);
+    const found = sentences(figuresOf(now, which), figuresOf(frame, which));
+    if (which === 'other') root.append(make('p', { className: 'help', textContent: text('compare.only-method') }));
+    const lines = (found.length ? found : [text('compare.alike')]).map((textContent) => make('li', { textContent }));
+    root.append(make('ul', {}, ...lines));
+    return root;
+  }
+  /**
+   * @param {Frame} now
+   * @param {Run[]} runs
+   */
+  #fill(now, runs) {
+    const compared = runs.map(({ frame }) => comparedOf(now, frame));
+    // figures of the other method only where it is what differs in all of them
+    const which = compared.every((each) => each === 'other') ? 'other' : 'exact';
+    const own = figuresOf(now, which);
+    const others = runs.map(({ frame }) => figuresOf(frame, which));
+    const rows = own.map((figure) => {
+      const cells = others.map((figures) => {
+        const other = figures.find(({ key }) => key === figure.key);
+        const change = make('small', { textContent: other ? difference(other, figure) : '' });
+        return make('span', {}, other ? written(other) : '–', ' ', change);
+      });
+      return rowOf([figure.name, written(figure), ...cells]);
+    });
+    const head = headOf(['', text('compare.now'), ...runs.map(({ letter }) => letter)]);
+    runs.forEach(({ letter }, k) => (head.querySelectorAll('th')[k + 2].style.color = KEPT[letter]));
+    this.table.replaceChildren(head, make('tbody', {}, ...rows));
+  }
+}

@@ -1,0 +1,113 @@
+// What is chosen, on its way to the server: one change at a time, the next when the last is answered, and then only the
+// newest of each. Whole sets of settings are gone to: the scene first, which brings its own values, then the rest.
+
+/** @import { Chosen, Frame } from './message.js' */
+/** @import { Model } from './model.js' */
+
+const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same
+const MAX_TRIES = 4; // answers that may differ from the settings gone to, before they are given up
+
+/**
+ * Settings that the page goes to: a scene, and what differs from its own values.
+ * @typedef {{ scene: string, settings: Partial<Chosen>, tries: number, done: (frame: Frame | null) => void }} Goal
+ */
+
+/**
+ * @typedef {object} Server
+ * @property {Model} model
+ * @property {() => boolean} lost  there is none at present
+ * @property {() => void} sent  a change is on its way
+ */
+
+export class Changes {
+  /** @type {Record<string, any>} */ waiting = {}; // that are to be sent
+  asked = 0; // when the last was, or 0 if it is answered
+  /** @type {number | undefined} */ patience;
+  /** @type {Goal | null} */ goal = null;
+
+  /** @param {Server} server */
+  constructor(server) {
+    this.server = server;
+  }
+  /** Milliseconds for which an answer has been awaited. */
+  get late() {
+    return this.asked ? performance.now() - this.asked : 0;
+  }
+  /**
+   * By a hand, which ends whatever was gone to.
+   * @param {string} name
+   * @param {number | string} value
+   */
+  set(name, value) {
+    this.leave();
+    this.waiting[name] = value;
+    this.flush();
+  }
+  flush() {
+    const { model } = this.server;
+    const names = Object.keys(this.waiting);
+    const left = this.asked ? PATIENCE - (performance.now() - this.asked) : 0;
+    if (!names.length || this.server.lost()) return; // kept until there is a server again
+    if (left > 0) {
+      // an answer that never comes must not hold the next change for good
+      clearTimeout(this.patience);
+      this.patience = window.setTimeout(() => this.flush(), left + 1);
+      return;
+    }
+    const changes = this.waiting;
+    this.waiting = {};
+    let changed = false;
+    for (const name of names) {
+      if (Object.is(model[name], changes[name])) continue;
+      changed = true;
+      this.asked = performance.now();
+      model[name] = changes[name];
+    }
+    if (changed) this.server.sent();
+  }
+  settle() {
+    this.asked = 0;
+    this.flush();
+  }
+  /**
+   * Go to settings. `done` is given the frame that answers them, or nothing if they cannot be.
+   * @param {Frame} now  that is shown
+   * @param {Partial<Chosen>} settings  what differs from the own values of the scene
+   * @param {(frame: Frame | null) => void} done
+   */
+  go(now, settings, done) {
+    this.leave();
+    this.goal = { scene: String(settings.scene ?? now.chosen.scene), settings, tries: 0, done };
+    this.arrived(now);
+  }
+  /**
+   * An answer has come: whether the settings are reached, and if not, what is to be sent next.
+   * @param {Frame} frame
+   */
+  arrived(frame) {
+    const { goal, server } = this;
+    if (!goal) return;
+    const there = frame.chosen.scene === goal.scene;
+    /** @type {Record<string, any>} */
+    const wanted = there ? { ...frame.own, ...goal.settings, scene: goal.scene } : { scene: goal.scene };
+    const names = Object.keys(wanted).filter((name) => name in server.model.spec);
+    const missing = names.filter((name) => !Object.is(frame.chosen[name], wanted[name]));
+    if (there && !missing.length) {
+      this.goal = null;
+      goal.done(frame);
+      return;
+    }
+    const unsent = missing.filter((name) => !Object.is(server.model[name], wanted[name]));
+    if (!unsent.length) return; // all is on its way
+    goal.tries += 1;
+    if (goal.tries > MAX_TRIES) this.leave();
+    for (const name of this.goal ? unsent : []) this.waiting[name] = wanted[name];
+    this.flush();
+  }
+  /** Go there no more. */
+  leave() {
+    const { goal } = this;
+    this.goal = null;
+    if (goal) goal.done(null);
+  }
+}

@@ -1,0 +1,193 @@
+"""Solutions that are kept: overlaid, told beside the one that is shown, and drawn beside it."""
+
+import re
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+import solvers
+from app.choices.choices import Choices
+from app.choices.scene_of import choices_of, chosen_scene
+
+from .test_page import settled
+
+KEEP = "() => { strikewave.page.compare.keep(); return strikewave.page.compare.runs.length; }"
+LAID = """() => strikewave.page.view.stack.charts.map(([, { content }]) =>
+  content.series.map(({ name }) => name).filter((name) => /^[ABCD]/.test(name ?? '')))"""
+MAX_KEPT = 100_000  # bytes
+
+
+def ask(page, question: str) -> None:
+    """Two clicks: a ready-made comparison, answered."""
+    page.tab.get_by_role("button", name="Compare", exact=True).click()
+    page.tab.get_by_role("button", name=question).click()
+    page.wait("() => strikewave.page.compare.runs.length && !strikewave.page.changes.goal && !strikewave.page.asked")
+
+
+def set_and_wait(page, **settings) -> None:
+    for name, value in settings.items():
+        page.answered(
+            lambda name=name, value=value: page.evaluate(f"() => strikewave.page.choose('{name}', {value!r})")
+        )
+
+
+def peak_force(scene: str, **changed) -> float:
+    chosen = Choices(**({"scene": scene} | choices_of(scene) | changed)).chosen()
+    return solvers.solve(chosen_scene(chosen)).peak_force
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (390, 844)], ids=str)
+@pytest.mark.parametrize(
+    "query, question, name, first, second",
+    [
+        ("", "5 or 100 modes?", "modes", 5, 100),
+        ("", "Hertz or rigid?", "law", "rigid", "hertz"),
+        ("", "Does a heavier hammer hit harder?", "mass_ratio", 1, 0.25),
+        ("?scene=hammer-on-cantilever", "5 or 100 modes?", "modes", 5, 100),
+        ("?scene=stepped-rod", "Hertz or rigid?", "law", "rigid", "hertz"),
+        ("?scene=brick-off-centre", "With and without loss?", "restitution", 1, 0),
+    ],
+)
+def test_a_question_is_answered_in_two_clicks(open_page, query, question, name, first, second, size):
+    page = open_page(query, size=size)
+    ask(page, question)
+    assert page.evaluate("() => strikewave.page.compare.runs[0].frame.chosen")[name] == first
+    assert page.header("chosen")[name] == second
+    told = page.tab.locator(".tab-panel .compared").first
+    expect(told).to_be_visible()
+    expect(told.locator("li").first).to_contain_text("instead of")
+    page.fits(size[0])
+
+
+def test_a_heavier_hammer_hits_harder_and_the_percentage_is_right(open_page):
+    page = open_page()
+    ask(page, "Does a heavier hammer hit harder?")
+    change = peak_force("fixed-rod", mass_ratio=0.25) / peak_force("fixed-rod") - 1.0
+    first = page.tab.locator(".compared li").first
+    expect(first).to_contain_text(re.compile(rf"^peak force .*\skN instead of .*\skN: {100 * change:.0f}\s%\smore$"))
+    page.turn_to("Numbers")
+    row = page.tab.locator(".compared tr", has_text="peak force")
+    back = 1.0 / (1.0 + change) - 1.0
+    expect(row).to_contain_text(f"−{-100 * back:.0f} %")
+
+
+def test_keeping_sends_nothing_and_keeps_no_more_than_it_must(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    before = page.quiet()
+    for count, ratio in enumerate((1.0, 2.0, 4.0, 8.0), start=1):
+        set_and_wait(page, mass_ratio=ratio)
+        before = page.quiet()
+        assert page.evaluate(KEEP) == count
+        assert page.quiet() == before
+    assert max(page.evaluate("() => strikewave.page.compare.runs.map(({ bytes }) => bytes.byteLength)")) <= MAX_KEPT
+    expect(page.tab.get_by_role("button", name="Keep", exact=True)).to_be_disabled()
+    set_and_wait(page, mass_ratio=16.0)
+    assert page.evaluate(KEEP) == 4
+    expect(page.tab.locator(".toast")).to_contain_text("remove one first")
+    names = page.evaluate(LAID)
+    assert {*"ABCD"} <= {*names[1]} and {*"ABCD"} <= {*names[2]}
+    page.tab.get_by_role("button", name="Remove B").click()
+    assert page.evaluate(KEEP) == 4  # in its place
+    assert page.evaluate("() => strikewave.page.compare.runs.map(({ letter }) => letter).join('')") == "ABCD"
+
+
+def test_the_same_solution_is_kept_once(open_page):
+    page = open_page()
+    assert page.evaluate(KEEP) == 1
+    page.tab.keyboard.press("k")
+    expect(page.tab.locator(".toast")).to_contain_text("already, as A")
+    assert page.evaluate("() => strikewave.page.compare.runs.length") == 1
+
+
+def test_overlays_have_the_units_of_the_chart(open_page):
+    """A kept rod over a chain with a round trip, an impedance and a duration of its own."""
+    page = open_page()
+    page.evaluate(KEEP)
+    set_and_wait(page, scene="stepped-rod")
+    kept = page.evaluate(
+        """() => { const { compare, frame, view } = strikewave.page, { frame: old } = compare.runs[0];
+          const [laid] = view.force.chart.laid, top = (y) => y.reduce((a, b) => Math.max(a, b));
+          return { end: laid.x.at(-1) * frame.trip, most: top(laid.y), trip: old.trip, duration: old.duration,
+            expected: top(old.exactForce) * old.forceUnit, whole: view.axis.whole[1], now: frame.duration } }"""
+    )
+    assert kept["end"] == pytest.approx(kept["duration"] * kept["trip"], rel=1e-5)
+    assert kept["most"] == pytest.approx(kept["expected"], rel=1e-6)
+    assert kept["whole"] >= kept["now"]
+
+
+def test_two_pictures_run_by_one_clock_in_one_scale(open_page):
+    page = open_page()
+    page.evaluate(KEEP)
+    set_and_wait(page, speed=2.0)
+    page.tab.get_by_role("button", name="A: show it beside in the picture").click()
+    second = page.tab.locator(".beside .stage canvas")
+    expect(second).to_be_visible()
+    ends = page.evaluate(
+        """() => { const { compare: { second: { stage: b } }, axial: { stage: a } } = strikewave.page;
+          const ends = [a, b].map(({ largest, frame }) => largest * frame.stressUnit);
+          return [...ends, a.reach, b.reach, a.factor, b.factor]; }"""
+    )
+    assert ends[0] == pytest.approx(ends[1]) and ends[2] == ends[3] and ends[4] == ends[5]
+    before = page.picture()
+    page.evaluate("() => strikewave.page.player.seek(1.2)")
+    after = page.picture()
+    assert sum(a != b for a, b in zip(before, after, strict=True)) >= 2
+    page.tab.get_by_role("button", name="A: show it beside in the picture").click()
+    expect(second).to_be_hidden()
+
+
+@pytest.mark.parametrize("query", ["?scene=hammer-on-cantilever", "?scene=brick-off-centre", "?scene=two-balls"])
+def test_other_scenes_are_drawn_beside(open_page, query):
+    page = open_page(query)
+    page.evaluate(KEEP)
+    set_and_wait(page, speed=2.0)
+    page.evaluate("() => strikewave.page.compare.standBeside(strikewave.page.compare.runs[0])")
+    expect(page.tab.locator(".beside .stage canvas")).to_be_visible()
+    page.turn_to("Numbers")
+    expect(page.tab.locator(".compared table").last).to_contain_text("%")
+
+
+def test_locked_axes_tell_speeds_apart(open_page):
+    """Unlocked, the force at twice the speed is the same picture with other numbers."""
+    page = open_page()
+    range_ = "() => { const { chart } = strikewave.page.axial.force; return chart.y.map((y) => y / chart.factor); }"
+    ends = "() => { const { stage } = strikewave.page.axial; return stage.largest * stage.frame.stressUnit; }"
+    before, colours = page.evaluate(range_), page.evaluate(ends)
+    page.tab.get_by_role("button", name="Compare", exact=True).click()
+    page.tab.get_by_role("button", name="Lock axes and colours").click()
+    set_and_wait(page, speed=0.5)
+    assert np.allclose(page.evaluate(range_), before, rtol=1e-12)
+    assert page.evaluate(ends) == pytest.approx(colours)
+    page.tab.get_by_role("button", name="Locked").click()
+    settled(page)
+    assert page.evaluate(range_)[1] == pytest.approx(0.5 * before[1])
+
+
+def test_going_back_to_a_kept_solution_sets_its_sliders(open_page):
+    page = open_page()
+    page.evaluate(KEEP)
+    set_and_wait(page, scene="free-rod")
+    set_and_wait(page, mass_ratio=3.0)
+    page.tab.get_by_role("button", name="A: go back to these settings").click()
+    page.wait("() => strikewave.page.frame.chosen.scene === 'fixed-rod' && !strikewave.page.changes.goal")
+    assert page.header("chosen")["mass_ratio"] == 1.0
+    expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("1")
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1280, 720), (820, 1180), (390, 844)], ids=str)
+def test_four_kept_leave_stage_clock_and_buttons_in_view(open_page, size):
+    page = open_page(size=size)
+    for ratio in (0.5, 0.25, 2.0, 4.0):
+        set_and_wait(page, mass_ratio=ratio)
+        page.evaluate(KEEP)
+    set_and_wait(page, law="hertz")
+    page.evaluate("() => strikewave.page.compare.standBeside(strikewave.page.compare.runs[1])")
+    page.fits(size[0])
+    for name in ("Play", "Compare"):
+        box = page.tab.get_by_role("button", name=name, exact=True).bounding_box()
+        assert box["x"] >= 0 and box["x"] + box["width"] <= size[0] and box["y"] + box["height"] <= size[1]
+    overflow = (
+        "() => { const { scrollWidth, clientWidth } = strikewave.page.player.root; return scrollWidth - clientWidth; }"
+    )
+    assert page.evaluate(overflow) <= 0
