@@ -25,5 +25,5 @@ def command(language: str = LANGUAGE) -> Catalogue:
 @cache
 def script(language: str = LANGUAGE) -> str:
     """The page's catalogue as a script for the browser, see app/static/text/catalogue.js."""
-    texts = json.dumps({"language": language, "texts": page(language).texts}, ensure_ascii=False, sort_keys=True)
+    texts = json.dumps({"language": language, "texts": page(language).texts}, ensure_ascii=False)
     return f"globalThis.strikewaveTexts = {texts};\n"

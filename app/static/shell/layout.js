@@ -7,12 +7,13 @@ import { gripOf } from './grip.js';
 import { keep, kept } from './store.js';
 import { Tabs } from './tabs.js';
 
-const TITLES = family('layout.tab');
 const PHONE = window.matchMedia('(max-width: 719px)');
 const TABLET = window.matchMedia('(max-width: 1099px)');
 const LARGE = window.matchMedia('(min-width: 1800px)');
 const BESIDE = ['story', 'numbers', 'analysis'];
-const ALL = ['controls', 'charts', ...BESIDE];
+const ALL = ['controls', 'charts', ...BESIDE]; // in this order, whatever the order of the texts
+const NAMES = family('layout.tab');
+const TITLES = Object.fromEntries(ALL.map((name) => [name, NAMES[name]]));
 const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
 const CENTRE = 420; // pixels that the docks leave to the centre
 const LEAST = 180; // pixels of a dock

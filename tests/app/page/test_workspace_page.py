@@ -45,6 +45,12 @@ def test_stage_and_clock_are_in_view_at_every_size(open_page, query, size):
     assert whole(page)
 
 
+@pytest.mark.parametrize("size, names", [((1440, 900), "Story Numbers Analysis"), ((390, 844), "Controls Charts")])
+def test_tabs_stand_in_the_order_of_use(open_page, size, names):
+    page = open_page(size=size)
+    assert page.tab.get_by_role("tab").all_inner_texts()[: len(names.split())] == names.split()
+
+
 @pytest.mark.parametrize("size, open_", [((1440, 900), 3), ((1280, 720), 2)])
 def test_the_charts_share_the_room_that_there_is(open_page, size, open_):
     page = open_page(size=size)
