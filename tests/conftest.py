@@ -1,6 +1,10 @@
-"""How hypothesis searches, for every test."""
+"""How hypothesis searches, for every test; and what is checked besides: here, and in servers that tests start."""
+
+import os
 
 from hypothesis import HealthCheck, settings
+
+os.environ["IMPACT_CHECK_MESSAGES"] = "1"  # read by app.messages.encoding
 
 # The first call of a kernel compiles it, which no deadline survives; derandomized, so that a run can be repeated.
 settings.register_profile(

@@ -1,6 +1,7 @@
 """Contacts of a rigid mass on a uniform rod, which are known exactly: which a method misses, which are slight."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ END_MARGIN = 0.05  # round trips before the end of the time solved; a contact th
 MIN_REPORTED_IMPULSE = 1e-4
 
 
+@lru_cache
 def grazing_note(beta: float, reflection: float) -> Note | None:
     """The note for a rigid mass on a uniform rod of mass ratio `beta`, target over impactor, or None.
 
@@ -73,6 +75,7 @@ def one_front(scene: Scene) -> bool:
     )
 
 
+@lru_cache
 def _contacts(beta: float, reflection: float) -> ContactTable[np.ndarray] | None:
     """None if the impact is far from simple."""
     for pieces in HISTORY_PIECES:
