@@ -5,6 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
 PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
+PYTEST := $(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 .PHONY: serve check test docs bench peers screenshot clean chromium
 
@@ -12,10 +13,10 @@ serve: $(VENV)/.installed
 	$(BIN)/impact serve
 
 check: $(VENV)/.installed-test
-	$(BIN)/python -m pytest -n auto --dist loadfile -m "not browser and not slow"
+	$(PYTEST) -m "not browser and not slow"
 
 test: $(VENV)/.installed-test chromium node_modules/.installed
-	$(BIN)/python -m pytest -n auto --dist loadfile
+	$(PYTEST)
 
 # Needs no network once installed, neither to build nor to read.
 docs: $(VENV)/.installed-test

@@ -1,4 +1,4 @@
-"""How hypothesis searches, for every test; and what is checked besides: here, and in servers that tests start."""
+"""How hypothesis searches, in which order files are begun, and what tests check besides, in servers they start too."""
 
 import os
 
@@ -13,8 +13,17 @@ settings.register_profile(
 settings.load_profile("repeatable")
 
 
+# Files of few tests that take longest, begun first: else one core would wait at the end for what the other has begun.
+LONGEST = (
+    "test_form", "test_connection_page", "test_attacks", "test_panels_page", "test_analyses", "test_figures_page",
+    "test_workspace_page", "test_provenance", "test_jit", "test_js", "test_docs", "test_workers", "test_main",
+)  # fmt: skip
+
+
 def pytest_collection_modifyitems(items):
     """Whatever opens a page needs a browser."""
+    order = {name: place for place, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: order.get(item.path.stem, len(LONGEST)))
     for item in items:
         if {"browser", "open_page"} & set(item.fixturenames):
             item.add_marker("browser")
