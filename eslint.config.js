@@ -1,4 +1,5 @@
 import js from '@eslint/js';
+import texts from './eslint.texts.js';
 
 const BROWSER = [
   ...['window', 'document', 'location', 'history', 'navigator', 'performance', 'fetch', 'console'],
@@ -26,6 +27,8 @@ export default [
   {
     files: ['app/static/**/*.js'],
     languageOptions: { globals: Object.fromEntries(BROWSER.map((name) => [name, 'readonly'])) },
+    plugins: { texts },
+    rules: { 'texts/catalogued': 'error' },
   },
   {
     files: ['tests/js/**/*.js'],

@@ -11,28 +11,26 @@ from solvers.solution.motion import SplitsTarget
 
 from ..choices.request import Request
 from ..messages.beam import MS, main_solution
+from ..text.catalogues import page
 from .figures import INK, blank, cursor, hover, legend, source
 
 INSTANTS = 161
 OF_A_BEAM, OF_A_CONTACT, CONTACTS = 801, 24, 40  # instants of a beam, in each contact besides, of the first so many
-SHARES = {  # name in the solution: what the reader calls it, and its colour
-    "impactor": ("impactor", "#33475b"),
-    "target_rigid": ("target as a whole", "#4f9bd8"),
-    "target_vibration": ("waves in it", "#e08a4d"),
-    "target_kinetic": ("beam moving", "#e08a4d"),
-    "target_strain": ("beam bent", "#d8b23c"),
-    "local": ("stored in the contact", "#7c9a54"),
-    "dissipated": ("lost in the contact", "#a4243b"),
+COLOURS = {  # of the parts, which have their names in the solution
+    "impactor": "#33475b",
+    "target_rigid": "#4f9bd8",
+    "target_vibration": "#e08a4d",
+    "target_kinetic": "#e08a4d",
+    "target_strain": "#d8b23c",
+    "local": "#7c9a54",
+    "dissipated": "#a4243b",
 }
 
 
 def energy_data(chosen: dict[str, Any]) -> str:
-    """The shares as JSON: `chosen`, `time` in `unit`, and of each part `key`, `name` and `values` [%], or None."""
+    """The shares as JSON: `chosen`, `time` in `unit`, and of each part `key` and `values` [%], or None."""
     found = energy_shares(chosen)
-    parts = [
-        {"key": key, "name": name, "values": _listed(found[name]) if name in found else None}
-        for key, (name, _) in SHARES.items()
-    ]
+    parts = [{"key": key, "values": _listed(found[key]) if key in found else None} for key in COLOURS]
     answer = {"chosen": chosen, "time": _listed(found["time"]), "unit": found["unit"], "parts": parts}
     return json.dumps(answer, allow_nan=False)
 
@@ -58,7 +56,7 @@ def energy_shares(chosen: dict[str, Any]) -> dict[str, Any]:
         parts = solution.motion.target_energies(time)
         energies = {key: energies[key] for key in energies if key not in ("target_rigid", "target_vibration")}
         energies |= {f"target_{name}": values for name, values in parts.items()}
-    shares = {SHARES[name][0]: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
+    shares = {name: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
     return {"time": time / unit, "unit": "ms" if beam else "T", **shares}
 
 
@@ -75,16 +73,16 @@ def beam_instants(solution: Solution) -> np.ndarray:
 
 def energy_figure() -> list[Any]:
     """Each part upon the others, in source "shares": `time`, and the lower and upper edge of every part."""
-    keys = list(SHARES)
+    keys, names = list(COLOURS), page().family("energy.part")
     edges = [f"{key}-{edge}" for key in keys for edge in ("low", "high")]
     data = source("shares", "time", "whole", *keys, *edges)
-    plot = blank("energy", "", "time", "share of the first energy, %")
+    plot = blank("energy", "", page().text("chart.time"), page().text("energy.share"))
     shown = []
-    for key, (name, colour) in SHARES.items():
+    for key, colour in COLOURS.items():
         area = plot.varea("time", f"{key}-low", f"{key}-high", source=data, fill_color=colour, fill_alpha=0.9, name=key)
-        shown.append((name, [area]))
+        shown.append((names[key], [area]))
     whole = plot.line("time", "whole", source=data, line_color=INK, line_width=1.0)
-    hover(plot, [whole], {"time": "@time{0.000}"}, mode="vline", line_policy="nearest")
+    hover(plot, [whole], {page().text("chart.time"): "@time{0.000}"}, mode="vline", line_policy="nearest")
     legend(plot, shown)
     cursor(plot, "energy-cursor")
     return [plot]

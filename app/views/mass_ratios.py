@@ -10,20 +10,11 @@ from solvers import Rod, SceneError
 from solvers.studies.mass_ratios import mass_ratio_sweep
 
 from ..choices.request import Request
+from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 CONTACTS = 1, 2  # as many as there are at most
-HELD_WORDS = {
-    "fixed": (
-        "A light rod throws the mass back with almost all its speed, a heavy one with 2/e of it, yet the way between "
-        "is not monotone: each time a returning wave pushes the mass away earlier, a second contact appears or is "
-        "lost. It is lost for good at m₂/m₁ = 1.0107; below 0.5785 it is gone again, until 0.327, and so on."
-    ),
-    "free": (
-        "One contact, of exactly one round trip, for every mass ratio: the wave that comes back from the free end "
-        "pulls the rod away. The mass keeps exp(−2 m₂/m₁) of its speed, so that restitution falls steadily."
-    ),
-}
+SUPPORTS = "fixed", "free"
 
 
 @lru_cache(maxsize=2)
@@ -59,19 +50,17 @@ def one_rod_support(chosen: dict[str, Any]) -> str | None:
         return None
     target = scene.target
     plain = scene.impactor.free_mass and not target.end_mass
-    if not plain or not isinstance(target, Rod) or not scene.rigid_contact or target.support not in HELD_WORDS:
+    if not plain or not isinstance(target, Rod) or not scene.rigid_contact or target.support not in SUPPORTS:
         return None
     return target.support
 
 
 def ratios_data(chosen: dict[str, Any]) -> str:
-    """The data for the support of the chosen scene as JSON, with `chosen` and a sentence, `told`."""
+    """The data for the support of the chosen scene as JSON, with `chosen` and its `support`."""
     support = one_rod_support(chosen)
     answer: dict[str, Any] = {"chosen": chosen, "support": support}
     if support:
-        held = {"fixed": "The far end is fixed.", "free": "The rod is free."}[support]
         answer |= {name: _listed(values) for name, values in mass_ratio_data(support).items()}
-        answer["told"] = f"{held} {HELD_WORDS[support]}"
     return json.dumps(answer, allow_nan=False)
 
 
@@ -83,30 +72,40 @@ def ratios_figure() -> list[Any]:
     """Three plots over one axis, which source "ratios" fills: `low` and `high` are the edges about each ratio."""
     times = [f"{edge}_{number}" for number in CONTACTS for edge in ("start", "end")]
     shared = "low", "high", "ratio", "rebound", "restitution", "contacts"
-    data, axis = source("ratios", *shared, *times), "mass ratio m₂/m₁"
-    rebound = blank("rebound", "How the bodies part", axis, "in impact speeds", x_axis_type="log")
-    named = (("rebound", "velocity of the mass"), ("restitution", "restitution e"))
+    words, plots = page().family("ratios.column"), page().family("ratios.plot")
+    data, axis = source("ratios", *shared, *times), words["ratio"]
+    rebound = blank("rebound", plots["rebound"], axis, page().text("ratios.in-speeds"), x_axis_type="log")
+    named = (("rebound", words["mass"]), ("restitution", words["restitution"]))
     lines = [
         (name, [rebound.line("ratio", column, source=data, line_width=2, line_color=colour, line_dash=dash)])
         for (column, name), colour, dash in zip(named, COLOURS, ("solid", "dashed"), strict=False)
     ]
-    tips = {axis: "@ratio{0.000a}", "velocity of the mass": "@rebound{0.000}", "restitution e": "@restitution{0.000}"}
+    tips = {axis: "@ratio{0.000a}"} | {name: f"@{column}{{0.000}}" for column, name in named}
     hover(rebound, lines[0][1], tips, mode="vline")
     legend(rebound, lines)
-    periods = blank("periods", "When they touch", axis, "time, T", rebound, x_axis_type="log", y_axis_type="log")
+    periods = blank(
+        "periods",
+        plots["periods"],
+        axis,
+        page().text("panel.time-in", unit="T"),
+        rebound,
+        x_axis_type="log",
+        y_axis_type="log",
+    )
     bars = []
     for number, colour, hatch in zip(CONTACTS, COLOURS, (" ", "/"), strict=False):
         edges = {"left": "low", "right": "high", "bottom": f"start_{number}", "top": f"end_{number}"}
         look = {"fill_alpha": 0.8, "line_color": colour, "line_width": 0.5, "hatch_pattern": hatch, "hatch_alpha": 0.5}
         bar = periods.quad(**edges, source=data, fill_color=colour, hatch_color="white", **look)
-        bars.append((f"contact {number}", [bar]))
-        hover(periods, [bar], {axis: "@ratio{0.000a}", f"contact {number} from": f"@start_{number}{{0.000}} T",
-                               "to": f"@end_{number}{{0.000}} T"}, name=f"periods-{number}")  # fmt: skip
+        bars.append((page().text("ratios.contact", number=number), [bar]))
+        start, end = page().text("ratios.contact-from", number=number), page().text("ratios.to")
+        tips = {axis: "@ratio{0.000a}", start: f"@start_{number}{{0.000}} T", end: f"@end_{number}{{0.000}} T"}
+        hover(periods, [bar], tips, name=f"periods-{number}")
     legend(periods, bars)
-    count = blank("contacts", "Number of contacts", axis, "contacts", rebound, 190, x_axis_type="log")
+    count = blank("contacts", plots["contacts"], axis, words["contacts"], rebound, 190, x_axis_type="log")
     count.yaxis.ticker = list(CONTACTS)
     steps = count.step("ratio", "contacts", source=data, mode="center", line_width=2, line_color=COLOURS[0])
-    hover(count, [steps], {axis: "@ratio{0.000a}", "contacts": "@contacts"}, mode="vline")
+    hover(count, [steps], {axis: "@ratio{0.000a}", words["contacts"]: "@contacts"}, mode="vline")
     for plot in (rebound, periods, count):
         cursor(plot, f"ratio-cursor-{plot.name}")
     return [rebound, periods, count]

@@ -13,6 +13,7 @@ from solvers.records.record import Alignment, Record, align, expected
 from solvers.text.notes import Note, Severity
 
 from ..choices.request import Request
+from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 MAX_POINTS = 2_000  # of each history in an answer
@@ -136,14 +137,17 @@ def other_sign(record: Record, solution: Solution, x: float | None, found: Align
 
 def record_figure() -> list[Any]:
     """The record as it is moved and scaled, over what the exact solution says, in two sources of their names."""
-    plot = blank("record", "Measured and computed", "time, T", "")
-    drawn = []
+    plot = blank("record", page().text("record.figure"), page().text("panel.time-in", unit="T"), "")
+    drawn, names, at = [], page().family("record.curve"), page().text("chart.time")
     for name, colour, width, dash in (("computed", COLOURS[0], 3.4, "solid"), ("measured", COLOURS[2], 1.6, [6, 2])):
         data = source(name, "time", "value")
         drawn.append(
-            (name, [plot.line("time", "value", source=data, line_color=colour, line_width=width, line_dash=dash)])
+            (
+                names[name],
+                [plot.line("time", "value", source=data, line_color=colour, line_width=width, line_dash=dash)],
+            )
         )
-        hover(plot, drawn[-1][1], {name: "@value{0.000a}", "time": "@time{0.000} T"}, mode="vline",
+        hover(plot, drawn[-1][1], {names[name]: "@value{0.000a}", at: "@time{0.000} T"}, mode="vline",
               line_policy="nearest", name=f"record-{name}")  # fmt: skip
     legend(plot, drawn)
     cursor(plot, "record-cursor")

@@ -14,6 +14,7 @@ from solvers.stability.runs import INTEGRATORS, problem_of, run
 
 from ..choices.questions import Question
 from ..choices.request import Request
+from ..text.catalogues import page
 from .figures import INK, PICKED, blank, hover, source
 
 STEPS, ACROSS = 21, 25  # rows and columns
@@ -119,7 +120,7 @@ def stability_figure(across: str = "log") -> list[Any]:
     for name in INTEGRATORS:
         first = maps[0] if maps else None
         kinds = {"x_axis_type": across, "y_axis_type": "log"}
-        plot = blank(name, "", "", "step × highest frequency, rad", first, 250, **kinds)
+        plot = blank(name, "", "", page().text("stability.step-axis"), first, 250, **kinds)
         if first:
             plot.y_range = first.y_range
         look = {
@@ -137,8 +138,9 @@ def stability_figure(across: str = "log") -> list[Any]:
             present = {"line_color": PICKED, "line_width": 1, "line_dash": "dotted"}  # through the present choices
             plot.add_layout(Span(name=f"here-{dimension}-{name}", dimension=dimension, **present))
         plot.scatter("across", "step", source=here, size=10, fill_color=PICKED, line_color="white", line_width=1.5)
-        tips = {"step, rad": "@step{0.000}", "across": "@across{0.000a}", "": f"@{{{name}-kind}}",
-                "energy": f"@{{{name}-error}}", "steps": f"@{{{name}-ending}}"}  # fmt: skip
+        values = {"step": "@step{0.000}", "across": "@across{0.000a}", "run": f"@{{{name}-kind}}",
+                  "energy": f"@{{{name}-error}}", "steps": f"@{{{name}-ending}}"}  # fmt: skip
+        tips = {called: values[column] for column, called in page().family("stability.tip").items()}
         hover(plot, [cell], tips)
         tap = TapTool(renderers=[cell], visible=False)
         plot.add_tools(tap)

@@ -12,6 +12,7 @@ from solvers.provenance import machine
 from ..choices.choices import SCENES
 from ..choices.request import Request
 from ..choices.scene_of import choices_of
+from ..text.catalogues import page
 from .figures import INK, PICKED, blank, hover, legend, source
 
 PROGRESS_SECONDS = 0.25  # s between two tables on the way
@@ -89,7 +90,8 @@ def tradeoff_figure() -> list[Any]:
     """
     from bokeh.models import BoxAnnotation
 
-    plot = blank("tradeoff", "", "time of one solve, ms", "error, %", height=380, x_axis_type="log", y_axis_type="log")
+    words, columns = page().family("tradeoff.plot"), page().family("tradeoff.column")
+    plot = blank("tradeoff", "", words["time"], words["error"], height=380, x_axis_type="log", y_axis_type="log")
     unknown = {"fill_color": "#647382", "fill_alpha": 0.13, "line_alpha": 0.0, "level": "underlay"}
     plot.add_layout(BoxAnnotation(name="tradeoff-unknown", **unknown))
     ladders = source("ladders", "times", "sizes", "colour")
@@ -104,10 +106,11 @@ def tradeoff_figure() -> list[Any]:
     hollow = {"marker": "inverted_triangle", "size": 8, "fill_color": "white", "line_color": {"field": "colour"}}
     claims = plot.scatter("time", "claim", source=own, **hollow)
     dots = _dots(plot)
-    hover(plot, [dots], {"": "@label", "one solve": "@solve", "error": "@error", "contacts found": "@contacts"})
-    hover(plot, [claims], {"": "@label", "own estimate of its error": "@claimed"}, name="tradeoff-claims")
-    joined = [("Pareto-optimal", [steps["front"]]), ("without exact waves", [steps["rest"]])]
-    legend(plot, [({"field": "method"}, [dots]), *joined, ("own estimate", [claims])])
+    tips = {columns[name]: f"@{name}" for name in ("solve", "error", "contacts")}
+    hover(plot, [dots], {"": "@label"} | tips)
+    hover(plot, [claims], {"": "@label", words["claimed"]: "@claimed"}, name="tradeoff-claims")
+    joined = [(words[name], [line]) for name, line in steps.items()]
+    legend(plot, [({"field": "method"}, [dots]), *joined, (words["own"], [claims])])
     return [plot]
 
 

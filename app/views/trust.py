@@ -10,17 +10,14 @@ from solvers.studies.convergence import convergence
 
 from ..choices.request import Request
 from ..messages.beam import MS, chosen_method
+from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 RUNS = 200
 COUNTS = (3, 5, 10, 20, 40)  # of modes, or of elements where finite elements are chosen
 COUNTED = ("modal", "mode-switch", "fe-nodal", "fe-modal")
 MOST_POINTS = 400  # of a band
-BANDS = (  # name in the answer, what it is called, and what is written at its axis
-    ("force", "Contact force", "force"),
-    ("displacement", "Displacement of the struck point", "displacement"),
-    ("velocity", "Velocity of the impactor", "velocity, m/s"),
-)
+BANDS = {"force": "N", "displacement": "m", "velocity": "m/s"}  # names in the answer, and units
 
 
 def trust_data(chosen: dict[str, Any]) -> str:
@@ -76,10 +73,13 @@ def _listed(values: np.ndarray) -> list[float]:
 def trust_figure() -> list[Any]:
     """Bands over time of what 200 impacts do, in source "bands": of each quantity all of them, and 90 % of them."""
     edges = "lowest", "low", "high", "highest"
-    bands = source("bands", "time", *(f"{name}-{edge}" for name, _, _ in BANDS for edge in edges))
+    bands = source("bands", "time", *(f"{name}-{edge}" for name in BANDS for edge in edges))
     plots: list[Any] = []
-    for (name, title, label), colour in zip(BANDS, COLOURS, strict=False):
-        plot = blank(f"trust-{name}", title, "time, ms", label, plots[0] if plots else None, 230)
+    words, names = page().family("trust"), page().family("trust.edge")
+    time = page().text("panel.time-in", unit="ms")
+    for (name, unit), colour in zip(BANDS.items(), COLOURS, strict=False):
+        label = page().text(f"trust.axis.{name}", unit=unit)
+        plot = blank(f"trust-{name}", words[f"band.{name}"], time, label, plots[0] if plots else None, 230)
         columns = {edge: f"{name}-{edge}" for edge in edges}
         every = plot.varea(
             "time", columns["lowest"], columns["highest"], source=bands, fill_color=colour, fill_alpha=0.2
@@ -89,9 +89,10 @@ def trust_figure() -> list[Any]:
             plot.line("time", columns[edge], source=bands, line_color=colour, line_width=0.8, line_dash=dash)
             for edge, dash in zip(edges, ("dotted", "solid", "solid", "dotted"), strict=True)
         ]
-        tips = {"time": "@time{0.0000} ms"} | {edge: f"@{{{column}}}{{0.000a}}" for edge, column in columns.items()}
+        read = {names[edge]: f"@{{{column}}}{{0.000a}}" for edge, column in columns.items()}
+        tips = {page().text("chart.time"): "@time{0.0000} ms"} | read
         hover(plot, lines[:1], tips, mode="vline")
-        legend(plot, [("90 % of them", [most]), ("all of them", [every])])
+        legend(plot, [(words["most"], [most]), (words["every"], [every])])
         cursor(plot, f"trust-cursor-{name}")
         plots.append(plot)
     return plots
@@ -102,7 +103,10 @@ def convergence_figure() -> list[Any]:
     axes = {"x_axis_type": "log", "y_axis_type": "log"}
     from bokeh.models import FixedTicker
 
-    plot = blank("convergence", "", "modes", "difference from the finest, %", height=340, **axes)
+    words = page().family("convergence")
+    plot = blank(
+        "convergence", "", page().text("convergence.axis", kind="modes"), words["difference"], height=340, **axes
+    )
     plot.xaxis.ticker = FixedTicker(name="convergence-counts")
     lines = source("lines", "counts", "sizes", "colour")
     plot.multi_line("counts", "sizes", source=lines, line_color={"field": "colour"}, line_width=1.5)
@@ -114,6 +118,15 @@ def convergence_figure() -> list[Any]:
         "size": {"field": "diameter"},
     }
     dots = plot.scatter("count", "size", source=points, **look)
-    hover(plot, [dots], {"": "@quantity", "number": "@count", "value": "@value", "difference": "@size{0.0[000]} %"})
+    hover(
+        plot,
+        [dots],
+        {
+            "": "@quantity",
+            words["number"]: "@count",
+            words["value"]: "@value",
+            words["apart"]: "@size{0.0[000]} %",
+        },
+    )
     legend(plot, [({"field": "quantity"}, [dots])])
     return [plot]

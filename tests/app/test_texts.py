@@ -18,7 +18,9 @@ SERVER = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.pa
 ASKED = set(re.findall(r"'([a-z][\w-]*(?:\.[\w-]+)+)'", SOURCES)) | {"nothing"}
 ASKED |= set(re.findall(r'page\(\)\.text\("([\w.-]+)"', SERVER))  # by the server, for the page
 FAMILIES = set(re.findall(r"(?:family|named)\('([\w.-]+)'", SOURCES)) | {"control", "unit", "question"}
+FAMILIES |= set(re.findall(r'page\(\)\.family\("([\w.-]+)"', SERVER))
 BEGINNINGS = set(re.findall(r"`([a-z][\w-]*(?:\.[\w-]+)*\.)\$\{", SOURCES))  # of codes whose end is a value
+BEGINNINGS |= set(re.findall(r'page\(\)\.text\(f"([\w.-]+\.)\{', SERVER))
 OWN = {code for code in page().texts if code not in library().texts and not code.startswith("terms.")}
 
 

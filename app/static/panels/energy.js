@@ -1,6 +1,7 @@
 // Energy over time: the share of every part, with a line that follows the clock.
 import { Figure } from '../charts/figure.js';
 import { make } from '../shell/dom.js';
+import { family, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Panel } from './panel.js';
 
@@ -11,24 +12,26 @@ import { Panel } from './panel.js';
  * @property {Record<string, any>} chosen
  * @property {number[]} time
  * @property {string} unit  of time
- * @property {{ key: string, name: string, values: number[] | null }[]} parts  [%]; null: not of this scene
+ * @property {{ key: string, values: number[] | null }[]} parts  [%]; null: not of this scene
  */
 
 const ROWS = 21; // of the table
 const TOP = 102; // %
 const FAINT = '#5b6c7d';
+const PARTS = family('energy.part');
+/** @param {string} unit */
+const timeIn = (unit) => text('panel.time-in', { unit });
 
 export class Energy extends Panel {
   /** @type {Shares | null} */ drawn = null;
 
   /** @param {Page} page */
   constructor(page) {
-    const title = 'how much of the first energy each part has, and when';
-    super(page, 'energy', 'Energy over time', title, 'Where the energy is');
-    this.said = make('p', { className: 'help', role: 'status', textContent: 'Adding up the energy of every part …' });
-    const about = 'shares of the energy of every part against time, one upon the other';
+    super(page, 'energy', text('energy.button'), text('energy.title'), text('energy.heading'));
+    this.said = make('p', { className: 'help', role: 'status', textContent: text('energy.idle') });
     const numbers = () => this.#numbers();
-    this.figure = new Figure('energy', [{ name: 'energy', title: 'Where the energy is', about, numbers }]);
+    const part = { name: 'energy', title: text('energy.heading'), about: text('energy.about'), numbers };
+    this.figure = new Figure('energy', [part]);
     this.root.append(this.said, this.figure.root);
   }
   get away() {
@@ -55,11 +58,11 @@ export class Energy extends Panel {
       this.figure?.set(`energy-key-${k}`, { visible: values !== null });
       below = above;
     });
-    const there = parts.filter(({ values }) => values).map(({ key, name }) => [name, `@{${key}}{0.0} %`]);
-    const rows = [['time', `@time{0.000} ${unit}`], ...there];
+    const there = parts.filter(({ values }) => values).map(({ key }) => [PARTS[key], `@{${key}}{0.0} %`]);
+    const rows = [[text('chart.time'), `@time{0.000} ${unit}`], ...there];
     const tooltips = rows.map(([name, value]) => `<div><span style="color: ${FAINT}">${name}</span> ${value}</div>`);
     this.figure.set('energy-hover', { tooltips: tooltips.join('') });
-    this.figure.set('energy-across', { axis_label: `time, ${unit}` });
+    this.figure.set('energy-across', { axis_label: timeIn(unit) });
     this.figure.fill('shares', { ...columns, whole: below });
     this.figure.range('energy-x', [0, time[time.length - 1]]);
     this.figure.range('energy-y', [0, TOP]);
@@ -68,11 +71,11 @@ export class Energy extends Panel {
   #numbers() {
     const found = /** @type {Shares | null} */ (this.answer);
     if (!found) return [[]];
-    const shown = found.parts.flatMap(({ name, values }) => (values ? [{ name, values }] : []));
+    const shown = found.parts.flatMap(({ key, values }) => (values ? [{ name: PARTS[key], values }] : []));
     const last = found.time.length - 1;
     const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
     return [
-      [`time, ${found.unit}`, ...shown.map(({ name }) => `${name}, %`)],
+      [timeIn(found.unit), ...shown.map(({ name }) => `${name}, %`)],
       ...rows.map((i) => [figures(found.time[i], 4), ...shown.map(({ values }) => figures(values[i], 3))]),
     ];
   }

@@ -1,9 +1,8 @@
 // What every analysis has about it: a head with its name, and buttons that widen and close it.
 import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 
 /** @import { View } from './panels.js' */
-
-const WORDS = { wider: 'Wider', close: 'Close' };
 
 /**
  * Give a panel its head.
@@ -17,7 +16,7 @@ export function framed({ root, button }, { widen, close }) {
     return make('button', { type: 'button', className: 'sign', title: what, ariaLabel, textContent, onclick });
   };
   const head = make('header', { className: 'panel-head' }, name);
-  head.append(sign(WORDS.wider, '⤢', widen), sign(WORDS.close, '✕', close));
+  head.append(sign(text('panel.wider'), '⤢', widen), sign(text('panel.close'), '✕', close));
   root.prepend(head);
   root.tabIndex = -1;
 }

@@ -1,6 +1,7 @@
 // Contacts, their times and the rebound for all mass ratios, and the scene's place on them.
 import { Figure } from '../charts/figure.js';
 import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Panel } from './panel.js';
 
@@ -11,7 +12,6 @@ import { Panel } from './panel.js';
  * @typedef {object} Ratios  columns over the mass ratio, null where there is none; `start_1`, `end_1` ... of contacts
  * @property {Record<string, any>} chosen
  * @property {string | null} support
- * @property {string} told
  * @property {number[]} ratio
  * @property {number[]} rebound
  * @property {number[]} restitution
@@ -21,21 +21,17 @@ import { Panel } from './panel.js';
 const EARLIEST = 0.5; // [T] where the logarithmic axis of time begins; the first contact begins at 0
 const LATEST = 100;
 const EVERY = 10; // row of the table
-const PLOTS = [
-  ['rebound', 'How the bodies part', 'final velocity of the mass and restitution against the mass ratio'],
-  ['periods', 'When they touch', 'beginning and end of each contact against the mass ratio'],
-  ['contacts', 'Number of contacts', 'number of contacts against the mass ratio'],
-];
+const PLOTS = ['rebound', 'periods', 'contacts'];
 
 export class MassRatios extends Panel {
   /** @type {Ratios | null} */ drawn = null;
 
   /** @param {Page} page */
   constructor(page) {
-    super(page, 'ratios', 'All mass ratios', '', 'The impact for all mass ratios');
+    super(page, 'ratios', text('ratios.button'), '', text('ratios.heading'));
     this.said = make('p', { className: 'help', role: 'status' });
-    const parts = PLOTS.map(([name, title, about], k) => ({
-      ...{ name, title, about },
+    const parts = PLOTS.map((name, k) => ({
+      ...{ name, title: text(`ratios.plot.${name}`), about: text(`ratios.about.${name}`) },
       ...(k ? {} : { numbers: () => this.#numbers() }),
     }));
     this.figure = new Figure('ratios', parts);
@@ -48,9 +44,9 @@ export class MassRatios extends Panel {
       ['mass', 'sphere'].includes(frame.impactor.kind) &&
       frame.target.kind === 'rod' &&
       !frame.target.endMass;
-    if (!one) return 'For a mass on one uniform rod: other scenes have more than one number to vary';
+    if (!one) return text('ratios.one-rod-only');
     if (frame.chosen.law !== 'rigid' || !['fixed', 'free'].includes(frame.target.support ?? ''))
-      return 'For rigid contact, and a rod that is fixed or free: then the mass ratio says all';
+      return text('ratios.rigid-only');
     return '';
   }
   get away() {
@@ -62,7 +58,7 @@ export class MassRatios extends Panel {
     const refusal = this.#refusal(frame);
     this.button.hidden = frame.kind === 'beam';
     this.button.disabled = this.away;
-    this.button.title = refusal || 'contacts, their times and the rebound for every mass ratio from 1/1000 to 1000';
+    this.button.title = refusal || text('ratios.title');
     this.button.ariaPressed = String(this.open && !this.away);
     if (!this.root.hidden) this.show();
   }
@@ -71,7 +67,7 @@ export class MassRatios extends Panel {
     const support = this.page.frame.kind === 'axial' ? this.page.frame.target.support : null;
     const there = found?.support === support;
     this.root.ariaBusy = String(!there);
-    this.said.textContent = found && there ? found.told : 'Working out the impact for all mass ratios …';
+    this.said.textContent = text(`ratios.said.${there ? support : 'idle'}`);
     if (!found?.support || !this.figure || found === this.drawn) return;
     this.drawn = found;
     const { ratio } = found;
@@ -98,7 +94,7 @@ export class MassRatios extends Panel {
   show() {
     const { frame } = this.page;
     if (frame.kind !== 'axial') return;
-    for (const [name] of PLOTS) this.figure?.cursor(`ratio-cursor-${name}`, frame.target.mass / frame.impactor.mass);
+    for (const name of PLOTS) this.figure?.cursor(`ratio-cursor-${name}`, frame.target.mass / frame.impactor.mass);
   }
   #numbers() {
     const found = /** @type {Ratios | null} */ (this.answer);
@@ -106,7 +102,7 @@ export class MassRatios extends Panel {
     const { ratio, rebound, restitution, contacts } = found;
     const rows = ratio.flatMap((value, k) => (k % EVERY ? [] : [[value, rebound[k], restitution[k], contacts[k]]]));
     return [
-      ['mass ratio m₂/m₁', 'velocity of the mass, in impact speeds', 'restitution e', 'contacts'],
+      ['ratio', 'rebound', 'restitution', 'contacts'].map((name) => text(`ratios.column.${name}`)),
       ...rows.map((row) => row.map((value) => figures(value, 4))),
     ];
   }

@@ -1,7 +1,7 @@
 // This impact by every method, in a table.
 import { make, rowOf } from '../shell/dom.js';
 import { figures } from '../text/format.js';
-import { described, said } from '../text/catalogue.js';
+import { described, family, said, text } from '../text/catalogue.js';
 import { naming } from '../text/words.js';
 
 /** @import { Page } from '../page.js' */
@@ -27,30 +27,18 @@ import { naming } from '../text/words.js';
 
 /** @param {number} value */
 const inPercent = (value) => (Math.abs(value) < 5e-9 ? '0' : Math.abs(value) < 5e-6 ? '< 0.001' : figures(100 * value));
-const COLUMNS = [
-  ['Method', ''],
-  ['Rebound', 'error, % of v'],
-  ['Contact 1', 'lasts too long by, % of T'],
-  ['Contacts', 'found of true'],
-  ['Reported', 'contacts'],
-  ['Raw', 'touches'],
-  ['Force', 'error (L2), %'],
-  ['Time', 'ms'],
-];
-const HELP =
-  'Errors are against the exact waves of the same scene: of the speed at which the impactor leaves, of the length ' +
-  'of contact 1, and of the force over the whole impact. Time is that of a whole solve on this server. ' +
-  'A click on a name shows that method beside the exact one.';
+const COLUMNS = ['method', 'rebound', 'duration', 'found', 'reported', 'raw', 'force', 'time'];
+const UNITS = family('methods.unit'); // below the names of columns
 
 export class Methods {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    this.button = make('button', { type: 'button', textContent: 'Compare methods' });
+    this.button = make('button', { type: 'button', textContent: text('methods.button') });
     this.said = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods' });
     const scroll = make('div', { className: 'scroll' }, this.table);
-    const heading = make('h2', { textContent: 'This impact by every method' });
+    const heading = make('h2', { textContent: text('methods.heading') });
     this.root = make('section', { className: 'analysis', hidden: true }, heading, this.said, scroll);
     page.model.on('methods', () => this.fill());
   }
@@ -67,9 +55,7 @@ export class Methods {
     this.button.ariaPressed = String(this.open);
     this.button.disabled = away;
     this.button.hidden = frame.kind === 'beam'; // no exact waves to measure by; every method is shown beside modes
-    this.button.title = away
-      ? 'Bodies in space have one method: the rigid impulse'
-      : 'what each of them misses, and what it costs';
+    this.button.title = text(away ? 'methods.in-space' : 'methods.title');
     this.root.hidden = !this.open || away;
     if (!this.root.hidden) this.fill();
   }
@@ -79,10 +65,10 @@ export class Methods {
     const found = page.model.methods ? JSON.parse(page.model.methods) : null;
     const fresh = found !== null && page.names.every((name) => found.chosen[name] === page.frame.chosen[name]);
     this.root.ariaBusy = String(!fresh);
-    if (!fresh) this.said.textContent = 'Solving by every method; this takes some seconds …';
-    else this.said.textContent = found.error ? `No exact waves to measure by. ${found.error}` : HELP;
-    const titles = COLUMNS.map(([name, unit]) =>
-      make('th', { scope: 'col' }, name, make('small', { textContent: unit })),
+    if (!fresh) this.said.textContent = text('methods.idle');
+    else this.said.textContent = found.error ? text('methods.no-waves', { why: found.error }) : text('methods.help');
+    const titles = COLUMNS.map((name) =>
+      make('th', { scope: 'col' }, text(`methods.column.${name}`), make('small', { textContent: UNITS[name] ?? '' })),
     );
     const rows = found?.rows?.map((row) => this.row(row)) ?? [];
     const head = make('thead', {}, make('tr', {}, ...titles));
@@ -101,12 +87,14 @@ export class Methods {
     }
     const force = make('td', { textContent: row.force_error === null ? '–' : inPercent(row.force_error) });
     if (row.resolved_force_error !== null)
-      force.append(make('small', { textContent: `${inPercent(row.resolved_force_error)} averaged` }));
+      force.append(
+        make('small', { textContent: text('methods.averaged', { error: inPercent(row.resolved_force_error) }) }),
+      );
     const { contacts, raw_contacts: touches, true_contacts: true_, true_contacts_found: met } = row;
     const line = rowOf([
       inPercent(row.rebound_error),
       inPercent(row.duration_error),
-      `${met} of ${true_}`,
+      text('panel.found-of', { found: met, all: true_ }),
       contacts,
       touches,
     ]);

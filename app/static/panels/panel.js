@@ -1,23 +1,16 @@
 // What the panels beside the solution share: a button, a section, and whether an answer is that to the choices drawn.
 import { make } from '../shell/dom.js';
-import { said, text } from '../text/catalogue.js';
+import { family, said, text } from '../text/catalogue.js';
 
 /** @import { Figure } from '../charts/figure.js' */
 /** @import { Page } from '../page.js' */
 /** @import { Answer } from '../shell/model.js' */
 
-/** @type {Record<string, string>} */
-export const QUANTITIES = {
-  rebound: 'final velocity',
-  impulse: 'impulse',
-  'peak-force': 'peak force',
-  'force-history': 'force over time',
-  'contact-time': 'first touch to last parting',
-};
+export const QUANTITIES = family('name.quantity');
 const OF_THE_METHOD = ['method', 'modes', 'elements'];
 
 export class Panel {
-  /** @type {string | undefined} */ text; // of the answer, and what was read of it
+  /** @type {string | undefined} */ came; // the answer as it came, and what was read of it
   /** @type {Answer | null} */ read = null;
   /** @type {Figure | null} */ figure = null; // that is shown while the panel is open
 
@@ -65,8 +58,8 @@ export class Panel {
   /** @returns {Answer | null} */
   get answer() {
     const answer = this.page.model[this.name];
-    if (answer !== this.text) {
-      this.text = answer;
+    if (answer !== this.came) {
+      this.came = answer;
       this.read = answer ? JSON.parse(answer) : null;
     }
     return this.read;
@@ -126,12 +119,11 @@ export function showMethod(page, method) {
     const wanted = method[name];
     if (!wanted) continue;
     choices[name] = Math.min(Math.max(wanted, spec[name].low), spec[name].high);
-    if (choices[name] !== wanted)
-      left.push(`${choices[name]} ${name}, as many as its slider has, instead of ${wanted}`);
+    if (choices[name] !== wanted) left.push(text('panel.as-many', { name, count: choices[name], wanted }));
   }
   Object.assign(page.waiting, choices);
   page.send('method', method.name);
-  if (left.length) page.complain(`Shown with ${left.join(' and ')}.`);
+  if (left.length) page.complain(text('panel.shown-with', { what: left.join('; ') }));
 }
 /**
  * Whether the page shows it.

@@ -1,5 +1,6 @@
 // All panels that answer questions beside the solution, and the buttons that open them.
 import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
 import { Energy } from './energy.js';
 import { framed } from './frame.js';
 import { MassRatios } from './mass_ratios.js';
@@ -14,8 +15,6 @@ import { Convergence, Trust } from './trust.js';
 /** @import { Page } from '../page.js' */
 /** @import { Layout } from '../shell/layout.js' */
 /** @import { Frame } from '../shell/message.js' */
-
-const WORDS = { menu: 'Analyses' };
 
 /**
  * @typedef {object} View  what a button opens
@@ -39,7 +38,7 @@ export class Analyses {
   /** @type {Layout} */ layout;
   /** @type {View[]} */ order = []; // the one that was opened last at the end
   /** @type {Set<View>} */ widened = new Set(); // by hand
-  menu = make('nav', { className: 'menu', ariaLabel: WORDS.menu });
+  menu = make('nav', { className: 'menu', ariaLabel: text('panel.menu') });
   side = make('div', { className: 'side' });
 
   /** @param {Page} page */

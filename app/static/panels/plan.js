@@ -1,6 +1,6 @@
 // Which model is enough?: the smallest adequate model for a question, and where the impact lies among all others.
 import { headOf, make, rowOf } from '../shell/dom.js';
-import { modelled, said } from '../text/catalogue.js';
+import { family, modelled, named, said, text } from '../text/catalogue.js';
 import { share } from '../text/format.js';
 import { RegimeMap } from './regime_map.js';
 import { percentField } from './unit_field.js';
@@ -28,22 +28,7 @@ import { percentField } from './unit_field.js';
  * @property {boolean} measured
  */
 
-/** @type {Record<string, string>} */
-const QUESTIONS = {
-  'final-velocities': 'final velocities',
-  'peak-force': 'peak force',
-  'contact-times': 'first touch to last parting',
-  stresses: 'largest stress inside',
-};
-/** @type {Record<string, string>} */
-const FAMILIES = {
-  'fixed-rod': 'a rod fixed at its far end',
-  'free-rod': 'a free rod',
-  cantilever: 'a cantilever',
-  'pinned-pinned': 'a beam pinned at both ends',
-  'clamped-clamped': 'a beam clamped at both ends',
-  'free-free': 'a free beam',
-};
+const QUESTIONS = family('name.question');
 
 /**
  * Choices of the page that show one model, all at once.
@@ -62,13 +47,8 @@ export function choose(page, choices) {
  * @param {boolean} measured
  */
 function aboutMap(map, measured) {
-  return (
-    `A compact body strikes ${FAMILIES[map.family]}${map.law === 'hertz' ? ', Hertzian contact' : ''}; the dot is ` +
-    `this scene, with the time that its contact would last between rigid bodies${
-      measured ? '' : '; it lies outside what was measured'
-    }. Each point of the map was solved by the cheap model and in full; error in the ${QUESTIONS[map.question]}. ` +
-    'Click or drag to move the sliders there.'
-  );
+  const struck = named('family', map.family);
+  return text('map.about', { struck, hertz: map.law === 'hertz', measured, question: QUESTIONS[map.question] });
 }
 
 export class Needs {
@@ -77,13 +57,13 @@ export class Needs {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    this.button = make('button', { type: 'button', textContent: 'Which model is enough?' });
-    this.button.title = 'the smallest model that answers your question, and where cheap models fail';
+    this.button = make('button', { type: 'button', textContent: text('plan.heading') });
+    this.button.title = text('plan.title');
     const options = Object.entries(QUESTIONS).map(([value, textContent]) => make('option', { value, textContent }));
-    this.question = make('select', { ariaLabel: 'Question' }, ...options);
+    this.question = make('select', { ariaLabel: text('plan.question') }, ...options);
     this.question.onchange = () => this.ask('question', this.question.value);
     const send = (/** @type {number} */ value) => this.ask('plan_tolerance', value);
-    this.tolerance = percentField('Allowed error', 1e-4, 0.5, send, (sentence) => page.complain(sentence));
+    this.tolerance = percentField(text('plan.tolerance'), 1e-4, 0.5, send, (sentence) => page.complain(sentence));
     this.said = make('p', { className: 'verdict' });
     this.reason = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods plan' });
@@ -92,12 +72,12 @@ export class Needs {
       this.go();
     });
     page.model.on('map_point', () => this.go());
-    const asked = make('label', { className: 'part' }, 'I want to know', this.question);
+    const asked = make('label', { className: 'part' }, text('plan.asked'), this.question);
     const form = make('div', { className: 'record-form' }, asked, this.tolerance.root);
     const scroll = make('div', { className: 'scroll' }, this.table);
     const left = make('div', { className: 'plan-told' }, form, this.said, scroll, this.reason);
     const sides = make('div', { className: 'sides' }, left, this.map.root);
-    const heading = make('h2', { textContent: 'Which model is enough?' });
+    const heading = make('h2', { textContent: text('plan.heading') });
     this.root = make('section', { className: 'analysis needs', hidden: true }, heading, sides);
     for (const name of ['plan', 'regimes', 'question', 'plan_tolerance']) page.model.on(name, () => this.fill());
   }
@@ -144,7 +124,7 @@ export class Needs {
       page.names.every((key) => found.chosen[key] === page.frame.chosen[key]);
     this.root.ariaBusy = String(!fresh);
     if (!found) {
-      this.said.textContent = 'Looking it up …';
+      this.said.textContent = text('plan.idle');
       return;
     }
     if (!fresh) return; // what is shown stays until the answer comes
@@ -163,20 +143,15 @@ export class Needs {
     const { candidates, picked } = found;
     const best = candidates[picked];
     const within = best.error !== null && best.error <= found.chosen.plan_tolerance;
-    const expected =
-      best.error === null
-        ? 'by how much it misses nobody has measured'
-        : best.error === 0
-          ? 'which leaves out nothing'
-          : `expected to miss ${share(best.error)}`;
+    const known = best.error === null ? 'unknown' : best.error ? 'known' : 'none';
     this.said.replaceChildren(
-      within ? 'Enough: ' : 'The best there is: ',
+      text('plan.verdict', { within }),
       make('b', { textContent: modelled(best.model) }),
-      `, ${expected}.`,
+      text('plan.expected', { known, error: share(best.error ?? 0) }),
     );
     this.reason.textContent = said(found.why);
     const rows = candidates.map((candidate, k) => this.row(candidate, k === picked));
-    this.table.replaceChildren(headOf(['Model, from the smallest up', 'misses', '']), make('tbody', {}, ...rows));
+    this.table.replaceChildren(headOf([text('plan.model'), text('plan.error'), '']), make('tbody', {}, ...rows));
     this.drawMap(found);
   }
   /** @param {Plan} found */
@@ -199,16 +174,16 @@ export class Needs {
   row({ choices, error, model, unknown }, picked) {
     const { page } = this;
     const { chosen } = page.frame;
-    const missed = error === null ? (unknown ? 'not measured' : 'does not tell') : share(error);
+    const missed = error === null ? text('plan.no-error', { measured: !unknown }) : share(error);
     const line = rowOf([modelled(model), missed, '']);
     if (picked) line.ariaCurrent = 'true';
     if (!choices) return line;
     const here = Object.entries(choices).every(([name, value]) => chosen[name] === value);
-    const show = make('button', { type: 'button', className: 'when', textContent: here ? 'shown' : 'show it' });
+    const show = make('button', { type: 'button', className: 'when', textContent: text('plan.show', { here }) });
     show.disabled = here;
     show.onclick = () => choose(page, choices);
     const refused = page.frame.refusals?.[choices.method];
-    line.lastElementChild?.append(refused ? make('small', { textContent: 'not on this page' }) : show);
+    line.lastElementChild?.append(refused ? make('small', { textContent: text('plan.not-on-this-page') }) : show);
     return line;
   }
   show() {}

@@ -2,8 +2,8 @@
 import { Figure } from '../charts/figure.js';
 import { between } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
-import { said } from '../text/catalogue.js';
-import { figures, signed } from '../text/format.js';
+import { said, text } from '../text/catalogue.js';
+import { figures, localised, signed } from '../text/format.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame, Frame } from '../shell/message.js' */
@@ -28,7 +28,7 @@ const LIMIT = 2e6; // bytes
 const EXAMPLE = { scene: 'bronze-rod-steel-ball', at: '1.0', kind: 'strain' };
 /** @type {Record<Kind, [factor: number, unit: string]>} */
 const UNITS = { strain: [1e6, 'µm/m'], stress: [1e-6, 'MPa'], force: [1e-3, 'kN'] };
-const KINDS = { '': 'as the file says', strain: 'strain', stress: 'stress', force: 'contact force' };
+const KINDS = ['file', 'strain', 'stress', 'force']; // of values, the first of them as the file says
 const STEPS = 1000; // of the sliders
 const ROWS = 21; // of the table
 const LATER = 0.5; // T to both sides of the automatic shift
@@ -57,32 +57,33 @@ export class Measurement {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    this.button = make('button', { type: 'button', textContent: 'Compare with measured data', ariaPressed: 'false' });
-    const about = 'the measured record and what the exact solution says of the same place, against time';
-    const numbers = () => this.#numbers();
-    this.figure = new Figure('record', [{ name: 'record', title: 'Measured and computed', about, numbers }]);
+    this.button = make('button', { type: 'button', textContent: text('record.button'), ariaPressed: 'false' });
+    const part = { name: 'record', title: text('record.figure'), about: text('record.about') };
+    this.figure = new Figure('record', [{ ...part, numbers: () => this.#numbers() }]);
     this.figure.whenReady(() => {
       const go = (/** @type {{ x: number }} */ { x }) => page.player.seek(Math.max(x, 0));
       this.figure.model('record').on_event('tap', go);
     });
     const onchange = () => this.ask();
     this.picker = make('input', { type: 'file', accept: '.csv,.txt,.tsv,.dat,text/*', hidden: true });
-    const kinds = Object.entries(KINDS).map(([value, textContent]) => make('option', { value, textContent }));
+    const kinds = KINDS.map((kind, k) =>
+      make('option', { value: k ? kind : '', textContent: text(`record.kind.${kind}`) }),
+    );
     this.kind = make('select', { onchange }, ...kinds);
     this.at = make('input', { type: 'text', inputMode: 'decimal', className: 'number', placeholder: '–', onchange });
     this.sign = make('input', { type: 'checkbox', onchange });
     this.name = make('span', { className: 'file-name' });
-    this.name.textContent = 'or drop one here: a table with time and strain, stress or force, units in its first row';
-    this.shift = this.#slider('Shift of the record');
-    this.scale = this.#slider('Scale of the record');
+    this.name.textContent = text('record.drop');
+    this.shift = this.#slider(text('record.shift-of'));
+    this.scale = this.#slider(text('record.scale-of'));
     this.shiftSaid = make('output', { className: 'unit' });
     this.scaleSaid = make('output', { className: 'unit' });
     this.residual = make('output', { className: 'residual' });
-    this.automatic = button('Automatic', () => this.reset());
-    this.automatic.title = 'the shift and the scale with the least residual';
+    this.automatic = button(text('record.automatic'), () => this.reset());
+    this.automatic.title = text('record.automatic-about');
     this.said = make('p', { className: 'help' });
     this.result = make('div', { hidden: true }, this.figure.root, this.#movers(), this.said);
-    const heading = make('h2', { textContent: 'A measured record' });
+    const heading = make('h2', { textContent: text('record.heading') });
     this.root = make(
       'section',
       { className: 'analysis record-panel', hidden: true },
@@ -112,20 +113,23 @@ export class Measurement {
     const form = make(
       'div',
       { className: 'record-form' },
-      button('Choose a file', () => this.picker.click()),
+      button(text('record.choose'), () => this.picker.click()),
     );
     form.append(
       this.picker,
-      button('Try the example', () => this.example()),
+      button(text('record.example'), () => this.example()),
       this.name,
     );
-    form.append(field('Values', this.kind), field('Gauge at', this.at, 'm from the struck end'));
-    form.append(field('Other sign', this.sign));
+    form.append(
+      field(text('record.values'), this.kind),
+      field(text('record.gauge'), this.at, text('record.gauge-unit')),
+    );
+    form.append(field(text('record.sign'), this.sign));
     return form;
   }
   #movers() {
-    const shift = make('label', {}, make('span', { textContent: 'Shift' }), this.shift, this.shiftSaid);
-    const scale = make('label', {}, make('span', { textContent: 'Scale' }), this.scale, this.scaleSaid);
+    const shift = make('label', {}, make('span', { textContent: text('record.shift') }), this.shift, this.shiftSaid);
+    const scale = make('label', {}, make('span', { textContent: text('record.scale') }), this.scale, this.scaleSaid);
     return make('div', { className: 'movers' }, shift, scale, this.residual, this.automatic);
   }
   get open() {
@@ -151,13 +155,13 @@ export class Measurement {
     if (asks) this.ask();
   }
   async example() {
-    const text = await (await fetch(new URL('../example-record.csv', import.meta.url))).blob();
+    const record = await (await fetch(new URL('../example-record.csv', import.meta.url))).blob();
     this.kind.value = EXAMPLE.kind;
     this.at.value = EXAMPLE.at;
     this.sign.checked = false;
     const other = this.page.frame.chosen.scene !== EXAMPLE.scene;
     if (other) this.page.send('scene', EXAMPLE.scene); // and its answer asks for the comparison
-    this.takeFile(new File([text], 'example-record.csv (synthetic)'), !other);
+    this.takeFile(new File([record], text('record.synthetic', { name: 'example-record.csv' })), !other);
   }
   /**
    * A new scene: the record in hand is drawn in its units at once, and compared anew.
@@ -167,9 +171,7 @@ export class Measurement {
     const away = frame.kind !== 'axial';
     this.button.disabled = away;
     this.button.hidden = frame.kind === 'beam';
-    this.button.title = away
-      ? 'An impact in space has no history to lay a record on'
-      : 'a record of strain, stress or force beside this scene';
+    this.button.title = text(away ? 'record.in-space' : 'record.title');
     this.root.classList.toggle('away', away);
     if (away) return;
     this.overlay();
@@ -188,7 +190,7 @@ export class Measurement {
     const query = new URLSearchParams({ at: this.at.value.trim(), kind: this.kind.value, sign });
     for (const name of names) query.set(name, String(frame.chosen[name]));
     this.root.ariaBusy = 'true';
-    waiter.soon('record', 'Comparing the record with the scene …');
+    waiter.soon('record', text('record.idle'));
     const answer = await this.#send(query, this.file);
     this.asking = false;
     this.root.ariaBusy = 'false';
@@ -209,7 +211,7 @@ export class Measurement {
       const response = await fetch(new URL(`record?${query}`, document.baseURI), { method: 'POST', body, headers });
       return await response.json();
     } catch {
-      return { error: `The file could not be sent. Files may have up to ${LIMIT / 1e6} MB.` };
+      return { error: text('record.not-sent', { most: LIMIT / 1e6 }) };
     }
   }
   /**
@@ -306,8 +308,7 @@ export class Measurement {
     const room = 0.15 * (high - low) || 1;
     this.figure.range('record-x', [Math.min(-0.05, Math.max(answer.time[0], -0.5)), time[time.length - 1]]);
     this.figure.range('record-y', [low - room, high + room]);
-    const upward = kind === 'strain' ? 'tension' : 'compression';
-    this.figure.set('record-up', { axis_label: `${kind} in ${unit}, ${upward} up` });
+    this.figure.set('record-up', { axis_label: text('record.axis', { kind, unit }) });
     this.figure.open().then(() => this.show(this.page.player.t));
   }
   #numbers() {
@@ -317,7 +318,7 @@ export class Measurement {
     const last = answer.time.length - 1;
     const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
     return [
-      ['time, T', `measured, ${unit}`, `computed, ${unit}`],
+      [text('panel.time-in', { unit: 'T' }), text('record.measured', { unit }), text('record.computed', { unit })],
       ...rows.map((i) => {
         const t = answer.time[i] + later;
         const values = [answer.values[i] * larger, this.model(answer, t)];
@@ -331,19 +332,15 @@ export class Measurement {
     const shift = answer.shift + later * answer.trip;
     const share = this.remains(answer);
     this.shiftSaid.textContent = `${signed(1e6 * shift, 2)} µs`;
-    this.scaleSaid.textContent = `× ${(answer.scale * larger).toPrecision(4)}`;
+    this.scaleSaid.textContent = `× ${localised((answer.scale * larger).toPrecision(4))}`;
     this.residual.textContent = Number.isFinite(share)
-      ? `Residual ${(100 * share).toPrecision(3)} %`
-      : 'Nothing to compare';
+      ? text('record.residual', { share: localised((100 * share).toPrecision(3)) })
+      : text('record.nothing');
     this.automatic.disabled = !later && larger === 1;
-    const drawn =
-      answer.kind === 'force'
-        ? 'The record is also drawn, in green, over the contact force.'
-        : 'The contact force recovered from this record alone is drawn, in green, over the computed one, ' +
-          'moved and scaled alike.';
+    const { kind } = answer;
     this.said.textContent = [
-      `Residual: what is left of the difference in the L2 norm, as a share of the computed ${answer.kind}.`,
-      ...(answer.recovered ? [drawn] : []),
+      text('record.residual-of', { kind }),
+      ...(answer.recovered ? [text('record.drawn', { kind })] : []),
       ...answer.notes.map(said),
     ].join(' ');
   }

@@ -3,10 +3,11 @@ import { contextOf } from '../charts/canvas.js';
 import { LogChart } from '../charts/log_chart.js';
 import { within } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
+import { family, text } from '../text/catalogue.js';
 import { figures, share } from '../text/format.js';
 
 /** @typedef {[time: number, ratio: number]} Place */
-/** @typedef {(number | null)[]} Errors  null where a model does not tell */
+/** @typedef {(number | null)[]} Errors  null where a model cannot predict it */
 
 /**
  * @typedef {object} Regimes
@@ -20,14 +21,7 @@ import { figures, share } from '../text/format.js';
  * @property {Record<string, [level: number, times: (number | null)[], ratios: (number | null)[]][]>} contours
  */
 
-/** @type {Record<string, string>} */
-export const MODELS = {
-  'rigid-impulse': 'rigid impulse',
-  'local-quasi-static': 'rigid bodies, compliant contact',
-  'structural-quasi-static': 'quasi-static structure',
-  waves: 'travelling waves',
-  modal: 'modes',
-};
+const MODELS = family('name.model');
 const COLOURS = ['#cfe3f3', '#d6ead0', '#fbe3b6', '#f3cfc6']; // of the models, and of what none of them can do
 const GREY = '#eceff2';
 /** @type {[level: number, colour: string, name: string][]} */
@@ -73,18 +67,14 @@ export class RegimeMap {
   dragged = false;
   /** @type {Place[]} */ trail = []; // of the scene
   /** @type {Place | null} */ target = null; // that the keys aim at
-  /** @type {string | undefined} */ text;
+  /** @type {string | undefined} */ known; // the answer as it came
   /** @type {Regimes | null} */ map = null;
 
-  /** @param {(text: string) => void} go  is given a place that is asked for, "time ratio" */
+  /** @param {(point: string) => void} go  is given a place that is asked for, "time ratio" */
   constructor(go) {
     this.go = go;
-    this.chart = new LogChart(
-      'Where cheap models hold',
-      'map of the error of cheap models over contact time and mass ratio',
-      ['contact time by itself, in round trips', 'mass ratio, target over impactor'],
-    );
-    this.kinds = segments('The map shows', [], () => {});
+    this.chart = new LogChart(text('map.title'), text('map.described'), [text('map.across'), text('map.upward')]);
+    this.kinds = segments(text('map.shows'), [], () => {});
     this.about = make('p', { className: 'help' });
     this.root = make('div', { className: 'regimes' }, this.kinds.root, this.chart.root, this.about);
     this.image = make('canvas', { width: FINE[0], height: FINE[1] });
@@ -95,7 +85,7 @@ export class RegimeMap {
     const ask = (/** @type {PointerEvent} */ event) => this.ask(this.aimed(event));
     area.tabIndex = 0;
     area.role = 'application';
-    area.ariaLabel = 'Map over contact time and mass ratio: arrow keys aim, Enter moves the sliders there';
+    area.ariaLabel = text('map.keys');
     area.onpointermove = (event) => {
       value.textContent = this.at(...this.chart.under(event));
       if (this.dragged) ask(event);
@@ -157,8 +147,8 @@ export class RegimeMap {
     this.target = target;
     if (target) {
       const [time, ratio] = target;
-      const when = time === 0 ? 'rigid' : `time ${figures(time, 2)}`;
-      this.chart.value.textContent = `aims at ratio ${figures(ratio, 2)}, ${when}`;
+      const place = { rigid: time === 0, time: figures(time, 2), ratio: figures(ratio, 2) };
+      this.chart.value.textContent = text('map.aim', place);
     }
     this.mark();
   }
@@ -166,12 +156,12 @@ export class RegimeMap {
   ask(place) {
     if (this.map) this.go(place.map((value) => value.toPrecision(4)).join(' '));
   }
-  /** @param {string} text */
-  load(text) {
-    if (text === this.text) return;
-    this.text = text;
+  /** @param {string} answer */
+  load(answer) {
+    if (answer === this.known) return;
+    this.known = answer;
     /** @type {Regimes | null} */
-    const map = text && text !== '{}' ? JSON.parse(text) : null;
+    const map = answer && answer !== '{}' ? JSON.parse(answer) : null;
     this.map = map;
     this.root.hidden = !map;
     this.trail = [];
@@ -183,14 +173,14 @@ export class RegimeMap {
     chart.y = [map.ratio[0], map.ratio[map.ratio.length - 1]];
     chart.gap = rigid ? STRIP : 0;
     chart.margin.left = 52 + chart.gap;
-    chart.named[0] = `contact time ÷ ${beam ? 'slowest period of the beam' : 'round trip of a wave'}`;
+    chart.named[0] = text('map.across-of', { beam });
     const press = (/** @type {string} */ kind) => {
       this.shown = kind;
       this.paint();
     };
-    const written = (/** @type {string} */ kind) => MODELS[kind] ?? 'smallest that will do';
+    const written = (/** @type {string} */ kind) => MODELS[kind] ?? text('map.smallest');
     const { root } = this.kinds;
-    this.kinds = segments('The map shows', ['smallest', ...map.models], press, written);
+    this.kinds = segments(text('map.shows'), ['smallest', ...map.models], press, written);
     this.kinds.root.classList.add('small');
     root.replaceWith(this.kinds.root);
   }
@@ -250,15 +240,15 @@ export class RegimeMap {
   }
   /** @param {Regimes} map */
   legend(map) {
-    const last = map.family.endsWith('-rod') ? 'waves' : 'modes';
+    const last = map.family.endsWith('-rod') ? 'waves' : 'modal';
     /** @type {[HTMLElement, string][]} */
     const smallest = map.models.map((name, k) => [sign('chip', COLOURS[k]), MODELS[name]]);
     /** @type {[HTMLElement, string][]} */
-    const missed = LEVELS.map(([, colour, name]) => [sign('line', colour), `misses ${name}`]);
-    if (this.shown === 'smallest') smallest.push([sign('chip', COLOURS[3]), `only ${last}`]);
-    else missed.push([sign('chip', GREY), 'does not tell']);
+    const missed = LEVELS.map(([, colour, name]) => [sign('line', colour), text('map.error', { error: name })]);
+    if (this.shown === 'smallest') smallest.push([sign('chip', COLOURS[3]), text('map.only', { model: MODELS[last] })]);
+    else missed.push([sign('chip', GREY), text('map.cannot')]);
     const entries = this.shown === 'smallest' ? smallest : missed;
-    this.chart.legend.replaceChildren(...entries.map(([mark, text]) => make('span', { className: 'key' }, mark, text)));
+    this.chart.legend.replaceChildren(...entries.map((entry) => make('span', { className: 'key' }, ...entry)));
   }
   draw() {
     const { map, chart } = this;
@@ -291,7 +281,7 @@ export class RegimeMap {
     c.font = '11px system-ui, sans-serif';
     c.textAlign = 'center';
     c.textBaseline = 'top';
-    c.fillText('rigid', box.x - STRIP / 2 - 8, box.y + box.h + 5);
+    c.fillText(text('map.rigid'), box.x - STRIP / 2 - 8, box.y + box.h + 5);
   }
   /**
    * @param {CanvasRenderingContext2D} c
@@ -382,6 +372,6 @@ export class RegimeMap {
     const errors = this.errors(map, rankOf(map.ratio, ratio), start + rankOf(map.time.slice(start), time));
     const missed = errors.map((error) => (error === null ? '–' : share(error)));
     const told = map.models.map((name, k) => `${MODELS[name]} ${missed[k]}`);
-    return `ratio ${figures(ratio, 2)}, time ${figures(time, 2)}: ${told.join(', ')}`;
+    return text('map.at', { ratio: figures(ratio, 2), time: figures(time, 2), errors: told.join(', ') });
   }
 }

@@ -2,9 +2,9 @@
 import { Figure } from '../charts/figure.js';
 import { within } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
-import { named, said } from '../text/catalogue.js';
+import { named, said, text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
-import { AXES, COLOURS, HATCHES, Small, WORDS, columnsOf, edges, spanOf } from './stability_map.js';
+import { AXES, COLOURS, HATCHES, KINDS, Small, columnsOf, edges, nameOf, spanOf } from './stability_map.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Cell, Maps, OneMap } from './stability_map.js' */
@@ -22,16 +22,15 @@ export class Stability extends Panel {
 
   /** @param {Page} page */
   constructor(page) {
-    const title = 'where each integrator keeps the energy, chatters or fails';
-    const heading = `${title[0].toUpperCase()}${title.slice(1)}`;
-    super(page, 'stability', 'Stability', title, heading, ['stability_axis']);
+    const [label, title, heading] = ['button', 'title', 'heading'].map((name) => text(`stability.${name}`));
+    super(page, 'stability', label, title, heading, ['stability_axis']);
     const options = Object.entries(AXES).map(([value, across]) => make('option', { value, textContent: across.title }));
-    this.axis = make('select', { ariaLabel: 'Step against' }, ...options);
+    this.axis = make('select', { ariaLabel: text('stability.against') }, ...options);
     this.axis.onchange = () => this.turn(this.axis.value);
     this.said = make('p', { className: 'help', role: 'status' });
     this.notes = make('ul', { className: 'help' });
     this.start = make('button', { type: 'button', className: 'whole', onclick: () => this.run() });
-    this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: 'Worked out so far' });
+    this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: text('stability.so-far') });
     this.key = make('p', { className: 'legend' });
     this.grid = make('div', { tabIndex: 0, role: 'application' });
     this.grid.onkeydown = (event) => {
@@ -44,19 +43,19 @@ export class Stability extends Panel {
       );
       this.select([row, column]);
     };
-    const against = make('label', { className: 'part' }, 'Step against', this.axis);
+    const against = make('label', { className: 'part' }, text('stability.against'), this.axis);
     const form = make('div', { className: 'record-form' }, against, this.start, this.bar);
     this.root.append(this.said, form, this.notes, this.key, this.grid);
     page.model.on('stability_running', () => this.fill());
-    const entry = (/** @type {string} */ text, /** @type {HTMLElement} */ mark) =>
-      make('span', { className: 'key' }, mark, text);
+    const entry = (/** @type {string} */ name, /** @type {HTMLElement} */ mark) =>
+      make('span', { className: 'key' }, mark, name);
     const chip = (/** @type {string} */ kind) => {
       const mark = make('i', { className: 'chip', textContent: SIGNS[HATCHES[kind]] ?? '' });
       mark.style.background = COLOURS[kind];
       return mark;
     };
-    const kinds = Object.entries(WORDS).map(([kind, text]) => entry(text, chip(kind)));
-    this.key.replaceChildren(...kinds, entry('largest stable step by theory', make('i', { className: 'line' })));
+    const kinds = KINDS.map((kind) => entry(nameOf(kind), chip(kind)));
+    this.key.replaceChildren(...kinds, entry(text('stability.limit'), make('i', { className: 'line' })));
   }
   opened() {
     if (this.open && !this.known && !this.page.model.stability_running) this.run();
@@ -86,7 +85,9 @@ export class Stability extends Panel {
     this.bar.hidden = !running;
     this.bar.value = found?.of ? (found.done ?? 0) / found.of : 0;
     this.start.disabled = away && !running;
-    this.start.textContent = running ? 'Cancel' : this.known || found?.maps ? 'Work it out again' : 'Work it out';
+    this.start.textContent = text(
+      running ? 'panel.cancel' : this.known || found?.maps ? 'panel.again' : 'panel.work-out',
+    );
     if (found?.maps && found !== this.known && (this.fresh(found) || !found.cancelled)) {
       this.known = found;
       this.load(found);
@@ -107,12 +108,11 @@ export class Stability extends Panel {
    */
   #state(running, away, known, stale) {
     const { title } = AXES[this.page.model.stability_axis];
-    if (running) return `Striking with steps from a hundredth to five periods, over the ${title} …`;
-    if (away) return 'Bodies in space have no step to choose: their impact takes no time.';
-    if (!known) return 'Nothing is worked out yet.';
-    if (stale) return 'These maps are of the choices before.';
-    const cancelled = known.cancelled ? 'Cancelled: what is white was not run. ' : '';
-    return `${cancelled}The dot is this scene at the page’s own step.`;
+    if (running) return text('stability.running', { across: title });
+    if (away) return text('stability.in-space');
+    if (!known) return text('stability.nothing-yet');
+    if (stale) return text('stability.stale');
+    return text('stability.here', { cancelled: Boolean(known.cancelled) });
   }
   /** @param {Maps} found */
   load(found) {
@@ -122,7 +122,7 @@ export class Stability extends Panel {
     const look = across.log ? 'stability' : 'stability-linear';
     if (this.figure?.name !== look) this.figure = this.#made(look, found);
     const { axis, title } = AXES[across.name];
-    this.grid.ariaLabel = `Maps over step and ${title}: arrow keys go from one run to the next, in all maps at once`;
+    this.grid.ariaLabel = text('stability.keys', { across: title });
     const [up, sideways] = [edges(step, true), edges(across.values, across.log)];
     const cells = step.flatMap((_up, i) => across.values.map((_, j) => /** @type {Cell} */ ([i, j])));
     /** @type {Record<string, unknown[]>} */
@@ -154,7 +154,7 @@ export class Stability extends Panel {
     this.figure?.close();
     const parts = found.maps.map(({ name }, k) => {
       const title = named('integrator-long', name);
-      const about = `where runs of ${title} keep the energy, chatter or fail`;
+      const about = text('stability.about', { integrator: title });
       return { name, title, headed: true, about, numbers: () => this.maps[k].numbers(), below: this.maps[k].said };
     });
     const figure = new Figure(look, parts);

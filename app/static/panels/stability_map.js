@@ -1,7 +1,7 @@
 // One map of stability: what each run came to, in colours and in words.
 import { make } from '../shell/dom.js';
 import { decade, figures, share } from '../text/format.js';
-import { named, said } from '../text/catalogue.js';
+import { family, named, said, text } from '../text/catalogue.js';
 
 /** @import { Range } from '../charts/scale.js' */
 
@@ -48,16 +48,9 @@ export const COLOURS = {
   failed: '#c64a52',
   none: '#ffffff',
 };
-/** @type {Record<string, string>} */
-export const WORDS = {
-  ok: 'energy kept to 10⁻⁶',
-  slight: 'to 1 %',
-  error: 'wrong by more',
-  chatter: 'chatters',
-  stopped: 'stopped at its bound',
-  lasting: 'never parts',
-  failed: 'grows past reason',
-};
+export const KINDS = Object.keys(COLOURS).filter((kind) => kind !== 'none');
+/** @param {string} kind */
+export const nameOf = (kind) => text(`stability.kind.${kind}`);
 
 /**
  * What tells kinds apart besides their colours: hatches of Bokeh.
@@ -66,31 +59,14 @@ export const WORDS = {
 export const HATCHES = { error: '.', chatter: '/', stopped: '-', lasting: '+', failed: 'x' };
 
 /**
- * What the step is set against: in the list, below the maps, and one value in words.
- * @typedef {{ title: string, axis: string, words: (value: string, law: string) => string }} Across
- * @type {Record<string, Across>}
+ * What the step is set against: in the list, and below the maps.
+ * @typedef {{ title: string, axis: string }} Across
+ * @param {string} name
+ * @returns {Across}
  */
-export const AXES = {
-  contact_stiffness: {
-    title: 'contact stiffness',
-    axis: 'contact stiffness ÷ an element’s, or the law’s',
-    words: (v, law) => `a contact ${v} times as stiff as ${law === 'rigid' ? 'an element' : 'its law'}`,
-  },
-  mass_ratio: {
-    title: 'mass ratio',
-    axis: 'mass ratio, target over impactor',
-    words: (v) => `a target ${v} times as heavy as what strikes it`,
-  },
-  modes: { title: 'modes', axis: 'modes kept', words: (v) => `${v} modes` },
-  restitution: {
-    title: 'restitution',
-    axis: 'restitution that the contact delivers',
-    words: (v) => `a restitution of ${v}`,
-  },
-  speed: { title: 'speed', axis: 'speed of approach, m/s', words: (v) => `an approach at ${v} m/s` },
-};
-/** @type {Record<string, string>} */
-const ENDINGS = { stopped: 'stopped at its bound of', lasting: 'never parts, in', failed: 'grows past reason after' };
+const axisOf = (name) => ({ title: text(`stability.across.${name}`), axis: text(`stability.axis.${name}`) });
+/** @type {Record<string, Across>} */
+export const AXES = Object.fromEntries(Object.keys(family('stability.across')).map((name) => [name, axisOf(name)]));
 
 /**
  * Where the cells of these values begin and end.
@@ -116,7 +92,7 @@ export const spanOf = (values) => [values[0], values[values.length - 1]];
 function energyOf(map, [i, j]) {
   const error = map.errors[i][j];
   if (error === null) return null;
-  return error ? `${error < 0 ? 'lost' : 'gained'} ${share(Math.abs(error))}` : 'exact';
+  return text('stability.energy', { sign: Math.sign(error), error: share(Math.abs(error)) });
 }
 
 /** One map and what is said below it. */
@@ -140,12 +116,16 @@ export class Small {
   }
   /** @param {OneMap} map */
   #summary({ name, failures, count, chattering, worst }) {
-    const fail = failures ? `${failures} of ${count} runs fail` : `None of ${count} runs fails`;
     const size =
       worst === null || worst === 0 ? '0' : worst > 1e-3 ? share(worst) : decade(Math.ceil(Math.log10(worst)));
-    const others = worst === null ? '' : ` Energy error of the others at most ${size}.`;
-    const theory = named('integrator-limit', name);
-    return `${fail}${chattering ? `, ${chattering} chatter` : ''}.${others} Theory: ${theory}.`;
+    const others = { known: worst !== null, size };
+    return text('stability.summary', {
+      failures,
+      count,
+      chattering,
+      ...others,
+      theory: named('integrator-limit', name),
+    });
   }
   /**
    * @param {OneMap} map
@@ -159,10 +139,9 @@ export class Small {
     const { map, found } = this;
     if (!map) return [[]];
     const { step, across } = found;
-    const words = (/** @type {Cell} */ cell) => WORDS[this.kind(map, cell)] ?? 'not run';
     return [
-      ['step, rad', ...across.values.map((value) => figures(value, 3))],
-      ...step.map((value, i) => [figures(value, 2), ...across.values.map((_, j) => words([i, j]))]),
+      [text('stability.step'), ...across.values.map((value) => figures(value, 3))],
+      ...step.map((value, i) => [figures(value, 2), ...across.values.map((_, j) => nameOf(this.kind(map, [i, j])))]),
     ];
   }
   /** @param {Cell | null} cell */
@@ -177,20 +156,15 @@ export class Small {
   words(map, [i, j]) {
     const { across, chosen, step } = this.found;
     const kind = this.kind(map, [i, j]);
-    const what = AXES[across.name].words(figures(across.values[j], 3), chosen.law);
-    const where = `A step of ${figures(step[i], 2)} rad and ${what}: `;
-    if (kind === 'none') return `${where}not run.`;
-    const energy = energyOf(map, [i, j]);
-    const chatter = map.chatter[i][j];
-    const ending = ENDINGS[kind];
+    const value = figures(across.values[j], 3);
+    const what = text('stability.one', { across: across.name, value, rigid: chosen.law === 'rigid' });
     const limit = map.limit?.[j] ?? null;
-    return [
-      `${where}${ending ?? 'parts after'} ${map.steps[i][j]} steps`,
-      ending ? '' : `, at ${figures(map.velocities[i][j] ?? NaN, 3)} of the speed`,
-      energy === null ? '' : `, energy ${energy}`,
-      chatter ? `, ${chatter} touches too many` : '',
-      limit === null ? '.' : `. Theory allows ${figures(limit, 2)} rad.`,
-    ].join('');
+    return text('stability.run', {
+      ...{ step: figures(step[i], 2), what, kind, steps: map.steps[i][j], chatter: map.chatter[i][j] },
+      speed: figures(map.velocities[i][j] ?? NaN, 3),
+      energy: energyOf(map, [i, j]) ?? 'none',
+      limit: limit === null ? 'none' : figures(limit, 2),
+    });
   }
 }
 
@@ -203,7 +177,7 @@ export class Small {
 export function columnsOf(found, map, cells) {
   const kinds = cells.map(([i, j]) => found.kinds[Number(map.runs[i][j])]);
   return {
-    [`${map.name}-kind`]: kinds.map((kind) => WORDS[kind] ?? 'not run'),
+    [`${map.name}-kind`]: kinds.map(nameOf),
     [`${map.name}-colour`]: kinds.map((kind) => COLOURS[kind]),
     [`${map.name}-hatch`]: kinds.map((kind) => HATCHES[kind] ?? ' '),
     [`${map.name}-error`]: cells.map((cell) => energyOf(map, cell) ?? '–'),

@@ -1,7 +1,7 @@
 // A tolerance or a computing time instead of a method: what was chosen, why, and how near it really is.
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { figures, percentDecade, share } from '../text/format.js';
-import { described, said } from '../text/catalogue.js';
+import { described, family, said, text } from '../text/catalogue.js';
 import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
 import { msField, percentField } from './unit_field.js';
 
@@ -30,8 +30,7 @@ const LOWEST = 1e-12; // error at the left end of the scale
 const EARLY = 1e-9; // below which a mark is written to its right
 const QUICK = 0.25; // s of a solve that a slider can wait for
 const LATE = 500; // ms of a search before it can be cancelled
-/** @type {Record<string, string>} */
-const WITHIN = { tolerance: 'an error', time: 'a computing time' };
+const WITHIN = family('tolerance.within');
 const ASKED = ['auto_within', 'auto_quantity', 'auto_tolerance', 'auto_budget', 'auto_waves'];
 
 /** @param {Record<string, string>} names */
@@ -45,19 +44,19 @@ export class Tolerance extends Panel {
 
   /** @param {Page} page */
   constructor(page) {
-    const title = 'say how near the answer must be, or how long it may take, and the page chooses the method';
-    super(page, 'auto', 'Choose method by error', title, 'A tolerance or a time instead of a method', ASKED);
-    this.quantity = make('select', { ariaLabel: 'Quantity' }, ...optionsOf(QUANTITIES));
+    super(page, 'auto', text('tolerance.button'), text('tolerance.title'), text('tolerance.heading'), ASKED);
+    this.quantity = make('select', { ariaLabel: text('tolerance.quantity') }, ...optionsOf(QUANTITIES));
     this.quantity.onchange = () => this.ask('auto_quantity', this.quantity.value);
-    this.within = make('select', { ariaLabel: 'Keep to' }, ...optionsOf(WITHIN));
+    this.within = make('select', { ariaLabel: text('tolerance.keep-to') }, ...optionsOf(WITHIN));
     this.within.onchange = () => this.ask('auto_within', this.within.value);
     const complain = (/** @type {string} */ sentence) => page.complain(sentence);
-    this.tolerance = percentField('within', 1e-6, 0.5, (value) => this.ask('auto_tolerance', value), complain);
-    this.budget = msField('within', 1e-4, 6, (value) => this.ask('auto_budget', value), complain);
+    const bound = text('tolerance.bound');
+    this.tolerance = percentField(bound, 1e-6, 0.5, (value) => this.ask('auto_tolerance', value), complain);
+    this.budget = msField(bound, 1e-4, 6, (value) => this.ask('auto_budget', value), complain);
     this.stop = make('button', { type: 'button', className: 'whole', onclick: () => this.cancel() });
     for (const name of ['auto_running', 'auto_follows']) page.model.on(name, () => this.fill());
     this.waves = make('input', { type: 'checkbox', onchange: () => this.ask('auto_waves', this.waves.checked) });
-    this.mayBeWaves = make('label', { className: 'part' }, this.waves, 'exact waves may be chosen');
+    this.mayBeWaves = make('label', { className: 'part' }, this.waves, text('tolerance.waves'));
     this.shows = make('input', { type: 'checkbox', onchange: () => this.ask('auto_follows', this.shows.checked) });
     this.said = make('p', { className: 'verdict', role: 'status' });
     this.scale = make('div', { className: 'proof', role: 'img' });
@@ -67,12 +66,12 @@ export class Tolerance extends Panel {
     const form = make(
       'div',
       { className: 'record-form' },
-      make('label', { className: 'part' }, 'Keep to', this.within),
+      make('label', { className: 'part' }, text('tolerance.keep-to'), this.within),
       this.tolerance.root,
       this.budget.root,
       make('label', { className: 'part' }, this.judged, this.quantity),
       this.mayBeWaves,
-      make('label', { className: 'part' }, this.shows, 'show on the page what is chosen'),
+      make('label', { className: 'part' }, this.shows, text('tolerance.follow')),
       this.stop,
     );
     this.root.append(form, this.said, this.scale, this.why, make('div', { className: 'scroll' }, this.table));
@@ -96,7 +95,7 @@ export class Tolerance extends Panel {
   choice() {
     const input = this.page.controls.method;
     const pick = () => this.page.send('method', input.value);
-    input.append(make('option', { value: 'auto', textContent: 'Chosen by a tolerance …' }));
+    input.append(make('option', { value: 'auto', textContent: text('tolerance.option') }));
     input.onchange = () => {
       const { value } = input;
       this.follows = value === 'auto';
@@ -139,7 +138,7 @@ export class Tolerance extends Panel {
     this.budget.set(model.auto_budget);
     this.tolerance.root.hidden = model.auto_within === 'time';
     this.budget.root.hidden = !this.tolerance.root.hidden;
-    this.judged.textContent = this.budget.root.hidden ? 'in the' : 'and tell the error in the';
+    this.judged.textContent = text('tolerance.judged', { time: model.auto_within === 'time' });
     this.waves.checked = model.auto_waves;
     this.mayBeWaves.hidden = Boolean(this.page.frame.refusals?.waves) || this.page.frame.kind === 'bodies';
     this.shows.checked = this.follows;
@@ -147,8 +146,8 @@ export class Tolerance extends Panel {
     this.root.ariaBusy = String(!fresh);
     this.late(model.auto_running, fresh && found ? found.cancelled : this.left);
     if (!found || !fresh) {
-      if (this.left) this.said.textContent = 'Cancelled: nothing is known of these choices yet.';
-      else if (!found) this.said.textContent = 'Solving, from coarse to fine …';
+      if (this.left) this.said.textContent = text('tolerance.cancelled');
+      else if (!found) this.said.textContent = text('tolerance.idle');
       return;
     }
     this.scale.hidden = Boolean(found.error);
@@ -171,7 +170,7 @@ export class Tolerance extends Panel {
    * @param {boolean} left
    */
   late(running, left) {
-    this.stop.textContent = running ? 'Cancel' : 'Work it out';
+    this.stop.textContent = running ? text('panel.cancel') : text('panel.work-out');
     if (running !== this.running) {
       clearTimeout(this.appearing);
       this.stop.hidden = true;
@@ -187,18 +186,18 @@ export class Tolerance extends Panel {
   verdict(found) {
     const method = methodOf(found);
     const here = method !== null && shown(this.page, method);
-    const show = make('button', { type: 'button', className: 'when', textContent: 'Show it on the page' });
+    const show = make('button', { type: 'button', className: 'when', textContent: text('tolerance.show') });
     show.onclick = () => method && showMethod(this.page, method);
-    const finer = ' It is finer than the sliders of the page.';
-    const shows = here ? [' The page shows it.'] : method ? [' ', show] : [finer];
-    const slow = this.follows && found.cost > QUICK && !here;
-    const seconds = figures(found.cost, 2);
+    const exact = found.true === 0 && found.name === 'waves';
+    const words = [truthOf(found, exact && here), keptOf(found)];
+    if (this.follows && found.cost > QUICK && !here) words.push(text('tolerance.slow', { time: found.cost }));
+    if (!method) words.push(text('tolerance.finer'));
+    else if (here && !exact) words.push(text('tolerance.shown'));
     this.said.replaceChildren(
-      found.cancelled ? 'Cancelled; the best by then: ' : 'Chosen: ',
+      text('tolerance.chosen', { cancelled: found.cancelled }),
       make('b', { textContent: described(found.label) }),
-      `, with ${estimateOf(found)} in the ${QUANTITIES[found.chosen.auto_quantity]}. ${truthOf(found)}${keptOf(found)}`,
-      ...(slow ? [` It takes ${seconds} s an impact, too long to follow the sliders.`] : []),
-      ...shows,
+      `${estimateOf(found)} ${words.filter(Boolean).join(' ')} `,
+      ...(here || !method ? [] : [show]),
     );
   }
   /**
@@ -211,9 +210,9 @@ export class Tolerance extends Panel {
     const asked = found.met === null ? null : found.chosen.auto_tolerance;
     /** @type {[kind: string, error: number | null, word: string][]} */
     const all = [
-      ['asked', asked, 'allowed'],
-      ['estimate', found.estimate, 'estimated'],
-      ['true', found.true, 'true'],
+      ['asked', asked, text('tolerance.mark.asked')],
+      ['estimate', found.estimate, text('tolerance.mark.estimate')],
+      ['true', found.true, text('tolerance.mark.true')],
     ];
     const marks = all.flatMap(([kind, error, word]) => (error === null ? [] : [{ kind, error, word }]));
     const ticks = [-12, -9, -6, -4, -2, 0].map((power) => {
@@ -224,28 +223,30 @@ export class Tolerance extends Panel {
     const allowed = make('i', { className: 'allowed', hidden: asked === null });
     allowed.style.width = place(asked ?? LOWEST);
     const drawn = marks.map(({ kind, error, word }) => {
-      const text = make('span', { textContent: `${word} ${error === 0 ? '0 %' : share(error)}` });
-      const mark = make('i', { className: `mark ${kind}${error < EARLY ? ' early' : ''}` }, text);
+      const label = make('span', { textContent: `${word} ${share(error)}` });
+      const mark = make('i', { className: `mark ${kind}${error < EARLY ? ' early' : ''}` }, label);
       mark.title = `${word}: ${share(error)}`;
       mark.style.left = place(error);
       return mark;
     });
     this.scale.replaceChildren(allowed, ...ticks, ...drawn);
-    this.scale.ariaLabel = marks.map(({ error, word }) => `${word} error ${share(error)}`).join(', ');
+    this.scale.ariaLabel = marks
+      .map(({ error, word }) => text('tolerance.mark.error', { word, error: share(error) }))
+      .join(', ');
   }
   /** @param {Found} found */
   tried(found) {
     const rows = found.tried.map(({ label, cost, estimated_error: error }) =>
       rowOf(
         [
-          described(label) + (label === found.proof ? ' (the proof)' : ''),
+          text('tolerance.tried', { method: label, proof: label === found.proof }),
           figures(1e3 * cost, 2),
           error === null ? '–' : share(error),
         ],
         label === found.label ? { ariaCurrent: 'true' } : {},
       ),
     );
-    const head = headOf(['Solved on the way', 'costs, ms', 'misses, est.']);
+    const head = headOf(['solved', 'cost', 'error'].map((name) => text(`tolerance.column.${name}`)));
     this.table.replaceChildren(head, make('tbody', {}, ...rows));
   }
 }
@@ -257,16 +258,20 @@ export class Tolerance extends Panel {
 const methodOf = ({ choices }) => choices && { ...choices, name: choices.method };
 
 /** @param {Found} found */
-function estimateOf({ estimate }) {
-  if (estimate === null) return 'an error that nothing here tells';
-  return estimate === 0 ? 'no estimated error' : `an estimated error of ${share(estimate)}`;
+function estimateOf({ chosen, estimate }) {
+  const quantity = QUANTITIES[chosen.auto_quantity];
+  const known = estimate === null ? 'unknown' : estimate ? 'known' : 'none';
+  return text('tolerance.estimate', { known, quantity, error: share(estimate ?? 0) });
 }
 
-/** @param {Found} found */
-function truthOf({ name, true: error }) {
-  if (error === null) return 'No exact solution of this scene is known.';
-  if (error === 0 && name === 'waves') return 'These are the exact waves themselves.';
-  return `Against the exact waves it really misses ${share(error)}.`;
+/**
+ * @param {Found} found
+ * @param {boolean} here  it is exact, and shown
+ */
+function truthOf({ name, true: error }, here) {
+  if (error === null) return text('tolerance.no-exact');
+  if (error === 0 && name === 'waves') return text('tolerance.exact', { here });
+  return text('tolerance.true', { error: share(error) });
 }
 
 /**
@@ -275,9 +280,8 @@ function truthOf({ name, true: error }) {
  */
 function keptOf({ chosen, estimate, met, wall_time: seconds }) {
   const { auto_budget: budget, auto_tolerance: tolerance } = chosen;
-  const allowed = `${figures(1e3 * budget, 3)} ms were allowed.`;
-  if (met === null) return ` All that was solved on the way took ${figures(1e3 * seconds, 2)} ms; ${allowed}`;
+  if (met === null) return text('tolerance.took', { took: seconds, allowed: budget });
   if (met) return '';
   const within = estimate !== null && estimate <= tolerance;
-  return within ? ' Nothing finer proves it.' : ` Not ${share(tolerance)} as asked for.`;
+  return text('tolerance.not-kept', { within, asked: share(tolerance) });
 }

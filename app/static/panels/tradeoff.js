@@ -2,7 +2,7 @@
 import { Figure } from '../charts/figure.js';
 import { METHODS, OTHER } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
-import { described, said } from '../text/catalogue.js';
+import { described, family, said, text } from '../text/catalogue.js';
 import { figures, share } from '../text/format.js';
 import { naming } from '../text/words.js';
 import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
@@ -55,7 +55,14 @@ const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 const ms = (seconds) => `${figures(1e3 * seconds, 3)} ms`;
 /** @param {number | null} error */
 const signed = (error) =>
-  error === null ? 'does not tell' : error === 0 ? 'none' : `${error < 0 ? '−' : ''}${share(Math.abs(error))}`;
+  error === null || error === 0
+    ? text('tradeoff.no-error', { known: error === 0 })
+    : `${error < 0 ? '−' : ''}${share(Math.abs(error))}`;
+/** @param {Row} row */
+const contactsOf = (row) => text('panel.found-of', { found: row.true_contacts_found, all: row.true_contacts });
+/** @param {string} quantity */
+const errorIn = (quantity) => text('tradeoff.error-in', { quantity: QUANTITIES[quantity] });
+const COLUMNS = family('tradeoff.column');
 /** @param {Row} row */
 const lookOf = ({ method }) => METHODS[method.name] ?? OTHER;
 
@@ -66,18 +73,12 @@ const lookOf = ({ method }) => METHODS[method.name] ?? OTHER;
  */
 function wordsOf(found, running) {
   const { processor, cores, python } = found.machine ?? {};
-  const where = found.here
-    ? 'on this machine'
-    : `on ${processor} (${cores} cores, Python ${python}), another machine than this`;
-  const number = found.points.length;
-  const points = `${number} point${number === 1 ? '' : 's'}`;
-  const state = running
-    ? `${points} so far, ${figures(found.seconds, 2)} s`
-    : found.stopped
-      ? `${points}, then ${found.stopped}`
-      : `${points}, ${found.date}`;
-  const reference = found.reference.note ? said(found.reference.note) : 'not known yet';
-  return `Measured ${where}: ${state}. Errors are against the reference, ${reference}.`;
+  const machine = { here: found.here, processor, cores: cores ?? 0, python };
+  const state = running ? 'running' : found.stopped ? 'stopped' : 'whole';
+  const { seconds, date, stopped } = found;
+  const reference = found.reference.note ? said(found.reference.note) : text('tradeoff.no-reference');
+  const values = { points: found.points.length, state, seconds, date, stopped: stopped ?? '', reference };
+  return text('tradeoff.measured', { ...machine, ...values });
 }
 
 export class TradeOff extends Panel {
@@ -88,23 +89,20 @@ export class TradeOff extends Panel {
 
   /** @param {Page} page */
   constructor(page) {
-    const title = 'what each method costs at each resolution, and what it misses';
-    super(page, 'tradeoff', 'Cost vs. accuracy', title, 'Cost vs. accuracy: what each method costs, and its error');
+    super(page, 'tradeoff', text('tradeoff.button'), text('tradeoff.title'), text('tradeoff.heading'));
     const press = (/** @type {string} */ name) => {
       this.quantity = name;
       this.plot();
       this.pick(null);
     };
-    this.kinds = segments('Error of', Object.keys(QUANTITIES), press, (name) => QUANTITIES[name]);
+    this.kinds = segments(text('tradeoff.error-of'), Object.keys(QUANTITIES), press, (name) => QUANTITIES[name]);
     this.kinds.root.classList.add('small');
-    const about = 'wall time against error of every method at each resolution';
-    this.figure = new Figure('tradeoff', [
-      { name: 'tradeoff', title: 'Time and error of every method', about, numbers: () => this.#numbers() },
-    ]);
+    const part = { name: 'tradeoff', title: text('tradeoff.figure'), about: text('tradeoff.about') };
+    this.figure = new Figure('tradeoff', [{ ...part, numbers: () => this.#numbers() }]);
     this.area = make('div', { className: 'points' }, this.figure.root);
     this.start = make('button', { type: 'button', className: 'whole', onclick: () => this.measure() });
     this.said = make('p', { className: 'help', role: 'status' });
-    this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: 'Measured so far' });
+    this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: text('tradeoff.so-far') });
     this.point = make('div', { className: 'point', ariaLive: 'polite' });
     this.remarks = make('details', { className: 'help' });
     this.sides = make('div', { className: 'sides scatter' }, this.point);
@@ -118,7 +116,7 @@ export class TradeOff extends Panel {
     const { area } = this;
     area.tabIndex = 0;
     area.role = 'application';
-    area.ariaLabel = 'Points of wall time and error: arrow keys go from one to the next, Enter shows it on the page';
+    area.ariaLabel = text('tradeoff.keys');
     area.onfocus = (event) => {
       if (event.target === area && !this.picked) this.step(0);
     };
@@ -176,20 +174,17 @@ export class TradeOff extends Panel {
     const running = this.page.model.tradeoff_running;
     const points = found?.points ?? [];
     this.root.ariaBusy = String(!fresh && !running);
-    const again = points.length && found?.here ? 'Measure again' : 'Measure on this machine';
-    this.start.textContent = running ? 'Cancel' : again;
+    const again = Boolean(points.length && found?.here);
+    this.start.textContent = running ? text('panel.cancel') : text('tradeoff.measure', { again });
     this.start.ariaPressed = String(running);
     this.bar.hidden = !running;
     this.bar.value = Math.min((found?.seconds ?? 0) / (found?.budget ?? 12), 1);
-    const other = running && !fresh ? ' What is measured now are the choices of before.' : '';
-    if (!found || found.error) this.said.textContent = found?.error ?? 'Looking for a table …';
-    else if (points.length) this.said.textContent = wordsOf(found, running) + other;
-    else {
-      const idle = 'Measuring it takes some twelve seconds; the page goes on meanwhile.';
-      this.said.textContent = `No table of this scene is known yet. ${running ? 'Measuring …' : idle}`;
-    }
+    const other = running && !fresh ? text('tradeoff.of-before') : '';
+    if (!found || found.error) this.said.textContent = found?.error ?? text('tradeoff.idle');
+    else if (points.length) this.said.textContent = [wordsOf(found, running), other].filter(Boolean).join(' ');
+    else this.said.textContent = text('tradeoff.no-table', { running });
     const remarks = (found?.remarks ?? []).map((remark) => make('p', { textContent: said(remark) }));
-    const summary = make('summary', { textContent: 'What does not get better, and what was left out' });
+    const summary = make('summary', { textContent: text('tradeoff.remarks') });
     this.remarks.replaceChildren(...(remarks.length ? [summary, ...remarks] : []));
     this.sides.hidden = !points.length;
     if (points.length) this.plot();
@@ -199,7 +194,7 @@ export class TradeOff extends Panel {
     const found = /** @type {Table | null} */ (this.answer);
     const { figure, quantity } = this;
     const { method, modes, elements } = this.page.frame.chosen;
-    const drawn = JSON.stringify([this.text, quantity, method, modes, elements]);
+    const drawn = JSON.stringify([this.came, quantity, method, modes, elements]);
     if (!found?.points?.length || !figure || drawn === this.drawn) return;
     this.drawn = drawn;
     this.kinds.show(quantity);
@@ -217,7 +212,7 @@ export class TradeOff extends Panel {
     figure.range('tradeoff-x', [0.6 * Math.min(...times, 1), 1.7 * Math.max(...times, 10)]);
     figure.range('tradeoff-y', [0.5 * Math.min(...sizes, unknown), 2.5 * Math.max(...sizes, 10)]);
     figure.set('tradeoff-unknown', { top: unknown });
-    figure.set('tradeoff-up', { axis_label: `error in the ${QUANTITIES[quantity]}, %` });
+    figure.set('tradeoff-up', { axis_label: text('tradeoff.error-axis', { quantity: QUANTITIES[quantity] }) });
     const { label } = this.picked ?? {};
     this.picked = this.points.find((p) => p.label === label) ?? null;
     this.#fill(figure);
@@ -257,17 +252,16 @@ export class TradeOff extends Panel {
       method: points.map((p) => naming(p.method.name)),
       solve: points.map((p) => ms(p.wall_time)),
       error: points.map((p) => signed(p.errors[quantity])),
-      contacts: points.map((p) => `${p.true_contacts_found} of ${p.true_contacts}`),
+      contacts: points.map(contactsOf),
     });
   }
   #numbers() {
     const { points, quantity } = this;
-    const best = (/** @type {Point} */ p) => (p.best_for.includes(quantity) ? 'nothing is quicker and nearer' : '');
+    const best = (/** @type {Point} */ p) => (p.best_for.includes(quantity) ? text('tradeoff.pareto') : '');
     return [
-      ['method', 'one solve', `error in the ${QUANTITIES[quantity]}`, 'contacts found', ''],
+      [text('tradeoff.column.method'), COLUMNS.solve, errorIn(quantity), COLUMNS.contacts, ''],
       ...points.map((p) => [
-        ...[described(p.label), ms(p.wall_time), signed(p.errors[quantity])],
-        ...[`${p.true_contacts_found} of ${p.true_contacts}`, best(p)],
+        ...[described(p.label), ms(p.wall_time), signed(p.errors[quantity]), contactsOf(p), best(p)],
       ]),
     ];
   }
@@ -308,14 +302,13 @@ export class TradeOff extends Panel {
       const here = shown(this.page, p.method) ? { ariaCurrent: 'true' } : {};
       return rowOf([show, ms(p.wall_time), signed(p.errors[this.quantity])], here);
     };
-    const text = 'and without the exact waves (dashed)';
-    const between = make('tr', {}, make('th', { scope: 'rowgroup', colSpan: 3, textContent: text }));
+    const others = make('th', { scope: 'rowgroup', colSpan: 3, textContent: text('tradeoff.without-waves') });
+    const between = make('tr', {}, others);
     const rows = [...this.front().map(line), ...(rest.length ? [between, ...rest.map(line)] : [])];
-    const head = headOf(['Pareto-optimal methods', 'one solve', 'error']);
-    const help = 'Point at a dot to read it; a click shows that method and resolution on the page.';
+    const head = headOf([COLUMNS.best, COLUMNS.solve, COLUMNS.error]);
     return [
       make('table', { className: 'methods' }, head, make('tbody', {}, ...rows)),
-      make('p', { className: 'help', textContent: help }),
+      make('p', { className: 'help', textContent: text('tradeoff.help') }),
     ];
   }
   /**
@@ -323,16 +316,15 @@ export class TradeOff extends Panel {
    * @param {Point} p
    */
   #about(p) {
-    const spread = p.spread ? ` (${ms(p.spread[0])} to ${ms(p.spread[1])})` : '';
-    const none = p.invented_contacts === 1 ? 'is none' : 'are none';
-    const invented = p.invented_contacts ? `, and ${p.invented_contacts} that ${none}` : '';
+    const [least, most] = (p.spread ?? []).map(ms);
+    const invented = { contacts: contactsOf(p), count: p.invented_contacts };
     const rows = [
-      ['One solve', ms(p.wall_time) + spread],
-      ...Object.entries(QUANTITIES)
-        .filter(([name]) => name in p.errors)
-        .map(([name, text]) => [`Error in the ${text}`, signed(p.errors[name])]),
-      ['Says of its own rebound', p.estimated_error === null ? '–' : `± ${share(p.estimated_error)}`],
-      ['Contacts found', `${p.true_contacts_found} of ${p.true_contacts}${invented}`],
+      [COLUMNS.solve, p.spread ? text('tradeoff.spread', { time: ms(p.wall_time), least, most }) : ms(p.wall_time)],
+      ...Object.keys(QUANTITIES)
+        .filter((name) => name in p.errors)
+        .map((name) => [errorIn(name), signed(p.errors[name])]),
+      [COLUMNS.own, p.estimated_error === null ? '–' : `± ${share(p.estimated_error)}`],
+      [COLUMNS.contacts, text('tradeoff.invented', invented)],
     ];
     return [
       make('h3', { textContent: described(p.label) }),

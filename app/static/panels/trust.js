@@ -2,7 +2,7 @@
 import { Figure } from '../charts/figure.js';
 import { SERIES } from '../charts/styles.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
-import { named, said } from '../text/catalogue.js';
+import { family, named, said, text } from '../text/catalogue.js';
 import { duration, figures, prefixed, scaled } from '../text/format.js';
 
 /** @import { Band } from '../beam/charts.js' */
@@ -41,16 +41,14 @@ import { duration, figures, prefixed, scaled } from '../text/format.js';
  */
 /** @typedef {Words & Columns} Orders */
 
-const COLUMNS = ['', '', 'this impact', 'lowest', 'highest', 'half range', 'a change of 1 % does'];
-/** @type {Record<string, string>} */
-const VERDICTS = { firm: '✓ firm', loose: '~ loose', 'not to be trusted': '✗ not to be trusted' };
+const COLUMNS = ['this-impact', 'lowest', 'highest', 'half-range', 'sensitivity'];
 
 const EDGES = /** @type {const} */ (['lowest', 'low', 'high', 'highest']);
-/** @type {[name: 'force' | 'displacement' | 'velocity', title: string, unit: string][]} */
+/** @type {[name: 'force' | 'displacement' | 'velocity', unit: string][]} */
 const BANDS = [
-  ['force', 'Contact force', 'N'],
-  ['displacement', 'Displacement of the struck point', 'm'],
-  ['velocity', 'Velocity of the impactor', 'm/s'],
+  ['force', 'N'],
+  ['displacement', 'm'],
+  ['velocity', 'm/s'],
 ];
 const ROWS = 21; // of the table of a band
 const DIAMETER = 8; // pixels of a marker
@@ -78,29 +76,23 @@ function shown(value, unit) {
  */
 export class Study {
   /** @type {Figure | null} */ figure = null; // that is shown while it is open
-  text = ''; // of the answer that the figure shows
+  came = ''; // the answer that the figure shows
   changed = false; // since then
 
   /**
-   * `name`: of the two properties of the model; `idle`: said while it is worked out.
    * @param {Page} page
-   * @param {string} name
-   * @param {string} label
-   * @param {string} title
-   * @param {string} heading
-   * @param {string} idle
+   * @param {string} name  of the two properties of the model, and of its texts
    */
-  constructor(page, name, label, title, heading, idle) {
+  constructor(page, name) {
     this.page = page;
     this.name = name;
-    this.title = title;
-    this.idle = idle;
-    this.button = make('button', { type: 'button', textContent: label });
+    this.texts = family(name);
+    this.button = make('button', { type: 'button', textContent: this.texts.button });
     this.said = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods' });
     const scroll = make('div', { className: 'scroll' }, this.table);
     this.root = make('section', { className: `analysis study-${name}`, hidden: true });
-    this.root.append(make('h2', { textContent: heading }), this.said, scroll);
+    this.root.append(make('h2', { textContent: this.texts.heading }), this.said, scroll);
     page.model.on(name, () => {
       this.fill();
       page.drawCharts();
@@ -121,7 +113,7 @@ export class Study {
     const away = frame.kind !== 'beam';
     this.button.ariaPressed = String(this.open && !away);
     this.button.hidden = away;
-    this.button.title = this.title;
+    this.button.title = this.texts.title;
     this.root.hidden = !this.open || away;
     if (this.root.hidden) this.figure?.close();
     else this.figure?.open().then(() => this.show(this.page.player.t));
@@ -139,13 +131,13 @@ export class Study {
   }
   fill() {
     const found = this.fresh;
-    const text = this.page.model[this.name];
-    this.changed = text !== this.text;
+    const came = this.page.model[this.name];
+    this.changed = came !== this.came;
     this.drawn(found?.error ? null : found);
-    if (found) this.text = text;
+    if (found) this.came = came;
     if (this.root.hidden) return;
     this.root.ariaBusy = String(!found);
-    this.said.textContent = !found ? this.idle : (found.error ?? this.words(found));
+    this.said.textContent = !found ? this.texts.idle : (found.error ?? this.words(found));
     if (found?.error) this.table.replaceChildren();
     else if (found) this.rows(found);
   }
@@ -175,14 +167,12 @@ export class Study {
 export class Trust extends Study {
   /** @param {Page} page */
   constructor(page) {
-    const title =
-      'the same impact 200 times with tiny changes: which figures follow them in proportion, and which jump';
-    const idle = 'Striking 200 times with tiny changes; this takes a second or two …';
-    super(page, 'trust', 'Sensitivity', title, 'Sensitivity of this impact', idle);
-    const parts = BANDS.map(([name, heading]) => ({
-      ...{ name: `trust-${name}`, title: heading, about: `${heading} over time: the bands of all runs and of 90 %` },
-      numbers: () => this.#numbers(name),
-    }));
+    super(page, 'trust');
+    const parts = BANDS.map(([name]) => {
+      const title = text(`trust.band.${name}`);
+      const about = text('trust.about-band', { title });
+      return { name: `trust-${name}`, title, about, numbers: () => this.#numbers(name) };
+    });
     this.figure = new Figure('trust', parts);
     this.root.append(this.figure.root);
   }
@@ -192,13 +182,13 @@ export class Trust extends Study {
     if (!found || !this.figure || !this.changed) return;
     /** @type {Record<string, number[]>} */
     const columns = { time: found.time };
-    for (const [name, , unit] of BANDS) {
+    for (const [name, unit] of BANDS) {
       const [low, high] = [Math.min(...found[name].lowest), Math.max(...found[name].highest)];
       const [factor, written] = scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
       for (const edge of EDGES) columns[`${name}-${edge}`] = found[name][edge].map((value) => factor * value);
       const room = 0.06 * (high - low) * factor || 1;
       this.figure.range(`trust-${name}-y`, [low * factor - room, high * factor + room]);
-      this.figure.set(`trust-${name}-up`, { axis_label: `${name}, ${written}` });
+      this.figure.set(`trust-${name}-up`, { axis_label: text(`trust.axis.${name}`, { unit: written }) });
     }
     this.figure.range('trust-force-x', [found.time[0], found.time[found.time.length - 1]]);
     this.figure.fill('bands', columns);
@@ -211,29 +201,39 @@ export class Trust extends Study {
   #numbers(name) {
     const found = this.fresh;
     if (!found || found.error) return [[]];
-    const unit = BANDS.find(([each]) => each === name)?.[2] ?? '';
+    const unit = BANDS.find(([each]) => each === name)?.[1] ?? '';
     const last = found.time.length - 1;
     const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
     return [
-      ['time', ...EDGES],
+      [text('chart.time'), ...EDGES.map((edge) => text(`trust.edge.${edge}`))],
       ...rows.map((i) => [duration(found.time[i]), ...EDGES.map((edge) => shown(found[name][edge][i], unit))]),
     ];
   }
   /** @param {Ensemble} found */
   words({ summary, runs, notes }) {
-    const band = 'The band behind the curves of force and displacement holds 90 % of them, the paler one all.';
-    return `${said(summary)} Result of ${runs} perturbed runs. ${band} ${notes.map(said).join(' ')}`;
+    return [said(summary), text('trust.result', { runs }), ...notes.map(said)].join(' ');
   }
   /** @param {Ensemble} found */
   rows({ spread }) {
     const rows = spread.map((row) => {
       const firm = row.verdict === 'firm';
       const values = [row.unperturbed, row.lowest, row.highest].map((value) => shown(value, row.unit));
-      const shares = [`${figures(100 * row.half_range, 2)} %`, firm ? `${figures(row.sensitivity, 2)} %` : 'jumps'];
-      const cells = [named('figure', row.quantity), VERDICTS[row.verdict], ...values, ...shares];
+      const shares = [
+        `${figures(100 * row.half_range, 2)} %`,
+        firm ? `${figures(row.sensitivity, 2)} %` : text('trust.jumps'),
+      ];
+      const cells = [
+        named('figure', row.quantity),
+        text(`trust.verdict.${row.verdict.replaceAll(' ', '-')}`),
+        ...values,
+        ...shares,
+      ];
       return rowOf(cells, { className: row.verdict.replaceAll(' ', '-') });
     });
-    this.table.replaceChildren(headOf(COLUMNS), make('tbody', {}, ...rows));
+    this.table.replaceChildren(
+      headOf(['', '', ...COLUMNS.map((name) => text(`trust.column.${name}`))]),
+      make('tbody', {}, ...rows),
+    );
   }
 }
 
@@ -255,11 +255,9 @@ const STUDIED = [
 export class Convergence extends Study {
   /** @param {Page} page */
   constructor(page) {
-    const title = 'the same impact with 3, 5, 10, 20 and 40 modes: which figures settle';
-    const idle = 'Striking with 3, 5, 10, 20 and 40 modes; this takes some seconds …';
-    super(page, 'convergence', 'Convergence in modes', title, 'Does one more mode change the answer?', idle);
-    const about = 'how far each quantity is from its value with the most modes, against their number';
-    this.figure = new Figure('convergence', [{ name: 'convergence', title: 'Convergence', about }]);
+    super(page, 'convergence');
+    const part = { name: 'convergence', title: text('convergence.figure'), about: text('convergence.about') };
+    this.figure = new Figure('convergence', [part]);
     this.root.append(this.figure.root);
   }
   /** @param {Orders | null} found  quantities that differ by nothing have no place on the logarithmic axis */
@@ -271,7 +269,7 @@ export class Convergence extends Study {
       return differences[name].flatMap((difference, i) => {
         const there = difference !== null && difference > LEAST && i < counts.length - 1;
         const value = shown(values[name][i], units[name]);
-        const quantity = name.replaceAll('_', ' ');
+        const quantity = named('figure', name);
         return there ? [{ count: counts[i], size: 100 * difference, color, marker, scale, quantity, value }] : [];
       });
     });
@@ -292,17 +290,14 @@ export class Convergence extends Study {
       value: points.map(({ value }) => value),
     });
     const sizes = points.map(({ size }) => size);
-    this.figure.set('convergence-across', { axis_label: kind });
+    this.figure.set('convergence-across', { axis_label: text('convergence.axis', { kind }) });
     this.figure.set('convergence-counts', { ticks: counts, minor_ticks: [] });
     this.figure.range('convergence-x', [0.8 * counts[0], 1.25 * counts[counts.length - 2]]);
     this.figure.range('convergence-y', [0.5 * Math.min(...sizes, 10), 2 * Math.max(...sizes, 10)]);
   }
   /** @param {Orders} found */
   words({ kind }) {
-    return (
-      `The same impact solved with more and more ${kind}. A figure that does not settle is no property of the ` +
-      `impact, but of the number of ${kind}.`
-    );
+    return text('convergence.help', { kind });
   }
   /** @param {Orders} found */
   rows(found) {
@@ -318,7 +313,7 @@ export class Convergence extends Study {
       line.children[1].className = 'summary';
       return line;
     });
-    const head = headOf(['', '', ...counts.map((count) => `${count} ${kind}`)]);
+    const head = headOf(['', '', ...counts.map((count) => text(`option.${kind}`, { value: count }))]);
     this.table.replaceChildren(head, make('tbody', {}, ...rows));
   }
 }

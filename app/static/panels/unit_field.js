@@ -1,6 +1,7 @@
 // Fields for numbers in the unit that a visitor thinks in.
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
+import { localised } from '../text/format.js';
 
 /**
  * @typedef {object} Unit
@@ -30,7 +31,7 @@ const NUMBER = /^\d*\.?\d+(e[+-]?\d+)?$/i;
 function unitField(label, { sign, many, times }, low, high, send, complain) {
   const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 12 });
   input.autocomplete = 'off';
-  input.ariaLabel = `${label}, in ${many}`;
+  input.ariaLabel = text('panel.field', { label, unit: many });
   let last = '';
   input.onchange = () => {
     const given = input.value.trim().replace(',', '.').replace(sign, '').trim();
@@ -51,7 +52,7 @@ function unitField(label, { sign, many, times }, low, high, send, complain) {
     make('span', { className: 'unit', textContent: sign }),
   );
   const set = (/** @type {number} */ value) => {
-    last = String(Number((times * value).toPrecision(4)));
+    last = localised(String(Number((times * value).toPrecision(4))));
     if (!input.matches(':focus')) input.value = last;
   };
   return { root, set };
@@ -66,7 +67,7 @@ function unitField(label, { sign, many, times }, low, high, send, complain) {
  * @param {(sentence: string) => void} complain
  */
 export const percentField = (label, low, high, send, complain) =>
-  unitField(label, { sign: '%', many: 'percent', times: 100 }, low, high, send, complain);
+  unitField(label, { sign: '%', many: text('panel.percent'), times: 100 }, low, high, send, complain);
 
 /**
  * A time [s], shown in milliseconds.
@@ -77,4 +78,4 @@ export const percentField = (label, low, high, send, complain) =>
  * @param {(sentence: string) => void} complain
  */
 export const msField = (label, low, high, send, complain) =>
-  unitField(label, { sign: 'ms', many: 'milliseconds', times: 1000 }, low, high, send, complain);
+  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), times: 1000 }, low, high, send, complain);

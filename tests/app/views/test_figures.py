@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from app.views.energy import SHARES
+from app.views.energy import COLOURS
 from app.views.figures import drawn
 from app.views.registry import FIGURES, VIEWS
 from solvers.stability.runs import INTEGRATORS
@@ -59,4 +59,4 @@ def test_figures_belong_to_views_and_have_what_their_answers_name():
     for look in ("stability", "stability-linear"):
         assert list(json.loads(drawn(FIGURES[look]))["roots"]) == list(INTEGRATORS)
     energy = list(objects(json.loads(drawn(FIGURES["energy"]))["doc"]))
-    assert [each["name"] for kind, each in energy if kind == "GlyphRenderer" and each.get("name")] == list(SHARES)
+    assert [each["name"] for kind, each in energy if kind == "GlyphRenderer" and each.get("name")] == list(COLOURS)
