@@ -6,6 +6,7 @@ by a value; `{@waves}` is a term of the catalogue: what has one name wherever it
 end with, which takes their values. A brace cannot be written literally. `app/static/text/catalogue.js` reads the same.
 """
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
@@ -16,8 +17,24 @@ from babel.numbers import get_decimal_symbol
 
 OPENING = re.compile(r"\{(?P<name>@?[\w.-]+)(?:\}|:(?P<format>[^{}]+)\}|, (?P<by>plural|select), )")
 OPTION = re.compile(r"\s*(?P<key>=\d+|[\w.-]+)\s*\{")
+PREFIXES = "n", "µ", "m", "", "k", "M", "G"
+
+
+def engineering(value: float, unit: str, digits: int = 3) -> str:
+    """A value in SI units with the prefix that suits it: 100 µs rather than 0.0001 s."""
+    rounded = float(f"{value:.{digits}g}")
+    if rounded == 0.0 or not math.isfinite(rounded):
+        return f"{rounded:g} {unit}"
+    power = int(f"{rounded:e}".partition("e")[2])
+    step = min(max(power // 3, -3), 3)
+    return f"{float(f'{rounded / 1000.0**step:.{digits}g}'):.15g} {PREFIXES[step + 3]}{unit}"
+
+
 FORMATS: dict[str, Callable[[Any], str]] = {
-    "time": lambda seconds: f"{seconds:.3g} s",
+    "time": lambda seconds: engineering(seconds, "s"),
+    "rough-time": lambda seconds: engineering(seconds, "s", 1),
+    "length": lambda metres: engineering(metres, "m"),
+    "force": lambda newtons: engineering(newtons, "N"),
     "percent": lambda share: f"{float(f'{100.0 * share:.2g}'):g} %",
     "rough": lambda value: f"{float(f'{value:.1g}'):g}",  # one digit, 20 rather than 2e+01
     "model": lambda parts: ", ".join(f"{part} modes" if name == "modes" else part for name, part in parts.items()),

@@ -10,7 +10,7 @@ import pytest
 import app
 from app.text.catalogues import LANGUAGES, command, page, script
 from solvers.text.catalogue import library
-from solvers.text.messages import terms_in
+from solvers.text.messages import engineering, terms_in
 
 STATIC = Path(app.__file__).parent / "static"
 SOURCES = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.rglob("*.js")))
@@ -58,12 +58,15 @@ def test_page_and_command_name_the_same_note_in_their_own_words():
 
 @pytest.mark.browser
 def test_browser_and_python_fill_a_text_alike(tmp_path):
-    """But for signs: the browser writes a true minus, powers of ten and times in handy units."""
+    """But for signs: the browser writes a true minus and powers of ten."""
     cases = {
         "near-grazing": {"change": 1.234, "heavier": False, "others": 1, "contacts": 2},
         "mesh-chatter": {"touches": 12, "contacts": 1, "remedy": "shorter"},
         "contact-missed": {"start": 2.12462, "end": 2.1628, "impulse": 0.66, "cause": "modes"},
         "switching-loses": {"modes": 5, "ratio": 3.0, "lost": 0.129, "affordable": True, "needed": 70},
+        "switching-pulls": {"pull": 78_345.6},
+        "contact-times": {"contacts": 1, "apparent": 0.00099961, "case": "none"},
+        "not-refined": {"ladder": "modal", "resolution": "modes", "size": 640, "seconds": 0.0213},
         "plan-beside-sweeps": {
             "case": "compact", "impactor": "body", "target": "body", "question": "peak-force",
             "model": {"name": "rigid-impulse"}, "method": "rigid",
@@ -75,5 +78,27 @@ def test_browser_and_python_fill_a_text_alike(tmp_path):
     command_line = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
     said = subprocess.run(command_line, capture_output=True, text=True, check=True, timeout=60).stdout.splitlines()
     for (code, values), sentence in zip(cases.items(), said, strict=True):
-        plain = page().text(code, **values).replace("'rigid'", "rigid bodies").replace("rigid-impulse", "rigid impulse")
+        plain = (
+            page()
+            .text(code, **values)
+            .replace("'rigid'", "rigid bodies")
+            .replace("'modal'", "modes")
+            .replace("rigid-impulse", "rigid impulse")
+        )
         assert sentence == plain
+
+
+@pytest.mark.parametrize(
+    "value, unit, shown",
+    [
+        (1e-4, "s", "100 µs"),
+        (2.351e-6, "s", "2.35 µs"),
+        (0.00099961, "s", "1 ms"),  # rounded before the prefix is chosen
+        (12.0, "s", "12 s"),
+        (0.0, "s", "0 s"),
+        (-78_345.6, "N", "-78.3 kN"),
+        (3.2e-10, "m", "0.32 nm"),
+    ],
+)
+def test_values_get_the_prefix_that_suits_them(value, unit, shown):
+    assert engineering(value, unit) == shown

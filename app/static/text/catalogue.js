@@ -111,6 +111,7 @@ function scientific(size, places, trimmed) {
 /** @type {Record<string, (value: any) => string>} */
 const FORMATS = {
   time: (seconds) => engineering(seconds, 's'),
+  'rough-time': (seconds) => engineering(seconds, 's', 1),
   length: (metres) => engineering(metres, 'm'),
   force: (newtons) => engineering(newtons, 'N'),
   percent: (part) => `${localised(numeral(Number((100 * part).toPrecision(2)), 'g'))} %`,

@@ -127,8 +127,8 @@ const PREFIXES = ['n', 'µ', 'm', '', 'k', 'M', 'G'];
  * @param {number} value
  * @param {string} unit
  */
-export function engineering(value, unit) {
-  const rounded = Number(value.toPrecision(3));
+export function engineering(value, unit, digits = 3) {
+  const rounded = Number(value.toPrecision(digits));
   if (!rounded) return `0 ${unit}`;
   const power = Number(rounded.toExponential().split('e')[1]);
   const step = Math.min(Math.max(Math.floor(power / 3), -3), 3);

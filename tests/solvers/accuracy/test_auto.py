@@ -166,7 +166,7 @@ def test_an_impossible_budget_is_answered_by_the_quickest():
     chosen = solution.diagnostics["chosen"]
     assert chosen["met"] is None
     assert solution.method["modes"] == 6
-    assert "1e-06 s are not enough" in chosen["why"] and "To estimate its error" in chosen["why"]
+    assert "1 µs are not enough" in chosen["why"] and "To estimate its error" in chosen["why"]
 
 
 def test_a_larger_budget_goes_further():
