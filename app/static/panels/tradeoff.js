@@ -63,6 +63,7 @@ const contactsOf = (row) => text('panel.found-of', { found: row.true_contacts_fo
 /** @param {string} quantity */
 const errorIn = (quantity) => text('tradeoff.error-in', { quantity: QUANTITIES[quantity] });
 const COLUMNS = family('tradeoff.column');
+const ROWS = family('tradeoff.row'); // of one point
 /** @param {Row} row */
 const lookOf = ({ method }) => METHODS[method.name] ?? OTHER;
 
@@ -319,12 +320,12 @@ export class TradeOff extends Panel {
     const [least, most] = (p.spread ?? []).map(ms);
     const invented = { contacts: contactsOf(p), count: p.invented_contacts };
     const rows = [
-      [COLUMNS.solve, p.spread ? text('tradeoff.spread', { time: ms(p.wall_time), least, most }) : ms(p.wall_time)],
+      [ROWS.solve, p.spread ? text('tradeoff.spread', { time: ms(p.wall_time), least, most }) : ms(p.wall_time)],
       ...Object.keys(QUANTITIES)
         .filter((name) => name in p.errors)
         .map((name) => [errorIn(name), signed(p.errors[name])]),
-      [COLUMNS.own, p.estimated_error === null ? '–' : `± ${share(p.estimated_error)}`],
-      [COLUMNS.contacts, text('tradeoff.invented', invented)],
+      [ROWS.own, p.estimated_error === null ? '–' : `± ${share(p.estimated_error)}`],
+      [ROWS.contacts, text('tradeoff.invented', invented)],
     ];
     return [
       make('h3', { textContent: described(p.label) }),
