@@ -7,6 +7,7 @@ from solvers import LAWS, Scene, SceneError
 from solvers.regimes.models import contact_duration, family_of
 from solvers.regimes.plan import law_of
 
+from ..text.catalogues import page
 from .choices import Choices
 from .scene_of import STIFFNESS, acting_choices, chosen_scene
 
@@ -25,7 +26,7 @@ def choices_at(asked: dict[str, Any]) -> dict[str, Any]:
     chosen = {name: asked[name] for name in Choices.CHOSEN}
     scene = chosen_scene(chosen)
     if family_of(scene) is None:
-        raise SceneError("map_point", asked["map_point"], "a scene that lies on a map")
+        raise SceneError("map_point", asked["map_point"], page().text("wanted.on-a-map"))
     wanted = {}
     if "mass_ratio" in acting_choices(chosen):
         wanted["mass_ratio"] = _within("mass_ratio", ratio)
@@ -42,7 +43,7 @@ def _read(text: str) -> tuple[float, float]:
     except ValueError:
         time = ratio = math.nan
     if not (0.0 <= time < math.inf and 0.0 < ratio < math.inf):
-        raise SceneError("map_point", text, "a contact time, 0 or more, and a mass ratio, more than 0")
+        raise SceneError("map_point", text, page().text("wanted.map-point"))
     return time, ratio
 
 

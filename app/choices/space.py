@@ -5,6 +5,8 @@ import numpy as np
 from solvers import Body, Scene, SceneError
 from solvers.numerics.rigid.impulses import NULL_MOMENT, principal
 
+from ..text.catalogues import page
+
 
 def has_length(scene: Scene) -> bool:
     """Whether one of the bodies has a length to be struck along."""
@@ -26,7 +28,7 @@ def struck_at(scene: Scene, place: float) -> Scene:
     """
     name, body = _struck(scene)
     if not isinstance(place, (int, float)) or not 0.0 <= place <= 1.0:
-        raise SceneError("place", place, "a number from 0 to 1, along the length of the body")
+        raise SceneError("place", place, page().text("wanted.place"))
     axis, length = _longest_side(body)
     centre = np.array(body.centre)
     centre += ((0.5 - place) * length - centre @ axis) * axis
@@ -39,7 +41,7 @@ def _struck(scene: Scene) -> tuple[str, Body]:
         body = getattr(scene, name)
         if isinstance(body, Body) and not body.is_point:
             return name, body
-    raise SceneError("target.inertia", None, "a tensor that is not zero: a point mass has no length to be struck along")
+    raise SceneError("target.inertia", None, page().text("wanted.inertia"))
 
 
 def _longest_side(body: Body) -> tuple[np.ndarray, float]:

@@ -10,6 +10,9 @@ import numpy as np
 
 from solvers import ContactPeriod, Row, Scene, SceneError, Solution
 from solvers.accuracy.reference import rebound
+from solvers.text.notes import Note
+
+from .words import family, named, text
 
 SERIES_POINTS = 2_000
 FIELD_INSTANTS, FIELD_PLACES = 401, 201
@@ -18,90 +21,107 @@ LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 
 def report(solution: Solution) -> str:
     """A page of plain text: what happened, with units and accuracy."""
-    scene, found = solution.scene, solution.diagnostics
+    scene, found, head = solution.scene, solution.diagnostics, family("solve.head")
     if scene.normal is not None:
         return _bodies_report(solution)
     trip = scene.time_unit
     lines = [
         _title(solution),
         *_told(scene),
-        f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
+        _line("solve.mass-ratio", f"{scene.mass_ratio:.6g}"),
         f"  {_unit_name(scene):32}{trip * 1e6:.6g} us",
-        f"  method                          {_method_line(solution)}",
+        _line("solve.method", _method_line(solution)),
         "",
-        "  contact     start / T       end / T    impulse [N s]   peak force [kN]",
+        f"  {head['contact']:<7}{head['start']:>14}{head['end']:>14}{head['impulse']:>17}{head['peak-force']:>18}",
     ]
     lines += _periods(solution.contacts, trip)
     for number, joint in enumerate(solution.joints, 1):
         if joint:
-            lines += [f"  joint {number}", *_periods(joint, trip)]
+            lines += ["  " + text("solve.joint", number=number), *_periods(joint, trip)]
     lines += [
         "",
-        "  a prescribed force: nothing strikes, nothing leaves"
-        if solution.impactor_velocity is None
-        else f"  impactor leaves at   {solution.impactor_velocity:+.8g} m/s"
-        f"   ({solution.impactor_velocity / scene.impactor.velocity:+.6f} of its speed)",
-        f"  target moves on at   {solution.target_velocity:+.8g} m/s   (centre of mass)",
+        *_leaving(solution),
     ]
     if solution.peak_indentation is not None:
-        lines.append(f"  deepest indentation  {solution.peak_indentation * 1e6:.6g} um")
-    names = {
-        "newton": "by centre-of-mass velocities",
-        "poisson": "by impulses",
-        "newton_at_contact": "by the touching surfaces",
-    }
-    lines += ["", "  restitution"]
+        lines.append(f"  {text('solve.indentation'):21}{solution.peak_indentation * 1e6:.6g} um")
+    lines += ["", "  " + text("solve.restitution")]
     for key, value in solution.restitution.items():
-        lines.append(f"    {names[key]:30}{'not defined' if value is None else f'{value:.6f}'}")
-    lines += ["", "  energy at the end [% of the impactor's before]"]
+        shown = text("report.not-defined") if value is None else f"{value:.6f}"
+        lines.append(f"    {named('restitution', key):30}{shown}")
+    lines += ["", "  " + text("solve.energy")]
     initial = solution.energy["initial"]
     for key, value in solution.energy.items():
         if key != "initial":
-            lines.append(f"    {key.replace('_', ' '):30}{100 * value / initial:10.5f}")
+            lines.append(f"    {named('energy', key):30}{100 * value / initial:10.5f}")
+    residuals = [_residual(name, found[f"{name}_error"]) for name in ("energy", "momentum")]
+    residuals.append(f"{text('solve.error')} {_estimate(found['estimated_error'])}")
     lines += [
         "",
-        f"  energy residual {found['energy_error']:+.1e}   momentum residual {found['momentum_error']:+.1e}"
-        f"   estimated error of the velocity {_estimate(found['estimated_error'])}",
-        f"  {found['steps']} steps, {_time_line(found)}",
-        *(f"  Note: {note}" for note in solution.notes),
+        "  " + "   ".join(residuals),
+        "  " + text("solve.steps", steps=found["steps"], time=_time_line(found)),
+        *(_note(note) for note in solution.notes),
     ]
     return "\n".join(lines)
 
 
+def _leaving(solution: Solution) -> list[str]:
+    """How fast both bodies go at the end."""
+    target = f"{solution.target_velocity:+.8g} m/s   ({text('solve.centre-of-mass')})"
+    if solution.impactor_velocity is None:
+        impactor = "  " + text("solve.prescribed")
+    else:
+        share = text("solve.of-its-speed", share=solution.impactor_velocity / solution.scene.impactor.velocity)
+        impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s   ({share})"
+    return [impactor, f"  {text('solve.target-moves'):21}{target}"]
+
+
+def _line(code: str, value: str) -> str:
+    return f"  {text(code):32}{value}"
+
+
+def _residual(name: str, value: float) -> str:
+    return f"{text(f'residual.{name}')} {value:+.1e}"
+
+
+def _note(note: Note) -> str:
+    return "  " + text("report.note", note=note)
+
+
 def _time_line(diagnostics: dict[str, float]) -> str:
     """Of the solve, and of what came before it once."""
-    solved, compiled = f"solved in {diagnostics['wall_time'] * 1e3:.3g} ms", diagnostics["compile_time"]
-    return (
-        solved if compiled < LEAST_REPORTED else f"{solved}, besides {compiled:.3g} s of compiling and loading kernels"
-    )
+    compiled = diagnostics["compile_time"]
+    code = "solve.solved" if compiled < LEAST_REPORTED else "solve.solved-and-compiled"
+    return text(code, ms=1e3 * diagnostics["wall_time"], compiled=compiled)
 
 
 def _unit_name(scene: Scene) -> str:
     """What the unit of time T is."""
     rings = next((body.kind for body in (scene.target, scene.impactor) if body.time_unit is not None), None)
-    names = {None: "about a contact time, T", "beam": "slowest period of the beam, T"}
-    return names.get(rings, "round trip of a wave, T")
+    return text("solve.unit", of={None: "contact", "beam": "beam"}.get(rings, "wave"))
 
 
 def comparison(exact: Solution, rows: list[Row]) -> str:
     """A table of plain text: every method against the exact solution, or the one taken for it."""
     scene = exact.scene
-    moving = "impactor leaves at" if exact.impactor_velocity is not None else "target moves on at"
-    periods = ", ".join(f"{c.start / scene.time_unit:.4f} to {c.end / scene.time_unit:.4f}" for c in exact.contacts)
+    moving = text("solve.target-moves" if exact.impactor_velocity is None else "solve.impactor-leaves")
+    spans = [(each.start / scene.time_unit, each.end / scene.time_unit) for each in exact.contacts]
+    periods = ", ".join(text("compare.period", start=start, end=end) for start, end in spans)
+    head, units = family("compare.head"), family("compare.unit")
     lines = [
         _title(exact),
-        f"  mass ratio (target / impactor)  {scene.mass_ratio:.6g}",
-        f"  measured by                     {_method_line(exact)}",
-        f"  its contacts [T]                {textwrap.shorten(periods, 200, placeholder=' ...')}",
-        f"  its {moving:28}{rebound(exact):+.8g} m/s{_uncertainty(exact)}",
+        _line("solve.mass-ratio", f"{scene.mass_ratio:.6g}"),
+        _line("compare.reference", _method_line(exact)),
+        _line("compare.contacts", textwrap.shorten(periods, 200, placeholder=" ...")),
+        f"  {text('compare.moving', moving=moving):32}{rebound(exact):+.8g} m/s{_uncertainty(exact)}",
         "",
-        f"  {'method':38}{'rebound':>10}{'1st contact':>13}{'true':>7}{'listed':>8}{'raw':>6}"
-        f"{'force L2':>10}{'resolved':>10}{'time':>9}",
-        f"  {'':38}{'error [%]':>10}{'error [T]':>13}{'found':>7}{'':14}{'[%]':>10}{'[%]':>10}{'[ms]':>9}",
+        f"  {head['method']:38}{head['rebound']:>10}{head['first']:>13}{head['true']:>7}{head['listed']:>8}"
+        f"{head['raw']:>6}{head['force']:>10}{head['resolved']:>10}{head['time']:>9}",
+        f"  {'':38}{units['rebound']:>10}{units['first']:>13}{units['true']:>7}{'':14}"
+        f"{'[%]':>10}{'[%]':>10}{'[ms]':>9}",
     ]
     for row in rows:
         if row.reason is not None:
-            lines.append(f"  {row.label:38}cannot: {row.reason}")
+            lines.append(f"  {row.label:38}{text('stability.cannot', reason=row.reason)}")
             continue
         shares = [
             "-" if share is None else f"{100 * share:.1f}" for share in (row.force_error, row.resolved_force_error)
@@ -116,7 +136,7 @@ def comparison(exact: Solution, rows: list[Row]) -> str:
 
 def _uncertainty(reference: Solution) -> str:
     error = reference.diagnostics["estimated_error"]
-    return "" if reference.method["name"] == "waves" or error is None else f"   (to {error:.1e} of the impact speed)"
+    return "" if reference.method["name"] == "waves" or error is None else "   " + text("compare.within", error=error)
 
 
 def _bodies_report(solution: Solution) -> str:
@@ -125,31 +145,27 @@ def _bodies_report(solution: Solution) -> str:
     lines = [
         _title(solution),
         *_told(scene),
-        f"  method                          {_method_line(solution)}",
-        f"  normal, impactor to target      {_vector(scene.normal)}",
-        f"  approach of the touching points {scene.speed:+.8g} m/s",
-        f"  effective mass                  {solution.effective_mass:.8g} kg",
-        f"  impulse                         {solution.impulse:.8g} N s",
+        _line("solve.method", _method_line(solution)),
+        _line("bodies.normal", _vector(scene.normal)),
+        _line("bodies.approach", f"{scene.speed:+.8g} m/s"),
+        _line("bodies.effective-mass", f"{solution.effective_mass:.8g} kg"),
+        _line("bodies.impulse", f"{solution.impulse:.8g} N s"),
     ]
     for name in ("impactor", "target"):
         body, velocity = getattr(scene, name), getattr(solution, f"{name}_velocity")
         spin = getattr(solution, f"{name}_spin")
         lines.append("")
         if body.kind == "body":
-            lines += [
-                f"  {name} before   velocity {_vector(body.velocity)} m/s   spin {_vector(body.spin)} rad/s",
-                f"  {name} after    velocity {_vector(velocity)} m/s   spin {_vector(spin)} rad/s",
-            ]
+            whens = [text("bodies.when", body=name, when=when) for when in ("before", "after")]
+            for when, *moves in zip(whens, (body.velocity, velocity), (body.spin, spin), strict=True):
+                shown = dict(zip(("velocity", "spin"), map(_vector, moves), strict=True))
+                lines.append(f"  {when:{max(map(len, whens)) + 3}}{text('bodies.moves', **shown)}")
         else:
-            lines.append(f"  {name}: a stop, which does not move")
-    lines += ["", "  energy at the end [J]"]
-    lines += [f"    {key.replace('_', ' '):30}{value:14.8g}" for key, value in energy.items()]
-    lines += [
-        "",
-        f"  energy residual {found['energy_error']:+.1e}   momentum residual {found['momentum_error']:+.1e}"
-        f"   angular momentum residual {found['angular_momentum_error']:+.1e}",
-        *(f"  Note: {note}" for note in solution.notes),
-    ]
+            lines.append("  " + text("bodies.stop", body=name))
+    lines += ["", "  " + text("bodies.energy")]
+    lines += [f"    {named('energy', key):30}{value:14.8g}" for key, value in energy.items()]
+    residuals = [_residual(name, found[f"{name}_error"]) for name in ("energy", "momentum", "angular_momentum")]
+    lines += ["", "  " + "   ".join(residuals), *(_note(note) for note in solution.notes)]
     return "\n".join(lines)
 
 
@@ -158,7 +174,7 @@ def _vector(values: tuple[float, float, float]) -> str:
 
 
 def _title(solution: Solution) -> str:
-    return _printable(solution.scene.title) or "Scene"
+    return _printable(solution.scene.title) or text("report.scene")
 
 
 def _told(scene: Scene) -> list[str]:
@@ -166,20 +182,20 @@ def _told(scene: Scene) -> list[str]:
     return textwrap.wrap(_printable(scene.note), 100, initial_indent="  ", subsequent_indent="  ")
 
 
-def _printable(text: str) -> str:
-    return "".join(sign if sign.isprintable() else "?" for sign in text)
+def _printable(words: str) -> str:
+    return "".join(sign if sign.isprintable() else "?" for sign in words)
 
 
 def _periods(contacts: list[ContactPeriod], trip: float) -> list[str]:
     return [
         f"  {number:7d}{contact.start / trip:14.6f}{contact.end / trip:14.6f}{contact.impulse:17.6g}"
-        + ("       no duration" if contact.peak_force is None else f"{contact.peak_force / 1e3:18.6g}")
+        + (f"{text('solve.no-duration'):>18}" if contact.peak_force is None else f"{contact.peak_force / 1e3:18.6g}")
         for number, contact in enumerate(contacts, 1)
     ]
 
 
 def _estimate(error: float | None) -> str:
-    return "unknown" if error is None else f"{error:.1e} of the impact speed"
+    return text("report.unknown") if error is None else text("solve.of-impact-speed", error=error)
 
 
 def _method_line(solution: Solution) -> str:
@@ -215,10 +231,9 @@ def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
 def check_name(name: str, *endings: str) -> None:
     """Raises SceneError for what can be no file of histories, before anything is solved."""
     if not name.endswith(endings) or (os.path.exists(name) and not os.path.isfile(name)):
-        raise SceneError("--series", name, f"the name of a file that ends in {' or '.join(endings)}")
+        raise SceneError("--series", name, text("wanted.ending", endings=text("wanted.or").join(endings)))
     if name.endswith(".nc") and find_spec("xarray") is None:
-        allowed = "a name that ends in .csv, as NetCDF needs xarray: pip install 'strikewave[notebook]'"
-        raise SceneError("--series", name, allowed)
+        raise SceneError("--series", name, text("wanted.no-xarray"))
 
 
 def write_series(solution: Solution, path: Path) -> None:
@@ -227,14 +242,13 @@ def write_series(solution: Solution, path: Path) -> None:
     Raises OSError if the file cannot be written, SceneError if the solution has no histories.
     """
     if solution.motion is None:
-        allowed = "nothing here: one impulse between bodies in space has no history; --json has all there is"
-        raise SceneError("--series", str(path), allowed)
+        raise SceneError("--series", str(path), text("wanted.no-history"))
     histories = _histories(solution)
     if path.suffix == ".csv":
-        text = io.StringIO()
-        text.write(",".join(f"{name}_{unit}" for name, (unit, _) in histories.items()) + "\n")
-        np.savetxt(text, np.column_stack([values for _, values in histories.values()]), delimiter=",", fmt="%.12g")
-        path.write_text(text.getvalue(), encoding="utf-8")
+        rows = io.StringIO()
+        rows.write(",".join(f"{name}_{unit}" for name, (unit, _) in histories.items()) + "\n")
+        np.savetxt(rows, np.column_stack([values for _, values in histories.values()]), delimiter=",", fmt="%.12g")
+        path.write_text(rows.getvalue(), encoding="utf-8")
         return
     _write_netcdf(solution, histories, path)
 

@@ -15,6 +15,8 @@ from typing import Any
 import solvers
 from solvers import SceneError
 
+from .words import text
+
 DEFAULT_PORT = 5006
 QUIET_SECONDS = 3.0  # [s] until one line says what takes long
 
@@ -29,7 +31,7 @@ class _Parser(argparse.ArgumentParser):
         self._negative_number_matcher = re.compile(r"-\.?\d")  # -3e-4 is a value too, not an option, before 3.14
 
     def error(self, message):
-        raise _Refused(f"{message} (impact --help tells what is allowed)")
+        raise _Refused(text("run.see-help", message=message))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -45,14 +47,14 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"impact: {line}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("impact: stopped", file=sys.stderr)
+        print(text("run.stopped"), file=sys.stderr)
         return 130
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        print(f"impact: standard output: cannot be written ({error.strerror})", file=sys.stderr)
+        print(text("run.no-output", why=error.strerror), file=sys.stderr)
         return 2
 
 
@@ -64,8 +66,7 @@ def _patience():
     if not sys.stderr.isatty() or all_compiled().exists():
         yield
         return
-    said = "impact: kernels are compiled when first used, some seconds to a minute; impact warm does them all at once"
-    timer = threading.Timer(QUIET_SECONDS, print, (said,), {"file": sys.stderr, "flush": True})
+    timer = threading.Timer(QUIET_SECONDS, print, (text("run.compiling"),), {"file": sys.stderr, "flush": True})
     timer.daemon = True
     timer.start()
     try:
@@ -75,15 +76,15 @@ def _patience():
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="impact", description="What happens when one body strikes another that can bend and ring.")
+    parser = _Parser(prog="impact", description=text("help.impact"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
 
-    solve = commands.add_parser("solve", help="solve a scene and print what happened")
+    solve = commands.add_parser("solve", help=text("help.solve.about"))
     _scene_arguments(solve)
-    solve.add_argument("--series", metavar="FILE", help="write histories (.csv), or histories and fields (.nc), too")
+    solve.add_argument("--series", metavar="FILE", help=text("help.solve.series"))
     solve.set_defaults(run=_solve)
 
-    compare = commands.add_parser("compare", help="solve a scene by every method and say what each one misses")
+    compare = commands.add_parser("compare", help=text("help.compare"))
     _scene_arguments(compare)
     compare.set_defaults(run=_compare)
 
@@ -95,31 +96,27 @@ def _parser() -> argparse.ArgumentParser:
     _stability_command(commands)
     _plan_command(commands)
 
-    scenes = commands.add_parser("scenes", help="list the built-in scenes")
+    scenes = commands.add_parser("scenes", help=text("help.scenes"))
     scenes.set_defaults(run=_scenes)
 
-    serve = commands.add_parser("serve", help="serve the web page")
-    serve.add_argument("--port", help=f"default: $IMPACT_PORT or {DEFAULT_PORT}")
-    serve.add_argument("--address", help="default: $IMPACT_ADDRESS or 127.0.0.1, this machine only; 0.0.0.0: everybody")
-    serve.add_argument(
-        "--allow-origin", action="append", metavar="HOST[:PORT]",
-        help="a name under which browsers reach the page; repeatable; default: $IMPACT_ORIGINS, separated by commas",
-    )  # fmt: skip
-    serve.add_argument("--warm", action="store_true", help="accepted for clarity: the first page is always ready first")
+    serve = commands.add_parser("serve", help=text("help.serve.about"))
+    serve.add_argument("--port", help=text("help.serve.port", port=DEFAULT_PORT))
+    serve.add_argument("--address", help=text("help.serve.address"))
+    origin = text("help.serve.origin")
+    serve.add_argument("--allow-origin", action="append", metavar="HOST[:PORT]", help=origin)
+    serve.add_argument("--warm", action="store_true", help=text("help.serve.warm"))
     serve.set_defaults(run=_serve)
 
-    warm = commands.add_parser("warm", help="compile every kernel now, so that the first solve is as quick as the rest")
+    warm = commands.add_parser("warm", help=text("help.warm"))
     warm.set_defaults(run=_warm)
     return parser
 
 
 def _tradeoff_command(commands: Any) -> None:
-    parser = commands.add_parser("tradeoff", help="solve a scene by every method, coarse to fine: time against error")
+    parser = commands.add_parser("tradeoff", help=text("help.tradeoff.about"))
     _scene_arguments(parser)
-    parser.add_argument("--quantity", default="rebound", help="whose best points are marked; default: rebound")
-    parser.add_argument(
-        "--fresh", action="store_true", help="measure again, also what this machine has measured before"
-    )
+    parser.add_argument("--quantity", default="rebound", help=text("help.tradeoff.quantity"))
+    parser.add_argument("--fresh", action="store_true", help=text("help.tradeoff.fresh"))
 
     def run(options: argparse.Namespace) -> int:
         from .tradeoff import print_tradeoff
@@ -130,12 +127,10 @@ def _tradeoff_command(commands: Any) -> None:
 
 
 def _sweep_command(commands: Any) -> None:
-    parser = commands.add_parser("sweep", help="solve a scene for many values of one of its keys")
+    parser = commands.add_parser("sweep", help=text("help.sweep.about"))
     _scene_arguments(parser)
-    parser.add_argument(
-        "--vary", required=True, metavar="KEY=LOW..HIGH[:COUNT][:log|:linear]",
-        help="21 values unless COUNT says otherwise; spaced by a constant factor over a hundredfold range or more",
-    )  # fmt: skip
+    span = "KEY=LOW..HIGH[:COUNT][:log|:linear]"
+    parser.add_argument("--vary", required=True, metavar=span, help=text("help.sweep.vary"))
 
     def run(options: argparse.Namespace) -> int:
         from .sweep import print_sweep
@@ -146,12 +141,12 @@ def _sweep_command(commands: Any) -> None:
 
 
 def _ensemble_command(commands: Any) -> None:
-    parser = commands.add_parser("ensemble", help="solve a scene many times with tiny changes: how far to trust it")
+    parser = commands.add_parser("ensemble", help=text("help.ensemble.about"))
     _scene_arguments(parser)
-    parser.add_argument("--runs", default="200", metavar="N", help="default: 200")
-    parser.add_argument("--spread", default="1e-2", metavar="S", help="largest relative change; default: 0.01")
-    parser.add_argument("--key", help="what is changed; default: impactor.mass, or the length of one that can bend")
-    parser.add_argument("--seed", default="0", metavar="N", help="of the random changes; default: 0")
+    parser.add_argument("--runs", default="200", metavar="N", help=text("help.ensemble.runs"))
+    parser.add_argument("--spread", default="1e-2", metavar="S", help=text("help.ensemble.spread"))
+    parser.add_argument("--key", help=text("help.ensemble.key"))
+    parser.add_argument("--seed", default="0", metavar="N", help=text("help.ensemble.seed"))
 
     def run(options: argparse.Namespace) -> int:
         from .trust import print_ensemble
@@ -162,9 +157,9 @@ def _ensemble_command(commands: Any) -> None:
 
 
 def _convergence_command(commands: Any) -> None:
-    parser = commands.add_parser("convergence", help="solve a scene with ever more modes, or elements")
+    parser = commands.add_parser("convergence", help=text("help.convergence.about"))
     _scene_arguments(parser)
-    parser.add_argument("--modes", metavar="N,N,...", help="numbers of modes, or of elements; default: 3,5,10,20,40,80")
+    parser.add_argument("--modes", metavar="N,N,...", help=text("help.convergence.modes"))
 
     def run(options: argparse.Namespace) -> int:
         from .trust import print_convergence
@@ -175,19 +170,16 @@ def _convergence_command(commands: Any) -> None:
 
 
 def _record_command(commands: Any) -> None:
-    parser = commands.add_parser("record", help="compare a measured record with a scene, or recover the contact force")
-    parser.add_argument("file", help="a table (CSV): time and strain, stress or force, with units in the names")
+    parser = commands.add_parser("record", help=text("help.record.about"))
+    parser.add_argument("file", help=text("help.record.file"))
     _scene_arguments(parser, option=True)
-    parser.add_argument("--kind", help="strain, stress or force; needed if the file has several, or names none")
-    parser.add_argument(
-        "--at", action="append", default=[], metavar="X",
-        help="place of the gauge [m] from the struck end; a second one belongs to the second column of that kind",
-    )  # fmt: skip
-    parser.add_argument("--columns", metavar="NAMES", help="names of the columns, as time_us,microstrain")
-    parser.add_argument("--sign", default="1", help="-1: the record has the other sign (usual: strain + in tension)")
-    parser.add_argument("--shift", metavar="S", help="seconds to add to the times of the record; default: the best")
-    parser.add_argument("--recover", action="store_true", help="find the contact force from the record alone")
-    parser.add_argument("--series", metavar="FILE", help="write what was compared, or recovered, as .csv")
+    parser.add_argument("--kind", help=text("help.record.kind"))
+    parser.add_argument("--at", action="append", default=[], metavar="X", help=text("help.record.at"))
+    parser.add_argument("--columns", metavar="NAMES", help=text("help.record.columns"))
+    parser.add_argument("--sign", default="1", help=text("help.record.sign"))
+    parser.add_argument("--shift", metavar="S", help=text("help.record.shift"))
+    parser.add_argument("--recover", action="store_true", help=text("help.record.recover"))
+    parser.add_argument("--series", metavar="FILE", help=text("help.record.series"))
 
     def run(options: argparse.Namespace) -> int:
         from .record import print_record
@@ -200,7 +192,7 @@ def _record_command(commands: Any) -> None:
 def _stability_command(commands: Any) -> None:
     from .stability import add_arguments, print_stability
 
-    parser = commands.add_parser("stability", help="where each integrator keeps the energy, chatters or fails")
+    parser = commands.add_parser("stability", help=text("help.stability.about"))
     _scene_arguments(parser)
     add_arguments(parser)
     parser.set_defaults(run=lambda options: print_stability(_scene(options), options))
@@ -209,23 +201,21 @@ def _stability_command(commands: Any) -> None:
 def _plan_command(commands: Any) -> None:
     from .plan import add_arguments, print_plan
 
-    parser = commands.add_parser("plan", help="the smallest model that answers a question, and what it will miss")
+    parser = commands.add_parser("plan", help=text("help.plan.about"))
     _scene_arguments(parser)
     add_arguments(parser)
     parser.set_defaults(run=lambda options: print_plan(_scene(options), options))
 
 
 def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:
-    known = "a built-in name (see: impact scenes) or a scene file"
+    known = text("help.scene")
     if option:
         parser.add_argument("--scene", required=True, help=known)
     else:
         parser.add_argument("scene", help=known)
-    parser.add_argument(
-        "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
-        help="another value for a key of the scene, such as target.length=0.5 or method.name=modal; repeatable",
-    )  # fmt: skip
-    parser.add_argument("--json", action="store_true", help="print the whole result as JSON")
+    change = {"metavar": "KEY=VALUE", "dest": "changes", "help": text("help.set")}
+    parser.add_argument("--set", action="append", default=[], **change)
+    parser.add_argument("--json", action="store_true", help=text("help.json"))
 
 
 def _scene(options: argparse.Namespace) -> solvers.Scene:
@@ -239,7 +229,7 @@ def _warm(options: argparse.Namespace) -> int:
     from ..jobs.compiler import compile_at_once
 
     compile_at_once(os.cpu_count() or 1)
-    print("All kernels are compiled.")
+    print(text("run.compiled"))
     return 0
 
 
@@ -258,16 +248,16 @@ def parse_changes(changes: list[str]) -> dict[str, Any]:
     """`KEY=VALUE` words as a dictionary; values are TOML, and a bare word is text."""
     found: dict[str, Any] = {}
     for change in changes:
-        key, equals, text = change.partition("=")
+        key, equals, written = change.partition("=")
         key = key.strip()
         if not equals or not key:
-            raise SceneError("--set", change, "KEY=VALUE, such as target.length=0.5")
+            raise SceneError("--set", change, text("wanted.setting"))
         try:
-            value = tomllib.loads(f"value = {text}")["value"] if "\n" not in text else text
+            value = tomllib.loads(f"value = {written}")["value"] if "\n" not in written else written
         except (ValueError, RecursionError):
-            value = text.strip()
+            value = written.strip()
         if key in found and found[key] != value:
-            raise SceneError(f"--set {key}", value, f"one value for a key; it was {found[key]!r} before")
+            raise SceneError(f"--set {key}", value, text("wanted.one-value", before=repr(found[key])))
         found[key] = value
     return found
 
@@ -285,7 +275,7 @@ def _solve(options: argparse.Namespace) -> int:
         try:
             write_series(solution, Path(options.series))
         except OSError as error:
-            raise SceneError("--series", options.series, f"a file that can be written ({error.strerror})") from None
+            raise SceneError("--series", options.series, text("wanted.writable", why=error.strerror)) from None
     if options.json:
         print(json.dumps(solution.table(), indent=1, allow_nan=False))
     else:
@@ -312,17 +302,17 @@ def _compare(options: argparse.Namespace) -> int:
 def _serve(options: argparse.Namespace) -> int:
     port = os.environ.get("IMPACT_PORT", str(DEFAULT_PORT)) if options.port is None else options.port
     if not (port.isascii() and port.isdigit() and len(port) <= 5 and 1 <= int(port) <= 65535):
-        raise SceneError("--port", port, "a whole number from 1 to 65535")
+        raise SceneError("--port", port, text("wanted.whole", low=1, high=65535))
     address = os.environ.get("IMPACT_ADDRESS", "127.0.0.1") if options.address is None else options.address
     try:
         socket.getaddrinfo(address or " ", int(port))
     except (OSError, UnicodeError):
-        raise SceneError("--address", address, "an address of this machine, or 0.0.0.0 for all of them") from None
+        raise SceneError("--address", address, text("wanted.address")) from None
     origins = options.allow_origin or [o for o in os.environ.get("IMPACT_ORIGINS", "").split(",") if o.strip()]
     for origin in origins:
         host, _, origin_port = origin.strip().partition(":")
         if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
-            raise SceneError("--allow-origin", origin, "HOST or HOST:PORT, without scheme, path or star")
+            raise SceneError("--allow-origin", origin, text("wanted.origin"))
     from ..serving.server import serve
 
     return serve(int(port), address, [origin.strip() for origin in origins])

@@ -8,18 +8,12 @@ import solvers
 from solvers import Plan, SceneError
 from solvers.regimes.models import QUESTIONS
 
-NAMES = {
-    "mass_ratio": "mass ratio (target / impactor)",
-    "contact_time": "local contact time / round trip or period",
-    "impact_parameter": "speed / speed of first yield",
-    "slenderness": "length / depth",
-    "rotation": "share of turning in the impact",
-}
+from .words import named, text
 
 
 def add_arguments(parser) -> None:
-    parser.add_argument("--question", default=QUESTIONS[0], help=f"one of {', '.join(QUESTIONS)}; default: the first")
-    parser.add_argument("--tolerance", default="0.05", help="largest error allowed; default: 0.05")
+    parser.add_argument("--question", default=QUESTIONS[0], help=text("help.plan.question", names=QUESTIONS))
+    parser.add_argument("--tolerance", default="0.05", help=text("help.plan.tolerance"))
 
 
 def print_plan(scene: solvers.Scene, options) -> int:
@@ -27,33 +21,35 @@ def print_plan(scene: solvers.Scene, options) -> int:
     try:
         tolerance = float(options.tolerance)
     except ValueError:
-        raise SceneError("--tolerance", options.tolerance, "a number from 1e-06 to 1") from None
+        raise SceneError("--tolerance", options.tolerance, text("wanted.number", low=1e-6, high=1)) from None
     found = solvers.plan(scene, options.question, tolerance)
     print(json.dumps(found.table(), indent=1, allow_nan=False) if options.json else report(found))
     return 0
 
 
 def report(found: Plan) -> str:
-    title = found.scene.title or "Untitled scene"
-    lines = [f"{title}: {found.question} within {100 * found.tolerance:.3g} %", ""]
-    lines += [f"  {NAMES[name]:44}{value:.4g}" for name, value in found.groups.items()]
-    lines += ["", f"  {'model':48}expected error"]
+    title = found.scene.title or text("report.untitled")
+    within = 100 * found.tolerance
+    lines = [text("plan.head", title=title, question=found.question, within=within), ""]
+    lines += [f"  {named('plan.group', name):44}{value:.4g}" for name, value in found.groups.items()]
+    lines += ["", f"  {text('plan.model'):48}{text('plan.error')}"]
     for candidate in found.candidates:
         mark = "->" if candidate is found.chosen else "  "
         lines.append(f"{mark}{candidate.model:48}{_shown(candidate.expected_error)}")
     lines += ["", *textwrap.wrap(found.reason, 118, initial_indent="  ", subsequent_indent="  ")]
     if found.next_better is not None:
-        lines.append(f"  Next better: {found.next_better.model}, {_shown(found.next_better.expected_error)}.")
+        better = {"model": found.next_better.model, "error": _shown(found.next_better.expected_error)}
+        lines.append("  " + text("plan.better", **better))
     if found.modes is not None:
-        lines.append(f"  Modes that would do, too: {found.modes}.")
-    lines.append("  Solve it so: impact solve SCENE " + " ".join(_settings(found.chosen.changes)))
+        lines.append("  " + text("plan.modes", modes=found.modes))
+    lines.append("  " + text("plan.solve", settings=" ".join(_settings(found.chosen.changes))))
     return "\n".join(lines)
 
 
 def _shown(error: float) -> str:
     if math.isnan(error):
-        return "not measured"
-    return "does not tell" if math.isinf(error) else f"{100 * error:.2g} %"
+        return text("plan.not-measured")
+    return text("plan.cannot-predict") if math.isinf(error) else f"{100 * error:.2g} %"
 
 
 def _settings(changes: dict) -> list[str]:

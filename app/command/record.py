@@ -16,6 +16,7 @@ from solvers.text.notes import Note, Severity, coded
 
 from ..views.record import MAX_FOLLOWED, other_sign
 from .export import check_name
+from .words import family, text
 
 UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
 
@@ -27,7 +28,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
     places = _places(options)
     records = _records(options, max(len(places), 1))
     if records[0].kind != "force" and not places:
-        raise SceneError("--at", None, "where the gauge sits, in metres from the struck end, for strain and stress")
+        raise SceneError("--at", None, text("wanted.gauge"))
     places = places or [0.0]
     solution = _solution(scene, records[0])
     shift = None if options.shift is None else _float("--shift", options.shift, -1e4, 1e4, "s")
@@ -46,7 +47,7 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
 
 def _places(options: argparse.Namespace) -> list[float]:
     if len(options.at) > 2:
-        raise SceneError("--at", options.at[2], "no third place: one gauge or two")
+        raise SceneError("--at", options.at[2], text("wanted.two-gauges"))
     return [_float("--at", word, 0.0, 1e6, "m") for word in options.at]
 
 
@@ -80,8 +81,7 @@ def _recovered(solution: Solution, records: list[Record], places: list[float]) -
     if isinstance(target, Rod) and len(records) == 1:
         return from_one_gauge(records[0], target, places[0])
     if not isinstance(target, Waveguide) or len(records) == 1:
-        allowed = "'rod', to recover the contact force by one gauge; or 'rods', with two gauges on the first of them"
-        raise SceneError("target.kind", target.kind, allowed)
+        raise SceneError("target.kind", target.kind, text("wanted.rod-or-rods"))
     return from_two_gauges(*records, target.rods[0], *places)  # pyright: ignore[reportCallIssue]
 
 
@@ -122,7 +122,11 @@ def _answer(
 
 
 def _report(answer: dict[str, Any]) -> str:
-    lines = ["  gauge  at [m]    kind      shift [us]       scale   residual (L2)   (greatest)   samples"]
+    head = family("record.head")
+    lines = [
+        f"  {head['gauge']:>5}{head['at']:>8}    {head['kind']:8}{head['shift']:>12}{head['scale']:>12}"
+        f"{head['residual']:>16}{head['greatest']:>13}{head['samples']:>10}"
+    ]
     for number, one in enumerate(answer["gauges"], 1):
         lines.append(
             f"  {number:5d}{one['at']:8.4g}    {one['kind']:8}{1e6 * one['shift']:12.4f}{one['scale']:12.6g}"
@@ -130,16 +134,17 @@ def _report(answer: dict[str, Any]) -> str:
         )
     if answer["recovered"] is not None:
         impact, found = answer["solution"], answer["recovered"]
-        peak = "none" if impact["peak_force"] is None else f"{impact['peak_force'] / 1e3:.6g} kN"
+        peak = text("record.none") if impact["peak_force"] is None else f"{impact['peak_force'] / 1e3:.6g} kN"
+        rows, terms = family("record.row"), text("record.readings", terms=found["terms"])
         lines += [
             "",
-            "  contact force     recovered      solution",
-            f"  peak          {found['peak_force'] / 1e3:10.6g} kN   {peak}",
-            f"  impulse       {found['impulse']:10.6g} N s  {impact['impulse']:.6g} N s",
-            f"  residual (L2) {found['residual']:10.4g}",
-            f"  known until   {1e6 * found['until']:10.6g} us   from {found['terms']} readings at the end",
+            f"  {rows['force']:14}{rows['recovered']:>13}{rows['solution']:>14}",
+            f"  {rows['peak']:14}{found['peak_force'] / 1e3:10.6g} kN   {peak}",
+            f"  {rows['impulse']:14}{found['impulse']:10.6g} N s  {impact['impulse']:.6g} N s",
+            f"  {rows['residual']:14}{found['residual']:10.4g}",
+            f"  {rows['until']:14}{1e6 * found['until']:10.6g} us   {terms}",
         ]
-    return "\n".join(lines + [f"  Note: {note}" for note in answer["notes"]])
+    return "\n".join(lines + ["  " + text("report.note", note=note) for note in answer["notes"]])
 
 
 def _series(
@@ -173,4 +178,4 @@ def _write(name: str, columns: dict[str, np.ndarray]) -> None:
     try:
         Path(name).write_text("\n".join(lines) + "\n", encoding="utf-8")
     except OSError as error:
-        raise SceneError("--series", name, f"a file that can be written ({error.strerror})") from None
+        raise SceneError("--series", name, text("wanted.writable", why=error.strerror)) from None

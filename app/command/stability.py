@@ -3,6 +3,7 @@
 import json
 import re
 import textwrap
+from typing import Any
 
 import numpy as np
 
@@ -11,11 +12,9 @@ from solvers import SceneError, Stability
 from solvers.stability.maps import AXES, CANNOT, NOT_RUN, Map
 from solvers.stability.runs import INTEGRATORS
 
+from .words import text
+
 USUAL_GRID = "20x41"  # five columns a decade: one of them is a hundred times an element
-LEGEND = (
-    ". energy kept to 1e-6   o to 1 %   e worse   L never parts   X more than doubles its energy   ! stopped at the "
-    "bound   | theoretical limit, stable on its left or below it"
-)
 
 
 def add_arguments(parser) -> None:
@@ -23,20 +22,24 @@ def add_arguments(parser) -> None:
         "--axes",
         default="step,contact_stiffness",
         metavar="A,B",
-        help=f"two of {', '.join(AXES)}; the step comes first",
+        help=text("help.stability.axes", names=list(AXES)),
     )
-    parser.add_argument("--grid", default=USUAL_GRID, metavar="ROWSxCOLUMNS", help=f"default: {USUAL_GRID}")
-    parser.add_argument("--integrators", metavar="NAMES", help=f"some of {', '.join(INTEGRATORS)}; default: all")
-    parser.add_argument("--modes", help="kept by every integrator; default: as the scene's method says, or 20")
+    parser.add_argument(
+        "--grid", default=USUAL_GRID, metavar="ROWSxCOLUMNS", help=text("help.stability.grid", grid=USUAL_GRID)
+    )
+    parser.add_argument(
+        "--integrators", metavar="NAMES", help=text("help.stability.integrators", names=list(INTEGRATORS))
+    )
+    parser.add_argument("--modes", help=text("help.stability.modes"))
 
 
 def print_stability(scene: solvers.Scene, options) -> int:
     """Print the maps, or all numbers as JSON."""
     grid = re.fullmatch(r"(\d{1,3})x(\d{1,3})", options.grid)
     if grid is None:
-        raise SceneError("--grid", options.grid, "ROWSxCOLUMNS, such as 20x40")
+        raise SceneError("--grid", options.grid, text("wanted.grid"))
     if options.modes is not None and not re.fullmatch(r"\d{1,5}", options.modes):
-        raise SceneError("--modes", options.modes, "a whole number from 1 to 10000")
+        raise SceneError("--modes", options.modes, text("wanted.whole", low=1, high=10000))
     found = solvers.stability(
         scene,
         None if options.integrators is None else [name.strip() for name in options.integrators.split(",")],
@@ -50,25 +53,27 @@ def print_stability(scene: solvers.Scene, options) -> int:
 
 def report(found: Stability) -> str:
     """Maps of characters, rows from the largest value down."""
-    title = f"{found.scene.title or 'Untitled scene'}: stability with {found.modes} modes"
+    title = text("stability.head", title=found.scene.title or text("report.untitled"), modes=found.modes)
     first, second = found.axes
     lines = [
         title,
-        f"  down    {first.name} [{first.unit}]; the scene itself: {found.here[0]:.3g}",
-        f"  across  {second.name} [{second.unit}]; the scene itself: {found.here[1]:.3g}",
-        *(f"  {line}" for line in textwrap.wrap(LEGEND, 116)),
+        f"  {text('stability.down'):8}{_axis(first, found.here[0])}",
+        f"  {text('stability.across'):8}{_axis(second, found.here[1])}",
+        *(f"  {line}" for line in textwrap.wrap(text("stability.legend"), 116)),
     ]
     for each in found.maps.values():
         lines += ["", *_drawn(found, each)]
-    return "\n".join([*lines, "", *(line for note in found.notes for line in textwrap.wrap(f"Note: {note}", 118))])
+    return "\n".join(
+        [*lines, "", *(line for note in found.notes for line in textwrap.wrap(text("report.note", note=note), 118))]
+    )
 
 
 def _drawn(found: Stability, each: Map) -> list[str]:
     head = f"  {each.integrator}: {each.label}"
     if each.reason:
-        return [head, f"  cannot: {each.reason}"]
+        return [head, "  " + text("stability.cannot", reason=each.reason)]
     first, second = found.axes
-    lines = [head, f"  limit: {each.limit_name}"]
+    lines = [head, "  " + text("stability.limit", limit=each.limit_name)]
     for i in reversed(range(first.values.size)):
         row = [_sign(each, i, j) for j in range(second.values.size)]
         lines.append(f"  {first.values[i]:10.3g}  {''.join(row)}")
@@ -76,11 +81,13 @@ def _drawn(found: Stability, each: Map) -> list[str]:
     ends = f"{values[0]:.3g}", f"{values[-1]:.3g}"
     gap = max(1, values.size - len(ends[0]) - len(ends[1]))
     lines.append(f"  {'':10}  {ends[0]}{'':{gap}}{ends[1]}")
-    lines.append(
-        f"  runs failed {each.failures}, stopped {each.stopped}, worst energy error {each.worst_energy_error:.1e},"
-        f" most chatter {int(each.chatter.max())}"
-    )
-    return lines
+    runs = {"failed": each.failures, "stopped": each.stopped, "worst": each.worst_energy_error}
+    return [*lines, "  " + text("stability.runs", chatter=int(each.chatter.max()), **runs)]
+
+
+def _axis(axis: Any, here: float) -> str:
+    """What an axis of the maps shows, and where the scene itself lies on it."""
+    return text("stability.axis", name=axis.name, unit=axis.unit, here=here)
 
 
 def _sign(each: Map, i: int, j: int) -> str:

@@ -1,4 +1,4 @@
-"""The command `impact tradeoff`: what each method costs at each resolution, and what it misses."""
+"""The command `impact tradeoff`: cost and error of each method at each resolution."""
 
 import json
 import sys
@@ -8,8 +8,9 @@ import solvers
 from solvers import SceneError, TradeOff
 from solvers.accuracy.quantities import QUANTITIES
 
-SHARES = {"rebound": "rebound", "impulse": "impulse", "peak-force": "peak", "force-history": "force L2",
-          "resolved-force": "resolved", "contact-time": "contact"}  # fmt: skip
+from .words import family, text
+
+SHARES = ("rebound", "impulse", "peak-force", "force-history", "resolved-force", "contact-time")
 
 
 def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bool) -> int:
@@ -21,14 +22,19 @@ def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bo
     def progress(found: TradeOff) -> None:
         known[:] = [found]
         if sys.stderr.isatty():
-            print(f"\r{len(found.points)} points, {found.seconds:.1f} s ", end="", file=sys.stderr, flush=True)
+            print(
+                "\r" + text("tradeoff.so-far", points=len(found.points), seconds=found.seconds) + " ",
+                end="",
+                file=sys.stderr,
+                flush=True,
+            )
 
     try:
         found, code = solvers.tradeoff(scene, progress=progress, fresh=fresh), 0
     except KeyboardInterrupt:
         if not known:
             raise
-        found, code = replace(known[0], stopped="interrupted"), 130
+        found, code = replace(known[0], stopped=text("run.interrupted")), 130
     if known and sys.stderr.isatty():
         print("\r" + " " * 40 + "\r", end="", file=sys.stderr)
     print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else report(scene, found, quantity))
@@ -36,34 +42,36 @@ def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bo
 
 
 def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
-    """A table of plain text, quickest first; a star where nothing is quicker and nearer at once."""
+    """A table of plain text, quickest first; a star at the Pareto-optimal points."""
     best = found.front(quantity)
     rows = sorted(found.points, key=lambda point: point.wall_time)
     width = max(len(point.label) for point in rows)
-    machine = found.machine
+    where = {"processor": found.machine["processor"], "cores": found.machine["cores"]}
+    heads = family("tradeoff.head")
     lines = [
-        "".join(sign if sign.isprintable() else "?" for sign in scene.title) or "Scene",
-        f"  errors measured by  {found.reference.words}",
-        f"  {quantity} uncertain by  {_shown(found.reference.uncertainty[quantity], '.1e')}",
-        f"  times measured on   {machine['processor']}, {machine['cores']} cores, {found.date}",
-        *([f"  not complete: {found.stopped}"] if found.stopped else []),
-        f"  * nothing is quicker and nearer in {quantity} ({QUANTITIES[quantity]})",
+        "".join(sign if sign.isprintable() else "?" for sign in scene.title) or text("report.scene"),
+        f"  {text('tradeoff.reference'):20}{found.reference.words}",
+        f"  {text('tradeoff.uncertain', quantity=quantity)}  {_shown(found.reference.uncertainty[quantity], '.1e')}",
+        f"  {text('tradeoff.machine'):20}{text('tradeoff.on', date=found.date, **where)}",
+        *([f"  {text('tradeoff.stopped', why=found.stopped)}"] if found.stopped else []),
+        f"  * {text('tradeoff.best', quantity=quantity, what=QUANTITIES[quantity])}",
         "",
-        f"    {'method':{width}}{'time':>10}{'spread':>19}"
-        + "".join(f"{name:>10}" for name in SHARES.values())
-        + f"{'contacts':>10}{'energy':>10}{'says of itself':>16}",
+        f"    {heads['method']:{width}}{heads['time']:>10}{heads['spread']:>19}"
+        + "".join(f"{heads[name]:>10}" for name in SHARES)
+        + f"{heads['contacts']:>10}{heads['energy']:>10}{heads['own']:>16}",
         f"    {'':{width}}{'[ms]':>10}{'[ms]':>19}"
         + f"{'[%]':>10}" * len(SHARES)
-        + f"{'':10}{'':10}{'rebound [%]':>16}",
+        + f"{'':10}{'':10}{heads['own-of']:>16}",
     ]
     lines += [f"  {'*' if point in best else ' '} {_row(point, width)}" for point in rows]
     lines += ["", *(f"  {remark}" for remark in found.remarks)]
-    lines += [f"  {name} cannot: {reason}" for name, reason in found.refused.items()]
+    lines += ["  " + text("report.cannot", name=name, reason=reason) for name, reason in found.refused.items()]
     return "\n".join(lines).rstrip()
 
 
 def _row(point: solvers.TradeOffPoint, width: int) -> str:
-    spread = "-" if point.spread is None else " to ".join(f"{1e3 * part:.3g}" for part in point.spread)
+    least, most = point.spread or (0.0, 0.0)
+    spread = "-" if point.spread is None else text("tradeoff.spread", least=1e3 * least, most=1e3 * most)
     invented = f"+{point.invented_contacts}" if point.invented_contacts else ""
     shares = [_percent(point.errors[quantity]) for quantity in SHARES]
     return (
@@ -81,4 +89,4 @@ def _percent(share: float | None) -> str:
 
 
 def _shown(value: float | None, form: str) -> str:
-    return "unknown" if value is None else f"{value:{form}}"
+    return text("report.unknown") if value is None else f"{value:{form}}"

@@ -10,14 +10,15 @@ from solvers.studies.ensemble import Ensemble, ensemble
 
 from .interrupts import interruptible
 from .sweep import shown
+from .words import family, named, text
 
 
-def number(option: str, text: str, kind: type = float) -> Any:
+def number(option: str, given: str, kind: type = float) -> Any:
     """The number that an option was given. Raises SceneError naming it."""
     try:
-        return kind(text)
+        return kind(given)
     except ValueError:
-        raise SceneError(option, text, "a whole number" if kind is int else "a number") from None
+        raise SceneError(option, given, text("wanted.any-whole" if kind is int else "wanted.any-number")) from None
 
 
 def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None, seed: str, as_json: bool) -> int:
@@ -38,19 +39,20 @@ def print_ensemble(scene: solvers.Scene, runs: str, spread: str, key: str | None
 
 
 def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
-    head = (
-        f"  {'':24}{'unperturbed':>14}{'lowest':>14}{'median':>14}{'highest':>14}{'half range':>12}{'sensitivity':>13}"
-        f"{'amplified':>11}  verdict"
-    )
+    columns = {"unperturbed": 14, "lowest": 14, "median": 14, "highest": 14, "half-range": 12, "sensitivity": 13}
+    columns["amplified"] = 11
+    heads = family("ensemble.head")
+    head = "".join(f"{heads[name]:>{width}}" for name, width in columns.items())
+    runs = {"runs": found.perturbations.size, "method": found.method["name"], "key": found.key}
+    spread, seconds = 100.0 * float(abs(found.perturbations).max()), found.wall_time
     lines = [
-        scene.title or "Scene",
-        f"  {found.perturbations.size} runs by {found.method['name']}, {found.key} changed by up to"
-        f" {100.0 * abs(found.perturbations).max():.3g} %, in {found.wall_time:.2f} s",
+        scene.title or text("report.scene"),
+        "  " + text("ensemble.runs", spread=spread, seconds=seconds, **runs),
         "",
-        head,
+        f"  {'':24}{head}  {heads['verdict']}",
     ]
     for row in found.spread:
-        name = row.quantity.replace("_", " ") + (f" [{row.unit}]" if row.unit else "")
+        name = named("quantity", row.quantity) + (f" [{row.unit}]" if row.unit else "")
         cells: list[Any] = [
             (row.unperturbed, 12, ".6g"), (row.lowest, 12, ".6g"), (row.median, 12, ".6g"), (row.highest, 12, ".6g"),
             (100.0 * row.half_range, 8, ".2g"), (row.sensitivity, 13, "+.3g"), (row.amplification, 9, ".2g"),
@@ -58,7 +60,7 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
         values = "  ".join(shown(value, form).rjust(size) for value, size, form in cells[:4])
         rest = f"{shown(*cells[4][::2]):>8} %" + shown(*cells[5][::2]).rjust(13) + shown(*cells[6][::2]).rjust(11)
         lines.append(f"  {name:24}  {values}  {rest}  {row.verdict}")
-    return "\n".join([*lines, "", str(found.summary), *(f"Note: {note}" for note in found.notes)])
+    return "\n".join([*lines, "", str(found.summary), *(text("report.note", note=note) for note in found.notes)])
 
 
 def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) -> int:
@@ -77,10 +79,13 @@ def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) ->
 
 
 def convergence_table(scene: solvers.Scene, found: Convergence) -> str:
-    names = [name.replace("_", " ") + (f" [{unit}]" if unit else "") for name, unit in found.units.items()]
+    names = [named("quantity", name) + (f" [{unit}]" if unit else "") for name, unit in found.units.items()]
     width = max(map(len, names))
-    lines = [scene.title or "Scene", f"  by {found.method}, in {found.wall_time:.2f} s", ""]
-    lines.append(f"  {found.kind:{width}}" + "".join(f"{count:>14d}" for count in found.counts))
+    by = text("convergence.by", method=found.method, seconds=found.wall_time)
+    lines = [scene.title or text("report.scene"), f"  {by}", ""]
+    lines.append(
+        f"  {named('convergence.kind', found.kind):{width}}" + "".join(f"{count:>14d}" for count in found.counts)
+    )
     for name, values in zip(names, found.values.values(), strict=True):
         lines.append(f"  {name:{width}}" + "".join(f"{value:>14.7g}" for value in values))
     return "\n".join([*lines, "", *(f"  {told}" for told in found.table()["told"].values())])

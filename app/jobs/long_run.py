@@ -8,6 +8,7 @@ from typing import Any
 
 from solvers.jit import NotCompiled
 
+from ..text.catalogues import page
 from .compiler import COMPILER
 from .loops import of_loop
 from .runner import COMPILING, settled
@@ -69,7 +70,7 @@ class LongRun:
             await settled(self._refuse(str(refusal)))
         except Exception:
             log.exception("a long run failed: %r", asked)
-            await settled(self._refuse("This could not be worked out. What is shown is as it was before."))
+            await settled(self._refuse(page().text("serving.not-worked-out")))
         finally:
             self._busy, self._job = False, None
             await settled(ended())

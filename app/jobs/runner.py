@@ -9,17 +9,18 @@ from typing import Any
 
 from solvers.jit import NotCompiled, compiled_only
 
+from ..text.catalogues import page
 from .answers import Answers
 from .compiler import COMPILER
 from .loops import of_loop
 from .workers import MAX_SECONDS, QUICK, level_after
 
-COMPILING = "Compiling what this needs, once on this machine: some seconds, up to half a minute …"
+COMPILING = page().text("serving.compiling")
 LONG_AFTER = 1.0  # s after which the visitor is informed that it takes long
-LONGER = "This takes longer than most. It is given up after {:g} s of computing; a newer choice ends it at once."
 MIN_RUN_SECONDS = (
     1.0  # s after which a newer request ends what is under way; sooner, and a drag would never be answered
 )
+
 END_WITHIN = 3.0  # s in which work that is to end with what it has must do so
 CHECK = 0.1  # s between two looks whether what is under way is still wanted
 log = logging.getLogger("strikewave")
@@ -108,7 +109,7 @@ class Runner:
             await settled(self._refuse(str(refusal)))
         except Exception:
             log.exception("a solve failed: %r", self.current)
-            await settled(self._refuse("This could not be solved. The choices before it are still shown."))
+            await settled(self._refuse(page().text("serving.not-solved")))
         else:
             if result is not None:
                 await settled(self._publish(result))
@@ -152,7 +153,7 @@ class Runner:
                     job.answer.cancel()
                 if not informed and compiled and now - asked > LONG_AFTER and not job.answer.done():
                     informed = True
-                    await settled(self._wait(LONGER.format(self._seconds)))
+                    await settled(self._wait(page().text("serving.longer", seconds=self._seconds)))
             if job.answer.cancelled():
                 return None
             result = job.answer.result()

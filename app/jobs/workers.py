@@ -23,6 +23,7 @@ import numba
 
 from solvers.jit import NotCompiled
 
+from ..text.catalogues import page
 from .fair import Shares
 from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task, serve
 
@@ -57,10 +58,7 @@ class GivenUp(ValueError):
     """Work took more computing time than it may; the sentence is for the visitor."""
 
     def __init__(self, seconds: float):
-        super().__init__(
-            f"This was given up after {seconds:g} s of computing, the most that one answer may take here: "
-            "fewer modes or elements, or a mass ratio nearer to 1, take less."
-        )
+        super().__init__(page().text("serving.given-up", seconds=seconds))
 
 
 class Lost(RuntimeError):

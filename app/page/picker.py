@@ -8,6 +8,7 @@ from solvers import Scene
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
+from ..text.catalogues import page
 
 
 def scene_groups() -> list[list[Any]]:
@@ -22,16 +23,17 @@ def _entry(name: str, scene: Scene) -> str:
     """What the picker says of a scene; one of the thesis by its number first."""
     title = scene.title or name
     found = re.fullmatch(r"(figure|table)-(\d+\.\d+)", name)
-    return f"{found[1].capitalize()} {found[2]}: {title}" if found else title
+    return page().text("scenes.entry", kind=found[1], number=found[2], title=title) if found else title
 
 
 def _heading(name: str, scene: Scene) -> str:
     if found := re.fullmatch(r"(figure|table)-(\d+)\..*", name):
-        return f"Thesis, chapter {found[2]}"
+        return page().text("scenes.thesis", chapter=found[2])
     if in_space(scene):
-        return "Bodies in space"
+        return page().text("scenes.space")
     if on_beam(scene):
-        return "Beams"
+        return page().text("scenes.beams")
     if scene.impactor.rods or len(scene.target.rods) > 1:
-        return "Several rods"
-    return {"rod": "One rod", "beam": "Beams"}.get(scene.target.kind, "Compact bodies")
+        return page().text("scenes.several-rods")
+    codes = {"rod": "scenes.one-rod", "beam": "scenes.beams"}
+    return page().text(codes.get(scene.target.kind, "scenes.compact"))

@@ -17,11 +17,12 @@ from ..choices.choices import Choices
 from ..jobs.fair import Shares
 from ..jobs.turns import Rate
 from ..page.address import ASKED, LONGEST_TEXT
+from ..text.catalogues import page
 from .limits import IDLE_SECONDS, MAX_REOPEN_PAUSE, MAX_SESSIONS, REOPEN_PAUSE, SESSIONS_BURST, SESSIONS_RATE
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
 KNOWN = {*Choices.CHOSEN, *ASKED, "panel"}  # keys of an address; others never reach a session
-FULL = "As many visitors as this server takes are here already. Try again in a minute."
+FULL = page().text("serving.full")
 
 
 class Door:
@@ -59,11 +60,11 @@ class Door:
         self._barred = {each: when for each, when in self._barred.items() if now - when < TOKEN_SECONDS}
         session = self._session_in(token)
         if session is None:
-            return "This page is out of date: reload it."
+            return page().text("serving.out-of-date")
         if session in self._barred:
-            return "This page was disconnected: reload it."
+            return page().text("serving.barred")
         if session in self._live:
-            return "This session is open already: reload the page for one of its own."
+            return page().text("serving.open-already")
         if session in sessions:
             return None
         if self.full or not self._new.allows():
@@ -73,7 +74,7 @@ class Door:
     def enter(self, socket: Any) -> None:
         """Count a socket; if there is no room otherwise, who has been idle for longest goes."""
         if len(self._live) >= MAX_SESSIONS and (idlest := self._idlest()) is not None:
-            idlest.turn_out("Others needed the room: this page was idle for long. Reload it to go on.")
+            idlest.turn_out(page().text("serving.idle"))
         self._live[socket.session_id] = socket
 
     def leave(self, socket: Any) -> None:

@@ -15,7 +15,7 @@ from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
-from ..text.catalogues import LANGUAGE, LANGUAGES, script
+from ..text.catalogues import LANGUAGE, LANGUAGES, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES
 from .door import FULL
@@ -57,6 +57,8 @@ def shell(first: bool = True) -> str:
         for (address, _), version in zip(LIBRARIES, versions, strict=True)
     ]
     text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8")
+    for mark, code in (("TITLE", "document.title"), ("ABOUT", "document.about"), ("NO-SCRIPT", "document.no-script")):
+        text = text.replace(mark, escape(page().texts[code]))
     text = text.replace("VERSION", VERSION).replace("LANGUAGE", LANGUAGE)
     text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
     return text.replace("STYLE", (STATIC / "shell/page.css").read_text("utf-8")).replace(

@@ -11,10 +11,12 @@ import tempfile
 from typing import Any
 
 from solvers.jit import NotCompiled, all_compiled
+from solvers.validation import SceneError
 
 from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.workers import Workers, prepare
+from ..text.catalogues import command
 
 CLOSE_SECONDS = 2.0  # for sockets to be closed when the server stops
 log = logging.getLogger("strikewave")
@@ -25,8 +27,9 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     try:
         tempfile.gettempdir()
     except FileNotFoundError:
-        wanted = "a folder that can be written, such as a tmpfs at /tmp"
-        print(f"impact: TMPDIR: got {os.environ.get('TMPDIR')!r}; allowed: {wanted}", file=sys.stderr)
+        wanted = command().text("wanted.folder")
+        refusal = SceneError("TMPDIR", os.environ.get("TMPDIR"), wanted)
+        print(f"impact: {refusal}", file=sys.stderr)
         return 2
     if not all_compiled().exists():
         COMPILER.start()  # while this process loads Panel
@@ -36,12 +39,13 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     except OSError as error:
         COMPILER.stop()
         key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
-        allowed = "an address of this machine" if key == "--address" else f"a free port at {address}"
+        wanted = "wanted.own-address" if key == "--address" else "wanted.free-port"
+        allowed = command().text(wanted, address=address)
         print(f"impact: {key}: got {value}; allowed: {allowed} ({error.strerror})", file=sys.stderr)
         return 2
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
-    print(f"The page is at http://{host}:{port}  (stop with Ctrl-C)", flush=True)
+    print(command().text("run.page-at", address=f"http://{host}:{port}"), flush=True)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()
@@ -131,7 +135,7 @@ def _first_answer() -> None:
     try:
         at_once(solve_frame, first)
     except NotCompiled:
-        print("Compiling for the first page, once, some ten seconds; the rest follows while it serves.", flush=True)
+        print(command().text("run.first-page"), flush=True)
         with contextlib.suppress(TimeoutError):
             COMPILER.ask("solve_frame", first).result(HANG_SECONDS)
         solve_frame(first)

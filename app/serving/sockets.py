@@ -17,6 +17,7 @@ from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..jobs.workers import Workers
 from ..page.lab import lab_of
+from ..text.catalogues import page
 from . import guard
 from .door import FULL
 from .limits import (
@@ -38,7 +39,7 @@ from .limits import (
 
 CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
-TOO_MANY = "Too much came from this page at once: it was disconnected. Reload it to go on."
+TOO_MANY = page().text("serving.too-much")
 CHOSEN = frozenset(Choices.CHOSEN)
 log = logging.getLogger("strikewave")
 
@@ -65,7 +66,7 @@ class Socket(WSHandler):
         self._delivering = False
         self._refused = self._pulls = 0
         self._out = False
-        reason = "Not the page's protocol."
+        reason = page().text("serving.protocol")
         if self.selected_subprotocol == "bokeh":
             reason = self._door.refuses(self._token, self.application_context._sessions)
         if reason is not None:
@@ -99,7 +100,7 @@ class Socket(WSHandler):
             await self._take(fragment)
         except Exception as error:  # nobody above could do anything about it
             log.error("a message could not be taken: %r", error)
-            self.close(LIMIT, "This message could not be read.")
+            self.close(LIMIT, page().text("serving.unreadable"))
 
     async def _take(self, fragment: str | bytes) -> None:
         if self._out:

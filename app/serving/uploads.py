@@ -19,6 +19,7 @@ from ..jobs.compiler import COMPILER
 from ..jobs.loops import of_loop
 from ..jobs.workers import Workers
 from ..page.address import chosen_in
+from ..text.catalogues import page
 from ..views.record import record_answer
 
 MAX_RECEIVED = 32  # records on their way, 2 MB each at most
@@ -45,9 +46,9 @@ class MeasuredRecord(RequestHandler):
         self.request.connection.set_max_body_size(MAX_PASSED_BY)
         origin = urlsplit(self.request.headers.get("Origin", "")).netloc.lower()
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
-            self._refusal = 403, "Records are taken from this page only."
+            self._refusal = 403, page().text("serving.record.own-page")
         elif len(self._receiving) >= MAX_RECEIVED:
-            self._refusal = 429, "Many records are being sent: try again in a moment."
+            self._refusal = 429, page().text("serving.record.many")
         else:
             self._receiving.add(self)
             length = self.request.headers.get("Content-Length", "0")
@@ -69,7 +70,7 @@ class MeasuredRecord(RequestHandler):
     async def post(self):
         self._receiving.discard(self)
         if self._refusal is None and len(self._comparing) >= MAX_COMPARED:
-            self._refusal = 429, "Other records are being compared: try again in a moment."
+            self._refusal = 429, page().text("serving.record.others")
         if self._refusal is not None:
             return self._refuse(*self._refusal)
         self._comparing.add(self)
@@ -81,7 +82,7 @@ class MeasuredRecord(RequestHandler):
             self._refuse(400, str(refusal))
         except Exception:
             log.exception("a record could not be compared")
-            self._refuse(500, "This record could not be compared.")
+            self._refuse(500, page().text("serving.record.failed"))
         finally:
             self._comparing.discard(self)
             self._release()

@@ -30,7 +30,7 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     """
     request = Request.of(chosen)
     if request.kind == "bodies":
-        raise SceneError("scene", chosen["scene"], "one on an axis: an impact in space has no history")
+        raise SceneError("scene", chosen["scene"], page().text("wanted.on-axis"))
     given = {key: arguments.get(key, [b""])[-1].decode("utf-8", "replace")[:40] for key in ("kind", "at", "sign")}
     sign = int(validation.choice("sign", given["sign"] or "1", ("1", "-1")))
     record = read_record(content, kind=given["kind"] or None, sign=sign)
@@ -57,7 +57,7 @@ def _place(text: str, record: Record) -> float | None:
     except ValueError:
         value = text or None
     if value is None:
-        raise SceneError("at", None, f"where the gauge of {record.kind} sits, in metres from the struck end")
+        raise SceneError("at", None, page().text("wanted.gauge", kind=record.kind))
     return validation.number("at", value, 0.0, 1e6, "m")
 
 
@@ -82,7 +82,7 @@ def _recovered(
         return moved.time, moved.values
     target = solution.scene.target
     if not isinstance(target, Rod):
-        raise SceneError("target.kind", target.kind, "'rod', to recover the contact force by one gauge")
+        raise SceneError("target.kind", target.kind, page().text("wanted.rod"))
     waves = from_one_gauge(moved, target, place)  # pyright: ignore[reportArgumentType]
     return waves.time, waves.force
 

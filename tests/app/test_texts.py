@@ -1,5 +1,6 @@
 """Every word of the page is in its catalogue: what the browser asks for is there, and what is there is asked for."""
 
+import ast
 import json
 import re
 import subprocess
@@ -14,9 +15,10 @@ from solvers.text.messages import engineering, terms_in
 
 STATIC = Path(app.__file__).parent / "static"
 SOURCES = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.rglob("*.js")))
-SERVER = "\n".join(path.read_text(encoding="utf-8") for path in sorted(STATIC.parent.rglob("*.py")))
+MODULES = {path: path.read_text(encoding="utf-8") for path in sorted(STATIC.parent.rglob("*.py"))}
+SERVER = "\n".join(source for path, source in MODULES.items() if path.parent.name != "command")
 ASKED = set(re.findall(r"'([a-z][\w-]*(?:\.[\w-]+)+)'", SOURCES)) | {"nothing"}
-ASKED |= set(re.findall(r'page\(\)\.text\("([\w.-]+)"', SERVER))  # by the server, for the page
+ASKED |= set(re.findall(r'"([a-z][\w-]*(?:\.[\w-]+)+)"', SERVER))  # by the server, for the page
 FAMILIES = set(re.findall(r"(?:family|named)\('([\w.-]+)'", SOURCES)) | {"control", "unit", "question"}
 FAMILIES |= set(re.findall(r'page\(\)\.family\("([\w.-]+)"', SERVER))
 BEGINNINGS = set(re.findall(r"`([a-z][\w-]*(?:\.[\w-]+)*\.)\$\{", SOURCES))  # of codes whose end is a value
@@ -102,3 +104,46 @@ def test_browser_and_python_fill_a_text_alike(tmp_path):
 )
 def test_values_get_the_prefix_that_suits_them(value, unit, shown):
     assert engineering(value, unit) == shown
+
+
+COMMANDED = command().texts.keys() - library().texts.keys()
+TALKING = ("command", "page", "views", "choices", "serving", "jobs")  # folders with something to say
+TWO_WORDS = re.compile(r"[A-Za-z]{2,}[,.;:]? \(?[A-Za-z]{2,}")
+FOR_MACHINES = re.compile(
+    r"^(not allowed|too many messages|not compiled|allowed: POST|public, max-age.*|[a-z-]+-src '.*|"
+    r"<.*|application/json.*|.*; charset=.*|.* blob:; .*|preload\" as=\"style|modulepreload)$"
+)
+
+
+def written_in(tree: ast.AST) -> list[str]:
+    """Texts of a module, but for docstrings, documentation of parameters, and what goes into the log."""
+    apart = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            apart.add(node.value)
+        if isinstance(node, ast.keyword) and node.arg == "doc":
+            apart.add(node.value)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            if isinstance(node.func.value, ast.Name) and node.func.value.id == "log":
+                apart |= set(node.args)
+    texts = (node for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str))
+    return [node.value for node in texts if node not in apart]
+
+
+@pytest.mark.parametrize("folder", TALKING)
+def test_no_sentence_stands_in_the_code_of_page_and_command(folder):
+    for path, source in MODULES.items():
+        if path.relative_to(STATIC.parent).parts[0] == folder:
+            for text in written_in(ast.parse(source)):
+                assert not TWO_WORDS.search(text) or FOR_MACHINES.match(text.strip()), f"{path.name}: {text}"
+
+
+def test_every_text_of_the_command_is_asked_for_and_there():
+    sources = "\n".join(source for path, source in MODULES.items() if path.parent.name in ("command", "serving"))
+    asked = set(re.findall(r"\"([a-z][\w-]*(?:\.[\w-]+)+)\"|'([a-z][\w-]*(?:\.[\w-]+)+)'", sources))
+    codes = {one or other for one, other in asked}
+    families = set(re.findall(r"(?:family|named)\([\"']([\w.-]+)[\"']", sources)) | {"residual"}
+    for code in COMMANDED:
+        assert code in codes or code.startswith(tuple(f"{family}." for family in families)), code
+    direct = set(re.findall(r"(?<!\.)\btext\([\"']([\w.-]+)[\"']", sources))
+    assert direct - command().texts.keys() == set()

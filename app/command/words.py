@@ -1,0 +1,20 @@
+"""What the command says, by the codes of `app/text/*/command/`."""
+
+from typing import Any
+
+from ..text.catalogues import command
+
+
+def text(code: str, /, **values: Any) -> str:
+    """A sentence, or a name."""
+    return command().text(code, **values)
+
+
+def named(family: str, key: str) -> str:
+    """What a key of a result is called; the key itself in words where it has no name."""
+    return command().texts.get(f"{family}.{key}", key.replace("_", " "))
+
+
+def family(code: str) -> dict[str, str]:
+    """All names below a code, such as the heads of a table."""
+    return command().family(code)
