@@ -5,7 +5,8 @@ const TITLE = /^\s*\p{Lu}\p{Ll}+(?:\s|$)/u;
 const LETTERS = /\p{L}{2,}/u;
 const SAID = new Set(['textContent', 'title', 'ariaLabel', 'placeholder', 'ariaValueText', 'innerText']);
 const KEYS = ['Enter', 'Escape', 'Home', 'End'];
-const NAMES = new Set(['Strikewave', 'Rows', 'Scale', 'Time', 'None', 'Hz', 'µs', ...KEYS]); // of columns, units, keys
+const PARTS = ['Rows', 'Scale', 'Time', 'Dashed', 'Thin']; // of names in the code
+const NAMES = new Set(['Strikewave', 'None', 'Hz', 'µs', ...PARTS, ...KEYS]);
 const CODE = /sans-serif$|^\s*<|^"/; // fonts, and pieces of markup
 const SELECTING = new Set(['matchMedia', 'querySelector', 'querySelectorAll', 'closest', 'matches']);
 

@@ -40,7 +40,7 @@ class MeasuredRecord(RequestHandler):
         self._body, self._refusal = bytearray(), None
         if self.request.method != "POST":
             self.set_status(405)
-            self.finish({"error": f"method: got {self.request.method!r}; allowed: POST"})
+            self.finish({"error": str(SceneError("method", self.request.method, "POST"))})
             return
         self.request.connection.set_body_timeout(RECEIVE_SECONDS)
         self.request.connection.set_max_body_size(MAX_PASSED_BY)
