@@ -213,8 +213,9 @@ def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> N
         parser.add_argument("--scene", required=True, help=known)
     else:
         parser.add_argument("scene", help=known)
-    change = {"metavar": "KEY=VALUE", "dest": "changes", "help": text("help.set")}
-    parser.add_argument("--set", action="append", default=[], **change)
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", dest="changes", help=text("help.set")
+    )
     parser.add_argument("--json", action="store_true", help=text("help.json"))
 
 
