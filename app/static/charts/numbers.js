@@ -1,5 +1,5 @@
 // The numbers of a chart as a table: for those who listen to the page, and for all who ask for it.
-import { make } from '../shell/dom.js';
+import { headOf, make } from '../shell/dom.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
 
@@ -36,7 +36,7 @@ export class Numbers {
     const [head, ...rows] = chart.options.points ? this.#samples() : this.#values();
     this.table.replaceChildren(
       make('caption', { textContent: `${title.textContent}: ${unit.textContent}` }),
-      make('thead', {}, make('tr', {}, ...head.map((textContent) => make('th', { scope: 'col', textContent })))),
+      headOf(head),
       make(
         'tbody',
         {},

@@ -25,8 +25,13 @@ export function make(tag, properties = {}, ...children) {
  * The head of a table.
  * @param {string[]} texts
  */
-export const headOf = (texts) =>
-  make('thead', {}, make('tr', {}, ...texts.map((textContent) => make('th', { scope: 'col', textContent }))));
+export const headOf = (texts) => make('thead', {}, make('tr', {}, ...texts.map(columnHead)));
+
+/**
+ * The head of a column; none where it has no name, which would be read aloud as one.
+ * @param {string} textContent
+ */
+export const columnHead = (textContent) => (textContent ? make('th', { scope: 'col', textContent }) : make('td'));
 
 /**
  * A row of a table.

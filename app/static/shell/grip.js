@@ -45,5 +45,6 @@ export function gripOf({ label, name, size, resize, rest }) {
     tell();
   };
   root.onfocus = tell;
+  tell();
   return root;
 }

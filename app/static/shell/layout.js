@@ -39,7 +39,9 @@ export class Layout {
     this.charts = make('div', { className: 'charts' }, ...charts);
     this.wide = make('div', { className: 'wide', hidden: true });
     this.left = make('section', { className: 'dock left', ariaLabel: text('layout.left') });
-    this.centre = make('main', { className: 'centre' }, this.pinned);
+    this.centre = make('main', { className: 'centre', tabIndex: -1 }, this.pinned);
+    const skip = make('button', { type: 'button', className: 'skip', textContent: text('layout.skip') });
+    skip.onclick = () => this.centre.focus();
     this.right = make('section', { className: 'dock right', ariaLabel: text('layout.right') }, this.tabs.root);
     this.right.append(...this.tabs.panels);
     this.grips = ['left', 'right', 'sheet'].map((name) => this.#grip(/** @type {any} */ (name)));
@@ -49,7 +51,7 @@ export class Layout {
     };
     bar.prepend(this.folders.left);
     bar.append(this.folders.right);
-    this.root = make('div', { className: 'page' }, bar, this.left, this.centre, this.right, ...this.grips);
+    this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
     this.tabs.select('story');
     const moved = () => this.place();
     for (const query of [PHONE, TABLET, LARGE]) query.addEventListener('change', moved);

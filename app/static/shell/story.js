@@ -1,7 +1,7 @@
 // What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
 import { percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
-import { make } from './dom.js';
+import { columnHead, make } from './dom.js';
 
 /** @import { Energies } from './message.js' */
 
@@ -95,9 +95,7 @@ export function showEnergy(root, energy, names) {
  * @param {string[]} units
  */
 export function contactHead(units) {
-  const titles = ['', ...['from', 'to', 'impulse', 'peak'].map((name) => text(`story.${name}`))].map((textContent) =>
-    make('th', { textContent }),
-  );
+  const titles = ['', ...['from', 'to', 'impulse', 'peak'].map((name) => text(`story.${name}`))].map(columnHead);
   const row = make('tr', { className: 'units' }, ...units.map((textContent) => make('td', { textContent })));
   return make('thead', {}, make('tr', {}, ...titles), row);
 }

@@ -1,0 +1,69 @@
+"""The page for who sees, hears or points differently: axe-core's rules in many states, the keyboard, and schemes."""
+
+from pathlib import Path
+
+import pytest
+
+AXE = Path(__file__).parents[3] / "node_modules/axe-core/axe.min.js"
+FINDINGS = """async () => {
+  const { violations } = await axe.run(document, { resultTypes: ['violations'], rules: { 'target-size': { enabled: true } } });
+  return violations.filter(({ impact }) => ['serious', 'critical'].includes(impact)).flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.flat(9).join(' ')}: ${failureSummary}`));
+}"""  # noqa: E501
+ANALYSES = [
+    "Which model is enough?",
+    "Choose method by error",
+    "Cost vs. accuracy",
+    "Stability",
+    "Energy over time",
+    "Compare with measured data",
+]
+
+
+def findings(page) -> list[str]:
+    page.evaluate(AXE.read_text(encoding="utf-8") + ";0")
+    return page.evaluate(FINDINGS)
+
+
+@pytest.mark.parametrize(
+    "query, how",
+    [
+        ("", {}),
+        ("", {"size": (820, 1180)}),
+        ("", {"size": (390, 844)}),
+        ("", {"color_scheme": "dark"}),
+        ("", {"forced_colors": "active"}),
+        ("?scene=hammer-on-cantilever", {}),
+        ("?scene=hammer-on-cantilever", {"size": (390, 844)}),
+        ("?scene=split-hopkinson", {}),
+        ("?scene=brick-off-centre", {"color_scheme": "dark"}),
+        ("?law=hertz", {}),
+    ],
+    ids=str,
+)
+def test_no_rule_of_access_is_broken(open_page, query, how):
+    assert findings(open_page(query, **how)) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_no_rule_of_access_is_broken_by_what_is_opened(open_page, scheme):
+    page = open_page(color_scheme=scheme)
+    page.turn_to("Numbers")
+    found = {"Numbers": findings(page)}
+    for name in ANALYSES:
+        page.analysis(name)
+        page.quiet()
+        found[name] = findings(page)
+    assert {name: broken for name, broken in found.items() if broken} == {}
+
+
+def test_the_keyboard_goes_to_the_picture_at_once(open_page):
+    page = open_page()
+    page.tab.keyboard.press("Tab")
+    skip = page.tab.get_by_role("button", name="Skip to the picture")
+    assert skip.evaluate("element => element.matches(':focus-visible') && element.getBoundingClientRect().width > 50")
+    page.tab.keyboard.press("Enter")
+    page.tab.keyboard.press("Tab")
+    assert page.evaluate(
+        "() => strikewave.page.layout.centre.contains(strikewave.page.root.getRootNode().activeElement)"
+    )
