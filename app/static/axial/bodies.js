@@ -1,5 +1,6 @@
 // Bodies of the stage that no wave runs through: strikers, walls, masses on springs. Where two press each other in they
 // meet halfway, so that they never lie in one another.
+import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 
@@ -156,7 +157,7 @@ export function wall(c, x, middle, thick) {
  */
 export function onward(c, x, middle, thick) {
   c.fillStyle = COLORS.faint;
-  c.font = '18px system-ui, sans-serif';
+  c.font = letters(18);
   c.textAlign = 'left';
   c.textBaseline = 'middle';
   c.fillText('⋯ ∞', x - 2, middle + thick * 0.02);
@@ -195,7 +196,7 @@ export function push(c, at, middle, thick) {
   c.lineTo(at - 18, middle - 9);
   c.lineTo(at - 18, middle + 9);
   c.fill();
-  c.font = '12px system-ui, sans-serif';
+  c.font = letters(12);
   c.textAlign = 'center';
   c.fillText(text('axial.stage.force'), at - 44, middle - thick * 0.3);
 }

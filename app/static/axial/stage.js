@@ -1,5 +1,5 @@
 // The stage: the bodies themselves, movement exaggerated by a stated factor.
-import { cleared } from '../charts/canvas.js';
+import { cleared, letters } from '../charts/canvas.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
@@ -190,7 +190,7 @@ export class Stage {
   #measure(c, width, height) {
     const { factor, frame } = this;
     c.fillStyle = c.strokeStyle = COLORS.faint;
-    c.font = '12px system-ui, sans-serif';
+    c.font = letters(12);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     if (factor) {
@@ -299,7 +299,7 @@ export class Stage {
     c.moveTo(x + 22 * way, y - 7);
     c.lineTo(x + 16 * way, y - 3);
     c.stroke();
-    c.font = '11px system-ui, sans-serif';
+    c.font = letters(11);
     c.textAlign = outward ? 'right' : 'left';
     c.fillText(text('axial.stage.wave', { rigid: this.frame.chosen.law === 'rigid' }), x - 8 * way, y - 4);
   }
@@ -321,7 +321,7 @@ export class Stage {
       c.fillRect(x + k, y, 1.2, 7);
     }
     c.fillStyle = COLORS.faint;
-    c.font = '11px system-ui, sans-serif';
+    c.font = letters(11);
     c.textAlign = 'left';
     const { what } = this;
     const most = `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}`;

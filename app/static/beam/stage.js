@@ -1,5 +1,5 @@
 // The stage of a struck beam: the beam bending, and under it the engineer's diagrams of shear force and moment.
-import { cleared } from '../charts/canvas.js';
+import { cleared, letters } from '../charts/canvas.js';
 import { between, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
@@ -26,7 +26,7 @@ const ENDS = {
   shear: ['−', '+'],
   deflection: WAYS,
 }; // of the scale of colours
-const SMALL = '11px system-ui, sans-serif';
+const SMALL = letters(11);
 
 export class BeamStage {
   /** @type {BeamFrame} */ frame;
@@ -280,7 +280,7 @@ export class BeamStage {
   words(c, top) {
     const { frame, narrow } = this;
     c.fillStyle = COLORS.faint;
-    c.font = '12px system-ui, sans-serif';
+    c.font = letters(12);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     const factor = (this.scale * frame.beam.length) / this.long;

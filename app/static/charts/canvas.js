@@ -1,4 +1,16 @@
-// Canvases as large as the elements that hold them.
+// Canvases as large as the elements that hold them, and letters on them as large as those around.
+
+const ROOT_PIXELS = 16; // of a letter where nobody wants them larger
+/** How much larger letters are than where nobody wants them larger. */
+export const scale = globalThis.document
+  ? parseFloat(getComputedStyle(document.documentElement).fontSize) / ROOT_PIXELS
+  : 1;
+
+/**
+ * A font for a canvas.
+ * @param {number} pixels  where nobody wants letters larger
+ */
+export const letters = (pixels, weight = '') => `${weight}${pixels * scale}px system-ui, sans-serif`;
 
 /** @type {WeakMap<Element, [number, number] | null>} */
 const sizes = new WeakMap();

@@ -2,20 +2,20 @@
 // moves with time above.
 import { make } from '../shell/dom.js';
 import { signed } from '../text/format.js';
-import { sized, sizeOf, wiped } from './canvas.js';
+import { letters, scale, sized, sizeOf, wiped } from './canvas.js';
 import { ticks, within } from './scale.js';
 import { COLORS } from './styles.js';
 
 /** @typedef {import('./scale.js').Range} Range */
 /** @typedef {import('./legend.js').Key} Key */
 
-export const FONT = '11px system-ui, sans-serif';
-const CHARACTER = 6; // pixels of a digit in it
+export const FONT = letters(11);
+const CHARACTER = 6 * scale; // pixels of a digit in it
 
 export class Plot {
   /** @type {Range} */ x = [0, 1];
   /** @type {Range} */ y = [0, 1];
-  margin = { left: 46, right: 10, top: 6, bottom: 20 };
+  margin = { left: 46 * scale, right: 10, top: 6, bottom: 20 * scale };
   width = 0;
   height = 0;
   ratio = 1;

@@ -1,5 +1,5 @@
 // The map of where cheap models hold, over contact time and mass ratio; the scene is a dot on it.
-import { contextOf } from '../charts/canvas.js';
+import { contextOf, letters } from '../charts/canvas.js';
 import { LogChart } from '../charts/log_chart.js';
 import { within } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
@@ -278,7 +278,7 @@ export class RegimeMap {
       c.fillRect(box.x - STRIP, box.y + (box.h * (79 - k)) / 80, STRIP - 8, box.h / 80 + 0.6);
     }
     c.fillStyle = '#5b6c7d';
-    c.font = '11px system-ui, sans-serif';
+    c.font = letters(11);
     c.textAlign = 'center';
     c.textBaseline = 'top';
     c.fillText(text('map.rigid'), box.x - STRIP / 2 - 8, box.y + box.h + 5);

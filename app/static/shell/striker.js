@@ -1,4 +1,5 @@
 // The striker in the picture can be taken hold of: pulled back it strikes faster, dragged larger it weighs more.
+import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
@@ -172,7 +173,7 @@ export class Striker {
    * @param {CanvasTextAlign} align
    */
   #say(c, words, x, y, align = 'left') {
-    c.font = 'bold 12px system-ui, sans-serif';
+    c.font = letters(12, 'bold ');
     c.textAlign = align;
     c.textBaseline = 'alphabetic';
     c.lineWidth = 3;

@@ -1,6 +1,6 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
-import { cleared } from '../charts/canvas.js';
+import { cleared, letters } from '../charts/canvas.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
@@ -24,7 +24,7 @@ const BOTH = ['target', 'impactor']; // the one that strikes is drawn last
 const INK = { impactor: '#33475b', target: '#2f6fa8' };
 const FILL = { impactor: [93, 108, 123], target: [120, 170, 212] };
 const CIRCLE = Array.from({ length: 49 }, (_, k) => [Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI)]);
-const FONT = '12px system-ui, sans-serif';
+const FONT = letters(12);
 
 export class BodiesStage {
   /** @type {SpaceFrame} */ frame;
@@ -354,7 +354,7 @@ export class BodiesStage {
     /** @type {Point} */
     const side = Math.abs(this.flat(this.frame.normal)[0]) > 0.5 ? [0, -1] : [1, 0];
     c.fillStyle = COLORS.cursor;
-    c.font = 'bold 13px system-ui, sans-serif';
+    c.font = letters(13, 'bold ');
     label(c, `J = ${brief(this.frame.impulse)} N s`, [this.x + 12 * side[0], this.y + 14 * side[1]], side);
   }
   /**

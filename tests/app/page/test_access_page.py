@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from .test_workspace_page import whole
+
 AXE = Path(__file__).parents[3] / "node_modules/axe-core/axe.min.js"
 FINDINGS = """async () => {
   const { violations } = await axe.run(document, { resultTypes: ['violations'], rules: { 'target-size': { enabled: true } } });
@@ -67,3 +69,15 @@ def test_the_keyboard_goes_to_the_picture_at_once(open_page):
     assert page.evaluate(
         "() => strikewave.page.layout.centre.contains(strikewave.page.root.getRootNode().activeElement)"
     )
+
+
+def test_letters_are_as_large_as_the_browser_is_told(open_page):
+    page = open_page()
+    sizes = page.evaluate(
+        """() => {
+          document.documentElement.style.fontSize = '24px';
+          const of = (selector) => parseFloat(getComputedStyle(strikewave.page.root.querySelector(selector)).fontSize);
+          return ['.field label', '.chart h2', '.events li', '.tabs button'].map(of);
+        }"""
+    )
+    assert min(sizes) >= 1.5 * 13 and whole(page)
