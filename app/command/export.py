@@ -129,7 +129,7 @@ def comparison(exact: Solution, rows: list[Row]) -> str:
         lines.append(
             f"  {row.label:38}{100 * row.rebound_error:+10.4f}{row.duration_error:+13.5f}"
             f"{f'{row.true_contacts_found}/{row.true_contacts}':>7}{row.contacts:8d}{row.raw_contacts:6d}"
-            f"{shares[0]:>10}{shares[1]:>10}{row.wall_time * 1e3:9.3f}"
+            f"{shares[0]:>10}{shares[1]:>10}{1e3 * (row.wall_time or 0.0):9.3f}"
         )
     return "\n".join(lines)
 
@@ -206,7 +206,7 @@ def _method_line(solution: Solution) -> str:
 
 def _histories(solution: Solution) -> dict[str, tuple[str, np.ndarray]]:
     """Name: unit and values; at a jump of the force the time stands twice."""
-    motion = solution.motion
+    motion = solution.known_motion
     time, force = motion.force_history()
     kept = time <= solution.duration
     time, force = time[kept], force[kept]

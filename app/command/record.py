@@ -82,7 +82,9 @@ def _recovered(solution: Solution, records: list[Record], places: list[float]) -
         return from_one_gauge(records[0], target, places[0])
     if not isinstance(target, Waveguide) or len(records) == 1:
         raise SceneError("target.kind", target.kind, text("wanted.rod-or-rods"))
-    return from_two_gauges(*records, target.rods[0], *places)  # pyright: ignore[reportCallIssue]
+    first, second = records
+    near, far = places
+    return from_two_gauges(first, second, target.rods[0], near, far)
 
 
 def _answer(

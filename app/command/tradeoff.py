@@ -41,6 +41,15 @@ def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bo
     return code
 
 
+def _reference_lines(found: TradeOff, quantity: str) -> list[str]:
+    if found.reference is None:
+        return []
+    return [
+        f"  {text('tradeoff.reference'):20}{found.reference.words}",
+        f"  {text('tradeoff.uncertain', quantity=quantity)}  {_shown(found.reference.uncertainty[quantity], '.1e')}",
+    ]
+
+
 def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
     """A table of plain text, quickest first; a star at the Pareto-optimal points."""
     best = found.front(quantity)
@@ -50,8 +59,7 @@ def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
     heads = family("tradeoff.head")
     lines = [
         "".join(sign if sign.isprintable() else "?" for sign in scene.title) or text("report.scene"),
-        f"  {text('tradeoff.reference'):20}{found.reference.words}",
-        f"  {text('tradeoff.uncertain', quantity=quantity)}  {_shown(found.reference.uncertainty[quantity], '.1e')}",
+        *_reference_lines(found, quantity),
         f"  {text('tradeoff.machine'):20}{text('tradeoff.on', date=found.date, **where)}",
         *([f"  {text('tradeoff.stopped', why=found.stopped)}"] if found.stopped else []),
         f"  * {text('tradeoff.best', quantity=quantity, what=QUANTITIES[quantity])}",

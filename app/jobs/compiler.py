@@ -64,6 +64,7 @@ class Compiler:
             if line in self._waiting:
                 return self._waiting[line]
             process, future = self._running(), Future()
+            assert process.stdin is not None
             if not self._waiting:
                 self._heard = time.monotonic()
             try:
@@ -103,6 +104,7 @@ class Compiler:
         return self._process
 
     def _listen(self, process: subprocess.Popen) -> None:
+        assert process.stdout is not None
         for line in process.stdout:
             self._heard = time.monotonic()
             self._answer([line.strip()])

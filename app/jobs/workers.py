@@ -247,7 +247,7 @@ class Workers:
         if job is None:  # its work was abandoned
             return
         if kind == PART:
-            if not job.answer.done():
+            if job.report is not None and not job.answer.done():
                 job.report(value)
             return
         self._charge(job)

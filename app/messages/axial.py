@@ -42,8 +42,8 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         if solution is None:
             continue
         arrays |= {
-            f"{name}Mass": solution.motion.impactor_position(even) / length_unit,
-            f"{name}End": solution.motion.end_position(even) / length_unit,
+            f"{name}Mass": solution.known_motion.impactor_position(even) / length_unit,
+            f"{name}End": solution.known_motion.end_position(even) / length_unit,
         }
         if solution is exact or not carried:
             time, force = force_history(solution)
@@ -93,7 +93,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
 
 def _carried_by_the_browser(solution: Solution) -> ModalMotion | None:
     """The motion, if the browser rebuilds its fields from the modes of one rod and the forces on them."""
-    scene, motion = solution.scene, solution.motion
+    scene, motion = solution.scene, solution.known_motion
     if not isinstance(motion, ModalMotion) or scene.impactor.rods or not isinstance(scene.target, Rod):
         return None
     return motion if solution.method["frame"] == "mean-axis" and solution.method["residual"] else None
@@ -177,10 +177,10 @@ def _doubled(time: np.ndarray, before: np.ndarray, after: np.ndarray, least: flo
     return np.concatenate([time[jump], time])[order], np.concatenate([before[jump], after])[order]
 
 
-def _balances(other: Solution | Any, trip: float, force_unit: float) -> dict[str, np.ndarray]:
+def _balances(other: Solution | None, trip: float, force_unit: float) -> dict[str, np.ndarray]:
     """Impulses over the step, of balances that stand at the ends of steps: the circles of thesis figure 6.5."""
     step = None if other is None else other.method.get("step")
-    if step is None or not isinstance(other.motion, Balances):
+    if other is None or step is None or not isinstance(other.motion, Balances):
         return {}
     time, impulse = (values[:FORCE_POINTS] for values in other.motion.impulses)
     return {"balanceTime": time / trip, "balanceForce": impulse / step / force_unit}
@@ -188,7 +188,7 @@ def _balances(other: Solution | Any, trip: float, force_unit: float) -> dict[str
 
 def _sampled_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, np.ndarray]:
     """Fields at (instant, place) for methods whose fields the browser cannot rebuild."""
-    scene, motion = solution.scene, solution.motion
+    scene, motion = solution.scene, solution.known_motion
     start = -scene.impactor.length if scene.impactor.rods else 0.0
     if scene.target.length == start:
         return {}
@@ -213,7 +213,7 @@ def _figures(solution: Solution) -> dict[str, Any]:
         "left": []
         if solution.impactor_velocity is None
         else [
-            float(solution.motion.impactor_velocity(np.array([min(contact.end, solution.duration)]))[0]) / speed
+            float(solution.known_motion.impactor_velocity(np.array([min(contact.end, solution.duration)]))[0]) / speed
             for contact in solution.contacts
         ],
         "final": None if solution.impactor_velocity is None else solution.impactor_velocity / speed,
@@ -240,7 +240,7 @@ def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:
     shortly_before = contact.end - 0.02 * solution.scene.time_unit
     if shortly_before <= contact.start:
         return False
-    return bool(solution.motion.force(np.array([shortly_before]))[0] > 0.1 * contact.peak_force)
+    return bool(solution.known_motion.force(np.array([shortly_before]))[0] > 0.1 * contact.peak_force)
 
 
 def rigid_prediction(scene: Scene, restitution: float) -> dict[str, float]:

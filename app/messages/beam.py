@@ -62,7 +62,7 @@ def beam_frame(request: Request) -> bytes:
     header, arrays = _fields(main)
     time = instants(main.duration, MOTION_POINTS)
     arrays |= {"time": MS * time} | _paths(main, time, "")
-    arrays |= {"impactorRate": main.motion.impactor_velocity(time), "struckRate": struck_velocity(main, time)}
+    arrays |= {"impactorRate": main.known_motion.impactor_velocity(time), "struckRate": struck_velocity(main, time)}
     arrays |= _contacts(main) | _rates(main)
     if reference is not None:
         arrays |= _paths(reference, time, "reference")
@@ -145,14 +145,14 @@ def _figures(solution: Solution) -> dict[str, Any]:
 
 def _paths(solution: Solution, time: np.ndarray, name: str) -> dict[str, np.ndarray]:
     """Displacement of the impactor and of the struck place [m]."""
-    motion = solution.motion
+    motion = solution.known_motion
     found = {"impactorPath": motion.impactor_position(time), "struckPath": motion.end_position(time)}
     return {name + key[0].upper() + key[1:] if name else key: values for key, values in found.items()}
 
 
 def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
     """Of the struck place [m/s]; a modal motion gives it over one of its steps, which costs no sum over its modes."""
-    motion = solution.motion
+    motion = solution.known_motion
     if not isinstance(motion, ModalMotion) or motion.pair.split:
         return motion.end_velocity(time)
     before = np.clip(np.floor(time / motion.step) * motion.step, 0.0, motion.duration - motion.step)
@@ -188,20 +188,20 @@ def _contacts(solution: Solution) -> dict[str, np.ndarray]:
 def _rates(solution: Solution) -> dict[str, np.ndarray]:
     """Velocity of the impactor and of the struck place as each contact begins and ends [m/s]."""
     edges = [[c.start, min(c.end, solution.duration)] for c in solution.contacts[:LISTED_RATES]]
-    time, motion = np.array(edges).ravel(), solution.motion
+    time, motion = np.array(edges).ravel(), solution.known_motion
     both = np.stack([motion.impactor_velocity(time), struck_velocity(solution, time)], axis=1)
     return {"rates": both.reshape(-1, 2, 2)}
 
 
 def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    motion, beam = solution.motion, solution.scene.target
+    motion, beam = solution.known_motion, solution.scene.target
     if isinstance(motion, ModalMotion):
         return _modal_fields(motion)
     assert isinstance(motion, Bends)
     time, x = instants(solution.duration, INSTANTS), np.linspace(0.0, beam.length, SAMPLED_PLACES)
     fields = {
-        "Deflection": solution.motion.displacement,
-        "Velocity": solution.motion.velocity,
+        "Deflection": solution.known_motion.displacement,
+        "Velocity": solution.known_motion.velocity,
         "Moment": motion.moment,
         "Shear": motion.shear,
     }
@@ -223,6 +223,8 @@ def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.nda
     }
     drawn = modes.lowest(count)
     for name, table in (("shape", drawn.shapes), ("moment", drawn.moments), ("shear", drawn.shears)):
+        if table is None:  # modes of a beam have all three
+            continue
         rows = table(x)
         scale = np.maximum(np.abs(rows).max(axis=1, initial=0.0), 1e-300)
         arrays |= {f"{name}Rows": whole_numbers(rows / scale[:, None]), f"{name}Scale": scale}
@@ -253,7 +255,7 @@ def _static(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
     """Struck place by the quasi-static estimate [m], and the shape of the beam bent at rest there."""
     estimate = METHODS["quasi-static"].read({}).solve(scene, main.duration)
     time = np.linspace(0.0, main.duration, 200)
-    found = {"staticTime": MS * time, "staticPath": estimate.motion.end_position(time)}
+    found = {"staticTime": MS * time, "staticPath": estimate.known_motion.end_position(time)}
     if scene.target.fixed:
         modes = scene.target.modes(MODES_BESIDE[0])
         weights = modes.at_contact / modes.frequencies**2
@@ -270,7 +272,7 @@ def _half_space(scene: Scene) -> dict[str, np.ndarray]:
     except SceneError:
         return {}
     time = np.linspace(0.0, min(beside.duration, 1.05 * beside.contacts[-1].end), HALF_SPACE_POINTS)
-    return {"halfTime": MS * time, "halfForce": beside.motion.force(time)}
+    return {"halfTime": MS * time, "halfForce": beside.known_motion.force(time)}
 
 
 def _speeds(scene: Scene, main: Solution) -> dict[str, np.ndarray]:

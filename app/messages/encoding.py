@@ -42,7 +42,7 @@ def unshown(scene: Scene) -> list[str]:
 
 def force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
     """Times [s] and contact forces [N], thinned so that every stretch keeps its highest and lowest."""
-    time, force = solution.motion.force_history()
+    time, force = solution.known_motion.force_history()
     inside = time <= solution.duration
     time, force = time[inside], force[inside]
     if time.size <= FORCE_POINTS:
@@ -63,8 +63,8 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, np.ndarray
     time = np.linspace(0.0, min(exact.duration, 1.02 * exact.contacts[-1].end), samples)
     if isinstance(exact.motion, ModalMotion):  # its force is constant over each step: given in the middle
         time = (np.floor(time / exact.motion.step) + 0.5) * exact.motion.step
-    depth = exact.motion.impactor_position(time) - exact.motion.end_position(time)
-    force = exact.motion.force(time)
+    depth = exact.known_motion.impactor_position(time) - exact.known_motion.end_position(time)
+    force = exact.known_motion.force(time)
     force[depth <= law.dent(0.0)] = 0.0
     down = np.linspace(0.0, deepest, CYCLE_POINTS)
     return {

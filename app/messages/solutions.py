@@ -32,7 +32,7 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
     own = own_options(scene, name)
     if name == "modal":
         options = own | {"modes": request.modes}
-        if isinstance(scene.target, Rod) and "steps" not in own:
+        if exact is not None and isinstance(scene.target, Rod) and "steps" not in own:
             period = scene.target.modes(request.modes).shortest_period
             touching = exact.contacts[-1].end
             steps = max(STEPS_PER_PERIOD * exact.duration / period, 500 * exact.duration / touching, 1_000)

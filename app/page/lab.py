@@ -110,6 +110,10 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         document, turnstile = pn.state.curdoc, of_loop(Turnstile)
         await turnstile.enter(self.visitor)
 
+        if document is None or document.session_context is None:
+            act(*arguments)
+            return
+
         async def acting(_: Any) -> None:
             with turnstile.pay(self.visitor):
                 document.hold("collect")
@@ -118,10 +122,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
                 finally:
                     document.unhold()
 
-        if document is None or document.session_context is None:
-            act(*arguments)
-        else:
-            await document.session_context.with_locked_document(acting)
+        await document.session_context.with_locked_document(acting)
 
     def _begin(self) -> None:
         """The first answer goes out with the page if it is known; else it is asked for when the page is there.

@@ -16,7 +16,7 @@ from ..choices.choices import Choices
 from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..jobs.workers import Workers
-from ..page.lab import lab_of
+from ..page.lab import Lab, lab_of
 from ..text.catalogues import page
 from . import guard
 from .door import FULL
@@ -69,16 +69,22 @@ class Socket(WSHandler):
         reason = page().text("serving.protocol")
         if self.selected_subprotocol == "bokeh":
             reason = self._door.refuses(self._token, self.application_context._sessions)
-        if reason is not None:
-            self.close(LIMIT, reason)
+        if reason is not None or self._token is None:
+            self.close(LIMIT, reason or page().text("serving.protocol"))
             return
-        self.session_id = get_session_id(self._token)  # pyright: ignore[reportArgumentType]
+        self.session_id = get_session_id(self._token)
         self._door.enter(self)
         super().open(*arguments, **options)
 
     @property
     def _door(self) -> Any:
         return self.application.settings["door"]
+
+    @property
+    def _lab(self) -> Lab | None:
+        """Of this visitor; None once the page has gone."""
+        connection = self.connection
+        return None if self._gone or connection is None else lab_of(connection.session.document)
 
     async def _async_open(self, token: str) -> None:
         turnstile, address = of_loop(Turnstile), self.request.remote_ip
@@ -91,7 +97,7 @@ class Socket(WSHandler):
         if self._out or self.ws_connection is None:
             return
         await turnstile.paid(self.session_id, super()._async_open(token))
-        if not self._gone and (lab := lab_of(self.connection.session.document)) is not None:  # who left meanwhile
+        if (lab := self._lab) is not None:  # who left meanwhile has none
             lab.come_back()
 
     async def on_message(self, fragment: str | bytes) -> None:
@@ -154,13 +160,15 @@ class Socket(WSHandler):
     @property
     def _own(self) -> str:
         """The model that holds this visitor's choices."""
-        lab = lab_of(self.connection.session.document)
+        lab = self._lab
         return lab.choices_model if lab is not None else ""
 
     async def _refuse(self, message: Message, reason: str) -> None:
         self._refused += 1
         if self._refused > MAX_REFUSED:
             self.turn_out(TOO_MANY)
+            return
+        if self.connection is None:
             return
         reply = self.connection.error(message, reason)
         reply.content["traceback"] = None  # stack traces stay here
@@ -187,11 +195,12 @@ class Socket(WSHandler):
         else:
             await self._refuse(message, "too many messages")
         for earlier in dropped:
-            await self._answer(self.connection.ok(earlier))
+            if self.connection is not None:
+                await self._answer(self.connection.ok(earlier))
 
     def _see_haste(self, events: list[dict[str, Any]]) -> None:
         """A page sets a choice again when it has its answer; who does not wait for it is read slowly for a while."""
-        now, lab = time.monotonic(), lab_of(self.connection.session.document)
+        now, lab = time.monotonic(), self._lab
         for name in CHOSEN.intersection(event.get("attr") for event in events):
             if max(now - ANSWER_SECONDS, lab.answered if lab is not None else now) < self._asked.get(name, 0.0):
                 if now > self._hasty_until and not self._haste.allows():
@@ -243,11 +252,9 @@ class Socket(WSHandler):
 
     async def _tell_and_close(self, sentence: str) -> None:
         try:
-            if not self._gone:
-                session = self.connection.session
-                if (lab := lab_of(session.document)) is not None:
-                    delivery: Any = session.with_document_locked(setattr, lab, "disconnected", sentence)
-                    await asyncio.wait_for(delivery, 1.0)  # who does not read is not waited for
+            if (connection := self.connection) is not None and (lab := self._lab) is not None:
+                delivery: Any = connection.session.with_document_locked(setattr, lab, "disconnected", sentence)
+                await asyncio.wait_for(delivery, 1.0)  # who does not read is not waited for
         except (TimeoutError, WebSocketClosedError):
             pass
         finally:
@@ -266,7 +273,7 @@ class Socket(WSHandler):
         self._mail.clear()
         if self._gone:
             return
-        if not self._gone and (lab := lab_of(self.connection.session.document)) is not None:  # who left meanwhile
+        if (lab := self._lab) is not None:
             lab.leave()
         super().on_close()
 

@@ -47,14 +47,16 @@ def stage_of(exact: Solution) -> str:
     rod = exact.scene.target
     now = np.array([INSTANT * exact.scene.time_unit])
     places = np.linspace(0.0, rod.length, SLICES + 1)
-    stress = exact.motion.stress(now, places)[0]
-    whole = exact.motion.stress(np.linspace(0.0, exact.duration, 80), places)
-    moved = exact.motion.displacement(now, places)[0]
+    stress = exact.known_motion.stress(now, places)[0]
+    whole = exact.known_motion.stress(np.linspace(0.0, exact.duration, 80), places)
+    moved = exact.known_motion.displacement(now, places)[0]
     times = np.linspace(0.0, exact.duration, 200)
-    farthest = max(np.abs(exact.motion.impactor_position(times)).max(), np.abs(exact.motion.end_position(times)).max())
+    farthest = max(
+        np.abs(exact.known_motion.impactor_position(times)).max(), np.abs(exact.known_motion.end_position(times)).max()
+    )
     scale = REACH * (RIGHT - LEFT) / farthest  # units of the picture in a metre of movement
     x = LEFT + (RIGHT - LEFT) * places / rod.length + scale * moved
-    face = LEFT + scale * exact.motion.impactor_position(now)[0]
+    face = LEFT + scale * exact.known_motion.impactor_position(now)[0]
     drawn = [
         _box(
             x[k], MIDDLE - TALL / 2, x[k + 1] - x[k] + 0.7, TALL, colour(stress[k : k + 2].mean(), np.abs(whole).max())
@@ -73,7 +75,7 @@ def stage_of(exact: Solution) -> str:
 
 def force_of(exact: Solution) -> str:
     """The contact force over time, as a picture."""
-    times, force = exact.motion.force_history()
+    times, force = exact.known_motion.force_history()
     inside = times <= exact.duration
     x, y = times[inside] / exact.duration, force[inside] / max(force.max(), 1e-300)
     points = " ".join(f"{46 + 724 * a:.1f},{150 - 130 * b:.1f}" for a, b in zip(x, y, strict=True))

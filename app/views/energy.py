@@ -51,7 +51,7 @@ def energy_shares(chosen: dict[str, Any]) -> dict[str, Any]:
     else:
         solution, unit = exact_solution(request.scene, request.restitution), request.scene.time_unit
     time = beam_instants(solution) if beam else np.linspace(0.0, solution.duration, INSTANTS)
-    energies = solution.motion.energies(time)
+    energies = solution.known_motion.energies(time)
     if beam and isinstance(solution.motion, SplitsTarget):
         parts = solution.motion.target_energies(time)
         energies = {key: energies[key] for key in energies if key not in ("target_rigid", "target_vibration")}

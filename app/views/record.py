@@ -83,7 +83,7 @@ def _recovered(
     target = solution.scene.target
     if not isinstance(target, Rod):
         raise SceneError("target.kind", target.kind, page().text("wanted.rod"))
-    waves = from_one_gauge(moved, target, place)  # pyright: ignore[reportArgumentType]
+    waves = from_one_gauge(moved, target, 0.0 if place is None else place)
     return waves.time, waves.force
 
 
@@ -104,7 +104,7 @@ def _packed(
     }
     if recovered is not None:
         histories["recovered"] = recovered
-    shown = {name: _shown(*history, trip, ends) for name, history in histories.items()}  # pyright: ignore[reportCallIssue]
+    shown = {name: _shown(times, values, trip, ends) for name, (times, values) in histories.items()}
     answer = {
         "kind": record.kind,
         "time": shown["record"][0],

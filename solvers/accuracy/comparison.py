@@ -104,7 +104,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
         true_contacts_found=sum(seen),
         second_contact_found=seen[1] if len(seen) > 1 else None,
         raw_contacts=found.diagnostics.get("raw_contacts", counted),
-        force_error=None if instant else force_error(exact, until, _until_the_end(found, found.motion.force)),
+        force_error=None if instant else force_error(exact, until, _until_the_end(found, found.known_motion.force)),
         resolved_force_error=None if resolved is None else force_error(exact, until, _until_the_end(found, resolved)),
         wall_time=_wall_time(lambda: method.solve(scene), repeats),
     )
@@ -124,7 +124,7 @@ def overlapping(true: Sequence[ContactPeriod], found: Sequence[ContactPeriod]) -
 def force_error(exact: Solution, until: float, force: Callable[[np.ndarray], np.ndarray]) -> float:
     """Relative L2 error of a force history up to a time [s]."""
     time = (np.arange(FORCE_SAMPLES) + 0.5) * until / FORCE_SAMPLES
-    true = _until_the_end(exact, exact.motion.force)(time)
+    true = _until_the_end(exact, exact.known_motion.force)(time)
     return float(np.linalg.norm(force(time) - true) / np.linalg.norm(true))
 
 

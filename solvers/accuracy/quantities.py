@@ -103,7 +103,7 @@ class Reference:
         if force is None or true.force is None:
             return None
         width, true_width = found.times[0], true.times[0]  # half of a cell each
-        own = self.solution.motion.force(np.minimum(found.times, self.solution.duration))
+        own = self.solution.known_motion.force(np.minimum(found.times, self.solution.duration))
         within = np.where(found.times < true.contacts[-1].end, own, 0.0)
         missed = true.force[true.times > found.times[-1] + width]
         whole = true_width * float(np.sum(true.force**2))

@@ -77,7 +77,7 @@ def _rebound_error(found: Outcome) -> float | None:
 def _why(found: Outcome) -> Note:
     """What was chosen, and how well it does what was asked."""
     chosen, goal, proof = found.chosen, found.goal, found.proof
-    compared, outcome = proof is not None and proof is not chosen, _outcome(found)
+    other, outcome = None if proof is chosen else proof, _outcome(found)
     return Note(
         CHOSEN,
         Severity.WARNING if found.met is False else Severity.REMARK,
@@ -86,8 +86,8 @@ def _why(found: Outcome) -> Note:
         known=chosen.error is not None,
         error=chosen.error,
         quantity=goal.quantity,
-        compared=compared,
-        proof=proof.label if compared else None,
+        compared=other is not None,
+        proof=None if other is None else other.label,
         outcome=outcome,
         solved=len(found.trials),
         tolerance=goal.tolerance,
@@ -106,7 +106,9 @@ def _outcome(found: Outcome) -> str:
     if found.met:
         return "met"
     if found.met is None:
-        return "stopped" if found.cancelled else "within" if goal.budget >= found.spent else "over"
+        return (
+            "stopped" if found.cancelled else "within" if goal.budget is None or goal.budget >= found.spent else "over"
+        )
     return "unproved" if error is not None and error <= goal.tolerance else "missed"
 
 

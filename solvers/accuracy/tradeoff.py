@@ -277,8 +277,9 @@ class Survey:
     def _finest_of_another(self) -> list[_Solved]:
         """The two finest of the ladder of another method that comes nearest."""
         found: dict[int, list[_Solved]] = {}
+        main = None if self._main is None else self._main.levels[0].NAME
         for solved in self._solved:
-            if solved.ladder.converges and solved.ladder.levels[0].NAME != self._main.levels[0].NAME:
+            if solved.ladder.converges and main != solved.ladder.levels[0].NAME:
                 found.setdefault(id(solved.ladder), []).append(solved)
         pairs = [own[-2:] for own in found.values() if len(own) > 1]
         return min(pairs, key=lambda pair: abs(self._reference.errors(pair[-1].metrics)["rebound"] or 0.0), default=[])

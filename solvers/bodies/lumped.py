@@ -46,12 +46,9 @@ class RigidMass(Lumped):
         material = read_material(f"{key}.material", given.get("material", "steel"))
         radius = read_radius(f"{key}.radius", given.get("radius"))
         if kind == "sphere" and radius is None:
-            raise SceneError(
-                f"{key}.radius",
-                None,
-                validation.allowed("sphere-radius", what=validation.a_number(*LENGTH_RANGE, "m").table()),
-            )
-        if kind == "sphere" and "mass" not in given:
+            reason = validation.allowed("sphere-radius", what=validation.a_number(*LENGTH_RANGE, "m").table())
+            raise SceneError(f"{key}.radius", None, reason)
+        if radius is not None and kind == "sphere" and "mass" not in given:
             mass = 4.0 / 3.0 * math.pi * radius**3 * material.density
         else:
             mass = validation.required_number(key, given, "mass", *MASS_RANGE, "kg")

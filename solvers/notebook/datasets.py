@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from .figures import PARTS, Figure, fields_of, histories_of, moving, origin, reach
+from .figures import PARTS, Figure, fields_of, histories_of, origin, reach
 
 try:
     import xarray
@@ -27,7 +27,7 @@ INSTANTS, PLACES = 401, 201  # enough to draw, and some 600 kB a field
 
 def dataset(solution: Any, time: Any = None, x: Any = None) -> xarray.Dataset:
     """See `Solution.dataset`."""
-    motion, scene = moving(solution), solution.scene
+    motion, scene = solution.known_motion, solution.scene
     first, last = reach(solution)
     time = np.linspace(0.0, solution.duration, INSTANTS) if time is None else np.asarray(time, float)
     if x is None:

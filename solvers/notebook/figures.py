@@ -5,8 +5,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..validation import SceneError, allowed
-
 PARTS = {
     "impactor": "kinetic and elastic energy of the impactor",
     "target_rigid": "energy of the target moving as a whole",
@@ -68,10 +66,3 @@ def reach(solution: Any) -> tuple[float, float]:
 def origin(scene: Any) -> str:
     """From where places are measured."""
     return "the first support" if scene.target.bends else "the struck end"
-
-
-def moving(solution: Any) -> Any:
-    """The motion of a solution. Raises SceneError if it has none."""
-    if solution.motion is None:
-        raise SceneError("solution", solution.method["name"], allowed("with-history"))
-    return solution.motion

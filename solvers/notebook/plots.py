@@ -12,7 +12,7 @@ import holoviews as hv
 import numpy as np
 
 from ..validation import SceneError, allowed, choice
-from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, moving, origin, reach
+from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, origin, reach
 
 INSTANTS, PLACES = 801, 401
 LONGEST_HISTORY = 20_000  # instants; a longer one is drawn at INSTANTS
@@ -23,7 +23,7 @@ TIME = hv.Dimension("time", label="time", unit="s")
 def plot(solution: Any, what: str) -> Any:
     """See `Solution.plot`."""
     drawn = DRAWN[choice("what", what, DRAWN)]
-    motion = moving(solution)
+    motion = solution.known_motion
     if not hv.Store.renderers:  # the user has chosen none
         hv.extension("bokeh")
     title = solution.scene.title or "Scene"

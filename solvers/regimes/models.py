@@ -141,7 +141,7 @@ def _peak_stress(solution: Solution) -> float:
     """Anywhere in the target, of either sign [Pa]; NaN in a target that moves as a whole."""
     places = np.linspace(0.0, solution.scene.target.length, PLACES)
     times = np.linspace(0.0, min(solution.duration, solution.contacts[-1].end + solution.scene.time_unit), INSTANTS)
-    largest = float(np.abs(solution.motion.stress(times, places)).max())
+    largest = float(np.abs(solution.known_motion.stress(times, places)).max())
     return largest if largest > 0.0 else math.nan
 
 

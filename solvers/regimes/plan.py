@@ -205,9 +205,9 @@ def _groups(scene: Scene) -> dict[str, float]:
 
 def scene_rotation(scene: Scene) -> float:
     """Share of the closing speed that an impact takes away by turning the bodies: 0 if central, 1 if spin alone."""
-    bodies = [in_space(body) for body in (scene.impactor, scene.target)]
-    struck = strike(*bodies, np.array(scene.normal), 1.0)  # pyright: ignore[reportCallIssue]
-    return float(1.0 - struck.effective_mass * sum(1.0 / float(body.mass) for body in bodies))
+    impactor, target = in_space(scene.impactor), in_space(scene.target)
+    struck = strike(impactor, target, np.array(scene.normal), 1.0)
+    return float(1.0 - struck.effective_mass * (1.0 / float(impactor.mass) + 1.0 / float(target.mass)))
 
 
 def _impact_parameter(scene: Scene) -> float:
@@ -279,7 +279,7 @@ def _beam_candidates(scene: Scene, family: str, number: int, groups: dict, toler
     yielding = _elastic_error(scene, number, groups)
     for name, missed in (("euler-bernoulli", theory), ("timoshenko", 0.0)):
         for elastic in (True, False) if yielding is not None else (False,):
-            more = missed + (yielding if elastic else 0.0)  # pyright: ignore[reportOperatorIssue]
+            more = missed + (yielding or 0.0) * elastic
             count, error = _modes_needed(family, number, groups, max(tolerance - more, 0.0), scene.contact.NAME)
             changes = {"target.theory": name, "method": {"name": "modal", "modes": count}}
             contact = None if yielding is None else "elastic" if elastic else "elastoplastic"

@@ -57,13 +57,19 @@ class ShapeField:
         """Compression positive [Pa]."""
         return -self._young * (self._at(time, self._coordinates) @ self._slopes(np.asarray(x, float)))
 
+    @staticmethod
+    def _of_beam(table: Callable[[np.ndarray], np.ndarray] | None, x: np.ndarray) -> np.ndarray:
+        if table is None:
+            raise TypeError("only beams have moments and shear forces")
+        return table(np.asarray(x, float))
+
     def moment(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
         """E I y'' [N m]."""
-        return self._at(time, self._coordinates) @ self._moments(np.asarray(x, float))
+        return self._at(time, self._coordinates) @ self._of_beam(self._moments, x)
 
     def shear(self, time: np.ndarray, x: np.ndarray) -> np.ndarray:
         """Slope of the moment [N]."""
-        return self._at(time, self._coordinates) @ self._shears(np.asarray(x, float))
+        return self._at(time, self._coordinates) @ self._of_beam(self._shears, x)
 
 
 def given_up(law: Any, stored: np.ndarray, instants: np.ndarray, force: np.ndarray) -> np.ndarray:
@@ -189,6 +195,12 @@ class SampledMotion:
         if self._field is None:
             return np.zeros((np.size(time), np.size(x)))
         return self._field.stress(time, x)
+
+    @staticmethod
+    def _of_beam(table: Callable[[np.ndarray], np.ndarray] | None, x: np.ndarray) -> np.ndarray:
+        if table is None:
+            raise TypeError("only beams have moments and shear forces")
+        return table(np.asarray(x, float))
 
     def moment(self, time, x):
         """Of beams: bending moment [N m]."""

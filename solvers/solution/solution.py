@@ -10,6 +10,7 @@ import numpy as np
 from ..bodies import AnyBody
 from ..scene import Scene
 from ..text.notes import Note, coded
+from ..validation import SceneError, allowed
 from .motion import Motion, Pushes
 from .restitution import restitution
 
@@ -98,6 +99,13 @@ class Solution:
     impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
     target_spin: tuple[float, float, float] | None = None
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
+
+    @property
+    def known_motion(self) -> Motion:
+        """The motion. Raises SceneError for bodies in space, which have no history."""
+        if self.motion is None:
+            raise SceneError("solution", self.method["name"], allowed("with-history"))
+        return self.motion
 
     def refine(self, name: str, change: Callable[["Solution", Any], Any]) -> None:
         """Have a figure that may come later changed, given the solution and the figure, when it is first read."""

@@ -87,7 +87,7 @@ def _same_impact_stiffer(law: Any, factor: float) -> Any:
     return law.scaled(scale, 1.0, 1.0 / scale)
 
 
-def damped(law: Any) -> type | None:
+def damped(law: Any) -> type[Any] | None:
     """The law with damping that has the same elastic part."""
     if law.LOSSY:
         return type(law)
@@ -100,8 +100,9 @@ def _with_restitution(scene: Scene, pair: Pair, restitution: float) -> Scene:
     table = {"stiffness": unit if scene.rigid_contact else law.stiffness}
     if isinstance(law, OfPower):
         table["exponent"] = law.exponent
-    read = damped(law).read
-    return replace(scene, contact=read(table | {"restitution": restitution}, scene.impactor, scene.target))
+    kind = damped(law)
+    assert kind is not None  # `check_axes` refuses others
+    return replace(scene, contact=kind.read(table | {"restitution": restitution}, scene.impactor, scene.target))
 
 
 def problem_of(scene: Scene, values: Mapping[str, float], modes: int) -> Problem:

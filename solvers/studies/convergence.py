@@ -157,7 +157,7 @@ def _figures(solution: Solution) -> dict[str, float]:
         "last_parting": solution.contacts[-1].end,
         "energy_lost": solution.energy["dissipated"],
     }
-    target, motion = solution.scene.target, solution.motion
+    target, motion = solution.scene.target, solution.known_motion
     instants = np.linspace(0.0, solution.duration, INSTANTS + 1)
     given["peak_deflection"] = float(motion.end_position(instants).max())
     if target.bends or isinstance(target, Rod):

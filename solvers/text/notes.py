@@ -36,7 +36,8 @@ class Note:
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a note does not change")
 
-    __delattr__ = __setattr__  # pyright: ignore[reportAssignmentType]
+    def __delattr__(self, name: str) -> None:
+        raise AttributeError("a note does not change")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Note.from_table, (self.table(),)

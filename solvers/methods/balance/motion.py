@@ -63,17 +63,24 @@ class Pair:
 
         The last two rows are how far each body has come untouched, by which a motion as a whole that turns is found.
         """
-        drifts = two_sided(*((lambda x, own=own: 1.0 - own.rigid_shape(x)[None, :]) for own in self.modes), 1.0)  # pyright: ignore[reportCallIssue]
+        first, second = self.modes
+        drifts = two_sided(_drift(first), _drift(second), 1.0)
 
         def with_drift(own, moved):
             return lambda x: np.vstack((own(x), drifts(x) if moved else np.zeros((2, np.size(x)))))
 
-        stresses = (_stresses(body, own) for body, own in zip(self.bodies, self.modes, strict=True))
-        found = {"shapes": with_drift(two_sided(*(own.with_rigid() for own in self.modes), 1.0), True)}  # pyright: ignore[reportCallIssue]
-        found["slopes"] = with_drift(two_sided(*stresses, -1.0), False)  # pyright: ignore[reportCallIssue]
+        impactor, target = self.bodies
+        stresses = two_sided(_stresses(impactor, first), _stresses(target, second), -1.0)
+        found = {"shapes": with_drift(two_sided(first.with_rigid(), second.with_rigid(), 1.0), True)}
+        found["slopes"] = with_drift(stresses, False)
         for name in ("moments", "shears"):
-            found[name] = with_drift(two_sided(*(own.with_rigid(name) for own in self.modes), 1.0), False)  # pyright: ignore[reportCallIssue]
+            found[name] = with_drift(two_sided(first.with_rigid(name), second.with_rigid(name), 1.0), False)
         return found
+
+
+def _drift(modes: Modes) -> Callable[[np.ndarray], np.ndarray]:
+    """What of a motion as a whole is none of the body's own turning, (1, x)."""
+    return lambda x: 1.0 - modes.rigid_shape(x)[None, :]
 
 
 def _stresses(body: Any, modes: Modes) -> Callable[[np.ndarray], np.ndarray]:

@@ -126,9 +126,12 @@ class FiniteElements(Method):
 
         Against two of them, as one coarse answer may agree with the fine one by chance.
         """
-        others = [self._coarser(scene, parts)._course(scene, course.duration).impulse[-1] for parts in (2, 3)]
         rigid, scale = scene.rigid_contact, scene.impactor.mass * scene.speed
-        estimated = left_of(*(float(course.impulse[-1] - other) / scale for other in others), rigid)  # pyright: ignore[reportCallIssue]
+        half, third = (
+            float(course.impulse[-1] - self._coarser(scene, parts)._course(scene, course.duration).impulse[-1]) / scale
+            for parts in (2, 3)
+        )
+        estimated = left_of(half, third, rigid)
         if rigid and scene.halting_time < self._known_down_to(scene, course):
             return max(estimated, 1.0)  # shorter than the mesh resolves: all meshes are wrong alike
         return estimated if rigid or bodies_that_bend(scene) else max(estimated, self._unfelt(scene, course))
@@ -222,9 +225,9 @@ class Plan:
         if duration is not None:
             count = min(max(10, math.ceil(duration / fine)), MAX_STEPS) if given is None else given
             fine = duration / count
-        if fine > limit * (1.0 + 1e-9):
-            least = math.ceil(duration / limit)
-            raise validation.SceneError("method.steps", count, validation.allowed("explicit-steps", least=least))
+            if fine > limit * (1.0 + 1e-9):
+                least = math.ceil(duration / limit)
+                raise validation.SceneError("method.steps", count, validation.allowed("explicit-steps", least=least))
         expected_steps, nodes = count or math.ceil(expected / fine), max(nodes, 1)
         stride = max(1, expected_steps // min(SNAPSHOTS, max(10, MOST_NUMBERS // nodes)))
         if count is not None:

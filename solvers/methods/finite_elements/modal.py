@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Self
 
 import numpy as np
 
-from ...bodies import Bending
+from ...bodies import AnyBody, Bending
 from ...contact import Linear
 from ...numerics.elements.mesh import AVERAGED, CONSISTENT
 from ...numerics.elements.modes import mesh_modes
@@ -205,7 +205,7 @@ class FeModal(FiniteElements):
                 "local": stored - lost + 0.5 * residual * record.spring_force[rows] ** 2,
                 "dissipated": record.lost[rows] + lost,
             },
-            momenta=tuple(body.mass * float(v[-1]) if v[-1] else 0.0 for body, v in zip(bodies, momenta, strict=True)),  # pyright: ignore[reportArgumentType]
+            momenta=(_momentum(bodies[0], momenta[0]), _momentum(bodies[1], momenta[1])),
             resolved_time=max(self._resolved_time(scene, m, body) for m, body in ringing),
             shortest_period=min(m.shortest_period for m, _ in ringing),
             parted=parted,
@@ -311,6 +311,11 @@ def _in_front(field: Callable, moves: bool, modes: Modes, root: float) -> Callab
 def _mean(struck: np.ndarray, untouched: np.ndarray | float, modes: Modes) -> np.ndarray:
     """Of a body as a whole, from the place where it is struck, and from where it would be untouched."""
     return struck if modes.rigid_mean == 1.0 else untouched + modes.rigid_mean * (struck - untouched)
+
+
+def _momentum(body: AnyBody, velocity: np.ndarray) -> float:
+    """At the end [kg m/s]; zero of a body that stands still, whose mass may be infinite."""
+    return body.mass * float(velocity[-1]) if velocity[-1] else 0.0
 
 
 def _below(field: Callable, row: Callable | None) -> Callable:

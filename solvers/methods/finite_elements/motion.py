@@ -127,14 +127,14 @@ def shape_field(
     coordinates, rates (time, unknowns of both); `sides` have shapes, slopes, moments and shears, as `Mesh` and `Modes`.
     """
     first, second = sides
-    stresses = [_stresses(body, side) for body, side in zip((scene.impactor, scene.target), sides, strict=True)]
+    stresses = two_sided(_stresses(scene.impactor, first), _stresses(scene.target, second), -1.0)
     forces = {}
     if first.moments or second.moments:
         for name, sign in (("moments", 1.0), ("shears", -1.0)):
-            own = [getattr(side, name) or (lambda x, side=side: 0.0 * side.shapes(x)) for side in sides]
-            forces[name] = two_sided(*own, sign)  # pyright: ignore[reportCallIssue]
+            ahead, behind = (getattr(side, name) or (lambda x, side=side: 0.0 * side.shapes(x)) for side in sides)
+            forces[name] = two_sided(ahead, behind, sign)
     shapes = two_sided(first.shapes, second.shapes, 1.0)
-    return ShapeField(time, coordinates, rates, shapes, two_sided(*stresses, -1.0), 1.0, **forces)  # pyright: ignore[reportCallIssue]
+    return ShapeField(time, coordinates, rates, shapes, stresses, 1.0, **forces)
 
 
 def _stresses(body: Any, side: Any) -> Callable[[np.ndarray], np.ndarray]:

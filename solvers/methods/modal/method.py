@@ -184,9 +184,9 @@ class Modal(Method):
     def pair(self, scene: Scene) -> Pair:
         """The modes that take part in this impact."""
         bodies = (scene.impactor, scene.target)
-        pair = [body.modes(self.modes).excited() for body in bodies]
+        impactor, target = (body.modes(self.modes).excited() for body in bodies)
         if self.frame != "mean-axis":
-            pair[1] = scene.target.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
+            target = scene.target.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
         if not self.residual:
             nothing: dict = {
                 "residual_compliance": 0.0,
@@ -194,9 +194,9 @@ class Modal(Method):
                 "static_moments": None,
                 "static_shears": None,
             }
-            pair = [replace(modes, **nothing) for modes in pair]
-        truncated = tuple(body.time_unit is not None for body in bodies)
-        return Pair(*pair, truncated, tuple(body.damping for body in bodies))  # pyright: ignore[reportCallIssue]
+            impactor, target = replace(impactor, **nothing), replace(target, **nothing)
+        truncated = (scene.impactor.time_unit is not None, scene.target.time_unit is not None)
+        return Pair(impactor, target, truncated, (scene.impactor.damping, scene.target.damping))
 
     def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
@@ -221,10 +221,13 @@ class Modal(Method):
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)
-        if duration is None and self.steps is not None:
-            duration = replace(self, steps=None)._march(scene, None).duration
-        step = duration / self.steps if self.steps is not None else default_step(scene, pair)
         count = self.steps
+        if count is not None:
+            if duration is None:
+                duration = replace(self, steps=None)._march(scene, None).duration
+            step = duration / count
+        else:
+            step = default_step(scene, pair)
         if duration is not None and count is None:
             count = min(max(10, math.ceil(duration / step)), MAX_STEPS)
             step = duration / count

@@ -77,8 +77,8 @@ class Waves(Method):
         ]
 
         def figures() -> dict[str, Any]:
-            if self.steps is None:
-                found = _figures(scene, history, shown, touching(contacts, trip * shown), wall_time)  # pyright: ignore[reportArgumentType]
+            if isinstance(history, RigidHistory):
+                found = _figures(scene, history, shown, touching(contacts, trip * shown), wall_time)
             else:
                 found = summary(scene, motion, contacts, trip * shown, wall_time)
             diagnostics = found["diagnostics"]

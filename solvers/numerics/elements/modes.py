@@ -187,7 +187,13 @@ def _static_fields(mesh: Mesh) -> dict[str, Callable]:
 
 def carried(mesh: Mesh, displacement: np.ndarray, acceleration: np.ndarray) -> dict[str, Callable]:
     """Moments and shear forces of a beam, (..., x), from both (..., unknowns), in balance with its inertia."""
+
+    def with_inertia(at_rest: Callable | None, inertial: Callable | None) -> Callable:
+        if at_rest is None or inertial is None:
+            raise TypeError("only beams have moments and shear forces")
+        return lambda x: displacement @ at_rest(x) + acceleration @ inertial(x)
+
     return {
-        "moments": lambda x: displacement @ mesh.moments(x) + acceleration @ mesh.inertial_moments(x),
-        "shears": lambda x: displacement @ mesh.shears(x) + acceleration @ mesh.inertial_shears(x),
+        "moments": with_inertia(mesh.moments, mesh.inertial_moments),
+        "shears": with_inertia(mesh.shears, mesh.inertial_shears),
     }
