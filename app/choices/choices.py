@@ -16,12 +16,19 @@ START = next(iter(SCENES))
 
 
 class Choices(param.Parameterized):
-    """Everything that can be set on the page. SI units; a value out of bounds raises ValueError."""
+    """Everything that can be set on the page, in the order of its controls.
+
+    SI units; a value out of bounds raises ValueError.
+    """
 
     scene = param.Selector(default=START, objects=list(SCENES))
-    method = param.Selector(default="waves", objects=list(METHODS))
     mass_ratio = param.Number(default=1.0, bounds=(1e-3, 1e3))  # target / impactor
     speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # of approach [m/s]
+    place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a beam, or a rod in space, the impact falls
+    support = param.Selector(default=SUPPORTS[0], objects=list(SUPPORTS))  # of a beam
+    theory = param.Selector(default=THEORIES[0], objects=list(THEORIES))
+    slenderness = param.Number(default=10.0, bounds=(1.0, 1e3))  # length of a beam over its depth
+    damping = param.Number(default=0.0, bounds=(0.0, LARGEST_DAMPING))  # of every mode of a beam, of the critical
     law = param.Selector(default="rigid", objects=list(LAWS))
     linear_stiffness = param.Number(default=1.3e10, bounds=(1e5, 1e14))  # [N/m]
     hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5]
@@ -31,11 +38,7 @@ class Choices(param.Parameterized):
     restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
     modes = param.Integer(default=50, bounds=(1, 200))
     elements = param.Integer(default=50, bounds=(1, 200))
-    place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a beam, or a rod in space, the impact falls
-    support = param.Selector(default=SUPPORTS[0], objects=list(SUPPORTS))  # of a beam
-    theory = param.Selector(default=THEORIES[0], objects=list(THEORIES))
-    slenderness = param.Number(default=10.0, bounds=(1.0, 1e3))  # length of a beam over its depth
-    damping = param.Number(default=0.0, bounds=(0.0, LARGEST_DAMPING))  # of every mode of a beam, of the critical
+    method = param.Selector(default="waves", objects=list(METHODS))
 
     CHOSEN = tuple(name for name, each in dict(locals()).items() if isinstance(each, param.Parameter))
 

@@ -1,5 +1,4 @@
 // Settings in which solutions differ, in the words of their controls.
-import { ORDER } from '../shell/controls.js';
 import { pretty } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 
@@ -15,7 +14,8 @@ const HOW = ['method', 'modes', 'elements']; // settings of how a scene is solve
  */
 export function differing(frames) {
   const acting = new Set(frames.flatMap((frame) => frame.acting));
-  return ORDER.filter(
+  const names = Object.keys(frames[0]?.chosen ?? {}); // which has them in the order of the controls
+  return names.filter(
     (name) => acting.has(name) && frames.some(({ chosen }) => chosen[name] !== frames[0].chosen[name]),
   );
 }

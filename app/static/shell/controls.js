@@ -7,27 +7,6 @@ import { Slider } from './slider.js';
 /** @import { AxialFrame, Frame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
-export const ORDER = [
-  'scene',
-  'mass_ratio',
-  'speed',
-  'place',
-  'support',
-  'theory',
-  'slenderness',
-  'damping',
-  'law',
-  'linear_stiffness',
-  'hertz_stiffness',
-  'force_at_depth',
-  'exponent',
-  'yield_indentation',
-  'restitution',
-  'modes',
-  'elements',
-  'method',
-];
-
 /**
  * @typedef {object} Control
  * @property {HTMLElement} root
@@ -48,7 +27,7 @@ export class Controls {
     this.complain = complain;
     this.root = make('form', { className: 'controls' });
     this.root.onsubmit = (event) => event.preventDefault();
-    for (const name of ORDER) {
+    for (const name of Object.keys(spec)) {
       this.fields[name] = spec[name].options ? this.#select(name) : this.#slider(name);
       if (name !== 'scene') this.root.append(this.fields[name].root); // which stands in the bar
     }
@@ -94,7 +73,7 @@ export class Controls {
    * @param {Frame} frame
    */
   arrange(frame) {
-    for (const name of ORDER) this.fields[name].root.hidden = !frame.acting.includes(name);
+    for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
     const onBeam = frame.kind === 'beam';
     const label = this.fields.method.root.querySelector('label');
     if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');
