@@ -17,7 +17,7 @@ from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
 from ..text.catalogues import LANGUAGE, LANGUAGES, page, script
 from ..views.figures import drawn
-from ..views.registry import FIGURES
+from ..views.registry import FIGURES, PANELS
 from .door import FULL
 from .limits import MAX_PAGES_WAITING
 from .still import bare_frame, first_still
@@ -29,7 +29,8 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("static/extensions/panel/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
 FILES = {path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file()}
-TEXTS = {language: script(language).encode() for language in LANGUAGES}  # made, not found in a file
+PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
+TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 POLICY = (

@@ -41,6 +41,7 @@ class View:
     kernels: Callable | None = None  # a little of `run`, by which what it needs is compiled first
     asked: Mapping[str, Question] = field(default_factory=dict)  # by property
     address: str = ""  # its name there, where it is another
+    panel: str = ""  # the file in app/static/panels that shows it, where it has another name
     kinds: frozenset[str] = KINDS  # of scene that it is for
     depends_on: Callable[[dict[str, Any]], Hashable] = everything  # of what was asked; None: not for this scene
     figure: Callable | None = None  # draws the plots that the browser fills from the answers, see app.views.figures
@@ -95,18 +96,21 @@ class View:
 BEAMS, AXIAL = frozenset(("beam",)), frozenset(("axial",))
 VIEWS = (  # in the order in which an address names them
     View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BEAMS),
-    View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs"),
+    View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs", panel="plan"),
     View("auto", tolerance.auto_data, asked=tolerance.QUESTIONS, address="tolerance", depends_on=any_method,
          stoppable=True),
     View("tradeoff", stored_data, run=tradeoff_data, kernels=tradeoff_kernels, figure=tradeoff_figure,
          depends_on=any_method),
     View("trust", trust_data, figure=trust_figure, kinds=BEAMS, rests=True),
-    View("convergence", convergence_data, figure=convergence_figure, kinds=BEAMS, rests=True),
+    View("convergence", convergence_data, figure=convergence_figure, panel="trust", kinds=BEAMS, rests=True),
     View("methods", methods_table, kinds=AXIAL, rests=True, every_law=True),
     View("stability", run=stability.stability_data, kernels=stability.stability_kernels,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
-    View("ratios", ratios_data, figure=ratios_figure, kinds=AXIAL, depends_on=one_rod_support),
+    View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
+PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [
+    ("record", "record")
+]  # with the files that show them
 FIGURES = {view.name: view.figure for view in VIEWS if view.figure} | {
     "stability-linear": partial(stability.stability_figure, "linear"),
     "record": record_figure,  # whose answers come by another door, as they need a file

@@ -22,7 +22,7 @@ const PARTS = family('energy.part');
 /** @param {string} unit */
 const timeIn = (unit) => text('panel.time-in', { unit });
 
-export class Energy extends Panel {
+class Energy extends Panel {
   /** @type {Shares | null} */ drawn = null;
 
   /** @param {Page} page */
@@ -84,3 +84,5 @@ export class Energy extends Panel {
     this.figure?.cursor('energy-cursor', t);
   }
 }
+
+export const PANELS = { energy: Energy }; // by their names in the address

@@ -23,7 +23,7 @@ const LATEST = 100;
 const EVERY = 10; // row of the table
 const PLOTS = ['rebound', 'periods', 'contacts'];
 
-export class MassRatios extends Panel {
+class MassRatios extends Panel {
   /** @type {Ratios | null} */ drawn = null;
 
   /** @param {Page} page */
@@ -107,3 +107,5 @@ export class MassRatios extends Panel {
     ];
   }
 }
+
+export const PANELS = { ratios: MassRatios }; // by their names in the address

@@ -30,7 +30,7 @@ const inPercent = (value) => (Math.abs(value) < 5e-9 ? '0' : Math.abs(value) < 5
 const COLUMNS = ['method', 'rebound', 'duration', 'found', 'reported', 'raw', 'force', 'time'];
 const UNITS = family('methods.unit'); // below the names of columns
 
-export class Methods {
+class Methods {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
@@ -109,3 +109,5 @@ export class Methods {
   show() {}
   draw() {}
 }
+
+export const PANELS = { methods: Methods }; // by their names in the address

@@ -1,16 +1,7 @@
 // All panels that answer questions beside the solution, and the buttons that open them.
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
-import { Energy } from './energy.js';
 import { framed } from './frame.js';
-import { MassRatios } from './mass_ratios.js';
-import { Methods } from './methods.js';
-import { Needs } from './plan.js';
-import { Measurement } from './record.js';
-import { Stability } from './stability.js';
-import { Tolerance } from './tolerance.js';
-import { TradeOff } from './tradeoff.js';
-import { Convergence, Trust } from './trust.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Layout } from '../shell/layout.js' */
@@ -29,6 +20,16 @@ import { Convergence, Trust } from './trust.js';
  */
 
 /**
+ * @typedef {(new (page: Page) => View) & { beside?: boolean }} Kind  `beside`: has room in the dock; the charts stay
+ */
+
+/** @type {[name: string, module: string][]} as app/views/registry.py lists them; the page has fetched them already */
+const LISTED = /** @type {any} */ (globalThis).strikewavePanels;
+const MODULES = await Promise.all(LISTED.map(([, module]) => import(`./${module}.js`)));
+/** @type {[name: string, kind: Kind][]} */
+const KINDS = LISTED.map(([name], place) => [name, MODULES[place].PANELS[name]]);
+
+/**
  * Whether it is open, and for this scene.
  * @param {View} view
  */
@@ -44,31 +45,16 @@ export class Analyses {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    this.energy = new Energy(page);
-    this.methods = new Methods(page);
-    this.ratios = new MassRatios(page);
-    this.record = new Measurement(page);
-    this.trust = new Trust(page);
-    this.convergence = new Convergence(page);
-    this.needs = new Needs(page);
-    this.tolerance = new Tolerance(page);
-    this.tradeoff = new TradeOff(page);
-    this.stability = new Stability(page);
     /** @type {View[]} */
-    this.all = [
-      this.energy,
-      this.needs,
-      this.tolerance,
-      this.tradeoff,
-      this.trust,
-      this.convergence,
-      this.methods,
-      this.stability,
-      this.ratios,
-      this.record,
-    ];
+    this.all = [];
     /** @type {Set<View>} */
-    this.beside = new Set([this.tolerance, this.trust, this.record]); // have room in the dock; the charts stay
+    this.beside = new Set();
+    for (const [name, Kind] of KINDS) {
+      const view = new Kind(page);
+      this.all.push(view);
+      if (Kind.beside) this.beside.add(view);
+      Object.assign(this, { [name]: view });
+    }
     this.menu.append(...this.all.map(({ button }) => button));
     for (const view of this.all) {
       framed(view, { widen: () => this.#widen(view), close: () => this.#close(view) });

@@ -51,7 +51,7 @@ function aboutMap(map, measured) {
   return text('map.about', { struck, hertz: map.law === 'hertz', measured, question: QUESTIONS[map.question] });
 }
 
-export class Needs {
+class Needs {
   /** @type {string | null} */ point = null; // that was asked for on the map, and not sent
 
   /** @param {Page} page */
@@ -191,3 +191,5 @@ export class Needs {
     if (!this.root.hidden) this.map.draw();
   }
 }
+
+export const PANELS = { needs: Needs }; // by their names in the address

@@ -47,7 +47,8 @@ const field = (label, input, unit = '') =>
  */
 const button = (textContent, onclick) => make('button', { type: 'button', className: 'whole', textContent, onclick });
 
-export class Measurement {
+class Measurement {
+  static beside = true; // has room in the dock; the charts stay
   /** @type {File | null} */ file = null;
   /** @type {Compared | null} */ answer = null;
   /** @type {string | null} */ refusal = null;
@@ -350,3 +351,5 @@ export class Measurement {
     this.figure.cursor('record-cursor', t);
   }
 }
+
+export const PANELS = { record: Measurement }; // by their names in the address

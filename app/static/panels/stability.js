@@ -15,7 +15,7 @@ const ARROWS = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowD
 /** @type {Record<string, string>} */
 const SIGNS = { '.': '∙', '/': '⁄', '-': '−', '+': '+', x: '×' }; // of hatches, in the legend
 
-export class Stability extends Panel {
+class Stability extends Panel {
   /** @type {Maps | null} */ known = null; // the maps that are shown
   /** @type {Small[]} */ maps = [];
   /** @type {Cell | null} */ cell = null; // that is read, in all maps at once
@@ -179,3 +179,5 @@ export class Stability extends Panel {
     for (const map of this.maps) map.read(this.cell);
   }
 }
+
+export const PANELS = { stability: Stability }; // by their names in the address

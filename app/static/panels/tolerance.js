@@ -37,7 +37,8 @@ const ASKED = ['auto_within', 'auto_quantity', 'auto_tolerance', 'auto_budget', 
 const optionsOf = (names) =>
   Object.entries(names).map(([value, textContent]) => make('option', { value, textContent }));
 
-export class Tolerance extends Panel {
+class Tolerance extends Panel {
+  static beside = true; // has room in the dock; the charts stay
   left = false; // the visitor has cancelled the search
   running = false;
   /** @type {number | undefined} */ appearing; // of the button that cancels
@@ -285,3 +286,5 @@ function keptOf({ chosen, estimate, met, wall_time: seconds }) {
   const within = estimate !== null && estimate <= tolerance;
   return text('tolerance.not-kept', { within, asked: share(tolerance) });
 }
+
+export const PANELS = { tolerance: Tolerance }; // by their names in the address

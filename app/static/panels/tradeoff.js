@@ -82,7 +82,7 @@ function wordsOf(found, running) {
   return text('tradeoff.measured', { ...machine, ...values });
 }
 
-export class TradeOff extends Panel {
+class TradeOff extends Panel {
   quantity = 'peak-force';
   drawn = ''; // what the points depend on
   /** @type {Point[]} */ points = [];
@@ -334,3 +334,5 @@ export class TradeOff extends Panel {
     ];
   }
 }
+
+export const PANELS = { tradeoff: TradeOff }; // by their names in the address

@@ -164,7 +164,8 @@ export class Study {
 }
 
 /** @extends {Study<Ensemble>} */
-export class Trust extends Study {
+class Trust extends Study {
+  static beside = true; // has room in the dock; the charts stay
   /** @param {Page} page */
   constructor(page) {
     super(page, 'trust');
@@ -252,7 +253,7 @@ const STUDIED = [
 ];
 
 /** @extends {Study<Orders>} */
-export class Convergence extends Study {
+class Convergence extends Study {
   /** @param {Page} page */
   constructor(page) {
     super(page, 'convergence');
@@ -317,3 +318,5 @@ export class Convergence extends Study {
     this.table.replaceChildren(head, make('tbody', {}, ...rows));
   }
 }
+
+export const PANELS = { trust: Trust, convergence: Convergence }; // by their names in the address
