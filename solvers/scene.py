@@ -104,6 +104,10 @@ class Scene:
             table[last] = value
         return Scene.from_table(tables)
 
+    def with_impactor_mass(self, mass: float) -> "Scene":
+        """The scene with an impactor of another mass [kg]. Raises SceneError if that is not allowed."""
+        return self.replace({f"impactor.{key}": value for key, value in self.impactor.of_mass(mass).items()})
+
     def table(self) -> dict[str, Any]:
         """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
         contact: dict[str, Any] = {"law": self.contact.NAME} | self.contact.table(self.speed)

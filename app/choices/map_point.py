@@ -33,7 +33,7 @@ def choices_at(asked: dict[str, Any]) -> dict[str, Any]:
     if time == 0.0:
         return wanted | {"law": "rigid"}
     law = chosen["law"] if "stiffness" in LAWS[chosen["law"]].KEYS else law_of(scene)
-    wanted["law"], name = law, STIFFNESS.get(law, "hertz_stiffness")
+    wanted["law"], name = law, STIFFNESS[law]
     return wanted | {name: _stiffness(chosen | wanted, name, time * scene.time_unit)}
 
 

@@ -62,25 +62,27 @@ def _constants(scene: Scene) -> dict[str, Any]:
         found["linear_stiffness"] = _rounded(20.0 / scene.target.softness)
     table = law.table(scene.speed)
     if "stiffness" in table:
-        name = STIFFNESS.get(law.NAME, "hertz_stiffness")
+        name = STIFFNESS[law.NAME]
         found[name] = table["stiffness"]
         if name == "force_at_depth":
-            found[name] *= DEPTH ** table.get("exponent", 1.5)
+            found[name] *= DEPTH ** (law.EXPONENT or table["exponent"])
     for name in (*_of_own_name(law.NAME), "restitution"):
         if name in table:
             found[name] = table[name]
     return found
 
 
-STIFFNESS = {"linear": "linear_stiffness", "kelvin-voigt": "linear_stiffness"} | {
-    law: "force_at_depth" for law in LAWS if "exponent" in LAWS[law].KEYS
+STIFFNESS = {  # by law: the choice that sets it, as its unit follows from the exponent
+    name: {1.0: "linear_stiffness", 1.5: "hertz_stiffness"}.get(law.EXPONENT or 0.0, "force_at_depth")
+    for name, law in LAWS.items()
+    if "stiffness" in law.KEYS
 }
 
 
 def law_choices(law: str) -> list[str]:
     """The choices that set the constants of a contact law."""
     keys = LAWS[law].KEYS
-    names = [STIFFNESS.get(law, "hertz_stiffness")] if "stiffness" in keys else []
+    names = [STIFFNESS[law]] if "stiffness" in keys else []
     return names + _of_own_name(law)
 
 
@@ -137,10 +139,10 @@ def contact_table(chosen: dict[str, Any]) -> dict[str, Any]:
     unset = {name: value for name, value in LAWS[law].EXAMPLE.items() if name not in OF_ANOTHER_NAME}
     table |= unset | {name: chosen[name] for name in _of_own_name(law)}
     if "stiffness" in keys:
-        name = STIFFNESS.get(law, "hertz_stiffness")
-        table["stiffness"] = chosen[name]
-        if name == "force_at_depth":
-            table["stiffness"] = min(table["stiffness"] / DEPTH ** chosen["exponent"], STIFFNESS_RANGE[1])
+        table["stiffness"] = chosen[STIFFNESS[law]]
+        if STIFFNESS[law] == "force_at_depth":
+            exponent = LAWS[law].EXPONENT or chosen["exponent"]
+            table["stiffness"] = min(table["stiffness"] / DEPTH**exponent, STIFFNESS_RANGE[1])
     if "restitution" in keys:
         table["restitution"] = max(chosen["restitution"], LEAST_RESTITUTION)
     return table
@@ -172,7 +174,8 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         )
     if "mass_ratio" in acting_choices(chosen):
-        changes["impactor.mass"] = base.target.mass / chosen["mass_ratio"]
+        mass = base.target.mass / chosen["mass_ratio"]
+        changes |= {f"impactor.{key}": value for key, value in base.impactor.of_mass(mass).items()}
     if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
         changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)

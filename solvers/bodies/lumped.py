@@ -55,6 +55,9 @@ class RigidMass(Lumped):
         velocity = read_impact_velocity(given) if key == "impactor" else read_target_velocity(given)
         return cls(kind, mass, velocity, radius, material)
 
+    def of_mass(self, mass: float) -> dict[str, float]:
+        return {"mass": mass}
+
     def modes(self, count: int) -> Modes:
         return rigid_body(self.mass)
 

@@ -40,7 +40,7 @@ class AnyBody(ABC):
     held: bool = False  # whether something outside takes up momentum
     swings: bool = False  # whether it moves on as a whole though it is held
     turns: bool = False  # whether an impact turns it as it moves on
-    free_mass: bool = False  # whether it is one rigid mass, free to move
+    free_mass: bool = False  # whether it is one rigid mass, free to move, which `of_mass` can change
     bends: bool = False  # whether it is `beams.Bending`
     endless: bool = False  # whether waves run away in it for good
     bonded: bool = True  # whether all its parts stay together, whatever strikes it
@@ -83,6 +83,10 @@ class AnyBody(ABC):
     def effective_mass(self) -> float:
         """What a rigid impact on it feels [kg]; infinite where it is held."""
         return math.inf if self.held else self.mass
+
+    def of_mass(self, mass: float) -> dict[str, float]:
+        """What in its table gives it this mass [kg]; empty: no one key does."""
+        return {}
 
     def modes(self, count: int) -> Modes:
         """Its motion as a whole and its lowest natural modes."""

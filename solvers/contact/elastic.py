@@ -8,7 +8,8 @@ formula; `mean(start, end, rate, deepest)`, the mean force [N] along the straigh
 at (end - start) * rate, and the energy lost on it [J]; `unloading(deepest)`, the dent and one more number of the way
 back, which change with `deepest` only; `mean_force`, given these as its memory, the force of one step of the modal
 kernel and the memory after it, see `step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether
-`deepest` matters, whether the force may jump at first touch. EXAMPLE: constants that suit a scene file.
+`deepest` matters, whether the force may jump at first touch. EXPONENT: the power of the indentation with which the
+force begins, None if it is a constant of the law or nothing gives way. EXAMPLE: constants that suit a scene file.
 """
 
 import math
@@ -28,6 +29,7 @@ class Rigid(NamedTuple):
     """
 
     NAME = "rigid"
+    EXPONENT = None
     KEYS = ()
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {}
@@ -41,7 +43,7 @@ class Rigid(NamedTuple):
         return cls()
 
     def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
-        """What the law leaves out of a impact as deep as this [m]."""
+        """What the law leaves out of an impact as deep as this [m]."""
         return []
 
 
@@ -51,6 +53,7 @@ class Linear(NamedTuple):
     stiffness: float  # K_l [N/m]
 
     NAME = "linear"
+    EXPONENT = 1.0
     KEYS = ("stiffness",)
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {"stiffness": 1e9}
@@ -64,7 +67,7 @@ class Linear(NamedTuple):
         return cls(read_stiffness(given, "N/m"))
 
     def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
-        """What the law leaves out of a impact as deep as this [m]."""
+        """What the law leaves out of an impact as deep as this [m]."""
         return []
 
     def scaled(self, length: float, speed: float, force: float) -> "Linear":
@@ -118,6 +121,7 @@ class Power(NamedTuple):
     exponent: float  # n
 
     NAME = "power"
+    EXPONENT = None
     KEYS = ("stiffness", "exponent")
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {"stiffness": 1e9, "exponent": 1.3}
@@ -169,6 +173,7 @@ class Hertz(NamedTuple):
     stiffness: float  # K_h [N/m^1.5]
 
     NAME = "hertz"
+    EXPONENT = 1.5
     KEYS = ("stiffness",)
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {"stiffness": 1e9}
@@ -182,7 +187,7 @@ class Hertz(NamedTuple):
         return cls(hertz_stiffness(given, impactor, target))
 
     def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
-        """What the law leaves out of a impact as deep as this [m]."""
+        """What the law leaves out of an impact as deep as this [m]."""
         return point_limits(deepest, impactor, target, False)
 
     def scaled(self, length: float, speed: float, force: float) -> "Hertz":

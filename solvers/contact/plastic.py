@@ -77,12 +77,13 @@ class YigitChristoforou(NamedTuple):
     yield_indentation: float  # alpha_Y [m]
 
     NAME = "yigit-christoforou"
+    EXPONENT = 1.5
     KEYS = ("stiffness", "yield_indentation")
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
 
     def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
-        """What the law leaves out of a impact as deep as this [m]."""
+        """What the law leaves out of an impact as deep as this [m]."""
         return point_limits(deepest, impactor, target, True)
 
     def table(self, speed: float) -> dict[str, float]:
@@ -173,6 +174,7 @@ class PlasticLinear(NamedTuple):
     yield_indentation: float  # alpha_Y [m]
 
     NAME = "plastic-linear"
+    EXPONENT = 1.5
     KEYS = ("stiffness", "yield_indentation")
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
@@ -274,6 +276,7 @@ class PlasticPower(NamedTuple):
     plastic_stiffness: float  # K_hY [N/m^n]
 
     NAME = "plastic-power"
+    EXPONENT = 1.5
     KEYS = ("stiffness", "yield_indentation", "full_indentation")
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
@@ -296,7 +299,7 @@ class PlasticPower(NamedTuple):
         return cls(stiffness, begins, full, exponent, 1.5 * stiffness * begins ** (1.5 - exponent) / exponent)
 
     def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
-        """What the law leaves out of a impact as deep as this [m]."""
+        """What the law leaves out of an impact as deep as this [m]."""
         found = point_limits(deepest, impactor, target, True)
         if deepest > self.full_indentation:
             work, most = (depth * self.mean(0.0, depth, 0.0, 0.0)[0] for depth in (deepest, self.full_indentation))

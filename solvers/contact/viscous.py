@@ -42,6 +42,7 @@ class HuntCrossley(NamedTuple):
     damping: float  # [s/m]
 
     NAME = "hunt-crossley"
+    EXPONENT = 1.5
     KEYS = KEYS
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
@@ -103,6 +104,7 @@ class LankaraniNikravesh(NamedTuple):
     damping: float  # [s/m]
 
     NAME = "lankarani-nikravesh"
+    EXPONENT = 1.5
     KEYS = KEYS
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "nominal_restitution": 0.5}
@@ -141,6 +143,7 @@ class KelvinVoigt(NamedTuple):
     damping: float  # C [N s/m]
 
     NAME = "kelvin-voigt"
+    EXPONENT = 1.0
     KEYS = KEYS
     LOSSY, PLASTIC, JUMPS = True, False, True
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
@@ -201,12 +204,13 @@ class LeeWang(NamedTuple):
     exponent: float = 1.5  # n
 
     NAME = "lee-wang"
+    EXPONENT = None
     KEYS = (*KEYS, "exponent")
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
 
     def limits(self, deepest: float, impactor: Any, target: Any) -> list[Note]:
-        """What the law leaves out of a impact as deep as this [m]."""
+        """What the law leaves out of an impact as deep as this [m]."""
         return point_limits(deepest, impactor, target, False) if self.exponent == 1.5 else []
 
     def table(self, speed: float) -> dict[str, float]:

@@ -109,9 +109,10 @@ def problem_of(scene: Scene, values: Mapping[str, float], modes: int) -> Problem
     """The scene with these values of the axes; the step is chosen later."""
     changes = {}
     if "mass_ratio" in values:
-        changes["impactor.mass"] = scene.target.mass / values["mass_ratio"]
+        changes |= scene.impactor.of_mass(scene.target.mass / values["mass_ratio"])
     if "speed" in values:
-        changes["impactor.velocity"] = scene.target.velocity + values["speed"]
+        changes["velocity"] = scene.target.velocity + values["speed"]
+    changes = {f"impactor.{key}": value for key, value in changes.items()}
     scene = scene.replace(changes) if changes else scene  # first of all: what follows is no longer in its tables
     pair = Modal(modes=int(values.get("modes", modes))).pair(scene)
     if "restitution" in values:

@@ -97,7 +97,7 @@ def ensemble(
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
     if scene.normal is not None or scene.prescribed_force:
         raise SceneNotSupported("scene", scene.title, allowed("two-on-axis"))
-    key = key or ("impactor.mass" if scene.impactor.free_mass else "impactor.length")
+    key = key or f"impactor.{next(iter(scene.impactor.of_mass(scene.impactor.mass)), 'length')}"
     chosen, duration, notes = _method(scene, method)
     value = _value(scene, key)
     changes = perturbations(runs, spread, seed)

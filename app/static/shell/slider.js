@@ -7,6 +7,7 @@ import { make } from './dom.js';
 /** @import { Bounds } from './model.js' */
 
 const STEPS = 1000;
+const FAR = 100; // times the lowest value: a slider that reaches so far is logarithmic
 /** @type {Record<string, number>} */
 const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
@@ -22,11 +23,11 @@ export class Slider {
    * @param {(value: number) => void} send
    * @param {(sentence: string) => void} complain
    */
-  constructor(name, { title, unit = '', log = false }, bounds, send, complain) {
+  constructor(name, { title, unit = '' }, bounds, send, complain) {
     this.name = name;
     this.unit = unit;
     this.title = title;
-    this.log = log;
+    this.log = bounds.low > 0 && bounds.high >= FAR * bounds.low;
     this.bounds = bounds;
     this.send = send;
     this.complain = complain;

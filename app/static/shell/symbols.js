@@ -2,28 +2,6 @@
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 
-/** @type {Record<string, [symbol: string, unit: string]>} */
-const SYMBOLS = {
-  T: ['T', 's'],
-  v: ['v', 'm/s'],
-  e: ['e', '1'],
-  mass_ratio: ['m₂/m₁', '1'],
-  speed: ['v', 'm/s'],
-  law: ['F(α)', 'N'],
-  linear_stiffness: ['K_l', 'N/m'],
-  hertz_stiffness: ['K_h', 'N/m^1.5'],
-  force_at_depth: ['F(10 µm)', 'N'],
-  exponent: ['n', '1'],
-  yield_indentation: ['α_Y', 'm'],
-  restitution: ['e', '1'],
-  modes: ['n', '1'],
-  elements: ['n_e', '1'],
-  place: ['x/L', '1'],
-  support: ['', ''],
-  theory: ['', ''],
-  slenderness: ['L/h', '1'],
-  damping: ['ζ', '1'],
-};
 /** @type {Record<string, string>} */
 const TOKENS = { T: 'T', v: 'v', e: 'e', 'm₂/m₁': 'mass_ratio' };
 const TOKEN = /(?<![\p{L}\p{N}·/⁻_])(T|v|e|m₂\/m₁)(?![\p{L}\p{N}²³'’(])/u;
@@ -61,16 +39,14 @@ export class Symbols {
   }
   /** @param {HTMLElement | null} element */
   show(element) {
-    const name = element?.dataset.term ?? '';
-    if (!element || !(name in SYMBOLS) || element === this.shown) return;
+    const { name, meaning, source, symbol, unit } = family(`term.${element?.dataset.term}`);
+    if (!element || !name || element === this.shown) return;
     this.hide();
     this.shown = element;
     element.setAttribute('aria-describedby', this.tip.id);
-    const [symbol, unit] = SYMBOLS[name];
-    const { name: title, meaning, source } = family(`term.${name}`);
-    const head = make('b', { textContent: [symbol, title].filter(Boolean).join(': ') });
+    const head = make('b', { textContent: [symbol, name].filter(Boolean).join(': ') });
     const rest = [];
-    if (unit && unit !== '1') rest.push(text('symbol.unit', { unit }));
+    if (unit) rest.push(text('symbol.unit', { unit }));
     if (source) rest.push(text('symbol.source', { source }));
     this.tip.replaceChildren(head, make('span', { textContent: meaning }), make('small', {}, rest.join(' · ')));
     this.tip.hidden = false;

@@ -23,25 +23,16 @@ const COUNTED = {
 };
 
 /**
- * What a choice is called, its unit, what its options are called, and whether its slider is logarithmic.
- * @typedef {{ title: string, unit?: string, options?: Record<string, string>, log?: boolean }} Label
+ * What a choice is called, its unit, and what its options are called.
+ * @typedef {{ title: string, unit?: string, options?: Record<string, string> }} Label
  */
 /** @type {Record<string, string>} */
 const OPTIONS = { method: 'method-choice', law: 'law', support: 'support', theory: 'theory' };
-const LOGARITHMIC = new Set(
-  ['mass_ratio', 'speed', 'linear_stiffness', 'hertz_stiffness', 'force_at_depth'].concat([
-    'yield_indentation',
-    'modes',
-    'elements',
-    'slenderness',
-  ]),
-);
 /** @param {string} name */
 const labelOf = (name) => ({
   title: text(`control.${name}`),
   unit: family('unit')[name],
   options: name in OPTIONS ? family(`name.${OPTIONS[name]}`) : undefined,
-  log: LOGARITHMIC.has(name),
 });
 /** @type {Record<string, Label>} */
 export const LABELS = Object.fromEntries(Object.keys(family('control')).map((name) => [name, labelOf(name)]));

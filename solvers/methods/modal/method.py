@@ -163,7 +163,7 @@ class Modal(Method):
             return []
         final, record, moved = motion.record.velocity[-1], None, {}
         for change in MASS_CHANGES:
-            other = scene.replace({"impactor.mass": scene.impactor.mass * (1.0 + change)})
+            other = scene.with_impactor_mass(scene.impactor.mass * (1.0 + change))
             record = again(motion, other, record)[1]
             moved[change] = abs(float(record.velocity[-1]) - final) / scene.speed
         change = max(moved, key=lambda change: moved[change] / abs(change))
