@@ -146,3 +146,20 @@ def test_every_text_of_the_command_is_asked_for_and_there():
         assert code in codes or code.startswith(tuple(f"{family}." for family in families)), code
     direct = set(re.findall(r"(?<!\.)\btext\([\"']([\w.-]+)[\"']", sources))
     assert direct - command().texts.keys() == set()
+
+
+@pytest.mark.browser
+def test_numbers_of_another_language_have_its_decimal_sign(tmp_path):
+    """Also those that no text asks for: of tables, ticks and fields."""
+    (tmp_path / "texts.mjs").write_text(script().replace('"language": "en"', '"language": "es"'), encoding="utf-8")
+    (tmp_path / "ask.mjs").write_text(
+        f"""import {{ text }} from '{STATIC}/text/catalogue.js';
+        import {{ decade, engineering, figures, percent, pretty, signed }} from '{STATIC}/text/format.js';
+        console.log(text('contact-times', {{ contacts: 1, apparent: 2.351e-6, case: 'none' }}));
+        console.log([signed(-0.5), figures(1.25), pretty(0.5), percent(0.0174), decade(-1), engineering(1.5e-3, 'm')]);
+        """
+    )
+    call = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
+    said = subprocess.run(call, capture_output=True, text=True, check=True, timeout=60).stdout
+    assert "2,35 µs" in said
+    assert re.findall(r"'(.*?)'", said) == ["−0,500", "1,25", "0,5", "1,74 %", "0,1", "1,5 mm"]

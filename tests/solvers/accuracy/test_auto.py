@@ -119,9 +119,9 @@ def test_an_estimate_of_a_force_within_a_time_gets_a_note_where_nothing_gives_wa
         solvers.solve(struck_rod(1.0, "fixed", contact), "auto", quantity="peak-force", budget=0.5, among=["modal"])
         for contact in (None, contact_table("linear", softness=1.0))
     )
-    assert "No second method can tell" in " ".join(map(str, rigid.notes))
+    assert "No second method can show" in " ".join(map(str, rigid.notes))
     assert rigid.diagnostics["chosen"]["estimated_error"] is None
-    assert "No second method can tell" not in " ".join(map(str, soft.notes))
+    assert "No second method can show" not in " ".join(map(str, soft.notes))
     assert soft.diagnostics["chosen"]["estimated_error"] is not None
 
 
@@ -303,7 +303,7 @@ def test_a_peak_that_one_method_alone_finds_is_not_called_kept():
     solution = solvers.solve(struck_rod(0.5, "free"), "auto", quantity="peak-force", tolerance=0.1, among=["fe-modal"])
     chosen = solution.diagnostics["chosen"]
     assert chosen["met"] is False and "nothing proves that it keeps to 10 %" in chosen["why"]
-    assert "No second method can tell" in " ".join(map(str, solution.notes))
+    assert "No second method can show" in " ".join(map(str, solution.notes))
 
 
 @settings(max_examples=6, deadline=None)

@@ -284,7 +284,7 @@ def test_a_beam_is_felt_where_it_is_struck(beam, share, restitution):
     assert found.energy["dissipated"] == approx(0.5 * reduced * (1.0 - restitution**2) * scene.speed**2, rel=1e-12)
     assert abs(found.diagnostics["energy_error"]) < 1e-14
     assert abs(found.diagnostics["momentum_error"]) < 1e-14
-    assert "'modal' can tell" in str(found.notes[0])
+    assert "'modal' can show" in str(found.notes[0])
 
 
 @pytest.mark.parametrize("support", ["cantilever", "pinned-pinned", "clamped-clamped"])
