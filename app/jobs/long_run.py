@@ -9,6 +9,7 @@ from typing import Any
 from solvers.jit import NotCompiled
 
 from ..text.catalogues import page
+from .answers import KEPT
 from .compiler import COMPILER
 from .loops import of_loop
 from .runner import COMPILING, settled
@@ -22,7 +23,8 @@ class LongRun:
     """Runs `work(asked, cancelled, report)` and hands what it reports, and its result, to `publish`; one at a time.
 
     `kernels(asked)` does a little of the same work, so that what is not compiled yet is compiled in another process
-    first. `ended` is called when nothing is under way any more.
+    first. `ended` is called when nothing is under way any more. A result that is `kept` is given to all who ask for the
+    same, unless it was ended early.
     """
 
     def __init__(
@@ -34,10 +36,11 @@ class LongRun:
         wait: Callable,
         *,
         visitor: Hashable = None,
+        kept: bool = False,
         start: Callable | None = None,
     ):
         self._work, self._kernels, self._publish, self._refuse, self._wait = work, kernels, publish, refuse, wait
-        self._visitor, self._begin = visitor, start
+        self._visitor, self._kept, self._begin = visitor, kept, start
         self._job: Job | None = None
         self._busy = self._stopped = False
 
@@ -64,8 +67,12 @@ class LongRun:
         self._busy, self._stopped = True, False
         try:
             with suppress(asyncio.CancelledError):
-                await self._compiled(asked)
-                await self._run(asked)
+                known = KEPT.known(self._work, asked) if self._kept else None
+                if known is not None:
+                    await settled(self._publish(known))
+                else:
+                    await self._compiled(asked)
+                    await self._run(asked)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             await settled(self._refuse(str(refusal)))
         except Exception:
@@ -92,7 +99,10 @@ class LongRun:
         work.add_done_callback(lambda _: parts.put_nowait(None))
         while (part := await parts.get()) is not None:
             await settled(self._publish(part))
-        await settled(self._publish(await work))
+        result = await work
+        if self._kept and not self._stopped:
+            KEPT.keep(self._work, asked, result)
+        await settled(self._publish(result))
 
     async def _do(self, work: Callable, asked: Any, **how: Any) -> Any:
         begin = self._begin or of_loop(Workers).start

@@ -52,7 +52,7 @@ class Panels(Questions):
         if view.run and view.kernels:
             acts = partial(setattr, self, view.name), self._refuse, partial(self._wait, view.name)
             reports = (partial(self._report, act) for act in acts)
-            self._long[view.name] = LongRun(view.run, view.kernels, *reports, visitor=self.visitor)
+            self._long[view.name] = LongRun(view.run, view.kernels, *reports, visitor=self.visitor, kept=view.kept)
             self.param.watch(partial(self._start_or_stop, view), view.running)
         elif view.stoppable:
             self.param.watch(partial(self._stop_or_resume, view), view.running)

@@ -39,6 +39,7 @@ class View:
     more: Mapping[str, Callable] = field(default_factory=dict)  # further answers: property, and its work
     run: Callable | None = None  # of many seconds, (asked, cancelled, report): the visitor starts and stops it
     kernels: Callable | None = None  # a little of `run`, by which what it needs is compiled first
+    kept: bool = False  # whether `run` finds the same whenever the same is asked
     asked: Mapping[str, Question] = field(default_factory=dict)  # by property
     address: str = ""  # its name there, where it is another
     panel: str = ""  # the file in app/static/panels that shows it, where it has another name
@@ -104,7 +105,7 @@ VIEWS = (  # in the order in which an address names them
     View("trust", trust_data, figure=trust_figure, kinds=BEAMS, rests=True),
     View("convergence", convergence_data, figure=convergence_figure, panel="trust", kinds=BEAMS, rests=True),
     View("methods", methods_table, kinds=AXIAL, rests=True, every_law=True),
-    View("stability", run=stability.stability_data, kernels=stability.stability_kernels,
+    View("stability", run=stability.stability_data, kernels=stability.stability_kernels, kept=True,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip

@@ -191,6 +191,43 @@ def test_a_long_run_can_be_stopped_and_keeps_what_it_has():
     assert ran(work, meanwhile=LongRun.stop) == (["half"], [])
 
 
+def test_what_a_long_run_has_found_is_kept_for_all_who_ask_the_same_unless_it_was_stopped():
+    runs = []
+
+    def found_again(asked, cancelled, report):
+        runs.append(asked)
+        done = threading.Event()
+        while asked == "to stop" and not cancelled():
+            done.wait(0.01)
+        return f"all of {asked}"
+
+    def of_a_visitor(asked, meanwhile=None):
+        published = []
+        run = LongRun(
+            found_again,
+            lambda asked: None,
+            published.append,
+            published.append,
+            lambda sentence: None,
+            kept=True,
+            start=start,
+        )
+
+        async def main():
+            started = asyncio.ensure_future(run.start(asked, lambda: None))
+            await asyncio.sleep(0.05)
+            if asked == "to stop":
+                run.stop()
+            await started
+
+        in_a_loop(main())
+        return published
+
+    for asked in ("one", "one", "another", "to stop", "to stop"):
+        assert of_a_visitor(asked) == [f"all of {asked}"]
+    assert runs == ["one", "another", "to stop", "to stop"]
+
+
 def test_a_long_run_that_fails_says_so_in_a_sentence(caplog):
     def refuses(asked, cancelled, report):
         raise ValueError("scene: got nothing; allowed: something")
