@@ -4,6 +4,7 @@ import contextlib
 import errno
 import logging
 import os
+import re
 import secrets
 import signal
 import sys
@@ -77,7 +78,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     from . import install
     from .door import Door
     from .limits import MAX_BODY, MAX_MESSAGE
-    from .pages import STATIC, TEXTS, VERSION, Alive, Asset, Figure, Texts, shell
+    from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts, pack, shell
     from .uploads import MeasuredRecord
 
     _quiet()
@@ -85,6 +86,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     draw_figures()
     _first_answer()
     shell()
+    pack()
     secret = secrets.token_bytes(32)
     server = pn.io.server.get_server(
         {"/": create},
@@ -98,6 +100,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
             (r"/liveness", Alive),
             (r"/record", MeasuredRecord),
             (r"/figures/([a-z-]+)", Figure),
+            (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
             (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
             (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
         ],
