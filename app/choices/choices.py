@@ -13,6 +13,7 @@ from ..text.catalogues import page
 
 SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
 START = next(iter(SCENES))
+OF_LAWS = {name: values for law in LAWS.values() for name, values in law.VARIED.items()}  # constants of their own
 
 
 class Choices(param.Parameterized):
@@ -33,8 +34,8 @@ class Choices(param.Parameterized):
     linear_stiffness = param.Number(default=1.3e10, bounds=(1e5, 1e14))  # [N/m]
     hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5]
     force_at_depth = param.Number(default=1e4, bounds=(1e-1, 1e9))  # [N], of laws with an exponent of their own
-    exponent = param.Number(default=1.5, bounds=(1.0, 3.0))
-    yield_indentation = param.Number(default=1e-6, bounds=(1e-9, 1e-2))  # [m]
+    for _name, (_usual, _low, _high) in OF_LAWS.items():
+        locals()[_name] = param.Number(default=_usual, bounds=(_low, _high))
     restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
     modes = param.Integer(default=50, bounds=(1, 200))
     elements = param.Integer(default=50, bounds=(1, 200))

@@ -10,6 +10,7 @@ from ..text.notes import Note, Severity
 STIFFNESS_RANGE = (1e-6, 1e20)  # of any law, in its own unit
 EXPONENT_RANGE = (1.0, 3.0)
 LENGTH_RANGE = (1e-15, 1e6)  # of indentations [m]
+YIELD_VARIED = (1e-6, 1e-9, 1e-2)  # indentation at yield [m]: usual, and the range in which it is varied by hand
 LARGEST_CONTACT = 1.0 / 3.0  # radius of the contact over that of the bodies: beyond, they are no longer half-spaces
 
 

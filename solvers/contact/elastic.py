@@ -9,7 +9,8 @@ at (end - start) * rate, and the energy lost on it [J]; `unloading(deepest)`, th
 back, which change with `deepest` only; `mean_force`, given these as its memory, the force of one step of the modal
 kernel and the memory after it, see `step_force`. LOSSY, PLASTIC, JUMPS: whether damping loses energy, whether
 `deepest` matters, whether the force may jump at first touch. EXPONENT: the power of the indentation with which the
-force begins, None if it is a constant of the law or nothing gives way. EXAMPLE: constants that suit a scene file.
+force begins, None if it is a constant of the law or nothing gives way. VARIED: constants of its own that the page has
+a slider for, each with its usual value and its range. EXAMPLE: constants that suit a scene file.
 """
 
 import math
@@ -30,6 +31,7 @@ class Rigid(NamedTuple):
 
     NAME = "rigid"
     EXPONENT = None
+    VARIED = {}
     KEYS = ()
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {}
@@ -54,6 +56,7 @@ class Linear(NamedTuple):
 
     NAME = "linear"
     EXPONENT = 1.0
+    VARIED = {}
     KEYS = ("stiffness",)
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {"stiffness": 1e9}
@@ -122,6 +125,7 @@ class Power(NamedTuple):
 
     NAME = "power"
     EXPONENT = None
+    VARIED = {"exponent": (1.5, *EXPONENT_RANGE)}
     KEYS = ("stiffness", "exponent")
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {"stiffness": 1e9, "exponent": 1.3}
@@ -174,6 +178,7 @@ class Hertz(NamedTuple):
 
     NAME = "hertz"
     EXPONENT = 1.5
+    VARIED = {}
     KEYS = ("stiffness",)
     LOSSY = PLASTIC = JUMPS = False
     EXAMPLE = {"stiffness": 1e9}

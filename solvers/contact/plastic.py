@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from .. import validation
 from ..jit import kernel
 from ..text.notes import Note, Severity
-from .constants import LENGTH_RANGE, approach_speed, hertz_stiffness, point_limits, yield_indentation
+from .constants import LENGTH_RANGE, YIELD_VARIED, approach_speed, hertz_stiffness, point_limits, yield_indentation
 from .discrete_gradient import hertz_mean, power_mean, step_force
 from .plastic_steps import plastic_step
 
@@ -78,6 +78,7 @@ class YigitChristoforou(NamedTuple):
 
     NAME = "yigit-christoforou"
     EXPONENT = 1.5
+    VARIED = {"yield_indentation": YIELD_VARIED}
     KEYS = ("stiffness", "yield_indentation")
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
@@ -175,6 +176,7 @@ class PlasticLinear(NamedTuple):
 
     NAME = "plastic-linear"
     EXPONENT = 1.5
+    VARIED = {"yield_indentation": YIELD_VARIED}
     KEYS = ("stiffness", "yield_indentation")
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}
@@ -277,6 +279,7 @@ class PlasticPower(NamedTuple):
 
     NAME = "plastic-power"
     EXPONENT = 1.5
+    VARIED = {"yield_indentation": YIELD_VARIED}
     KEYS = ("stiffness", "yield_indentation", "full_indentation")
     LOSSY, PLASTIC, JUMPS = False, True, False
     EXAMPLE = {"stiffness": 1e9, "yield_indentation": 1e-7}

@@ -43,6 +43,7 @@ class HuntCrossley(NamedTuple):
 
     NAME = "hunt-crossley"
     EXPONENT = 1.5
+    VARIED = {}
     KEYS = KEYS
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
@@ -105,6 +106,7 @@ class LankaraniNikravesh(NamedTuple):
 
     NAME = "lankarani-nikravesh"
     EXPONENT = 1.5
+    VARIED = {}
     KEYS = KEYS
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "nominal_restitution": 0.5}
@@ -144,6 +146,7 @@ class KelvinVoigt(NamedTuple):
 
     NAME = "kelvin-voigt"
     EXPONENT = 1.0
+    VARIED = {}
     KEYS = KEYS
     LOSSY, PLASTIC, JUMPS = True, False, True
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
@@ -205,6 +208,7 @@ class LeeWang(NamedTuple):
 
     NAME = "lee-wang"
     EXPONENT = None
+    VARIED = {"exponent": (1.5, *EXPONENT_RANGE)}
     KEYS = (*KEYS, "exponent")
     LOSSY, PLASTIC, JUMPS = True, False, False
     EXAMPLE = {"stiffness": 1e9, "restitution": 0.5}
