@@ -7,6 +7,9 @@ from solvers import Scene
 
 from .scene_of import acting_choices, chosen_scene, kind_of, own_choices
 
+DRAFT = "draft"  # key, beside the choices, of the share of the resolution that will do while a slider moves
+LEAST = 4  # modes or elements of a draft, where as many are chosen
+
 
 @dataclass(frozen=True)
 class Request:
@@ -21,12 +24,21 @@ class Request:
     elements: int
     restitution: float  # of methods that take it
     chosen: dict[str, Any]  # the choices as the page has them, which every answer repeats
+    share: float = 1.0  # of the modes, elements and steps chosen that it is solved by: less than 1 in a draft
 
     @classmethod
     def of(cls, chosen: dict[str, Any]) -> "Request":
         """Raises SceneError for choices that describe no scene."""
-        own = {name: chosen[name] for name in ("method", "modes", "elements", "restitution")}
-        return cls(scene=chosen_scene(chosen), chosen=chosen, **own)
+        share = chosen.get(DRAFT, 1.0)
+        chosen = {name: value for name, value in chosen.items() if name != DRAFT}
+        own = {name: chosen[name] for name in ("method", "restitution")}
+        counts = {name: max(round(share * chosen[name]), min(LEAST, chosen[name])) for name in ("modes", "elements")}
+        return cls(scene=chosen_scene(chosen), chosen=chosen, share=share, **own, **counts)
+
+    @property
+    def draft(self) -> bool:
+        """Whether it is solved more coarsely than chosen."""
+        return self.share < 1.0
 
     @property
     def kind(self) -> str:

@@ -59,6 +59,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "kind": "axial",
         "chosen": request.chosen,
         "own": request.own,
+        "draft": request.draft,
         "acting": request.acting,
         "refusals": refusals(scene),
         "title": scene.title,

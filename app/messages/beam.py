@@ -58,7 +58,7 @@ def beam_frame(request: Request) -> bytes:
     """The message for one impact on a beam."""
     scene = request.scene
     main, reason = main_solution(request)
-    reference = modes_beside(scene, main)
+    reference = None if request.draft else modes_beside(scene, main)
     header, arrays = _fields(main)
     time = instants(main.duration, MOTION_POINTS)
     arrays |= {"time": MS * time} | _paths(main, time, "")
@@ -75,6 +75,7 @@ def beam_frame(request: Request) -> bytes:
         "kind": "beam",
         "chosen": request.chosen,
         "own": request.own,
+        "draft": request.draft,
         "acting": request.acting,
         "refusals": refused,
         "refused": reason and reason.table(),

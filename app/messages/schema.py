@@ -31,6 +31,7 @@ COMMON: Fields = {
     "kind": Field("string", "of the message: axial, beam or bodies"),
     "chosen": Field("Chosen", "a value for every choice; None outside the page"),
     "own": Field("Chosen", "the same, as the page opens the scene"),
+    "draft": Field("boolean", "whether it is solved by fewer modes and elements than chosen"),
     "acting": Field("string[]", "choices that act on this scene"),
     "refusals": Field("Record<string, Note | null>", "by method: why it cannot solve the scene, or None"),
     "title": Field("string"),

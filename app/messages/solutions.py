@@ -10,6 +10,7 @@ from ..choices.request import Request
 from ..choices.scene_of import own_options, resolutions
 
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
+LEAST_STEPS = 1_000  # of a draft, where a scene sets more
 LEAST_SWITCHED = 2  # modes that can change with the contact
 
 
@@ -43,4 +44,6 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
         options["modes"] = max(options["modes"], LEAST_SWITCHED)
     if name in ("balance", "rigid"):
         options["restitution"] = request.restitution
+    if request.draft and "steps" in options:
+        options["steps"] = max(int(request.share * options["steps"]), min(LEAST_STEPS, options["steps"]))
     return options

@@ -44,6 +44,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         "kind": "bodies",
         "chosen": request and request.chosen,
         "own": request.own if request else None,
+        "draft": False,
         "acting": request.acting if request else [],
         "refusals": {},
         "title": scene.title,

@@ -17,6 +17,7 @@ from param.parameterized import _syncing
 
 from ..choices.beam import free_place
 from ..choices.choices import Choices, accepts, refusal
+from ..choices.request import DRAFT
 from ..choices.scene_of import choices_of
 from ..jobs.answers import KEPT
 from ..jobs.loops import of_loop
@@ -25,6 +26,7 @@ from ..jobs.turns import Turnstile
 from ..messages.solve import solve_frame
 from ..text.catalogues import LANGUAGES, script
 from .address import ASKED, PANELS, from_address, opened_from_address
+from .drafts import Drafts
 from .panels import Panels
 from .picker import scene_groups
 from .questions import accepted
@@ -42,7 +44,7 @@ def lab_of(document: Any) -> "Lab | None":
     return _LABS.get(document)
 
 
-class Lab(Choices, Panels, pn.custom.JSComponent):
+class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     """Choices synchronised with the browser, and the message that answers them.
 
     Every choice is a bounded parameter of this very class, so that what a hostile client sends over the socket meets
@@ -74,6 +76,7 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.param.watch(self._changed, list(self.CHOSEN))
+        self.watch_moves()
         self.open_panels()
         self._begin()
         if self.frame and any(getattr(self, name) for name in PANELS.values()):
@@ -150,7 +153,11 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             with self._silence():
                 self.place = free_place(self.support, self.place)
         self.refused = ""
-        pn.state.execute(partial(self._runner.want, self.chosen()))
+        pn.state.execute(partial(self._runner.want, self.wish(*(event.name for event in events))))
+
+    async def solve_wanted(self, wish: dict[str, Any]) -> None:
+        """Have a wish answered, unless a newer one comes before."""
+        await self._runner.want(wish)
 
     def choose(self, wanted: dict[str, Any]) -> None:
         """Set several choices at once, and have their answer."""
@@ -169,10 +176,15 @@ class Lab(Choices, Panels, pn.custom.JSComponent):
             self._quiet = False
 
     async def _take(self, message: bytes) -> None:
-        await self._report(self._show, self._runner.current, message)
+        await self._report(self._show, self._current, message)
 
     async def _fail(self, sentence: str) -> None:
-        await self._report(self._set_back, self._runner.current, sentence)
+        await self._report(self._set_back, self._current, sentence)
+
+    @property
+    def _current(self) -> dict[str, Any]:
+        """The choices that are being answered, or were last."""
+        return {name: value for name, value in self._runner.current.items() if name != DRAFT}
 
     def _show(self, answered: dict[str, Any], message: bytes) -> None:
         self.answered = time.monotonic()

@@ -21,3 +21,4 @@ REOPEN_PAUSE, MAX_REOPEN_PAUSE = 2.0, 2.0  # s between two new sessions for each
 MAX_REOPEN_WAIT = 60.0  # s that a new session may have to wait for that; who comes then is refused
 IDLE_SECONDS = 900.0  # after which a session that does nothing makes room, if the server is full
 MAX_BODY = 100_000  # bytes of a request, other than a record
+MAX_HEADER = 120_000  # bytes of its head: of a link that is far too long the page is shown, and says so

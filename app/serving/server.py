@@ -77,7 +77,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
     from ..page.lab import create
     from . import install
     from .door import Door
-    from .limits import MAX_BODY, MAX_MESSAGE
+    from .limits import MAX_BODY, MAX_HEADER, MAX_MESSAGE
     from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts, pack, shell
     from .uploads import MeasuredRecord
 
@@ -105,7 +105,12 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
             (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
         ],
         websocket_max_message_size=MAX_MESSAGE,
-        http_server_kwargs={"max_body_size": MAX_BODY, "idle_connection_timeout": 120.0, "body_timeout": 20.0},
+        http_server_kwargs={
+            "max_body_size": MAX_BODY,
+            "max_header_size": MAX_HEADER,
+            "idle_connection_timeout": 120.0,
+            "body_timeout": 20.0,
+        },
         check_unused_sessions_milliseconds=min(2_000, unused_lifetime),
         unused_session_lifetime_milliseconds=unused_lifetime,
         secret_key=secret,

@@ -4,13 +4,14 @@ import { BeamView } from './beam/view.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
 import { Analyses } from './panels/panels.js';
-import { writeAddress } from './shell/address.js';
 import { Changes } from './shell/changes.js';
 import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
 import { make } from './shell/dom.js';
 import { First } from './shell/first.js';
+import { History } from './shell/history.js';
 import { Layout } from './shell/layout.js';
+import { follow, readLink } from './shell/link.js';
 import { decode } from './shell/message.js';
 import { Player } from './shell/player.js';
 import { copyLink, saveData } from './shell/share.js';
@@ -22,11 +23,9 @@ import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
 
 /** @import { Chosen, Frame } from './shell/message.js' */
-/** @import { Chart } from './charts/chart.js' */
-/** @import { Scaled } from './compare/scales.js' */
 /** @import { Model } from './shell/model.js' */
-/** @import { Stack } from './shell/stack.js' */
-/** @import { Event, Events } from './shell/story.js' */
+/** @import { Event } from './shell/story.js' */
+/** @import { View } from './shell/view.js' */
 
 // Styles of the component, which lives in a shadow root; a later sheet wins over an earlier one.
 const SHEETS = [
@@ -42,42 +41,11 @@ const READ = 150; // ms for which words stand before they change again
 const LONG_CAPTION = 130; // letters, beyond which it is written smaller
 const TOAST = 8000; // ms for which a complaint is shown
 const TAKE_LETTERS = ['INPUT', 'SELECT', 'TEXTAREA']; // what keys mean something else in
+const HAVE_UNDO = ['INPUT', 'TEXTAREA']; // of their own
 const TAKE_SPACE = [...TAKE_LETTERS, 'BUTTON', 'SUMMARY'];
 
 /** @param {Element | undefined} element */
 const isRange = (element) => element?.getAttribute('type') === 'range';
-
-/**
- * What shows an impact of one kind.
- * @typedef {object} View
- * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
- * @property {Told} story
- * @property {number} after  an event, by which what it has changed is seen
- * @property {HTMLElement[]} buttons  beside the caption
- * @property {import('./charts/axis.js').Axis} [axis]  of time
- * @property {{ root: HTMLElement }} [colours]  the choice of what they show
- * @property {Stack} [stack]  charts over time
- * @property {Chart} [strip]  the one of them that a phone always shows
- * @property {import('./axial/charts.js').Cycle} [cycle]
- * @property {import('./beam/charts.js').Dispersion} [dispersion]
- * @property {() => void} dress  pictures in their colours and to their scale
- * @property {(hidden: boolean) => void} hide
- * @property {(frame: any) => void} load
- * @property {() => void} draw
- * @property {(t: number) => void} show
- * @property {(start?: number, end?: number) => void} zoom
- * @property {() => string[]} [rows]  histories as comma-separated values, if there are any
- */
-
-/**
- * What is said of it.
- * @typedef {object} Told
- * @property {HTMLElement} root  in words
- * @property {HTMLElement} numbers
- * @property {Events} events
- * @property {(frame: any) => void} load
- * @property {(t: number) => void} at
- */
 
 export class Page {
   /** @type {Frame} */ frame; // that is shown
@@ -108,7 +76,9 @@ export class Page {
       events: () => this.events(),
       range: () => this.range(),
       hold: (holding) => this.caption.classList.toggle('speaking', holding),
+      taken: () => this.history.later(),
     });
+    this.history = new History(this);
     this.compare = new Compare(this);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
@@ -116,6 +86,7 @@ export class Page {
     /** @type {Record<Frame['kind'], View>} */
     this.views = { axial: this.axial, beam: this.beam, bodies: this.space };
     this.analyses = new Analyses(this);
+    this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     const sheet = (/** @type {string} */ name) =>
       make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href });
@@ -138,31 +109,33 @@ export class Page {
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
     this.take();
-    if (model.refused) this.complain(model.refused);
+    if (model.refused && this.toast.hidden) this.complain(model.refused);
     this.ready = true;
   }
   /** Everything in its place. */
   arrange() {
-    const copy = make('button', {
-      type: 'button',
-      textContent: text('page.copy-link'),
-      onclick: () => copyLink(this),
-    });
-    const save = make('button', {
-      type: 'button',
-      textContent: text('page.save-data'),
-      onclick: () => saveData(this),
-    });
+    const act = (/** @type {string} */ name, /** @type {() => void} */ onclick) =>
+      make('button', { type: 'button', className: name, textContent: text(`page.${name}`), onclick });
+    const copy = act('copy-link', () => copyLink(this));
+    const save = act('save-data', () => saveData(this));
     save.title = text('page.save-data-about');
     const scene = this.controls.fields.scene.root;
     const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), scene);
-    bar.append(make('div', { className: 'keep' }, copy, save));
+    const { redoing, undoing } = this.history;
+    bar.append(make('div', { className: 'keep' }, undoing, redoing, copy, save));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
     const caption = make('div', { className: 'caption-row' }, this.caption, ...all.flatMap(({ buttons }) => buttons));
     const { bar: kept, second, tag } = this.compare;
     this.player.root.append(kept.button);
-    const stages = make('div', { className: 'stages' }, tag, ...all.map(({ stage }) => stage.root), second.root);
+    const stages = make(
+      'div',
+      { className: 'stages' },
+      tag,
+      this.draft,
+      ...all.map(({ stage }) => stage.root),
+      second.root,
+    );
     const pinned = [caption, stages, this.player.root, kept.row];
     const charts = all.flatMap(({ stack }) => (stack ? [stack.root] : []));
     return new Layout({ bar, choices, pinned, charts }, () => this.place());
@@ -170,6 +143,7 @@ export class Page {
   /** After the layout has changed. */
   place() {
     if (!this.frame) return;
+    this.history.later();
     for (const { stack } of Object.values(this.views)) stack?.gather();
     const { strip } = this.view;
     const lent = this.layout.mode === 'phone' && strip ? [strip] : [];
@@ -196,18 +170,22 @@ export class Page {
     });
     for (const name of this.names)
       model.on(name, () => {
-        if (!(name in this.waiting)) this.controls.show(name, model[name]);
+        if (!(name in this.waiting) && !this.changes.quiet) this.controls.show(name, model[name]);
       });
     const { panels, asked } = model.shared;
     for (const name of [...Object.values(panels), ...Object.values(asked).map(([each]) => each), 'auto_within'])
       model.on(name, () => {
-        if (this.frame) this.address(this.frame.chosen);
+        this.history.write();
       });
     watchScrolling(this.root);
     const key = (/** @type {KeyboardEvent} */ event) => {
       const from = /** @type {Element | undefined} */ (event.composedPath()[0]);
-      if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
       const tag = from?.tagName ?? '';
+      if (event.altKey || event.defaultPrevented) return;
+      if (event.ctrlKey || event.metaKey) {
+        if (!HAVE_UNDO.includes(tag) || isRange(from)) if (this.history.key(event)) event.preventDefault();
+        return;
+      }
       if (event.key === ' ' ? TAKE_SPACE.includes(tag) : TAKE_LETTERS.includes(tag) && !isRange(from)) return;
       if (this.player.key(event) || this.compare.key(event)) event.preventDefault();
     };
@@ -215,7 +193,12 @@ export class Page {
     const resized = new ResizeObserver(() => requestAnimationFrame(() => this.redraw()));
     for (const { stage, stack } of Object.values(this.views))
       for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
+    for (const { axis } of Object.values(this.views)) axis?.watch(() => this.history.later());
+    const left = () => this.connection.keep();
+    window.addEventListener('pagehide', left);
     model.on('remove', () => {
+      window.removeEventListener('pagehide', left);
+      this.history.leave();
       this.player.playing = false;
       this.layout.leave();
       this.connection.leave();
@@ -247,7 +230,7 @@ export class Page {
    */
   goTo(settings, done = () => {}) {
     this.player.rest();
-    this.changes.go(this.frame, settings, done);
+    this.changes.go(settings, done);
   }
   #sent() {
     this.toast.hidden = true;
@@ -268,7 +251,15 @@ export class Page {
   }
   take(data = this.model.frame) {
     if (!data || !data.byteLength) return;
-    this.frame = decode(data);
+    const frame = decode(data);
+    this.changes.take(frame, data);
+    if (this.changes.quiet) {
+      this.settle();
+      this.changes.arrived(frame); // it is kept, not shown
+      return;
+    }
+    this.frame = frame;
+    this.draft.hidden = !frame.draft;
     this.root.inert = false;
     this.analyses.take(this.frame);
     this.compare.take(data, this.frame);
@@ -276,10 +267,11 @@ export class Page {
     this.view.load(this.frame);
     this.analyses.draw();
     this.player.load(this.frame);
+    if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();
     this.settle();
     this.changes.arrived(this.frame);
-    this.tell(this.frame.chosen);
+    this.tell();
     const { strikewave } = /** @type {any} */ (window); // for tests and benches
     Object.assign(window, { strikewave: { page: this, frames: (strikewave?.frames ?? 0) + 1 } });
   }
@@ -296,15 +288,15 @@ export class Page {
     this.resumed = true;
     document.getElementById('still')?.remove();
     this.analyses.resume();
+    const timed = follow(this, readLink(window.location.search, this));
     const state = cameBack();
     if (state) goOn(this, state);
-    else if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();
+    else if (!timed && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();
   }
   /**
    * Words and address follow once the picture is painted, and not more often than they can be read.
-   * @param {Chosen} chosen
    */
-  tell(chosen) {
+  tell() {
     clearTimeout(this.telling);
     const write = () => {
       this.toldAt = performance.now();
@@ -317,7 +309,7 @@ export class Page {
       for (const root of [this.told.root, this.told.numbers]) this.symbols.mark(root);
       this.say();
       this.player.mark();
-      this.address(chosen);
+      this.history.write();
     };
     if (!this.toldAt) write();
     else this.telling = window.setTimeout(write, Math.max(40, this.toldAt + READ - performance.now()));
@@ -381,10 +373,6 @@ export class Page {
       this.toast.hidden = true;
       if (rest.length) this.complain(rest.join('\n'));
     }, TOAST);
-  }
-  /** @param {Chosen} chosen */
-  address(chosen) {
-    writeAddress(this.model, this.names, chosen);
   }
 }
 

@@ -148,7 +148,7 @@ class Page:
         """Do something and wait until its answer is drawn."""
         before = self.evaluate("() => strikewave.frames")
         act()
-        self.wait("before => strikewave.frames > before && !strikewave.page.asked", before)
+        self.wait("n => strikewave.frames > n && !strikewave.page.asked && !strikewave.page.frame.draft", before)
 
     def turn_to(self, name: str) -> None:
         """Choose a tab, where it is not the one that is seen."""

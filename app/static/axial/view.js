@@ -18,6 +18,8 @@ const LEAST_ROOM = 1e-4; // of the whole impact, about what is looked at closely
 
 export class AxialView {
   /** @type {What} */ what = 'stress'; // that the colours show
+  usual = 'stress';
+  whats = ['stress', 'velocity'];
   after = 2e-4;
   /** @type {AxialFrame} */ frame;
   /** @type {Field} */ exactField;
@@ -39,13 +41,13 @@ export class AxialView {
       (start, end) => page.zoom(start, end),
     );
     this.axis.watch(() => this.zoomed());
-    const press = (/** @type {string} */ what) => {
-      this.what = /** @type {What} */ (what);
-      this.dress();
-      this.page.player.go(this.page.player.t);
-    };
     const names = family('axial.colour');
-    this.colours = segments(text('stage.colour-shows'), ['stress', 'velocity'], press, (what) => names[what]);
+    this.colours = segments(
+      text('stage.colour-shows'),
+      this.whats,
+      (what) => this.colour(what),
+      (what) => names[what],
+    );
     this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
     this.spaceTime.chart.title.after(this.colours.root);
@@ -55,6 +57,13 @@ export class AxialView {
     this.buttons = [this.whole];
     this.story.numbers.prepend(this.cycle.chart.root);
     this.hide(true);
+  }
+  /** @param {string} what  that the colours are to show */
+  colour(what) {
+    this.what = /** @type {What} */ (what);
+    this.dress();
+    this.page.player.go(this.page.player.t);
+    this.page.history.later();
   }
   /** @param {boolean} hidden */
   hide(hidden) {

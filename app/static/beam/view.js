@@ -25,6 +25,8 @@ const LEAST_ROOM = 1e-5; // of the whole impact, about what is looked at closely
 
 export class BeamView {
   /** @type {What} */ what = 'moment'; // that the colours show
+  usual = 'moment';
+  whats = FIELDS;
   after = 1e-6;
   /** @type {BeamFrame} */ frame;
   /** @type {BeamField} */ field;
@@ -47,14 +49,13 @@ export class BeamView {
     const parts = [...this.charts, this.cycle, this.dispersion];
     this.inView = new InView(parts, (part) => this.paint(part));
     this.story = new BeamStory(page);
-    const press = (/** @type {string} */ what) => {
-      this.what = /** @type {What} */ (what);
-      this.dress();
-      this.draw(true);
-      this.show(this.page.player.t);
-    };
     const names = family('beam.colour');
-    this.colours = segments(text('stage.colour-shows'), FIELDS, press, (what) => names[what]);
+    this.colours = segments(
+      text('stage.colour-shows'),
+      FIELDS,
+      (what) => this.colour(what),
+      (what) => names[what],
+    );
     this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
     this.slow = make('button', { type: 'button', className: 'whole slow-motion', textContent: text('beam.view.slow') });
@@ -67,6 +68,14 @@ export class BeamView {
     this.buttons = [this.slow, this.whole];
     this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
     this.hide(true);
+  }
+  /** @param {string} what  that the colours are to show */
+  colour(what) {
+    this.what = /** @type {What} */ (what);
+    this.dress();
+    this.draw(true);
+    this.show(this.page.player.t);
+    this.page.history.later();
   }
   /** @param {boolean} hidden */
   hide(hidden) {

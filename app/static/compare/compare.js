@@ -11,15 +11,19 @@ import { differing } from './settings.js';
 import { Told } from './told.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Changes } from '../shell/changes.js' */
+/** @import { Wanted } from '../shell/kept.js' */
+/** @import { Chosen, Frame } from '../shell/message.js' */
 /** @import { Question } from './questions.js' */
 
+const PATIENCE = 30_000; // ms for a solution of a link
 const LONGEST = 5; // times the impact that is shown, to which a longer one stretches the axis of time
 
 export class Compare {
   /** @type {Run[]} */ runs = [];
   /** @type {Run | null} */ beside = null; // in the picture
   /** @type {ArrayBuffer} */ bytes; // of the frame that is shown
+  due = false; // it is to be kept once it is no draft any more
 
   /** @param {Page} page */
   constructor(page) {
@@ -53,6 +57,8 @@ export class Compare {
    */
   keep() {
     const { page, runs } = this;
+    this.due = page.frame.draft;
+    if (this.due) return null; // once it is solved as chosen
     const letter = freeLetter(runs);
     const same = runs.find((run) => !differing([page.frame, run.frame]).length);
     if (same) page.complain(text('compare.already', { name: same.letter }));
@@ -112,6 +118,26 @@ export class Compare {
       page.goTo({ ...chosen, ...second }, () => page.layout.show('story'));
     });
   }
+  /**
+   * Have what a link says is kept solved again, out of sight, and come back to what is shown.
+   * @param {Wanted[]} wanted
+   */
+  async restore(wanted) {
+    const { page } = this;
+    const { changes } = page;
+    const { chosen } = page.frame;
+    const lost = [];
+    changes.quiet = page.root.inert = true;
+    page.waiter.soon('kept', text('compare.restoring'));
+    for (const { letter, settings } of wanted)
+      if (await reached(changes, { scene: chosen.scene, ...settings })) this.runs.push(new Run(letter, changes.bytes));
+      else lost.push(letter);
+    await reached(changes, chosen);
+    changes.quiet = page.root.inert = false;
+    page.waiter.over('kept');
+    if (lost.length) page.complain(text('compare.lost', { names: lost }));
+    this.#changed();
+  }
   /** What is kept, or how it is shown, has changed. */
   #changed() {
     const { page } = this;
@@ -124,7 +150,7 @@ export class Compare {
     page.view.dress();
     this.tell(page.frame);
     page.redraw();
-    page.address(page.frame.chosen);
+    page.history.write();
   }
   /**
    * How much time the charts show, in units of the message.
@@ -174,4 +200,20 @@ export class Compare {
   show(t) {
     this.second.draw(this.page.frame, t);
   }
+}
+
+/**
+ * Whether settings were reached.
+ * @param {Changes} changes
+ * @param {Partial<Chosen>} settings
+ * @returns {Promise<boolean>}
+ */
+function reached(changes, settings) {
+  return new Promise((done) => {
+    const late = setTimeout(() => changes.leave(), PATIENCE);
+    changes.go(settings, (frame) => {
+      clearTimeout(late);
+      done(frame !== null);
+    });
+  });
 }

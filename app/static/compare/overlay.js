@@ -5,7 +5,7 @@ import { kindsOf } from './settings.js';
 
 /** @import { Series, Stretches } from '../charts/chart.js' */
 /** @import { Samples } from '../charts/scale.js' */
-/** @import { View } from '../page.js' */
+/** @import { View } from '../shell/view.js' */
 /** @import { AxialFrame, BeamFrame, Frame } from '../shell/message.js' */
 /** @import { Run } from './run.js' */
 

@@ -1,34 +1,79 @@
-// The address of the page always says what is shown, and what is open and asked.
+// The address of the page says what is shown, and what is open and asked; of the choices only what differs from the
+// scene's own values.
+import { keptText } from './kept.js';
 
-/** @import { Chosen } from './message.js' */
+/** @import { Page } from '../page.js' */
+/** @import { Frame } from './message.js' */
 /** @import { Model } from './model.js' */
 
+const PLAIN = { '%2C': ',', '%3A': ':', '%3B': ';' }; // what a query need not encode
+
 /**
+ * Choices that differ from the scene's own, of those that act; the scene itself where it is not the first.
  * @param {Model} model
- * @param {string[]} names
- * @param {Chosen} chosen
+ * @param {Frame} frame
+ * @returns {[name: string, value: string][]}
  */
-export function queryOf(model, names, chosen) {
-  const query = new URLSearchParams();
-  const { spec } = model;
-  const usual = chosen.scene === spec.scene.default;
-  for (const name of names)
-    if (name === 'scene' ? !usual : chosen[name] !== spec[name].default || !usual)
-      query.set(name, String(chosen[name]));
-  const { panels, asked } = model.shared;
-  const open = Object.keys(panels).filter((name) => model[panels[name]]);
-  if (open.length) query.set('panel', open.join(','));
-  for (const [key, [name, panel, within]] of Object.entries(asked))
-    if (open.includes(panel) && (!within || model.auto_within === within)) query.set(key, model[name]);
-  return query.toString().replaceAll('%2C', ',');
+function choicesOf({ spec }, { acting, chosen, own }) {
+  const { scene } = chosen;
+  const changed = Object.keys(spec).filter((name) => acting.includes(name) && chosen[name] !== own[name]);
+  const first = scene === spec.scene.default ? [] : [/** @type {[string, string]} */ (['scene', String(scene)])];
+  return [...first, ...changed.map((name) => /** @type {[string, string]} */ ([name, String(chosen[name])]))];
 }
 
 /**
  * @param {Model} model
- * @param {string[]} names
- * @param {Chosen} chosen
+ * @returns {[key: string, value: string][]}  open panels, and what is asked in them
  */
-export function writeAddress(model, names, chosen) {
-  const text = queryOf(model, names, chosen);
-  history.replaceState(null, '', text ? `?${text}` : location.pathname);
+function panelsOf(model) {
+  const { panels, asked } = model.shared;
+  const open = Object.keys(panels).filter((name) => model[panels[name]]);
+  const questions = Object.entries(asked).filter(
+    ([, [, panel, within]]) => open.includes(panel) && (!within || model.auto_within === within),
+  );
+  return [
+    ...(open.length ? [/** @type {[string, string]} */ (['panel', open.join(',')])] : []),
+    ...questions.map(([key, [name]]) => /** @type {[string, string]} */ ([key, String(model[name])])),
+  ];
 }
+
+/**
+ * What is seen of it, and what is kept beside it.
+ * @param {Page} page
+ * @param {boolean} moment  with the instant of the clock, also while it runs
+ * @returns {[key: string, value: string][]}
+ */
+function viewOf({ compare, frame, layout, player, view }, moment) {
+  /** @type {[string, string][]} */
+  const found = [];
+  const add = (/** @type {string} */ key, /** @type {unknown} */ value) => found.push([key, String(value)]);
+  if (moment || (player.played && !player.playing)) add('t', Number(player.t.toPrecision(4)));
+  if (moment && player.playing) add('playing', true);
+  const { axis, usual, what } = view;
+  if (axis?.zoomed) add('view', axis.view.map((t) => Number(t.toPrecision(5))).join(','));
+  if (what && what !== usual) add('colour', what);
+  if (layout.mode !== 'phone' && layout.tabs.selected === 'numbers') add('tab', 'numbers');
+  if (compare.runs.length) add('kept', keptText(compare.runs, frame));
+  if (compare.beside) add('beside', compare.beside.letter);
+  if (compare.locked) add('locked', true);
+  return found;
+}
+
+/**
+ * @param {Page} page
+ * @param {boolean} [moment]  with the instant of the clock, also while it runs
+ */
+export function queryOf(page, moment = false) {
+  const { frame, model } = page;
+  const query = new URLSearchParams([...choicesOf(model, frame), ...panelsOf(model), ...viewOf(page, moment)]);
+  return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
+}
+
+/**
+ * Choices alone: two states of the page with the same are one step of its history.
+ * @param {Page} page
+ */
+export const choicesText = ({ frame, model }) => new URLSearchParams(choicesOf(model, frame)).toString();
+
+/** @param {string} query */
+export const addressOf = (query) => (query ? `?${query}` : location.pathname);

@@ -24,10 +24,21 @@ export class Changes {
   asked = 0; // when the last was, or 0 if it is answered
   /** @type {number | undefined} */ patience;
   /** @type {Goal | null} */ goal = null;
+  quiet = false; // what is answered is kept, not shown
+  /** @type {Frame} */ latest; // that was answered, and the message that it was
+  /** @type {ArrayBuffer} */ bytes;
 
   /** @param {Server} server */
   constructor(server) {
     this.server = server;
+  }
+  /**
+   * @param {Frame} frame
+   * @param {ArrayBuffer} bytes
+   */
+  take(frame, bytes) {
+    this.latest = frame;
+    this.bytes = bytes;
   }
   /** Milliseconds for which an answer has been awaited. */
   get late() {
@@ -71,11 +82,11 @@ export class Changes {
   }
   /**
    * Go to settings. `done` is given the frame that answers them, or nothing if they cannot be.
-   * @param {Frame} now  that is shown
    * @param {Partial<Chosen>} settings  what differs from the own values of the scene
    * @param {(frame: Frame | null) => void} done
    */
-  go(now, settings, done) {
+  go(settings, done) {
+    const now = this.latest;
     this.leave();
     this.goal = { scene: String(settings.scene ?? now.chosen.scene), settings, tries: 0, done };
     this.arrived(now);

@@ -98,8 +98,12 @@ export class Connection {
     this.back();
   }
   #return() {
-    keep(NAME, { ...Object(this.state()), at: Date.now() }, true);
+    this.keep();
     window.location.reload();
+  }
+  /** What is shown, for when this page is come back to. */
+  keep() {
+    keep(NAME, { ...Object(this.state()), at: Date.now() }, true);
   }
   /** @param {string} sentence */
   #say(sentence) {
@@ -115,7 +119,9 @@ export class Connection {
 export function cameBack() {
   const state = kept(NAME, /** @type {Record<string, any> | null} */ (null), true);
   keep(NAME, undefined, true);
-  return state && Date.now() - state.at < FRESH ? state : null;
+  const [how] = performance.getEntriesByType('navigation');
+  const again = 'type' in how && how.type !== 'navigate'; // the same page, not another visit
+  return state && again && Date.now() - state.at < FRESH ? state : null;
 }
 
 /**

@@ -12,6 +12,7 @@
  * @property {Record<string, number[]>} shapes  of the arrays, by name
  * @property {Chosen} chosen
  * @property {Chosen} own  the same, as the page opens the scene
+ * @property {boolean} draft  whether it is solved by fewer modes and elements than chosen
  * @property {string[]} acting  choices that act on this scene
  * @property {Record<string, Note | null>} refusals  by method: why it cannot solve the scene, or nothing
  * @property {string} title

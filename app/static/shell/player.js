@@ -29,6 +29,7 @@ const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
  * @typedef {object} Score
  * @property {() => Event[]} events
  * @property {() => [start: number, end: number]} range  in view
+ * @property {() => void} taken  a hand has taken the clock
  * @property {(holding: boolean) => void} hold  the clock waits for the caption to be read, or goes on
  */
 
@@ -176,6 +177,7 @@ export class Player {
     this.touring = false;
     this.waits = 0;
     this.score.hold(false);
+    this.score.taken();
   }
   /**
    * Play a stretch of time, to last so many seconds.

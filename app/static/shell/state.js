@@ -14,7 +14,7 @@ export function stateOf(page) {
     pace: player.pace.value,
     range: page.range(),
     tab: layout.tabs.selected,
-    colour: 'what' in page.view ? page.view.what : null,
+    colour: page.view.what ?? null,
     wanted: { ...Object.fromEntries(unanswered.map((name) => [name, model[name]])), ...waiting },
     scrolled: controls.root.parentElement?.parentElement?.scrollTop ?? 0,
   };
@@ -31,9 +31,7 @@ export function goOn(page, state) {
   player.looping = state.looping;
   player.pace.value = state.pace;
   layout.tabs.select(state.tab);
-  /** @type {HTMLElement[]} */
-  const colours = [...(view.colours?.root.querySelectorAll('button') ?? [])];
-  colours.find(({ dataset }) => dataset.kind === state.colour)?.click();
+  if (view.whats?.includes(state.colour)) view.colour?.(state.colour);
   const [start, end] = state.range;
   if (view.axis && (start > view.axis.whole[0] || end < view.axis.whole[1])) view.axis.show([start, end]);
   player.go(state.t);

@@ -1,0 +1,85 @@
+"""While a slider moves: answers of fewer modes and elements where those chosen take long; at rest, of those chosen."""
+
+import asyncio
+import math
+import time
+from collections.abc import Callable, Coroutine
+from typing import Any
+
+import panel as pn
+
+from ..choices.request import DRAFT
+from ..messages.encoding import read_header
+
+QUICK_SECONDS = 0.015  # of a solve that a hand does not feel
+MOVING_SECONDS = 0.6  # between two changes of a slider that moves; a slow answer comes between them
+IN_A_ROW = 3  # changes of one choice, of which the last is taken for a movement
+REST_SECONDS = 0.3  # without a change, after which it is at rest
+SHARES = (0.5, 0.25, 0.125)  # of modes, elements and steps that a draft may keep
+
+
+def draft_share(seconds: float) -> float:
+    """The share of modes, elements and steps with which a solve of so many seconds is quick; 1 if it is as it is.
+
+    Assumes: time grows with each of them at least in proportion.
+    """
+    if seconds <= QUICK_SECONDS:
+        return 1.0
+    return next((share for share in SHARES if seconds * share <= QUICK_SECONDS), SHARES[-1])
+
+
+def solve_seconds(message: bytes) -> float:
+    """Time of the solves that a message holds [s]."""
+    header = read_header(message)
+    solutions = [header.get(name) for name in ("exact", "other", "main", "reference")]
+    return sum(each["diagnostics"]["wall_time"] for each in solutions if each)
+
+
+class Drafts:
+    """Says what is to be solved for the choices while a slider moves; a part of `app.page.lab.Lab`.
+
+    No message says that a hand holds a slider: that is seen from one choice that changes again and again.
+    """
+
+    # What the laboratory gives
+    frame: Any
+    chosen: Callable[[], dict[str, Any]]
+    solve_wanted: Callable[[dict[str, Any]], Coroutine]
+
+    def watch_moves(self) -> None:
+        """Begin with no slider moving."""
+        self._slider, self._moved_at, self._in_a_row = "", -math.inf, 0
+        self._share = 1.0
+        self._coarse = self._resting = False  # whether the last wish was a draft; whether rest is waited for
+        self._moves = 0
+
+    def wish(self, *names: str) -> dict[str, Any]:
+        """What is to be solved after these choices have changed: as they are, or as a draft."""
+        self._moves += 1
+        self._coarse = self._moving(names) and self._share < 1.0
+        if not self._coarse:
+            return self.chosen()
+        if not self._resting:
+            self._resting = True
+            pn.state.execute(self._refine_at_rest)
+        return self.chosen() | {DRAFT: self._share}
+
+    def _moving(self, names: tuple[str, ...]) -> bool:
+        """Whether this goes on with the movement of one slider; as that begins, the last solve says how fine."""
+        now, name = time.monotonic(), names[0] if len(names) == 1 else ""
+        same = name == self._slider and now - self._moved_at < MOVING_SECONDS
+        self._slider, self._moved_at = name, now
+        self._in_a_row = self._in_a_row + 1 if same else 1
+        if self._in_a_row == IN_A_ROW and self.frame:
+            self._share = draft_share(solve_seconds(self.frame))
+        return bool(name) and self._in_a_row >= IN_A_ROW
+
+    async def _refine_at_rest(self) -> None:
+        moves = None
+        while self._coarse and moves != self._moves:
+            moves = self._moves
+            await asyncio.sleep(REST_SECONDS)
+        self._resting = False
+        if self._coarse:
+            self._coarse = False
+            await self.solve_wanted(self.chosen())

@@ -1,0 +1,126 @@
+// Undo and redo: every change of the choices is an entry of the browser's history, a drag is one. Back undoes, and does
+// not leave the page before all is undone.
+import { make } from './dom.js';
+import { addressOf, choicesText, queryOf } from './address.js';
+import { text } from '../text/catalogue.js';
+import { keep, kept } from './store.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Chosen } from './message.js' */
+
+const PAUSE = 700; // ms without a change, after which the next is a step of its own
+const REST = 250; // ms after which the address follows what is seen
+const TOP = 'history'; // under which the last entry is kept while the page reloads
+
+/** @typedef {{ strikewave: number, chosen: Chosen, choices: string }} Entry  its number; what is chosen, and as text */
+
+export class History {
+  top = 0; // number of the last entry
+  changed = -Infinity; // when the choices have changed last
+  going = false; // to an entry: what is answered meanwhile is no step
+  /** @type {number | undefined} */ resting;
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    const { entry } = this;
+    if (entry) this.top = Math.max(kept(TOP, 0, true), entry.strikewave); // the page was left, or reloaded
+    const button = (/** @type {string} */ sign, /** @type {string} */ title, /** @type {() => void} */ onclick) =>
+      make('button', {
+        type: 'button',
+        className: 'step-history',
+        textContent: sign,
+        title,
+        ariaLabel: title,
+        onclick,
+      });
+    this.undoing = button('↶', text('page.undo'), () => this.undo());
+    this.redoing = button('↷', text('page.redo'), () => this.redo());
+    this.undoing.setAttribute('aria-keyshortcuts', 'Control+Z');
+    this.redoing.setAttribute('aria-keyshortcuts', 'Control+Shift+Z');
+    this.popped = () => this.#arrive();
+    window.addEventListener('popstate', this.popped);
+  }
+  leave() {
+    window.removeEventListener('popstate', this.popped);
+    clearTimeout(this.resting);
+  }
+  /** @returns {Entry | null} */
+  get entry() {
+    const { state } = window.history;
+    return state && typeof state.strikewave === 'number' && state.chosen ? state : null;
+  }
+  undo() {
+    if ((this.entry?.strikewave ?? 0) > 0) window.history.back();
+  }
+  redo() {
+    if ((this.entry?.strikewave ?? 0) < this.top) window.history.forward();
+  }
+  /**
+   * Another answer is shown: the address says so, as a step of its own where the choices have changed.
+   */
+  write() {
+    clearTimeout(this.resting);
+    const { page, entry } = this;
+    if (!page.frame || page.changes.quiet) return;
+    const choices = choicesText(page);
+    const { chosen } = page.frame;
+    const now = performance.now();
+    const address = addressOf(queryOf(page));
+    if (!entry || choices === entry.choices || this.going || now - this.changed < PAUSE) {
+      if (entry && choices !== entry.choices) this.changed = now;
+      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, chosen, choices }, address);
+    } else {
+      this.changed = now;
+      this.top = entry.strikewave + 1;
+      keep(TOP, this.top, true);
+      this.#put('pushState', { strikewave: this.top, chosen, choices }, address);
+    }
+    this.#enable();
+  }
+  /**
+   * Browsers allow so many entries a minute; what comes too soon is left out.
+   * @param {'pushState' | 'replaceState'} how
+   * @param {Entry} entry
+   * @param {string} address
+   */
+  #put(how, entry, address) {
+    try {
+      window.history[how](entry, '', address);
+    } catch {
+      this.later();
+    }
+  }
+  /** What is seen has changed, not what is chosen: the address follows in a moment. */
+  later() {
+    clearTimeout(this.resting);
+    this.resting = window.setTimeout(() => this.write(), REST);
+  }
+  #enable() {
+    const at = this.entry?.strikewave ?? 0;
+    this.undoing.disabled = at === 0;
+    this.redoing.disabled = at >= this.top;
+  }
+  /** The browser has gone to an entry: its choices are chosen again. */
+  #arrive() {
+    const { entry, page } = this;
+    if (!entry || !page.frame) return;
+    this.going = true;
+    page.goTo(entry.chosen, () => {
+      this.going = false;
+      this.write();
+    });
+    this.#enable();
+  }
+  /**
+   * What keys do, with Ctrl. Whether they do anything.
+   * @param {KeyboardEvent} event
+   */
+  key({ key, shiftKey }) {
+    const name = key.toLowerCase();
+    if (name === 'z' && !shiftKey) this.undo();
+    else if ((name === 'z' && shiftKey) || name === 'y') this.redo();
+    else return false;
+    return true;
+  }
+}

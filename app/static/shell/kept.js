@@ -1,0 +1,65 @@
+// Kept solutions in an address: "A,modes:5;B,law:hertz,mass_ratio:2", each by what differs from its scene's own values.
+import { LETTERS } from '../compare/run.js';
+
+/** @import { Letter, Run } from '../compare/run.js' */
+/** @import { Chosen, Frame } from './message.js' */
+/** @import { Spec } from './model.js' */
+
+const NUMBER = /^-?\d+(\.\d+)?(e[+-]?\d+)?$/;
+
+/** @typedef {{ letter: Letter, settings: Partial<Chosen> }} Wanted */
+
+/**
+ * @param {Run[]} runs
+ * @param {Frame} now
+ */
+export const keptText = (runs, now) =>
+  runs
+    .map(({ frame: { acting, chosen, own }, letter }) => {
+      const differ = (/** @type {string} */ name) =>
+        name === 'scene' ? chosen.scene !== now.chosen.scene : acting.includes(name) && chosen[name] !== own[name];
+      const settings = Object.keys(chosen).filter(differ);
+      return [letter, ...settings.map((name) => `${name}:${chosen[name]}`)].join(',');
+    })
+    .join(';');
+
+/**
+ * What an address says is kept; null where any of it cannot be.
+ * @param {string} text
+ * @param {Spec} spec
+ * @returns {Wanted[] | null}
+ */
+export function keptOf(text, spec) {
+  const found = text.split(';').map((part) => wantedOf(part, spec));
+  const letters = new Set(found.map((each) => each?.letter));
+  return letters.size === found.length && found.every((each) => each !== null) ? found : null;
+}
+
+/**
+ * @param {string} text
+ * @param {Spec} spec
+ * @returns {Wanted | null}
+ */
+function wantedOf(text, spec) {
+  const [first, ...rest] = text.split(',');
+  const letter = LETTERS.find((each) => each === first);
+  /** @type {Partial<Chosen>} */
+  const settings = {};
+  for (const setting of rest) {
+    const [name, value = '', ...more] = setting.split(':');
+    const known = Object.hasOwn(spec, name) ? valueOf(value, spec[name]) : null;
+    if (known === null || more.length) return null;
+    settings[name] = known;
+  }
+  return letter ? { letter, settings } : null;
+}
+
+/**
+ * @param {string} value
+ * @param {import('./model.js').Bounds} bounds
+ */
+function valueOf(value, { high, low, options, whole }) {
+  if (options) return options.includes(value) ? value : null;
+  const number = NUMBER.test(value) ? Number(value) : NaN;
+  return number >= low && number <= high && (!whole || Number.isInteger(number)) ? number : null;
+}

@@ -1,0 +1,48 @@
+// What the page knows of a view of impacts of one kind.
+
+/** @import { Axis } from '../charts/axis.js' */
+/** @import { Chart } from '../charts/chart.js' */
+/** @import { Cycle } from '../axial/charts.js' */
+/** @import { Dispersion } from '../beam/charts.js' */
+/** @import { Scaled } from '../compare/scales.js' */
+/** @import { Stack } from './stack.js' */
+/** @import { Events } from './story.js' */
+/** @import { Striker } from './striker.js' */
+
+/**
+ * What shows an impact of one kind.
+ * @typedef {object} View
+ * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
+ * @property {Told} story
+ * @property {number} after  an event, by which what it has changed is seen
+ * @property {HTMLElement[]} buttons  beside the caption
+ * @property {Axis} [axis]  of time
+ * @property {{ root: HTMLElement }} [colours]  the choice of what they show
+ * @property {Stack} [stack]  charts over time
+ * @property {Chart} [strip]  the one of them that a phone always shows
+ * @property {Cycle} [cycle]
+ * @property {Dispersion} [dispersion]
+ * @property {() => void} dress  pictures in their colours and to their scale
+ * @property {string} [what]  that the colours show
+ * @property {string} [usual]  that they show at first
+ * @property {string[]} [whats]  that they can show
+ * @property {(what: any) => void} [colour]  have them show it
+ * @property {(hidden: boolean) => void} hide
+ * @property {(frame: any) => void} load
+ * @property {() => void} draw
+ * @property {(t: number) => void} show
+ * @property {(start?: number, end?: number) => void} zoom
+ * @property {() => string[]} [rows]  histories as comma-separated values, if there are any
+ */
+
+/**
+ * What is said of it.
+ * @typedef {object} Told
+ * @property {HTMLElement} root  in words
+ * @property {HTMLElement} numbers
+ * @property {Events} events
+ * @property {(frame: any) => void} load
+ * @property {(t: number) => void} at
+ */
+
+export {};

@@ -1,0 +1,206 @@
+"""Links, undo and redo, reloads: the page comes back as it was, and a bad link breaks nothing."""
+
+import pytest
+from playwright.sync_api import expect
+
+from app.choices.choices import SCENES, Choices
+from app.choices.scene_of import choices_of, own_choices
+
+from .test_compare_page import KEEP, set_and_wait
+from .test_page import settled
+
+SEARCH = "() => decodeURIComponent(location.search)"
+AT_REST = 900  # ms after which another change is a step of its own
+OLD = (  # of an earlier version: every choice, whether it acts or not
+    "?scene=free-rod&method=modal&mass_ratio=2.5&speed=3&law=hertz&linear_stiffness=13000000000&hertz_stiffness=2e10"
+    "&force_at_depth=10000&exponent=1.5&yield_indentation=0.000001&restitution=0.7&modes=20&elements=50&place=1"
+    "&support=cantilever&theory=euler-bernoulli&slenderness=10&damping=0"
+)
+
+
+def step(page, **settings) -> None:
+    """A change that is a step of the history."""
+    set_and_wait(page, **settings)
+    settled(page)
+    page.tab.wait_for_timeout(AT_REST)
+
+
+def chosen(page, *names: str) -> list:
+    return [page.header("chosen")[name] for name in names]
+
+
+def test_a_link_says_only_what_differs_from_the_scene(open_page):
+    page = open_page()
+    set_and_wait(page, mass_ratio=2)
+    page.wait("() => location.search === '?mass_ratio=2'")
+    set_and_wait(page, scene="hammer-on-cantilever")
+    page.wait("() => location.search === '?scene=hammer-on-cantilever'")
+    set_and_wait(page, modes=7)
+    page.wait("() => location.search === '?scene=hammer-on-cantilever&modes=7'")
+    set_and_wait(page, modes=choices_of("hammer-on-cantilever")["modes"])
+    page.wait("() => location.search === '?scene=hammer-on-cantilever'")
+
+
+def test_an_address_without_choices_is_the_first_scene_as_it_is():
+    assert Choices().chosen() == own_choices(next(iter(SCENES)))
+
+
+@pytest.mark.parametrize("scene", ["stepped-rod", "two-balls", "brick-off-centre", "figure-8.15", "figure-5.6"])
+def test_a_short_link_opens_what_it_was_made_of(open_page, scene):
+    page = open_page(f"?scene={scene}")
+    set_and_wait(page, speed=2.5)
+    settled(page)
+    search = page.evaluate(SEARCH)
+    assert len(search) < 80
+    assert open_page(search).header("chosen") == page.header("chosen")
+
+
+def test_an_old_link_still_opens_and_becomes_short(open_page):
+    page = open_page(OLD)
+    assert chosen(page, "scene", "mass_ratio", "law", "hertz_stiffness", "modes") == [
+        "free-rod",
+        2.5,
+        "hertz",
+        2e10,
+        20,
+    ]
+    page.wait("() => location.search.length < 130 && location.search.includes('hertz_stiffness=')")
+    assert "slenderness" not in page.evaluate(SEARCH)
+
+
+def test_undo_and_redo_go_step_by_step_and_back_stays_on_the_page(open_page):
+    page = open_page()
+    page.evaluate("() => { window.same = true; }")
+    undo, redo = (page.tab.get_by_role("button", name=name) for name in ("Undo (Ctrl+Z)", "Redo (Ctrl+Shift+Z)"))
+    expect(undo).to_be_disabled()
+    page.tab.wait_for_timeout(AT_REST)
+    for ratio in (1.1, 1.2, 1.3, 1.4):  # one drag
+        set_and_wait(page, mass_ratio=ratio)
+    settled(page)
+    page.tab.wait_for_timeout(AT_REST)
+    step(page, scene="free-rod")
+    step(page, law="hertz")
+    expect(redo).to_be_disabled()
+    page.tab.locator("h1").click()
+    page.answered(lambda: page.tab.keyboard.press("Control+z"))
+    assert chosen(page, "scene", "law") == ["free-rod", "rigid"]
+    page.tab.go_back()
+    page.wait("() => strikewave.page.frame.chosen.mass_ratio === 1.4")
+    assert chosen(page, "scene", "law") == ["fixed-rod", "rigid"]
+    page.wait("() => location.search === '?mass_ratio=1.4'")
+    page.answered(undo.click)
+    assert chosen(page, "scene", "mass_ratio") == ["fixed-rod", 1.0]
+    expect(undo).to_be_disabled()
+    page.answered(lambda: page.tab.keyboard.press("Control+Shift+Z"))
+    page.answered(lambda: page.tab.keyboard.press("Control+y"))
+    page.answered(redo.click)
+    page.wait("() => strikewave.page.frame.chosen.law === 'hertz' && strikewave.page.frame.chosen.scene === 'free-rod'")
+    expect(redo).to_be_disabled()
+    expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("hertz")
+    assert page.evaluate("() => window.same")
+
+
+def test_a_change_after_undo_forgets_what_was_undone(open_page):
+    page = open_page()
+    page.tab.wait_for_timeout(AT_REST)
+    step(page, speed=2)
+    step(page, speed=3)
+    page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
+    page.tab.wait_for_timeout(AT_REST)
+    step(page, speed=5)
+    expect(page.tab.get_by_role("button", name="Redo (Ctrl+Shift+Z)")).to_be_disabled()
+    page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
+    assert chosen(page, "speed") == [2]
+
+
+STATE = """() => { const { page } = strikewave, { compare, layout, player } = page;
+  return { t: player.t, playing: player.playing, pace: player.pace.value, tab: layout.tabs.selected, view: page.range(),
+    what: page.axial.what, kept: compare.runs.map(({ letter, frame }) => [letter, frame.chosen]),
+    beside: compare.beside?.letter, locked: compare.locked, chosen: page.frame.chosen }; }"""
+RESTORED = (
+    "() => window.strikewave?.frames > 0 && !strikewave.page.changes.quiet && strikewave.page.compare.runs.length"
+)
+
+
+def arrange(page) -> dict:
+    """A page that shows all that can be restored."""
+    set_and_wait(page, mass_ratio=2)
+    page.evaluate(KEEP)
+    set_and_wait(page, law="hertz")
+    page.evaluate(KEEP)
+    set_and_wait(page, modes=20)
+    page.evaluate(
+        """() => { const { page } = strikewave, { compare } = page;
+          page.axial.colour('velocity'); page.axial.axis.show([0.5, 1.5]); page.layout.show('numbers');
+          page.player.pace.value = '0.5'; page.player.seek(1.25);
+          compare.standBeside(compare.runs[1]); compare.lock(true); }"""
+    )
+    page.wait("() => ['t=1.25', 'locked=true', 'beside=B', 'tab='].every((part) => location.search.includes(part))")
+    return page.evaluate(STATE)
+
+
+def test_a_reload_restores_everything(open_page):
+    page = open_page()
+    before = arrange(page)
+    page.tab.reload()
+    page.wait(RESTORED)
+    page.wait("() => strikewave.page.compare.locked")
+    assert page.evaluate(STATE) == before
+
+
+def test_a_link_shows_the_same_to_others(open_page):
+    page = open_page()
+    before = arrange(page)
+    other = open_page(page.evaluate(SEARCH))
+    other.wait(RESTORED)
+    other.wait("() => strikewave.page.compare.locked")
+    after = other.evaluate(STATE)
+    assert after.pop("view") == pytest.approx(before.pop("view"))
+    assert after | {"pace": before["pace"]} == before
+
+
+def test_a_copied_link_has_the_instant_and_plays_where_the_page_does(open_page):
+    page = open_page("?scene=free-rod")
+    page.evaluate(
+        "() => { navigator.clipboard.writeText = (link) => { window.copied = link; return Promise.resolve(); }; }"
+    )
+    page.evaluate("() => { strikewave.page.player.seek(0.7); strikewave.page.player.toggle(); }")
+    page.tab.get_by_role("button", name="Copy link").click()
+    page.wait("() => window.copied")
+    link = page.evaluate("() => window.copied")
+    assert "scene=free-rod" in link and "playing=true" in link and "t=" in link
+    other = open_page("?" + link.split("?")[1])
+    other.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0.6")
+
+
+@pytest.mark.parametrize(
+    "query, said",
+    [
+        ("?t=abc", "cannot be, in t;"),
+        ("?t=-1&kept=Z,modes:5", "in kept, t;"),
+        ("?kept=A,modes:1e9", "in kept;"),
+        ("?kept=A,<img src=x>:1", "in kept;"),
+        ("?kept=A,constructor:1", "in kept;"),
+        ("?view=2,1&colour=red&beside=C&locked=perhaps&tab=all", "in view, colour, tab, beside, locked;"),
+        ("?mass_ratio=1e9&t=abc", "Mass ratio: 1000000000.0 is not possible"),
+        ("?law=" + 100_000 * "a", "Contact law: "),
+        ("?kept=" + 50_000 * "A,", "in kept;"),
+    ],
+    ids=lambda text: text[:24],
+)
+def test_a_bad_link_is_said_once_and_breaks_nothing(open_page, query, said):
+    page = open_page(query)
+    toast = page.tab.locator(".toast")
+    expect(toast).to_contain_text(said)
+    assert "<" not in toast.inner_text()
+    set_and_wait(page, speed=2)
+    assert chosen(page, "scene", "speed") == ["fixed-rod", 2]
+    page.wait("() => location.search === '?speed=2'")
+
+
+def test_what_cannot_be_solved_again_is_said_and_the_rest_is_kept(open_page):
+    """A place where this support holds the beam."""
+    page = open_page("?scene=hammer-on-cantilever&kept=A,place:0;B,modes:5")
+    page.wait(RESTORED)
+    assert page.evaluate("() => strikewave.page.compare.runs.map(({ letter }) => letter)") == ["B"]
+    assert page.header("chosen") == own_choices("hammer-on-cantilever")
