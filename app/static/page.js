@@ -114,8 +114,10 @@ export class Page {
   }
   /** Everything in its place. */
   arrange() {
-    const act = (/** @type {string} */ name, /** @type {() => void} */ onclick) =>
-      make('button', { type: 'button', className: name, textContent: text(`page.${name}`), onclick });
+    const act = (/** @type {string} */ className, /** @type {() => void} */ onclick) => {
+      const name = text(`page.${className}`); // on a phone a sign stands for it
+      return make('button', { type: 'button', className, textContent: name, ariaLabel: name, onclick });
+    };
     const copy = act('copy-link', () => copyLink(this));
     const save = act('save-data', () => saveData(this));
     save.title = text('page.save-data-about');

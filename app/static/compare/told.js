@@ -28,7 +28,7 @@ export class Told {
       heading(text('compare.title')),
       this.list,
     );
-    this.table = make('table', { className: 'figures' });
+    this.table = make('table', { className: 'side-by-side' });
     this.numbers = make(
       'section',
       { className: 'story compared', hidden: true },
