@@ -82,7 +82,8 @@ export class Told {
       return rowOf([figure.name, written(figure), ...cells]);
     });
     const head = headOf(['', text('compare.now'), ...runs.map(({ letter }) => letter)]);
-    runs.forEach(({ letter }, k) => (head.querySelectorAll('th')[k + 2].style.color = KEPT[letter]));
+    const named = [...head.querySelectorAll('th')].slice(-runs.length);
+    runs.forEach(({ letter }, k) => (named[k].style.color = KEPT[letter]));
     this.table.replaceChildren(head, make('tbody', {}, ...rows));
   }
 }
