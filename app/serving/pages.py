@@ -19,6 +19,7 @@ from ..page.lab import STATIC, VERSION
 from ..text.catalogues import LANGUAGE, LANGUAGES, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
+from .bundle import bundle
 from .door import FULL
 from .limits import MAX_PAGES_WAITING
 from .still import bare_frame, first_still
@@ -29,12 +30,15 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("libraries/bokeh-tables.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-tables.min.js"),
     ("libraries/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
-FILES = {path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file()}
+ENTRY = "page.js"  # stands for all modules
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 PACKED = (".js", ".css")
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
+FILES = {ENTRY, *OF_THE_DOCUMENT} | {
+    path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file() and path.suffix != ".js"
+}
 POLICY = (
     "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
@@ -93,8 +97,14 @@ class Page(RequestHandler):
 
 
 @cache
+def text_of(file: Path) -> bytes:
+    """A script or a style as it is sent."""
+    return bundle(STATIC, ENTRY).encode() if file == STATIC / ENTRY else file.read_bytes()
+
+
+@cache
 def _packed(file: Path) -> bytes:
-    return gzip.compress(file.read_bytes(), 6, mtime=0)
+    return gzip.compress(text_of(file), 6, mtime=0)
 
 
 def pack() -> None:
@@ -103,36 +113,32 @@ def pack() -> None:
         _packed(file)
 
 
-def _sent_packed(handler: RequestHandler, file: Path) -> bool:
-    """Send a text for ever and packed, to who can read that; False if it was not sent."""
-    handler.set_header("Vary", "Accept-Encoding")
-    if "gzip" not in handler.request.headers.get("Accept-Encoding", ""):
-        return False
+def _send(handler: RequestHandler, file: Path) -> None:
+    """A script or a style, packed for who can read that."""
     kind = "text/css" if file.suffix == ".css" else "text/javascript"
     handler.set_header("Content-Type", f"{kind}; charset=utf-8")
-    handler.set_header("Content-Encoding", "gzip")
     handler.set_header("Cache-Control", FOR_EVER)
-    handler.write(_packed(file))
-    return True
+    handler.set_header("Vary", "Accept-Encoding")
+    packed = "gzip" in handler.request.headers.get("Accept-Encoding", "")
+    if packed:
+        handler.set_header("Content-Encoding", "gzip")
+    handler.write(_packed(file) if packed else text_of(file))
 
 
 class Library(RequestHandler):
     """A script of Bokeh or Panel, which the page names with a version of its own."""
 
     def get(self, name: str) -> None:
-        file = dict(LIBRARIES)[name]
-        if not _sent_packed(self, file):
-            self.set_header("Content-Type", "text/javascript; charset=utf-8")
-            self.set_header("Cache-Control", FOR_EVER)
-            self.write(file.read_bytes())
+        _send(self, dict(LIBRARIES)[name])
 
 
 class Asset(StaticFileHandler):
     """A file of ours, by its name; there are no others."""
 
     async def get(self, path: str, include_body: bool = True) -> None:
-        known = path in FILES and path.endswith(PACKED)
-        if not known or not include_body or not _sent_packed(self, STATIC / path):
+        if path in FILES and path.endswith(PACKED) and include_body:
+            _send(self, STATIC / path)
+        else:
             await super().get(path, include_body)
 
     def compute_etag(self) -> str | None:

@@ -1,11 +1,13 @@
-"""Files of the page: packed for who can read that, plain for others, and the same for both."""
+"""Files of the page: its modules as one; packed for who can read that, plain for others, and the same for both."""
 
 import gzip
+import subprocess
 import urllib.request
 
 import pytest
 
-from app.serving.pages import LIBRARIES, STATIC, VERSION
+from app.serving.bundle import bundle
+from app.serving.pages import LIBRARIES, STATIC, VERSION, text_of
 
 ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "shell/lab.css")} | dict(LIBRARIES)
 
@@ -19,8 +21,46 @@ def fetched(server: str, address: str, *coding: str):
 def test_a_file_is_the_same_packed_or_not(server, address):
     plain, packed = fetched(server, address), fetched(server, address, "br, gzip;q=0.8")
     assert plain.headers["Content-Encoding"] is None and packed.headers["Content-Encoding"] == "gzip"
-    small, whole = packed.read(), ADDRESSES[address].read_bytes()
+    small, whole = packed.read(), text_of(ADDRESSES[address])
     assert plain.read() == gzip.decompress(small) == whole and len(small) < 0.5 * len(whole)
     for answer in (plain, packed):
         assert answer.headers["Vary"] == "Accept-Encoding" and "immutable" in answer.headers["Cache-Control"]
         assert answer.headers.get_content_type().endswith("css" if address.endswith(".css") else "javascript")
+
+
+def test_all_modules_are_one():
+    whole = bundle(STATIC, "page.js")
+    names = {path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*.js")}
+    apart = {"shell/modules.js", "shell/start.js", "shell/model.js"}  # which the document loads; types alone
+    assert {name for name in names if f"modules['{name}'] = " in whole} == names - apart
+
+
+@pytest.mark.browser  # needs Node
+def test_a_module_is_given_what_it_imports(tmp_path):
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b/one.js").write_text("export const one = 1;\nexport const two = 2;\n")
+    (tmp_path / "b/all.js").write_text("export const three = (await import(`./${'one'}.js`)).two + 1;\n")
+    (tmp_path / "a.js").write_text(
+        "import * as all from './b/all.js';\nimport {\n  one as first,\n  two,\n} from './b/one.js';\n"
+        "/** @import { X } from './x.js' */\nexport function sum() {\n  return first + two + all.three;\n}\n"
+    )
+    (tmp_path / "try.mjs").write_text(bundle(tmp_path, "a.js") + "console.log(sum());\n")
+    done = subprocess.run(["node", tmp_path / "try.mjs"], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "6\n", done.stderr
+
+
+@pytest.mark.parametrize(
+    "text, reason",
+    [
+        ("import './other.js';\n", "cannot be bundled: import './other.js'"),
+        ("export default 1;\n", "cannot be bundled: export default"),
+        ("export { a };\n", "cannot be bundled: export { a }"),
+        ("const a = import('./other.js');\n", "cannot be bundled"),
+        ("import { a } from './other.js';\n", "a.js imports itself"),
+    ],
+)
+def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
+    (tmp_path / "a.js").write_text(text)
+    (tmp_path / "other.js").write_text("import { b } from './a.js';\nexport const a = b;\n")
+    with pytest.raises(ValueError, match=reason):
+        bundle(tmp_path, "a.js")

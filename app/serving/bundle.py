@@ -1,0 +1,74 @@
+"""The modules of the page as one: a class that opens it at once fetches one file each, not a hundred.
+
+Each module becomes a function that is given what others export, in an order in which all that it needs is there. It
+takes the forms that our modules have: `import { a, b as c } from './x.js'`, `import * as a from './x.js'`, `export`
+before a declaration that does not change, and imports while running of files in the same folder.
+"""
+
+import re
+from pathlib import Path, PurePosixPath
+
+IMPORT = re.compile(r"^import (?:\{([^}]*)\}|\* as (\w+)) from '([^']+)';\n", re.MULTILINE)
+EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const) (\w+))", re.MULTILINE)
+LATE = re.compile(r"\bimport\(`\./([^`]*)`\)")  # of a module in the same folder, known only when it runs
+OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
+
+
+def bundle(root: Path, entry: str) -> str:
+    """The module `entry` of this folder with all that it imports; it exports what that does.
+
+    Raises ValueError for a circle, and for an import or export of another form.
+    """
+    parts: list[str] = []
+    _add(root, entry, {}, parts)
+    names = ", ".join(EXPORT.findall((root / entry).read_text("utf-8")))
+    return "const modules = {};\n" + "".join(parts) + f"export const {{ {names} }} = modules['{entry}'];\n"
+
+
+def _add(root: Path, name: str, state: dict[str, bool], parts: list[str]) -> None:
+    """Add a module after all that it needs. `state`: False while that is under way, True when it has been added."""
+    if name in state:
+        if not state[name]:
+            raise ValueError(f"{name} imports itself by way of others")
+        return
+    state[name] = False
+    text, folder = (root / name).read_text("utf-8"), PurePosixPath(name).parent
+    needed = [_inside(folder / path) for *_, path in IMPORT.findall(text)]
+    if LATE.search(text):  # whichever it will be: all there that stand alone or are needed by others too
+        needed += sorted(
+            str(folder / each.name) for each in (root / folder).glob("*.js") if str(folder / each.name) != name
+        )
+    for each in needed:
+        _add(root, each, state, parts)
+    parts.append(_function_of(name, folder, text))
+    state[name] = True
+
+
+def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
+    def given(found: re.Match) -> str:
+        names, whole, path = found.groups()
+        what = whole or f"{{{names.replace(' as ', ': ')}}}"
+        return f"const {what} = modules['{_inside(folder / path)}'];\n"
+
+    exported = EXPORT.findall(text)
+    body = EXPORT.sub("", IMPORT.sub(given, text))
+    body = LATE.sub(lambda found: f"modules[`{folder}/{found[1]}`]", body)
+    if other := OTHER.search(_without_comments(body)):
+        raise ValueError(f"{name}: cannot be bundled: {other[0]}")
+    body = body.replace("import.meta.url", f"new URL('{name}', import.meta.url).href").replace("export {};\n", "")
+    return f"modules['{name}'] = await (async () => {{\n{body}return {{ {', '.join(exported)} }};\n}})();\n"
+
+
+def _without_comments(text: str) -> str:
+    return re.sub(r"/\*[\s\S]*?\*/|^\s*//.*$", "", text, flags=re.MULTILINE)
+
+
+def _inside(path: PurePosixPath) -> str:
+    """Without steps upward."""
+    parts: list[str] = []
+    for part in path.parts:
+        if part == "..":
+            parts.pop()
+        else:
+            parts.append(part)
+    return "/".join(parts)
