@@ -152,7 +152,7 @@ def _number(value: float | None, unit: str = "", unknown: str = "") -> str:
 def _percent(share: float | None) -> str:
     if share is None or math.isnan(share):
         return "not known"
-    return "does not tell" if math.isinf(share) else f"{100.0 * share:.3g} %"
+    return "cannot predict" if math.isinf(share) else f"{100.0 * share:.3g} %"
 
 
 def _vector(values: Sequence[float]) -> str:
