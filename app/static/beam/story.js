@@ -119,7 +119,7 @@ export class BeamStory {
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
     const yields = law.yields && !['balance', 'rigid'].includes(main.name);
     const inside = split ? ['target_kinetic', 'target_strain'] : ['target_vibration'];
-    const names = family('beam.energy');
+    const names = { ...family('beam.energy') };
     if (yields) names.dissipated = names.yielding;
     const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated'];
     showEnergy(

@@ -17,6 +17,15 @@ const OPTION = /\s*(=\d+|[\w.-]+)\s*\{/y;
 /** @type {Map<string, Piece[]>} */
 const PARSED = new Map();
 
+/** @type {Map<string, Record<string, string>>} */
+const FAMILIES = new Map(); // texts below each code, found once: some are asked for with every solve
+for (const [name, message] of Object.entries(texts))
+  for (let dot = name.indexOf('.'); dot > 0; dot = name.indexOf('.', dot + 1)) {
+    const known = FAMILIES.get(name.slice(0, dot)) ?? {};
+    known[name.slice(dot + 1)] = message;
+    FAMILIES.set(name.slice(0, dot), known);
+  }
+
 /**
  * @param {string} message
  * @param {number} start
@@ -200,12 +209,7 @@ export const named = (choice, value) => texts[`name.${choice}.${value}`] ?? valu
  * @param {string} code
  * @returns {Record<string, string>}
  */
-export const family = (code) =>
-  Object.fromEntries(
-    Object.entries(texts)
-      .filter(([name]) => name.startsWith(`${code}.`))
-      .map(([name, message]) => [name.slice(code.length + 1), message]),
-  );
+export const family = (code) => FAMILIES.get(code) ?? {};
 
 /**
  * A method with its resolution, "fe-nodal elements=12 scheme=central-difference", in the words of the page.
