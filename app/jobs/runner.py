@@ -17,10 +17,7 @@ from .workers import MAX_SECONDS, QUICK, level_after
 
 COMPILING = page().text("serving.compiling")
 LONG_AFTER = 1.0  # s after which the visitor is informed that it takes long
-MIN_RUN_SECONDS = (
-    1.0  # s after which a newer request ends what is under way; sooner, and a drag would never be answered
-)
-
+MIN_RUN_SECONDS = 1.0  # s after which a newer request ends one under way; sooner, and no drag would be answered
 END_WITHIN = 3.0  # s in which work that is to end with what it has must do so
 CHECK = 0.1  # s between two looks whether what is under way is still wanted
 log = logging.getLogger("strikewave")
@@ -41,8 +38,8 @@ async def settled(result: Any) -> None:
 class Runner:
     """Has `work(choices)` done by the workers and hands the newest result to `publish`, or a sentence to `refuse`.
 
-    `wait` gets a sentence why an answer takes longer, and by an empty one when that is over: what is not compiled
-    yet is compiled in another process first. `rest` [s]: how long choices must stand before they are asked about.
+    `wait` gets a sentence why an answer takes longer, and an empty one when that is over: what is not compiled yet
+    is compiled in another process first. `rest` [s]: how long choices must stand before they are asked about.
     Work that is `stoppable` also takes `cancelled`, and ends with what it has when that is set.
     """
 

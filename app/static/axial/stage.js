@@ -1,5 +1,6 @@
 // The stage: the bodies themselves, movement exaggerated by a stated factor.
 import { cleared, letters } from '../charts/canvas.js';
+import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
@@ -228,6 +229,7 @@ export class Stage {
       const tall = thick * Math.max(Math.sqrt(rod.area / widest), 0.18);
       const top = middle - tall / 2;
       const [first, last] = this.#slices(rod);
+      /** @type {[number, number]} */
       const ends = [place(rod.from) + this.moved[first] * scale, place(rod.to) + this.moved[last] * scale];
       const at = (/** @type {number} */ k) => left + (k / (SLICES - 1)) * length + this.moved[k] * scale;
       const x = (/** @type {number} */ k) => (k <= first ? ends[0] : k >= last ? ends[1] : at(k));
@@ -239,6 +241,9 @@ export class Stage {
         c.fillStyle = css(0.5 * (this.values[i] + this.values[i + 1]), this.largest);
         c.fillRect(x(i), top, x(i + 1) - x(i) + 0.7, tall);
       }
+      const tense = (/** @type {number} */ k) => isHatched(this.values[first + k], this.largest);
+      const one = first === last && tense(0);
+      hatch(c, one ? [ends] : stretchesOf(last - first, tense, (k) => x(first + k)), top, tall);
       c.strokeStyle = '#4a5968';
       c.lineWidth = 1.2;
       c.strokeRect(ends[0], top, ends[1] - ends[0], tall);
@@ -320,6 +325,7 @@ export class Stage {
       c.fillStyle = css((k / bar) * 2 - 1, 1);
       c.fillRect(x + k, y, 1.2, 7);
     }
+    hatch(c, [[x, x + 0.47 * bar]], y, 7);
     c.fillStyle = COLORS.faint;
     c.font = letters(11);
     c.textAlign = 'left';

@@ -1,6 +1,10 @@
 // A field over time and place as a picture.
 import { contextOf } from './canvas.js';
+import { isHatched } from './hatch.js';
 import { palette, shade } from './styles.js';
+
+const DIAGONALS = 6; // pixels of the picture between two lines over what is negative
+const LINE = 0.86; // of the light around, that such a line has
 
 /** @typedef {import('./scale.js').Range} Range */
 
@@ -19,10 +23,12 @@ export function paint(image, values, rows, largest) {
   const pixels = picture.data.fill(255);
   for (let row = 0, p = 0; row < rows; row++)
     for (let column = 0; column < columns; column++, p += 4) {
-      const k = shade(values[column * rows + row], largest);
-      pixels[p] = palette[k];
-      pixels[p + 1] = palette[k + 1];
-      pixels[p + 2] = palette[k + 2];
+      const value = values[column * rows + row];
+      const k = shade(value, largest);
+      const light = (row + column) % DIAGONALS === 0 && isHatched(value, largest) ? LINE : 1;
+      pixels[p] = light * palette[k];
+      pixels[p + 1] = light * palette[k + 1];
+      pixels[p + 2] = light * palette[k + 2];
     }
   context.putImageData(picture, 0, 0);
 }
