@@ -5,7 +5,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
 PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
-PYTEST := $(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder
+PYTEST := $(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder --durations=25
 
 .PHONY: serve check test docs bench peers screenshot clean chromium
 
@@ -16,6 +16,7 @@ check: $(VENV)/.installed-test
 	$(PYTEST) -m "not browser and not slow"
 
 test: $(VENV)/.installed-test chromium node_modules/.installed
+	$(BIN)/impact warm  # else each of the servers that tests start would compile the same
 	$(PYTEST)
 
 # Needs no network once installed, neither to build nor to read.

@@ -29,23 +29,19 @@ def findings(page) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    "query, how",
-    [
-        ("", {}),
-        ("", {"size": (820, 1180)}),
-        ("", {"size": (390, 844)}),
-        ("", {"color_scheme": "dark"}),
-        ("", {"forced_colors": "active"}),
-        ("?scene=hammer-on-cantilever", {}),
-        ("?scene=hammer-on-cantilever", {"size": (390, 844)}),
-        ("?scene=split-hopkinson", {}),
-        ("?scene=brick-off-centre", {}),
-        ("?law=hertz", {}),
-    ],
-    ids=str,
+    "query", ["", "?scene=hammer-on-cantilever", "?scene=split-hopkinson", "?scene=brick-off-centre"]
 )
-def test_no_rule_of_access_is_broken(open_page, query, how):
-    assert findings(open_page(query, **how)) == []
+def test_no_rule_of_access_is_broken(open_page, query):
+    page = open_page(query)
+    found = {"desk": findings(page)}
+    page.tab.emulate_media(forced_colors="active")
+    found["forced colours"] = findings(page)
+    page.tab.emulate_media(forced_colors="none", color_scheme="dark")
+    for size in [(820, 1180), (390, 844)]:
+        page.tab.set_viewport_size({"width": size[0], "height": size[1]})
+        page.laid_out()
+        found[f"dark, {size}"] = findings(page)
+    assert {state: broken for state, broken in found.items() if broken} == {}
 
 
 def test_no_rule_of_access_is_broken_by_what_is_opened(open_page):
@@ -54,7 +50,7 @@ def test_no_rule_of_access_is_broken_by_what_is_opened(open_page):
     found = {"Numbers": findings(page)}
     for name in ANALYSES:
         page.analysis(name)
-        page.quiet()
+        page.tab.wait_for_timeout(300)  # some work for long: the form is there
         found[name] = findings(page)
     assert {name: broken for name, broken in found.items() if broken} == {}
 

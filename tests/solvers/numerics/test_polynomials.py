@@ -7,15 +7,15 @@ from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from pytest import approx
 
-from solvers.numerics.polynomials import bracketed_root, roots, shift, trim, value
+from solvers.numerics.polynomials import RootWork, bracketed_root, roots, shift, trim, value
 
 COEFFICIENTS = st.lists(st.floats(-10.0, 10.0), min_size=1, max_size=9).map(np.array)
 
 
 def found_roots(coefficients, length: float) -> np.ndarray:
     coefficients = np.asarray(coefficients, float)
-    found = np.zeros(coefficients.size + 2)
-    return found[: roots(coefficients, coefficients.size - 1, length, found)].copy()
+    found, work = np.zeros(coefficients.size + 2), RootWork.of(coefficients.size)
+    return found[: roots(coefficients, coefficients.size - 1, length, found, work)].copy()
 
 
 @given(COEFFICIENTS, st.floats(-3.0, 3.0))
