@@ -113,7 +113,7 @@ def stability_figure(across: str = "log") -> list[Any]:
     """One map for each integrator, which share ranges, and the cells that are selected; `across`: kind of that axis."""
     from bokeh.models import Span, TapTool
 
-    said = "kind", "error", "ending", "colour", "hatch"
+    said = "kind", "error", "ending", "colour"
     columns = (f"{name}-{column}" for name in INTEGRATORS for column in said)
     cells = source("cells", "left", "right", "bottom", "top", "step", "across", *columns)
     here, maps = source("here", "across", "step"), []
@@ -123,15 +123,13 @@ def stability_figure(across: str = "log") -> list[Any]:
         plot = blank(name, "", "", page().text("stability.step-axis"), first, 250, **kinds)
         if first:
             plot.y_range = first.y_range
-        look = {
-            "fill_color": {"field": f"{name}-colour"},
-            "hatch_pattern": {"field": f"{name}-hatch"},
-            "line_color": {"field": f"{name}-colour"},
-        }
-        cell = plot.quad("left", "right", "top", "bottom", source=cells, line_width=0.7, hatch_alpha=0.28,
-                         hatch_scale=6, selection_line_color=INK, selection_line_alpha=1.0, selection_line_width=2.5,
-                         **look)  # fmt: skip
+        look = {"fill_color": {"field": f"{name}-colour"}, "line_color": {"field": f"{name}-colour"}}
+        cell = plot.quad("left", "right", "top", "bottom", source=cells, line_width=0.7, selection_line_color=INK,
+                         selection_line_alpha=1.0, selection_line_width=2.5, **look)  # fmt: skip
         cell.nonselection_glyph = None
+        marks = source(f"{name}-marks", "across", "step", "marker")  # hatches would take a canvas for each cell
+        plot.scatter("across", "step", source=marks, marker={"field": "marker"}, size=6, line_color=INK,
+                     line_alpha=0.55, fill_color=INK, fill_alpha=0.2)  # fmt: skip
         limit = source(f"{name}-limit", "across", "step")
         plot.line("across", "step", source=limit, line_color=INK, line_width=2)
         for dimension in ("height", "width"):

@@ -4,7 +4,7 @@ import { within } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
 import { named, said, text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
-import { AXES, COLOURS, HATCHES, KINDS, Small, columnsOf, edges, nameOf, spanOf } from './stability_map.js';
+import { AXES, COLOURS, KINDS, MARKERS, Small, columnsOf, edges, marksOf, nameOf, spanOf } from './stability_map.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Cell, Maps, OneMap } from './stability_map.js' */
@@ -13,7 +13,7 @@ import { AXES, COLOURS, HATCHES, KINDS, Small, columnsOf, edges, nameOf, spanOf 
 /** @type {Record<string, Cell>} */
 const ARROWS = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowDown: [-1, 0] };
 /** @type {Record<string, string>} */
-const SIGNS = { '.': '∙', '/': '⁄', '-': '−', '+': '+', x: '×' }; // of hatches, in the legend
+const SIGNS = { dot: '∙', triangle: '△', dash: '−', cross: '+', x: '×' }; // of markers, in the legend
 
 class Stability extends Panel {
   /** @type {Maps | null} */ known = null; // the maps that are shown
@@ -50,7 +50,7 @@ class Stability extends Panel {
     const entry = (/** @type {string} */ name, /** @type {HTMLElement} */ mark) =>
       make('span', { className: 'key' }, mark, name);
     const chip = (/** @type {string} */ kind) => {
-      const mark = make('i', { className: 'chip', textContent: SIGNS[HATCHES[kind]] ?? '' });
+      const mark = make('i', { className: 'chip', textContent: SIGNS[MARKERS[kind]] ?? '' });
       mark.style.background = COLOURS[kind];
       return mark;
     };
@@ -133,6 +133,7 @@ class Stability extends Panel {
     };
     for (const map of found.maps) Object.assign(columns, columnsOf(found, map, cells));
     this.figure.fill('cells', columns);
+    for (const map of found.maps) this.figure.fill(`${map.name}-marks`, marksOf(found, map, cells));
     this.figure.range('modal-x', spanOf(across.values));
     this.figure.range('modal-y', spanOf(step));
     const here = [within(found.here[0], spanOf(step)), within(found.here[1], spanOf(across.values))];

@@ -53,10 +53,10 @@ export const KINDS = Object.keys(COLOURS).filter((kind) => kind !== 'none');
 export const nameOf = (kind) => text(`stability.kind.${kind}`);
 
 /**
- * What tells kinds apart besides their colours: hatches of Bokeh.
+ * What tells kinds apart besides their colours: markers of Bokeh.
  * @type {Record<string, string>}
  */
-export const HATCHES = { error: '.', chatter: '/', stopped: '-', lasting: '+', failed: 'x' };
+export const MARKERS = { error: 'dot', chatter: 'triangle', stopped: 'dash', lasting: 'cross', failed: 'x' };
 
 /**
  * What the step is set against: in the list, and below the maps.
@@ -179,8 +179,24 @@ export function columnsOf(found, map, cells) {
   return {
     [`${map.name}-kind`]: kinds.map(nameOf),
     [`${map.name}-colour`]: kinds.map((kind) => COLOURS[kind]),
-    [`${map.name}-hatch`]: kinds.map((kind) => HATCHES[kind] ?? ' '),
     [`${map.name}-error`]: cells.map((cell) => energyOf(map, cell) ?? '–'),
     [`${map.name}-ending`]: cells.map(([i, j]) => map.steps[i][j]),
+  };
+}
+
+/**
+ * The marks of those cells of a map that have one, at their middles.
+ * @param {Maps} found
+ * @param {OneMap} map
+ * @param {Cell[]} cells
+ */
+export function marksOf(found, map, cells) {
+  const marked = cells
+    .map(([i, j]) => ({ i, j, marker: MARKERS[found.kinds[Number(map.runs[i][j])]] }))
+    .filter(({ marker }) => marker);
+  return {
+    step: marked.map(({ i }) => found.step[i]),
+    across: marked.map(({ j }) => found.across.values[j]),
+    marker: marked.map(({ marker }) => marker),
   };
 }
