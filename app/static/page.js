@@ -256,7 +256,7 @@ export class Page {
     const frame = decode(data);
     this.changes.take(frame, data);
     if (this.changes.quiet) {
-      this.settle();
+      if (this.changes.answers(frame)) this.settle();
       this.changes.arrived(frame); // it is kept, not shown
       return;
     }
@@ -271,7 +271,7 @@ export class Page {
     this.player.load(this.frame);
     if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();
-    this.settle();
+    if (this.changes.answers(frame)) this.settle();
     this.changes.arrived(this.frame);
     this.tell();
     const { strikewave } = /** @type {any} */ (window); // for tests and benches

@@ -12,6 +12,7 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
 from app.choices.choices import title_of
+from app.messages.encoding import read_header
 
 
 def run(coroutine: Coroutine, seconds: float = 300.0) -> Any:
@@ -31,6 +32,7 @@ class SocketClient:
         self.received = 0  # bytes
         self.last: dict[str, Any] = {}
         self.last_frame = b""
+        self._set: tuple[str, Any] = "", None  # last
 
     async def open(self, query: str = "") -> "SocketClient":
         page = await AsyncHTTPClient().fetch(f"http://{self.address}/{query}", request_timeout=120)
@@ -72,6 +74,7 @@ class SocketClient:
         await self.send("PATCH-DOC", {"events": list(events)})
 
     async def set(self, name: str, value: Any) -> None:
+        self._set = name, value
         await self.patch({"kind": "ModelChanged", "model": {"id": self.lab["id"]}, "attr": name, "new": value})
 
     async def receive(self, timeout: float = 60.0) -> tuple[str, dict[str, Any]]:
@@ -123,12 +126,14 @@ class SocketClient:
                     return
 
     async def answer(self) -> None:
-        """Wait for the next solved frame."""
+        """Wait for the frame that answers what was set last; one that a draft is refined to may come before."""
         while True:
             kind, content = await self.receive()
             if kind == "PATCH-DOC" and any(e.get("attr") == "frame" for e in content.get("events", [])):
                 self.last_frame = content["buffers"][-1]
-                return
+                name, value = self._set
+                if not name or read_header(self.last_frame)["chosen"][name] == value:
+                    return
 
     def close(self) -> None:
         self._socket.close()

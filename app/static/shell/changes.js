@@ -22,6 +22,7 @@ const MAX_TRIES = 4; // answers that may differ from the settings gone to, befor
 export class Changes {
   /** @type {Record<string, any>} */ waiting = {}; // that are to be sent
   asked = 0; // when the last was, or 0 if it is answered
+  /** @type {string[]} */ sent = []; // the choices that it changed
   /** @type {number | undefined} */ patience;
   /** @type {Goal | null} */ goal = null;
   quiet = false; // what is answered is kept, not shown
@@ -67,14 +68,20 @@ export class Changes {
     }
     const changes = this.waiting;
     this.waiting = {};
-    let changed = false;
-    for (const name of names) {
-      if (Object.is(model[name], changes[name])) continue;
-      changed = true;
-      this.asked = performance.now();
-      model[name] = changes[name];
-    }
-    if (changed) this.server.sent();
+    const sent = names.filter((name) => !Object.is(model[name], changes[name]));
+    if (!sent.length) return;
+    this.sent = sent;
+    this.asked = performance.now();
+    for (const name of sent) model[name] = changes[name];
+    this.server.sent();
+  }
+  /**
+   * Whether a frame answers what was sent last. One that a draft is refined to may cross it on the way.
+   * @param {Frame} frame
+   */
+  answers(frame) {
+    const { model } = this.server;
+    return this.sent.every((name) => Object.is(model[name], frame.chosen[name]));
   }
   settle() {
     this.asked = 0;

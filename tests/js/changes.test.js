@@ -1,0 +1,34 @@
+// Changes on their way to the server: one at a time.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { clearTimeout } from 'node:timers';
+import { Changes } from '../../app/static/shell/changes.js';
+
+Object.assign(globalThis, { window: globalThis });
+
+/** @param {Record<string, any>} chosen */
+const frame = (chosen) => /** @type {any} */ ({ chosen });
+
+test('the next change waits for the answer to the last, not for a frame that crosses it', () => {
+  /** @type {any} */
+  const model = { speed: 1 };
+  const changes = new Changes({ model, lost: () => false, sent: () => {} });
+  changes.set('speed', 2);
+  changes.set('speed', 3);
+  assert.equal(model.speed, 2);
+  assert.equal(changes.answers(frame({ speed: 1 })), false, 'a draft of the value before, refined');
+  assert.equal(changes.answers(frame({ speed: 2 })), true);
+  changes.settle();
+  assert.equal(model.speed, 3);
+  clearTimeout(changes.patience);
+});
+
+test('a value that the server has changed is answered as it is then', () => {
+  /** @type {any} */
+  const model = { support: 'free', place: 1 };
+  const changes = new Changes({ model, lost: () => false, sent: () => {} });
+  changes.set('place', 0.2);
+  model.place = 0.25;
+  assert.equal(changes.answers(frame({ place: 0.25 })), true);
+  clearTimeout(changes.patience);
+});
