@@ -8,6 +8,7 @@ import numpy as np
 
 import solvers
 from solvers import LAWS, METHODS, Body, Scene
+from solvers.bodies import AnyBody
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
@@ -164,10 +165,11 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         return struck_at(scene, chosen["place"]) if has_length(base) else scene
     if base.prescribed_force:
         return base
-    changes: dict[str, Any] = {"impactor.velocity": chosen["speed"]}
+    changes = _of_velocity("impactor", base.impactor, chosen["speed"])
     if base.target.velocity:
         faster = chosen["speed"] / base.speed
-        changes = {f"{name}.velocity": faster * getattr(base, name).velocity for name in ("impactor", "target")}
+        changes = _of_velocity("impactor", base.impactor, faster * base.impactor.velocity)
+        changes |= _of_velocity("target", base.target, faster * base.target.velocity)
     own = choices_of(chosen["scene"])
     if on_beam(base):
         base = other_beam(
@@ -179,3 +181,8 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
         changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)
+
+
+def _of_velocity(name: str, body: AnyBody, velocity: float) -> dict[str, Any]:
+    """The keys of a scene that let a body come with this velocity [m/s]."""
+    return {f"{name}.{key}": value for key, value in body.of_velocity(velocity).items()}

@@ -72,7 +72,19 @@ def _leaving(solution: Solution) -> list[str]:
     else:
         share = text("solve.of-its-speed", share=solution.impactor_velocity / solution.scene.impactor.velocity)
         impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s   ({share})"
-    return [impactor, f"  {text('solve.target-moves'):21}{target}"]
+    return [impactor, f"  {text('solve.target-moves'):21}{target}", *_swinging(solution)]
+
+
+def _swinging(solution: Solution) -> list[str]:
+    """How pendulums turn on, what is felt of them at the contact, and what their pivots give."""
+    lines = []
+    for swing in solution.swings.values():
+        felt = text("solve.felt", mass=swing.felt_mass)
+        lines += [
+            f"  {text('solve.pendulum-turns'):21}{swing.spin:+.8g} rad/s   ({felt})",
+            f"  {text('solve.pivot-gives'):21}{swing.pivot_impulse:+.8g} N s",
+        ]
+    return lines
 
 
 def _line(code: str, value: str) -> str:

@@ -10,6 +10,7 @@ from .. import validation
 from .beams import Beam, Bending
 from .lumped import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
+from .pendulum import FlexiblePendulum, Pendulum, Pivoted, Swing
 from .protocol import AnyBody, Lumped
 from .pulse import Pulse
 from .rigid_body import Body, check_struck, in_space, read_normal
@@ -20,6 +21,7 @@ IMPACTORS: dict[str, type[AnyBody]] = {
     "sphere": RigidMass,
     "rod": Rod,
     "beam": Beam,
+    "pendulum": Pendulum,
     "body": Body,
     "pulse": Pulse,
 }
@@ -28,6 +30,7 @@ TARGETS: dict[str, type[AnyBody]] = {
     "rods": Rods,
     "beam": Beam,
     "mass": RigidMass,
+    "pendulum": Pendulum,
     "spring-mass": SpringMass,
     "stop": Wall,
     "half-space": Wall,
@@ -42,14 +45,18 @@ __all__ = [
     "Beam",
     "Bending",
     "Body",
+    "FlexiblePendulum",
     "Joint",
     "Lumped",
     "Material",
+    "Pendulum",
+    "Pivoted",
     "Pulse",
     "RigidMass",
     "Rod",
     "Rods",
     "SpringMass",
+    "Swing",
     "Wall",
     "Waveguide",
     "check_struck",

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import validation
+from ..numerics.beams.clamped_frame import clamped_frame_modes
 from ..numerics.beams.modes import BeamLine, beam_modes, dispersion
 from ..numerics.beams.statics import static_compliance
 from ..numerics.elements.beam import beam_mesh
@@ -123,7 +124,7 @@ class Beam(Bending):
                 raise SceneError("target.velocity", velocity, validation.allowed("still", support=["free-free"]))
         return cls(
             length,
-            _read_section(key, given),
+            read_beam_section(key, given),
             material,
             support,
             validation.choice(f"{key}.theory", given.get("theory", "euler-bernoulli"), THEORIES),
@@ -195,6 +196,10 @@ class Beam(Bending):
     def modes(self, count: int) -> Modes:
         return _modes(self.line, self.support, self.place, count, self.end_mass)
 
+    def attached_modes(self, count: int) -> Modes:
+        """Of a beam on a pin, as a frame fixed to its section there and shapes clamped there give them."""
+        return _attached_modes(self.line, self.place, count)
+
     def halting_time(self, mass: float) -> float:
         """How long the bending waves take to slow down a rigid mass [kg] that has struck it rigidly [s].
 
@@ -229,7 +234,7 @@ class Beam(Bending):
 
     def notes_on_modes(self, count: int) -> list[Note]:
         notes, reach = [], self.modes_within_reach(count)
-        if np.abs(self.modes(count).at_contact).max() * math.sqrt(self.mass) < NEAR_NODE:
+        if np.abs(self.modes(count).at_contact).max() * math.sqrt(self.line.mass + self.end_mass) < NEAR_NODE:
             notes.append(Note("struck-at-node", Severity.WARNING, modes=count))
         if reach < count:
             notes.append(Note("modes-too-fast", Severity.WARNING, modes=count, fast=count - reach, most=reach))
@@ -269,7 +274,13 @@ def _modes(line: BeamLine, support: str, place: float, count: int, end_mass: flo
     return beam_modes(line, support, place, count, end_mass)
 
 
-def _read_section(key: str, given: Mapping[str, Any]) -> Section:
+@lru_cache(maxsize=64)
+def _attached_modes(line: BeamLine, place: float, count: int) -> Modes:
+    """Kept as those are."""
+    return clamped_frame_modes(line, place, count)
+
+
+def read_beam_section(key: str, given: Mapping[str, Any]) -> Section:
     section = section_of_bar(key, given)
     if section.second_moment is None:
         raise SceneError(f"{key}.section.second_moment", None, validation.allowed("second-moment"))

@@ -88,6 +88,14 @@ class AnyBody(ABC):
         """What in its table gives it this mass [kg]; empty: no one key does."""
         return {}
 
+    def of_velocity(self, velocity: float) -> dict[str, float]:
+        """What in its table gives it this velocity [m/s] where it strikes or is struck."""
+        return {"velocity": velocity}
+
+    def with_share_of_modes(self, share: float) -> Self:
+        """Itself known by this share of its modes, where their number is its own and not the method's."""
+        return self
+
     def modes(self, count: int) -> Modes:
         """Its motion as a whole and its lowest natural modes."""
         raise TypeError(str(self.no_modes))

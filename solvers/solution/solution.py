@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bodies import AnyBody
+from ..bodies import AnyBody, Pivoted, Swing
 from ..scene import Scene
 from ..text.notes import Note, coded
 from ..validation import SceneError, allowed
@@ -142,22 +142,42 @@ class Solution:
 
         return cards.solution_card(self)
 
+    @property
+    def swings(self) -> dict[str, Swing]:
+        """How each pendulum goes on: `impactor`, `target` or both."""
+        found = {}
+        for name, sign in (("impactor", -1.0), ("target", 1.0)):
+            body = getattr(self.scene, name)
+            if isinstance(body, Pivoted):
+                found[name] = body.swing(getattr(self, f"{name}_velocity"), sign * self.impulse)
+        return found
+
     def table(self) -> dict[str, Any]:
         """The result as plain tables, with the keys that scripts rely on."""
         effective_mass = {} if self.effective_mass is None else {"effective_mass": self.effective_mass}
-        joints = [[asdict(contact) for contact in joint] for joint in self.joints]
+        joints: list[Any] = [[asdict(contact) for contact in joint] for joint in self.joints]
+        joints += [{"impulse": [swing.pivot_impulse, 0.0], "moment_impulse": 0.0} for swing in self.swings.values()]
+        names = dict(zip(self.swings, ("pendulum", "struck pendulum"), strict=False))
+        links = {
+            names[body]: {"final_velocity": [swing.centre_velocity, 0.0], "final_spin": swing.spin}
+            for body, swing in self.swings.items()
+        }
+        turned = {
+            body: {"final_spin": swing.spin, "effective_mass": swing.felt_mass} for body, swing in self.swings.items()
+        }
         return {
             "scene": self.scene.table(),
             "method": self.method,
             "contacts": [asdict(contact) for contact in self.contacts],
+            **({"links": links} if links else {}),
             **({"joints": joints} if joints else {}),
             "impulse": self.impulse,
             **effective_mass,
             "peak_force": self.peak_force,
             "peak_indentation": self.peak_indentation,
             "residual_indentation": self.residual_indentation,
-            "impactor": _final(self.impactor_velocity, self.impactor_spin),
-            "target": _final(self.target_velocity, self.target_spin),
+            "impactor": _final(self.impactor_velocity, self.impactor_spin) | turned.get("impactor", {}),
+            "target": _final(self.target_velocity, self.target_spin) | turned.get("target", {}),
             "restitution": self.restitution,
             "energy": self.energy,
             "diagnostics": self.diagnostics,

@@ -111,7 +111,7 @@ def problem_of(scene: Scene, values: Mapping[str, float], modes: int) -> Problem
     if "mass_ratio" in values:
         changes |= scene.impactor.of_mass(scene.target.mass / values["mass_ratio"])
     if "speed" in values:
-        changes["velocity"] = scene.target.velocity + values["speed"]
+        changes |= scene.impactor.of_velocity(scene.target.velocity + values["speed"])
     changes = {f"impactor.{key}": value for key, value in changes.items()}
     scene = scene.replace(changes) if changes else scene  # first of all: what follows is no longer in its tables
     pair = Modal(modes=int(values.get("modes", modes))).pair(scene)

@@ -99,7 +99,7 @@ def compare_with_half_space(scene: Scene) -> Solution:
     beside = Scene.from_table(
         {
             "title": f"The same impact on a half-space: {scene.title}"[:300],
-            "impactor": scene.impactor.table() | {"velocity": scene.speed},
+            "impactor": scene.impactor.table() | scene.impactor.of_velocity(scene.speed),
             "target": target | ({} if radius is None else {"radius": radius}),
             "contact": {"law": scene.contact.NAME} | scene.contact.table(scene.speed),
         }

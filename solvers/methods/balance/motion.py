@@ -80,7 +80,8 @@ class Pair:
 
 def _drift(modes: Modes) -> Callable[[np.ndarray], np.ndarray]:
     """What of a motion as a whole is none of the body's own turning, (1, x)."""
-    return lambda x: 1.0 - modes.rigid_shape(x)[None, :]
+    turns = 0.0 if modes.rigid_mean == 1.0 else 1.0  # else all of it is in the motion of the struck place
+    return lambda x: turns * (1.0 - modes.rigid_shape(x)[None, :])
 
 
 def _stresses(body: Any, modes: Modes) -> Callable[[np.ndarray], np.ndarray]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...bodies import Bending, Rod, Waveguide
+from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod, Waveguide
 from ...numerics.modes import Modes
 from ...numerics.oscillators import Record, Residual, march
 from ...provenance import clock
@@ -51,7 +51,8 @@ class Modal(Method):
     that spring is the whole law, so no stiffness is ever invented. Exact oscillators, energy-exact contact force.
     A free rod may be described in a frame on the mean of its sections, with the shapes of the free rod, or in one fixed
     to its struck or its far end, "attached" or "attached-far", with the shapes of a rod clamped there: thesis 10.2. The
-    oscillators are then those of the coupled system; what the frame does is in the diagnostics.
+    oscillators are then those of the coupled system; what the frame does is in the diagnostics. So may a beam on a pin,
+    "attached" to its section there: thesis 10.3. A pendulum that bends has shapes of its own, and their number.
     Error: second order in the step; in the number of modes of a rod modes^-3 with a contact law, modes^-2 if its force
     jumps at first touch, 1/modes to modes^-1.5 if rigid; of a slender beam modes^-7, plastic laws with it down to 1e-8,
     where only the step counts; modes^-2.5 if the force jumps; none if rigid: a beam struck at one point gives way at
@@ -64,7 +65,8 @@ class Modal(Method):
 
     modes: int = option(50, whole(1, 10_000))
     steps: int | None = option(None, whole(10, MAX_STEPS))  # over the whole duration
-    frame: str = option("mean-axis", word(FRAMES))  # of a free rod: floating frame and the shapes that go with it
+    # of a free rod or a beam on a pin: floating frame and the shapes that go with it
+    frame: str = option("mean-axis", word(FRAMES))
     residual: bool = option(True, flag)  # whether the modes left out give way
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
 
@@ -80,7 +82,8 @@ class Modal(Method):
         if scene.rigid_contact and not (impactor.time_unit or target.time_unit):
             kinds = {"impactor": impactor.kind, "target": target.kind}
             return Note("refusals.nothing-gives-way", Severity.REFUSAL, **kinds)
-        if self.frame != "mean-axis" and not (isinstance(target, Rod) and target.support == "free"):
+        pinned = isinstance(target, Beam) and target.swings and self.frame == "attached"
+        if self.frame != "mean-axis" and not (pinned or (isinstance(target, Rod) and target.support == "free")):
             got = target.support if isinstance(target, (Rod, Bending)) else target.kind
             return Note("refusals.frame-of-end", Severity.REFUSAL, frame=self.frame, target=got)
         if not self.residual and scene.rigid_contact:
@@ -115,7 +118,9 @@ class Modal(Method):
             "raw_peak_force": float(motion.record.contact_force.max()),
             "resolved_time": motion.pair.resolved_time,
         }
-        if self.frame != "mean-axis":
+        if isinstance(scene.impactor, Pivoted) and scene.impactor.bends:
+            found["diagnostics"] |= motion.pivot_figures()
+        if self.frame != "mean-axis" and not scene.target.bends:
             found["diagnostics"] |= motion.frame_figures(contacts[-1].end, self.frame == "attached")
         if found["restitution"]["newton_at_contact"] is not None:
             rigid, parting = scene.rigid_contact, contacts[-1].end
@@ -186,7 +191,7 @@ class Modal(Method):
         bodies = (scene.impactor, scene.target)
         impactor, target = (body.modes(self.modes).excited() for body in bodies)
         if self.frame != "mean-axis":
-            target = scene.target.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
+            target = self._attached(scene.target)
         if not self.residual:
             nothing: dict = {
                 "residual_compliance": 0.0,
@@ -197,6 +202,11 @@ class Modal(Method):
             impactor, target = replace(impactor, **nothing), replace(target, **nothing)
         truncated = (scene.impactor.time_unit is not None, scene.target.time_unit is not None)
         return Pair(impactor, target, truncated, (scene.impactor.damping, scene.target.damping))
+
+    def _attached(self, body: AnyBody) -> Modes:
+        if isinstance(body, Beam):
+            return body.attached_modes(self.modes)
+        return body.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
 
     def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
@@ -209,7 +219,8 @@ class Modal(Method):
         final = motion.record.velocity[-1]
         differences = []
         for modes in others:
-            other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(scene, motion.duration)
+            fewer = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes))
+            other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(fewer, motion.duration)
             differences.append(abs(final - other.record.velocity[-1]))
         estimated = float(max(differences) / scene.speed)
         # shorter than any mode kept: all numbers of modes are wrong alike

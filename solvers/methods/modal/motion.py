@@ -4,7 +4,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...bodies import Waveguide
+from ...bodies import FlexiblePendulum, Waveguide
 from ...numerics.oscillators import Bank, Record, advance, turn
 from ...scene import Scene
 from ...solution.sampled_motion import given_up, growth, run_out
@@ -12,6 +12,8 @@ from ...solution.solution import ContactPeriod
 from .pair import Pair
 
 FRAME_SAMPLES = 500  # at which the frame is watched after the contact
+PIVOT_SAMPLES = 2_000  # at which the moments of a pendulum are looked at
+NO_PLACE = 1e-300  # [m]: the first end of the impactor, whose places are negative
 # Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
 # waves, mass ratios 0.02 to 50 on fixed and free rods, 20 to 200 modes: false gaps stay below, true ones open wider.
 LEAST_OPENING = 0.4
@@ -167,7 +169,7 @@ class ModalMotion:
 
     def displacement(self, time, x):
         time, record = np.asarray(time, float), self.record
-        drifts = self.scene.impactor.velocity * time, self.scene.target.velocity * time
+        drifts = [velocity * time for velocity in self._drifts]
         struck = self._at(time, record.position), self._at(time, record.rigid_position)
         found = self._field(time, x, self.amplitudes(time)[0], tuple(zip(struck, drifts, strict=True)))
         side = np.where(np.asarray(x, float) < 0.0, -1.0, 1.0)
@@ -175,9 +177,15 @@ class ModalMotion:
 
     def velocity(self, time, x):
         time, record = np.asarray(time, float), self.record
-        drifts = self.scene.impactor.velocity, self.scene.target.velocity
+        drifts = self._drifts
         struck = self._at(time, record.velocity), self._at(time, record.rigid_velocity)
         return self._field(time, x, self._rates(time), tuple(zip(struck, drifts, strict=True)))
+
+    @property
+    def _drifts(self) -> list[float]:
+        """Velocities [m/s] that no impact on the struck place changes all of, as the body turns about another point."""
+        bodies, modes = (self.scene.impactor, self.scene.target), (self.pair.impactor, self.pair.target)
+        return [0.0 if m.rigid_mean == 1.0 else body.velocity for body, m in zip(bodies, modes, strict=True)]
 
     def stress(self, time, x):
         """Compression positive [Pa]: along a rod, or of a beam on the side that is struck."""
@@ -295,6 +303,22 @@ class ModalMotion:
         return {
             "frame_velocity": float(self.velocity(time[-1:], end)[0, 0]),
             "fictitious_end_stress": float(np.abs(self.stress(time, end)).max()) / pressure,
+        }
+
+    def pivot_figures(self) -> dict[str, float]:
+        """Of a pendulum that bends: the largest bending moment at its pivot and where it strikes [N m], and the largest
+        force of the pivot [N].
+
+        A pivot bears no moment: what there is of it is fictitious, from shapes clamped there, thesis figure 10.11.
+        """
+        time = np.linspace(0.0, self.duration, PIVOT_SAMPLES)
+        place = self.scene.impactor.known_as(FlexiblePendulum).place
+        x = np.array([-NO_PLACE, -place])  # the impactor is where x is negative
+        moments, force = np.abs(self.moment(time, x)).max(axis=0), np.abs(self.shear(time, x[:1])).max()
+        return {
+            "pivot_moment": float(moments[0]),
+            "contact_moment": float(moments[1]),
+            "peak_pivot_force": float(force),
         }
 
     # --- contacts

@@ -64,8 +64,10 @@ class Mesh(NamedTuple):
         return self.shortest_period if self.bends else front_time(self.size, self.shortest_period)
 
     def moving(self, velocity: float) -> np.ndarray:
-        """Rates of all unknowns [m/s, rad/s] before the impact; of what is held all are zero."""
-        return velocity * self.free[0] if velocity else np.zeros(self.size)
+        """Rates of all unknowns [m/s, rad/s] before the impact, by that of the struck place [m/s]; of what is held all
+        are zero.
+        """
+        return velocity / self.free[0, self.struck] * self.free[0] if velocity else np.zeros(self.size)
 
     @property
     def whole(self) -> np.ndarray | None:
@@ -167,6 +169,14 @@ def point_mesh(mass: float, stiffness: float = 0.0) -> Mesh:
         lambda x: np.ones((nodes, np.size(x))),
         lambda x: np.zeros((nodes, np.size(x))),
     )
+
+
+def about_pivot(mesh: Mesh) -> Mesh:
+    """A body that turns about a pivot: its momentum is that about the pivot, its mass that felt where it is struck."""
+    whole = mesh.whole
+    assert whole is not None
+    weights = banded.times(mesh.mass, whole)
+    return mesh._replace(free=whole[None, :], weights=weights, total_mass=float(weights @ whole))
 
 
 def with_accelerations(mesh: Mesh) -> Mesh:
