@@ -16,6 +16,7 @@ from tests.app.socket_client import SocketClient, run
 
 from .serving import served_page
 from .timing import row
+from .workspace import rows_of
 
 VISITS = 15
 CASES = {
@@ -91,6 +92,7 @@ def _browser(address: str) -> list:
             extra = page.frames["sent"] + page.frames["received"] - frames
             rows.append(row(f"websocket frames during playback, {name}", extra, "", "0"))
             page.context.close()
+        rows += rows_of(browser, address, PLAYBACK)
         browser.close()
     return rows
 

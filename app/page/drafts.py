@@ -12,7 +12,7 @@ from ..choices.request import DRAFT
 from ..messages.encoding import read_header
 
 QUICK_SECONDS = 0.015  # of a solve that a hand does not feel
-MOVING_SECONDS = 0.6  # between two changes of a slider that moves; a slow answer comes between them
+MOVING_SECONDS = 0.6  # from the last change of a slider that moves, or from its answer, to the next
 IN_A_ROW = 3  # changes of one choice, of which the last is taken for a movement
 REST_SECONDS = 0.3  # without a change, after which it is at rest
 SHARES = (0.5, 0.25, 0.125)  # of modes, elements and steps that a draft may keep
@@ -43,6 +43,7 @@ class Drafts:
 
     # What the laboratory gives
     frame: Any
+    answered: float
     chosen: Callable[[], dict[str, Any]]
     solve_wanted: Callable[[dict[str, Any]], Coroutine]
 
@@ -65,13 +66,15 @@ class Drafts:
         return self.chosen() | {DRAFT: self._share}
 
     def _moving(self, names: tuple[str, ...]) -> bool:
-        """Whether this goes on with the movement of one slider; as that begins, the last solve says how fine."""
+        """Whether this goes on with the movement of one slider; the last solve says how fine the next may be."""
         now, name = time.monotonic(), names[0] if len(names) == 1 else ""
-        same = name == self._slider and now - self._moved_at < MOVING_SECONDS
+        same = name == self._slider and now - max(self._moved_at, self.answered) < MOVING_SECONDS
         self._slider, self._moved_at = name, now
         self._in_a_row = self._in_a_row + 1 if same else 1
-        if self._in_a_row == IN_A_ROW and self.frame:
-            self._share = draft_share(solve_seconds(self.frame))
+        if self._in_a_row < IN_A_ROW:
+            self._share = 1.0
+        elif self.frame and (share := self._share * draft_share(solve_seconds(self.frame))) < self._share:
+            self._share = max(share, SHARES[-1])
         return bool(name) and self._in_a_row >= IN_A_ROW
 
     async def _refine_at_rest(self) -> None:

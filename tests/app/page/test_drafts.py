@@ -1,5 +1,7 @@
 """Answers while a slider moves: coarser where the chosen ones take long, and those chosen at rest."""
 
+import time
+
 import pytest
 from playwright.sync_api import expect
 
@@ -8,7 +10,7 @@ from app.choices.request import DRAFT, LEAST, Request
 from app.choices.scene_of import choices_of
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
-from app.page.drafts import QUICK_SECONDS, SHARES, draft_share
+from app.page.drafts import MOVING_SECONDS, QUICK_SECONDS, SHARES, draft_share
 from app.page.lab import Lab
 from app.page.questions import Questions
 from app.serving import guard
@@ -61,6 +63,25 @@ def test_one_slider_that_changes_again_and_again_is_answered_by_drafts():
     assert moved(*4 * ["speed"]) == [False, False, True, True]
     assert moved("speed", "mass_ratio", "speed", "mass_ratio") == 4 * [False]
     assert moved("speed", "speed", "mass_ratio", "speed", "speed") == 5 * [False]
+
+
+@pytest.mark.parametrize("answered", [True, False])
+def test_a_movement_goes_on_while_the_page_waits_for_a_slow_answer(answered):
+    lab = Lab(**chosen(SLOW))
+    lab.frame, lab._resting = solve_frame(chosen(SLOW)), True
+    for _ in range(3):
+        wish = lab.wish("speed")
+        lab._moved_at -= 2 * MOVING_SECONDS
+        lab.answered = time.monotonic() - (0 if answered else 2 * MOVING_SECONDS)
+    assert (DRAFT in wish) == answered
+
+
+def test_a_draft_that_is_still_slow_is_followed_by_a_coarser_one():
+    lab = Lab(**chosen(SLOW))
+    lab.frame, lab._resting = solve_frame(chosen(SLOW) | {DRAFT: 0.5}), True  # 90 000 steps
+    lab._share = 0.5
+    lab._slider, lab._moved_at, lab._in_a_row = "speed", time.monotonic(), 3
+    assert lab.wish("speed")[DRAFT] < 0.5
 
 
 def test_the_socket_takes_nothing_more_for_it():
