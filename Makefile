@@ -17,7 +17,7 @@ check: $(VENV)/.installed-test
 
 test: $(VENV)/.installed-test chromium node_modules/.installed
 	$(BIN)/impact warm  # else each of the servers that tests start would compile the same
-	$(PYTEST)
+	$(PYTEST) -n $$(($$(nproc) + 1))  # tests of the page wait half of their time
 
 # Needs no network once installed, neither to build nor to read.
 docs: $(VENV)/.installed-test
@@ -27,7 +27,7 @@ docs: $(VENV)/.installed-test
 bench: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench
 
-# Other programs on the same blow, on one thread; `make bench` runs them too once they are installed.
+# Other programs on the same impact, on one thread; `make bench` runs them too once they are installed.
 peers: $(VENV)/.installed-test
 	$(PIP_INSTALL) --editable '.[test,peers]'
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench --only peers
