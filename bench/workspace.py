@@ -89,7 +89,7 @@ def _first(browser, address: str) -> list:
         found.append(page.evaluate(FIRST))
         page.context.close()
     paint, moving = (statistics.median(visit[key] for visit in found) for key in ("paint", "moving"))
-    ours = [(path, size) for path, size in found[0]["sent"] if not path.startswith("/static/")]
+    ours = [(path, size) for path, size in found[0]["sent"] if not path.startswith(("/static/", "/libraries/"))]
     return [
         row("first paint", 1e-3 * paint, "s", "<= 0.3"),
         row("moving by itself, from the request", 1e-3 * moving, "s", "<= 1.5"),
