@@ -10,9 +10,14 @@ import numpy as np
 from . import validation
 from .bodies import (
     AnyBody,
+    Beam,
     Bending,
     Body,
+    Mechanism,
+    Pivoted,
     Pulse,
+    RigidMass,
+    Rod,
     Rods,
     Wall,
     Waveguide,
@@ -60,7 +65,8 @@ class Scene:
         given = validation.table("", given, ("title", "source", "note", "impactor", "target", "contact", "method"))
         for part in ("impactor", "target"):
             validation.required("", given, part, allowed("a-table"))
-        impactor, target = read_body("impactor", given["impactor"]), read_body("target", given["target"])
+        target = read_body("target", given["target"])
+        impactor = _read_impactor(given["impactor"], target)
         normal = _read_normal(impactor, target, given.get("contact"))
         if isinstance(impactor, Pulse):
             impactor = _on_rod(impactor, target, given.get("contact"))
@@ -152,6 +158,15 @@ class Scene:
         return self.impactor.bends or self.target.bends
 
     @property
+    def at_contact(self) -> "Scene":
+        """The impact alone: of a mechanism, seen from its struck point; else the scene itself."""
+        if not isinstance(self.target, Mechanism):
+            return self
+        impactor: Any = self.impactor
+        closing = replace(impactor, **impactor.of_velocity(self.speed))
+        return replace(self, impactor=closing, target=self.target.at_rest)
+
+    @property
     def speed(self) -> float:
         """Of approach, v1 - v2 [m/s]; of bodies in space that of the touching points along the normal."""
         if self.normal is not None:
@@ -169,8 +184,7 @@ class Scene:
         """Kinetic energy of both bodies before the impact [J]."""
         if self.normal is not None:
             return float(sum(impulses.kinetic_energy(in_space(body)) for body in (self.impactor, self.target)))
-        moving = [body for body in (self.impactor, self.target) if body.velocity and not isinstance(body, Pulse)]
-        return 0.5 * sum(body.mass * body.velocity**2 for body in moving)
+        return sum(body.kinetic_energy for body in (self.impactor, self.target) if not isinstance(body, Pulse))
 
     @property
     def halting_time(self) -> float:
@@ -198,6 +212,19 @@ class Scene:
         return contact_time(self.contact, self.reduced_mass, self.speed)
 
 
+def _read_impactor(given: object, target: AnyBody) -> AnyBody:
+    """What strikes; a mechanism may also run into what stands still, or overtake it: any velocity along its normal."""
+    if not isinstance(target, Mechanism) or not isinstance(given, Mapping):
+        return read_body("impactor", given)
+    fastest, known = SPEED_RANGE[1], "velocity" in given
+    found: Any = read_body("impactor", {**given, "velocity": fastest} if known else given)
+    if not isinstance(found, (RigidMass, Rod, Beam, Pivoted)):
+        raise SceneError("impactor.kind", found.kind, allowed("strikes-mechanism"))
+    if not known:
+        return found
+    return replace(found, velocity=validation.number("impactor.velocity", given["velocity"], -fastest, fastest, "m/s"))
+
+
 def _on_rod(pulse: Pulse, target: AnyBody, contact: object) -> Pulse:
     """A prescribed force, which needs a rod to act on and no contact."""
     if not isinstance(target, Waveguide):
@@ -209,6 +236,9 @@ def _on_rod(pulse: Pulse, target: AnyBody, contact: object) -> Pulse:
 
 def _check_approach(impactor: AnyBody, target: AnyBody) -> None:
     """The bodies must come closer."""
+    if isinstance(target, Mechanism) and impactor.velocity - target.velocity < SPEED_RANGE[0]:
+        reason = allowed("struck-link-approaches", link=target.struck.link, velocity=target.velocity)
+        raise SceneError("impactor.velocity", impactor.velocity, reason)
     if impactor.velocity - target.velocity < SPEED_RANGE[0]:
         raise SceneError("target.velocity", target.velocity, allowed("approach", velocity=impactor.velocity))
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 
 from .. import validation
 from .beams import Beam, Bending
+from .linkage import Mechanism
 from .lumped import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
 from .pendulum import FlexiblePendulum, Pendulum, Pivoted, Swing
@@ -35,6 +36,7 @@ TARGETS: dict[str, type[AnyBody]] = {
     "stop": Wall,
     "half-space": Wall,
     "body": Body,
+    "mechanism": Mechanism,
 }
 
 __all__ = [
@@ -49,6 +51,7 @@ __all__ = [
     "Joint",
     "Lumped",
     "Material",
+    "Mechanism",
     "Pendulum",
     "Pivoted",
     "Pulse",

@@ -45,6 +45,8 @@ class AnyBody(ABC):
     endless: bool = False  # whether waves run away in it for good
     bonded: bool = True  # whether all its parts stay together, whatever strikes it
 
+    own_modes: bool = False  # whether it says itself how many modes it has, whatever a method asks for
+
     round_trip_time: float | None = None  # of a wave that keeps its shape [s]
     time_unit: float | None = None  # in which its impacts are measured [s]; None: nothing rings in it
     half_swing: float | None = None  # half a period of a mass on its spring [s]; None: there is none
@@ -78,6 +80,11 @@ class AnyBody(ABC):
         """Itself, as of this class: of which a method has made sure before it solves."""
         assert isinstance(self, kind), f"a {self.kind} is no {kind.__name__}"
         return self
+
+    @property
+    def kinetic_energy(self) -> float:
+        """Before the impact [J]."""
+        return 0.5 * self.mass * self.velocity**2 if self.velocity else 0.0
 
     @property
     def effective_mass(self) -> float:

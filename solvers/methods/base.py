@@ -12,6 +12,7 @@ from ..scene import Scene
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
+from .mechanisms import in_laboratory
 from .options import options_of
 from .validity import beside_elastic, bodies_that_bend, general_notes
 
@@ -63,6 +64,7 @@ class Method(ABC):
 
     def refusal(self, scene: Scene) -> Note | None:
         """`why_not`, and before it what every method says that knows bodies on an axis only."""
+        scene = scene.at_contact
         if scene.normal is not None and not self.SPATIAL:
             return Note("refusals.in-space", Severity.REFUSAL)
         if scene.prescribed_force and not self.PULSES:
@@ -85,12 +87,15 @@ class Method(ABC):
         reason = self.refusal(scene)
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
+        impact = scene.at_contact
         if duration is not None:
-            longest = min(MAX_ROUND_TRIPS * scene.time_unit, MAX_DURATION)
-            shortest = 1e-6 * scene.time_unit
+            longest = min(MAX_ROUND_TRIPS * impact.time_unit, MAX_DURATION)
+            shortest = 1e-6 * impact.time_unit
             duration = validation.number("method.duration", duration, shortest, longest, "s")
         before = compiled()
-        solution = self._solve(scene, duration)
+        solution = self._solve(impact, duration)
+        if impact is not scene:
+            solution = in_laboratory(solution, scene)
         whole, seconds = duration is None, compiled() - before
         solution.refine("diagnostics", lambda _, found: found | {"compile_time": seconds})
         solution.refine("notes", lambda solved, own: [*own, *self._general_notes(solved, own, whole)])

@@ -27,6 +27,7 @@ class Modes:
     rigid_shape(x) (x,), motion as a whole, 1 where the body is struck; of a beam that one force sets into translation
     and rotation, both in one;
     means (modes,) [kg^-1/2] and rigid_mean, averages of the shapes over the mass of the body; None: all zero;
+    turns(x) (modes, x) [kg^-1/2 / m], of a beam: angles of the section, the slopes where it is not sheared;
     moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
     unit of the modal coordinate [kg^1/2 m];
     static_shapes(x) [m/N] and, of a beam, static_moments(x) [m] and static_shears(x) [-], (x,), by all modes under a
@@ -42,6 +43,7 @@ class Modes:
     rigid_shape: Callable[[np.ndarray], np.ndarray] = as_a_whole
     means: np.ndarray | None = None
     rigid_mean: float = 1.0
+    turns: Callable[[np.ndarray], np.ndarray] | None = None
     moments: Callable[[np.ndarray], np.ndarray] | None = None
     shears: Callable[[np.ndarray], np.ndarray] | None = None
     static_shapes: Callable[[np.ndarray], np.ndarray] | None = None
@@ -62,8 +64,13 @@ class Modes:
 
     def excited(self) -> "Modes":
         """Without the modes that an impact cannot move, as they are at rest where it falls."""
-        moved = np.abs(self.at_contact) > AT_REST * np.abs(self.at_contact).max(initial=0.0)
+        moved = self.is_excited
         return self if moved.all() else self._only(moved)
+
+    @property
+    def is_excited(self) -> np.ndarray:
+        """Which modes an impact can move, (modes,) of bool."""
+        return np.abs(self.at_contact) > AT_REST * np.abs(self.at_contact).max(initial=0.0)
 
     def lowest(self, count: int) -> "Modes":
         """The first of them; what the others give way is not in `residual_compliance`."""
@@ -72,7 +79,7 @@ class Modes:
     def _only(self, kept: np.ndarray) -> "Modes":
         fields = {
             name: _rows(getattr(self, name), kept)
-            for name in ("shapes", "slopes", "moments", "shears")
+            for name in ("shapes", "slopes", "turns", "moments", "shears")
             if getattr(self, name) is not None
         }
         return replace(

@@ -3,7 +3,7 @@
 `isinstance` asks for what a movement knows besides; a method says so by having these functions.
 """
 
-from typing import Protocol, runtime_checkable
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -72,6 +72,31 @@ class Bends(Protocol):
 
     def moment(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
     def shear(self, time: np.ndarray, x: np.ndarray) -> np.ndarray: ...
+
+
+class TargetState(NamedTuple):
+    """Of a target as a whole, where it is struck, and of its modes that an impact can move: position (time,) [m] and
+    velocity (time,) [m/s], mass-normalised coordinates (time, modes) and their rates."""
+
+    position: np.ndarray
+    velocity: np.ndarray
+    coordinates: np.ndarray
+    rates: np.ndarray
+
+
+@runtime_checkable
+class KnowsModes(Protocol):
+    """Knows the modal coordinates of the target."""
+
+    def target_state(self, time: np.ndarray) -> TargetState: ...
+
+
+@runtime_checkable
+class Joined(Protocol):
+    """Is the motion of a mechanism: knows its links, and the reactions at its joints, as `Solution` says them."""
+
+    def link_rates(self, time: float) -> dict[str, dict[str, Any]]: ...
+    def reactions(self, until: float) -> list[dict[str, Any]]: ...
 
 
 @runtime_checkable

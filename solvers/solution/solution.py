@@ -11,7 +11,7 @@ from ..bodies import AnyBody, Pivoted, Swing
 from ..scene import Scene
 from ..text.notes import Note, coded
 from ..validation import SceneError, allowed
-from .motion import Motion, Pushes
+from .motion import Joined, Motion, Pushes
 from .restitution import restitution
 
 
@@ -101,6 +101,23 @@ class Solution:
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
 
     @property
+    def links(self) -> dict[str, dict[str, Any]] | None:
+        """Of a mechanism at the end, by link: `final_velocity` (2,) of its centre [m/s] and `final_spin` [rad/s]."""
+        return self.motion.link_rates(self.duration) if isinstance(self.motion, Joined) else None
+
+    @property
+    def reactions(self) -> list[dict[str, Any]] | None:
+        """Of a mechanism, by joint, what the impact makes the first link do to the second: `impulse` (2,) [N s] and
+        `moment_impulse` [N m s], that of its drive with it, up to the last parting.
+
+        Of repeated balances the sum of their sudden reactions, thesis (6.12), and beside it `impulse_to_parting` and
+        `moment_impulse_to_parting`, with what the links pass on as they vibrate.
+        """
+        if not isinstance(self.motion, Joined):
+            return None
+        return self.motion.reactions(self.contacts[-1].end if self.contacts else 0.0)
+
+    @property
     def known_motion(self) -> Motion:
         """The motion. Raises SceneError for bodies in space, which have no history."""
         if self.motion is None:
@@ -156,9 +173,10 @@ class Solution:
         """The result as plain tables, with the keys that scripts rely on."""
         effective_mass = {} if self.effective_mass is None else {"effective_mass": self.effective_mass}
         joints: list[Any] = [[asdict(contact) for contact in joint] for joint in self.joints]
+        joints += self.reactions or []
         joints += [{"impulse": [swing.pivot_impulse, 0.0], "moment_impulse": 0.0} for swing in self.swings.values()]
         names = dict(zip(self.swings, ("pendulum", "struck pendulum"), strict=False))
-        links = {
+        links = self.links or {
             names[body]: {"final_velocity": [swing.centre_velocity, 0.0], "final_spin": swing.spin}
             for body, swing in self.swings.items()
         }

@@ -78,6 +78,8 @@ class Balance(Method):
                 return Note("refusals.loose-chain", Severity.REFUSAL)
             if body.time_unit is None:
                 continue
+            if body.own_modes:
+                continue
             if self._elements is None and body.no_modes is not None:
                 return Note("refusals.plain-rods-only", Severity.REFUSAL)
             if self._elements is not None and not body.has_mesh:
@@ -136,7 +138,7 @@ class Balance(Method):
         kind, count = ("modes", self.modes) if self._elements is None else ("elements", self._elements)
         notes += notes_on_rigid_impact(scene, run.pair.shortest_period, count, kind)
         many = run.pair.resolved_time > 0.0 and run.balances.sum() > 2
-        bends = bool(bodies_that_bend(scene))
+        bends = scene.bends
         if many and (bends or self.restitution == 1.0):
             restitution, scatter = self.restitution, 0.03 if self.restitution == 1.0 else 0.01
             notes.append(
@@ -153,7 +155,7 @@ class Balance(Method):
         A free rod heavier than the mass is left before its front is back, by a force that has all but faded: the
         velocity is then off by how long the first balances take beside the impact, and alike for all numbers of them.
         """
-        if not scene.rigid_contact:
+        if not scene.rigid_contact or scene.target.own_modes:
             return None
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
@@ -207,7 +209,7 @@ class Balance(Method):
         return Run(pair, joined, flight, events, duration, full, 0 if step is None else int(np.ceil(duration / step)))
 
     def _modes_of(self, body) -> Modes:
-        if body.time_unit is None or self._elements is None:
-            return body.modes(self.modes)
+        if body.time_unit is None or self._elements is None or body.own_modes:
+            return body.modes(self.modes or 0)
         kept = MODES_OF_BEAMS if body.bends and self.modes is None else self.modes
         return mesh_modes(body.mesh(self._elements), kept)

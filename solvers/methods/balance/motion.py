@@ -11,6 +11,7 @@ from ...numerics.balances import Bank, Events, Joined
 from ...numerics.elements.line import two_sided
 from ...numerics.modes import Modes
 from ...scene import Scene
+from ...solution.motion import TargetState
 from ...solution.sampled_motion import SampledMotion, ShapeField
 from ...solution.solution import ContactPeriod
 
@@ -198,6 +199,18 @@ class BalanceMotion(SampledMotion):
         drift = np.array([body.velocity for body in pair.bodies])
         q, p = np.hstack((q, np.multiply.outer(times, drift))), np.hstack((p, np.tile(drift, (times.size, 1))))
         return ShapeField(times, q, p, young=1.0, **pair.fields())
+
+    def target_state(self, time: np.ndarray) -> TargetState:
+        """Coordinates of the target as a whole and of its modes that a balance can move."""
+        times = np.asarray(time, float)
+        pair, own = self.run.pair, self.run.pair.modes[1]
+        q, p = self.run.states(np.searchsorted(self.run.events.time, times, "right") - 1, times)
+        first, moved = q.shape[1] - own.frequencies.size, own.is_excited
+        position, velocity = np.zeros((2, times.size))
+        if pair.bank.target >= 0:
+            factor = -pair.bank.closing[pair.bank.target]
+            position, velocity = factor * q[:, pair.bank.target], factor * p[:, pair.bank.target]
+        return TargetState(position, velocity, q[:, first:][:, moved], p[:, first:][:, moved])
 
     def _averaged(self, times: np.ndarray, period: float) -> np.ndarray:
         """Impulse of the period about each instant over the part of it that is after the first touch."""

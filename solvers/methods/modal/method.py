@@ -208,11 +208,14 @@ class Modal(Method):
             return body.attached_modes(self.modes)
         return body.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
 
-    def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float:
+    def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float | None:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
 
-        Against two of them, as one coarse answer may agree with the fine one by chance.
+        Against two of them, as one coarse answer may agree with the fine one by chance. None where the target says
+        itself how many modes it has and nothing but they gives way.
         """
+        if scene.target.own_modes and scene.rigid_contact:
+            return None
         others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
         if not any(motion.pair.truncated):
             others = {self.modes}

@@ -7,6 +7,7 @@ import numpy as np
 from ...bodies import FlexiblePendulum, Waveguide
 from ...numerics.oscillators import Bank, Record, advance, turn
 from ...scene import Scene
+from ...solution.motion import TargetState
 from ...solution.sampled_motion import given_up, growth, run_out
 from ...solution.solution import ContactPeriod
 from .pair import Pair
@@ -98,6 +99,15 @@ class ModalMotion:
     def _rates(self, time):
         """at_contact * q' (time, modes)."""
         return self._coordinates(time)[1]
+
+    def target_state(self, time):
+        """Coordinates of the target as a whole and of its modes."""
+        split, at_contact = self.pair.split, self.pair.target.at_contact
+        displacement, rates = (values[:, split:] / at_contact for values in self._coordinates(time))
+        record = self.record
+        return TargetState(
+            self._at(time, record.rigid_position), self._at(time, record.rigid_velocity), displacement, rates
+        )
 
     # --- the bodies as wholes, and their struck faces
 

@@ -12,13 +12,13 @@ from functools import partial
 
 import numpy as np
 
-from ..modes import Modes
+from ..modes import Modes, as_a_whole
 from .dispersion import BeamLine, dispersion, group_speeds, phase_speeds, speed_limit
 from .fields import BendingField
 from .point_mass import riding_field
 from .residual import MIN_ASYMPTOTIC_MODES, slender_tail
 from .shapes import modes_below, natural_field
-from .statics import rigid_motion, static_compliance, static_shape
+from .statics import overhang_compliance, rigid_motion, static_compliance, static_shape
 
 __all__ = [
     "BeamLine",
@@ -27,6 +27,7 @@ __all__ = [
     "dispersion",
     "group_speeds",
     "modes_below",
+    "overhanging_modes",
     "phase_speeds",
     "speed_limit",
     "static_compliance",
@@ -76,6 +77,23 @@ def attached_beam_modes(
     return _in_si_units(line, support, place, field, means, attached_mass, tail)
 
 
+def overhanging_modes(line: BeamLine, pin: float, place: float, count: int) -> Modes:
+    """The lowest modes of a beam pinned at x = 0 and at `pin` [m], with a free end beyond, struck at `place` [m].
+
+    A rider too heavy to be moved is a pin. The static fields are not given.
+    """
+    at = pin / line.length
+    bare, _ = _normalised(natural_field(line, "pinned-free", count + 8), 0.0)
+    field, means = _normalised(riding_field(line, "pinned-free", at, count, np.inf, bare), 0.0)
+    found = _in_si_units(line, "pinned-free", place, replace(field, place=at), means, 0.0)
+    whole = overhang_compliance(line, pin, place)
+    left_out = max(whole - float(np.sum((found.at_contact / found.frequencies) ** 2)), 0.0)
+    nothing: dict = {"static_shapes": None, "static_moments": None, "static_shears": None}
+    return replace(
+        found, rigid_mass=np.inf, residual_compliance=left_out, rigid_shape=as_a_whole, rigid_mean=1.0, **nothing
+    )
+
+
 def _normalised(field: BendingField, at_end: float, rider: float = 0.0) -> tuple[BendingField, np.ndarray]:
     """Motions of unit modal mass and their means over beam and end mass."""
     mean, square = field.integrals()
@@ -116,6 +134,7 @@ def _in_si_units(
         residual_compliance=left_out,
         shapes=shapes,
         slopes=seen(field.slope, per_mass / line.length),
+        turns=seen(field.turn, per_mass / line.length),
         rigid_shape=rigid.shape,
         means=per_mass * means,
         rigid_mean=float(rigid.shape(0.5 * line.length)),

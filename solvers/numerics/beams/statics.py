@@ -56,6 +56,15 @@ def static_compliance(line: BeamLine, support: str, place: float, end_mass: floa
     return static_shape(line, support, place).compliance
 
 
+def overhang_compliance(line: BeamLine, pin: float, place: float) -> float:
+    """Deflection per steady force at `place` [m/N] of a beam pinned at x = 0 and at `pin` [m], free beyond."""
+    arm = place - pin
+    if arm > 0.0:
+        return arm**2 * place / (3.0 * line.bending_stiffness) + arm * place / (pin * line.shear_stiffness)
+    square = (place * arm) ** 2 / (3.0 * line.bending_stiffness * pin)
+    return square - place * arm / (pin * line.shear_stiffness)
+
+
 def static_shape(line: BeamLine, support: str, place: float, attached_mass: float = 0.0) -> StaticShape:
     """Deflection, moment and shear force under a unit force at `place` [m], on which `attached_mass` [kg] rides.
 

@@ -1,0 +1,214 @@
+"""A planar mechanism as a target: links, joints, drives, and where it is struck."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ... import validation
+from ...numerics.multibody.frozen import Frozen
+from ...numerics.multibody.system import System
+from ...text.notes import Note
+from ...validation import SceneError, allowed
+from ..material import Material, read_radius
+from ..protocol import AnyBody
+from .joints import Drive, Joint, read_direction
+from .links import GROUND, Link, Point, read_point
+from .mobility import check_mobility
+from .struck import StruckMechanism
+
+MOST_LINKS = 50
+STRONGEST_GRAVITY = 1e6  # m/s2
+NO_GRAVITY = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Struck:
+    """Where a mechanism is struck: a link, a fraction of it from its first end on, the normal from the impactor on."""
+
+    link: str
+    at: float
+    normal: Point
+
+    KEYS = ("link", "at", "normal")
+
+    @classmethod
+    def read(cls, key: str, given: object, links: Sequence[Link]) -> "Struck":
+        given = validation.table(key, given, cls.KEYS)
+        names = [link.name for link in links]
+        link = validation.required(key, given, "link", allowed("choice", options=names))
+        normal = validation.required(key, given, "normal", allowed("direction-in-plane"))
+        return cls(
+            validation.choice(f"{key}.link", link, names),
+            validation.required_number(key, given, "at", 0.0, 1.0),
+            read_direction(f"{key}.normal", normal),
+        )
+
+    def table(self) -> dict[str, Any]:
+        """As in a scene file."""
+        return {"link": self.link, "at": self.at, "normal": list(self.normal)}
+
+
+@dataclass(frozen=True)
+class Mechanism(AnyBody):
+    """Links between points of a first configuration, in which it is struck; joined to each other and to the ground.
+
+    Velocities of the impact are along the normal of the struck point. Before it no link vibrates: rates follow from
+    the drives, and what none of them settles moves so that the kinetic energy is least.
+    Source: thesis 6.2, 6.3. `StruckMechanism` is what an impact feels of it.
+    """
+
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    drives: tuple[Drive, ...]
+    struck: Struck
+    gravity: Point = NO_GRAVITY  # [m/s2]
+    radius: float | None = None  # of curvature where it is struck [m]
+
+    KEYS = ("kind", "links", "joints", "drives", "struck", "gravity", "radius")
+    kind = "mechanism"
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, Any]) -> "Mechanism":
+        given = validation.table(key, given, cls.KEYS)
+        links = tuple(
+            Link.read(f"{key}.links[{i}]", each) for i, each in enumerate(_listed(key, given, "links", 1, MOST_LINKS))
+        )
+        names = [link.name for link in links]
+        for number, name in enumerate(names):
+            if name in names[:number]:
+                raise SceneError(f"{key}.links[{number}].name", name, allowed("another-name"))
+        size = _size(links)
+        joints = tuple(
+            Joint.read(f"{key}.joints[{i}]", each, links, size)
+            for i, each in enumerate(_listed(key, given, "joints", 0, 3 * MOST_LINKS))
+        )
+        drives = tuple(
+            Drive.read(f"{key}.drives[{i}]", each, joints)
+            for i, each in enumerate(_listed(key, given, "drives", 0, len(joints)))
+        )
+        struck = Struck.read(f"{key}.struck", validation.required(key, given, "struck", allowed("struck")), links)
+        gravity = read_point(f"{key}.gravity", given.get("gravity", NO_GRAVITY), STRONGEST_GRAVITY)
+        found = cls(links, joints, drives, struck, gravity, read_radius(f"{key}.radius", given.get("radius")))
+        check_mobility(found.system, joints, drives, size)
+        return found
+
+    @property
+    def struck_link(self) -> Link:
+        return next(link for link in self.links if link.name == self.struck.link)
+
+    @cached_property
+    def contact_point(self) -> np.ndarray:
+        """In the first configuration, (2,) [m]."""
+        link = self.struck_link
+        return np.array(link.start) + self.struck.at * (np.array(link.end) - np.array(link.start))
+
+    @cached_property
+    def system(self) -> System:
+        """As the numerics take it."""
+        bodies = []
+        for link in self.links:
+            struck = self.struck.at * link.length if link.name == self.struck.link else None
+            bodies.append(link.in_frame(self._second_pin(link), struck))
+        drives = [drive.in_frame() for drive in self.drives]
+        return System(bodies, [joint.in_frame(self.links) for joint in self.joints], drives, np.array(self.gravity))
+
+    def _second_pin(self, link: Link) -> float:
+        """Of a link pinned twice the joint next to its far end [m], where it overhangs; else the far end."""
+        places = [
+            float((np.array(joint.at) - np.array(link.start)) @ link.along)
+            for joint in self.joints
+            if link.name in joint.links
+        ]
+        inner = [place for place in places if place > link.length * 1e-6]
+        return min(max(inner, default=link.length), link.length)
+
+    @cached_property
+    def frozen(self) -> Frozen:
+        """In its first configuration, struck."""
+        number = [link.name for link in self.links].index(self.struck.link)
+        return Frozen(self.system, number, self.contact_point, np.array(self.struck.normal))
+
+    @cached_property
+    def at_rest(self) -> StruckMechanism:
+        """As the impact feels it, seen from its struck point."""
+        link, fibre = self.struck_link, 0.0
+        section = link.section
+        if section is not None and section.second_moment is not None:
+            side = float(np.sign(self.frozen.system.links[self.frozen.link].axes[1] @ self.frozen.normal))
+            fibre = side * section.half_depth / section.second_moment
+        return StruckMechanism(self.frozen, fibre, link.material, self.radius, self.flexible)
+
+    @property
+    def flexible(self) -> bool:
+        """Whether any link is."""
+        return any(link.flexible for link in self.links)
+
+    @property
+    def mass(self) -> float:
+        """Of all links."""
+        return sum(link.mass for link in self.links)
+
+    @property
+    def velocity(self) -> float:
+        return self.frozen.velocity
+
+    @property
+    def kinetic_energy(self) -> float:
+        rates = self.frozen.rates
+        return 0.5 * float(rates @ self.system.mass @ rates)
+
+    @property
+    def material(self) -> Material | None:
+        return self.struck_link.material
+
+    @property
+    def length(self) -> float:
+        return self.struck_link.length
+
+    @property
+    def held(self) -> bool:
+        return any(GROUND in joint.links for joint in self.joints)
+
+    turns = own_modes = True
+
+    @property
+    def bends(self) -> bool:
+        return self.flexible
+
+    @property
+    def no_modes(self) -> Note | None:
+        return None
+
+    @property
+    def time_unit(self) -> float | None:
+        return self.at_rest.time_unit
+
+    @property
+    def softness(self) -> float:
+        return self.at_rest.softness
+
+    def table(self) -> dict[str, Any]:
+        written: dict[str, Any] = {"kind": "mechanism", "links": [link.table() for link in self.links]}
+        for name, parts in (("joints", self.joints), ("drives", self.drives)):
+            if parts:
+                written[name] = [part.table() for part in parts]
+        written["struck"] = self.struck.table()
+        if self.gravity != NO_GRAVITY:
+            written["gravity"] = list(self.gravity)
+        return written | ({} if self.radius is None else {"radius": self.radius})
+
+
+def _listed(key: str, given: Mapping[str, Any], name: str, low: int, high: int) -> Sequence[object]:
+    found = given.get(name, [])
+    if not isinstance(found, (list, tuple)) or not low <= len(found) <= high:
+        raise SceneError(f"{key}.{name}", found or None, allowed("list", low=low, high=high, of="tables"))
+    return found
+
+
+def _size(links: Sequence[Link]) -> float:
+    """Largest extent of the mechanism [m]."""
+    points = np.array([point for link in links for point in (link.start, link.end)])
+    return float(np.ptp(points, axis=0).max()) or 1.0

@@ -1,0 +1,58 @@
+"""Whether a mechanism can move as it is asked to: which joint or drive is one too many."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...numerics.multibody.frozen import RANK_TOLERANCE
+from ...numerics.multibody.system import System
+from ...validation import SceneError, allowed
+from .joints import Drive, Joint
+
+SHIFT = 0.01  # of the size of a mechanism
+
+
+def check_mobility(system: System, joints: Sequence[Joint], drives: Sequence[Drive], size: float) -> None:
+    """Refuses what is locked, held more than once, or stands where a joint or a drive has no say.
+
+    Links count as rigid; `size` of the mechanism [m]. Raises SceneError naming the first joint, or the first drive,
+    whose constraints those before it make dependent.
+    """
+    rows, freedoms, reached = _rows(system, size), 3 * len(system.links), 0
+    elsewhere = _rows(_moved(system, size), size)
+    for number, joint in enumerate(joints):
+        upto = int(np.count_nonzero(system.joint_of[: system.joint_rows] <= number))
+        if _rank(rows[:upto]) < upto:
+            lost, anywhere = upto - _rank(rows[:upto]), _rank(elsewhere[:upto]) < upto or upto >= freedoms
+            code = "joint-redundant" if anywhere else "joint-singular"
+            raise SceneError(
+                f"target.joints[{number}]", joint.table(), allowed(code, links=list(joint.links), lost=lost)
+            )
+        if upto == freedoms:
+            raise SceneError(f"target.joints[{number}]", joint.table(), allowed("joint-locks", links=list(joint.links)))
+        reached = upto
+    for number, drive in enumerate(drives):
+        upto = reached + number + 1
+        if _rank(rows[:upto]) < upto:
+            code = "drive-redundant" if upto > freedoms else "drive-singular"
+            links = list(joints[drive.joint].links)
+            raise SceneError(f"target.drives[{number}]", drive.table(), allowed(code, links=links))
+
+
+def _rows(system: System, size: float) -> np.ndarray:
+    """Of the Jacobian, of length 1; a turn counts by what it moves."""
+    rows = system.jacobian[:, system.rigid] * np.tile([1.0, 1.0, 1.0 / size], len(system.links))
+    return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+
+
+def _moved(system: System, size: float) -> System:
+    """Another configuration: every joint a little elsewhere, so that what is dependent by chance is so no more."""
+    shifts = np.random.default_rng(1).uniform(-SHIFT, SHIFT, (len(system.joints), 2)) * size
+    return replace(
+        system, joints=[joint._replace(at=joint.at + by) for joint, by in zip(system.joints, shifts, strict=True)]
+    )
+
+
+def _rank(rows: np.ndarray) -> int:
+    return int(np.linalg.matrix_rank(rows, tol=RANK_TOLERANCE)) if rows.size else 0

@@ -1,0 +1,80 @@
+"""What an impact feels of a mechanism: a body on the axis of the normal, at rest."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+
+from ...numerics.modes import Modes
+from ...numerics.multibody.frozen import Frozen
+from ..material import Material
+from ..protocol import AnyBody
+
+
+@dataclass(frozen=True, eq=False)
+class StruckMechanism(AnyBody):
+    """A mechanism in the configuration in which it is struck, seen from its struck point: at rest, and held where its
+    drives hold it. Positions are along the normal, from where it would be without the impact.
+    """
+
+    frozen: Frozen
+    fibre: float  # stress on its struck side per unit of the bending moment there, 1 / W [1/m3]
+    material: Material | None
+    radius: float | None = None
+    bends: bool = False
+
+    KEYS = ()
+    kind = "mechanism"
+    velocity = 0.0
+    turns = own_modes = True
+
+    @classmethod
+    def read(cls, key: str, given: Mapping[str, Any]) -> Self:
+        raise TypeError("a mechanism is read as a whole")
+
+    def table(self) -> dict[str, Any]:
+        raise TypeError("a mechanism is written as a whole")
+
+    @property
+    def mass(self) -> float:
+        """Felt where it is struck; infinite where it is held."""
+        return self.frozen.rigid_mass
+
+    @property
+    def effective_mass(self) -> float:
+        return self.frozen.rigid_mass
+
+    @property
+    def held(self) -> bool:
+        return math.isinf(self.mass)
+
+    @property
+    def fixed(self) -> bool:
+        return self.held
+
+    @property
+    def length(self) -> float:
+        return self.frozen.system.links[self.frozen.link].length
+
+    @cached_property
+    def time_unit(self) -> float | None:
+        """Period of the slowest vibration that the impact sets going [s]; None if there is none."""
+        moved = self.modes(0).excited().frequencies
+        return 2.0 * math.pi / float(moved[0]) if moved.size else None
+
+    @cached_property
+    def softness(self) -> float:
+        modes = self.modes(0)
+        return float(np.sum((modes.at_contact / modes.frequencies) ** 2)) + modes.residual_compliance
+
+    @property
+    def stress_source(self) -> tuple[str, float]:
+        """M / W on the side that is struck."""
+        return "moments", self.fibre
+
+    def modes(self, count: int) -> Modes:
+        """All of them, whatever the `count`: how many there are the links say."""
+        return self.frozen.modes

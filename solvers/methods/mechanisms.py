@@ -1,0 +1,283 @@
+"""Impacts on mechanisms: what was solved at the struck point, seen in the laboratory with links and joints."""
+
+from copy import copy
+from typing import Any
+
+import numpy as np
+
+from ..bodies import Mechanism
+from ..scene import Scene
+from ..solution.motion import Balances, KnowsModes, Motion, MovesFace, ResolvesForce, TargetState
+from ..solution.solution import Later, Solution
+from ..text.notes import Note, Severity
+
+# Share by which velocities along the normal are off as the configuration turns; with more the figures are uncertain.
+MAX_TURNING_ERROR = 0.01
+
+
+class MechanismMotion:
+    """The motion of an impact on a mechanism that keeps its configuration meanwhile, in the laboratory.
+
+    `relative` is what was solved: seen from the struck point as it would go on without the impact. Velocities are along
+    the normal; fields are those of the struck link, x from its first end.
+    """
+
+    def __init__(self, scene: Scene, relative: Motion):
+        self.scene, self.relative = scene, relative
+        self.mechanism: Mechanism = scene.target.known_as(Mechanism)
+        self.frozen = self.mechanism.frozen
+        self.names = [link.name for link in self.mechanism.links]
+
+    # --- what does not depend on who looks
+
+    def force(self, time, after=True):
+        return self.relative.force(time, after)
+
+    def force_history(self):
+        return self.relative.force_history()
+
+    def impulse(self, time):
+        return self.relative.impulse(time)
+
+    def resolved_force(self, time):
+        """The force, averaged where its method says over what."""
+        seen = self.relative
+        return seen.resolved_force(time) if isinstance(seen, ResolvesForce) else seen.force(time)
+
+    def stress(self, time, x):
+        return self.relative.stress(time, x)
+
+    def moment(self, time, x):
+        """Bending moment in the struck link [N m] (time, x)."""
+        return self.relative.moment(time, x)
+
+    def shear(self, time, x):
+        """Shear force in the struck link [N] (time, x)."""
+        return self.relative.shear(time, x)
+
+    # --- along the normal
+
+    def impactor_position(self, time):
+        return self.relative.impactor_position(time) + self._carried(time)
+
+    def impactor_velocity(self, time, after=True):
+        return self.relative.impactor_velocity(time, after) + self.mechanism.velocity
+
+    def face_velocity(self, time, after=True):
+        """Of the impactor where it strikes."""
+        seen = self.relative
+        found = seen.face_velocity if isinstance(seen, MovesFace) else seen.impactor_velocity
+        return found(time, after) + self.mechanism.velocity
+
+    def end_position(self, time):
+        """Of the struck point."""
+        return self.relative.end_position(time) + self._carried(time)
+
+    def end_velocity(self, time, after=True):
+        return self.relative.end_velocity(time, after) + self.mechanism.velocity
+
+    def rigid_velocity(self, time, after=True):
+        """Of the centre of all masses."""
+        return self.relative.rigid_velocity(time, after) + float(self.frozen.mean_weights @ self.frozen.rates)
+
+    def displacement(self, time, x):
+        return self.relative.displacement(time, x) + np.multiply.outer(np.asarray(time, float), self._speeds(x))
+
+    def velocity(self, time, x):
+        return self.relative.velocity(time, x) + self._speeds(x)
+
+    def _carried(self, time):
+        return self.mechanism.velocity * np.asarray(time, float)
+
+    def _speeds(self, x):
+        """Of the points of the struck link before the impact, (x,)."""
+        link = self.frozen.system.links[self.frozen.link]
+        start = self.frozen.system.offsets[self.frozen.link]
+        x = np.atleast_1d(np.asarray(x, float))
+        own = self.frozen.rates[start : start + link.size]
+        places = link.origin + np.multiply.outer(x, link.axes[0])
+        return np.array([self.frozen.normal @ link.point(at) @ own for at in places])
+
+    # --- all coordinates
+
+    def target_state(self, time) -> TargetState:
+        """Of the mechanism as a whole and of its modes that an impact can move."""
+        time = np.atleast_1d(np.asarray(time, float))
+        if isinstance(self.relative, KnowsModes):
+            return self.relative.target_state(time)
+        still = np.zeros((time.size, int(self.frozen.modes.is_excited.sum())))
+        return TargetState(self.relative.end_position(time), self.relative.end_velocity(time), still, still)
+
+    @property
+    def _vibrations(self) -> np.ndarray:
+        """Motions of the modes that an impact can move, (size, modes)."""
+        return self.frozen.vibrations[1][:, self.frozen.modes.is_excited]
+
+    def coordinates(self, time) -> np.ndarray:
+        """How far all coordinates have come since the impact began, (time, size); see `numerics.multibody.system`."""
+        state, time = self.target_state(time), np.atleast_1d(np.asarray(time, float))
+        moved = np.multiply.outer(time, self.frozen.rates) + np.multiply.outer(state.position, self.frozen.whole)
+        return moved + state.coordinates @ self._vibrations.T
+
+    def rates(self, time) -> np.ndarray:
+        """Of all coordinates, (time, size)."""
+        state = self.target_state(time)
+        moved = np.multiply.outer(state.velocity, self.frozen.whole) + state.rates @ self._vibrations.T
+        return self.frozen.rates + moved
+
+    def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
+        """Where the links are, by name: (time, parts + 1, 2) [m], in the laboratory, at even distances along each;
+        what they bend and stretch is drawn `magnified` times.
+        """
+        moved = self.coordinates(time) + self.frozen.bent * ~self.frozen.system.rigid
+        found = {}
+        for given, link, start in zip(
+            self.mechanism.links, self.frozen.system.links, self.frozen.system.offsets, strict=False
+        ):
+            own = moved[:, start : start + link.size]
+            x = np.linspace(0.0, link.length, parts + 1)
+            within = np.einsum("ts,sxk->txk", magnified * own[:, 3:], link.shapes.displacements(x))
+            within[:, :, 0] += x
+            angle = link.angle + own[:, 2]
+            along = np.stack((np.cos(angle), np.sin(angle)), axis=1)[:, None]
+            across = np.stack((-np.sin(angle), np.cos(angle)), axis=1)[:, None]
+            found[given.name] = (
+                (link.origin + own[:, :2])[:, None] + within[:, :, :1] * along + within[:, :, 1:] * across
+            )
+        return found
+
+    def link_rates(self, time: float) -> dict[str, dict[str, Any]]:
+        """By link: velocity of its centre and angular velocity, by its momentum and its angular momentum."""
+        return self.of_links(self.rates(time)[0])
+
+    def of_links(self, rates: np.ndarray) -> dict[str, dict[str, Any]]:
+        """The same at any rates (size,)."""
+        found = {}
+        for given, link, start in zip(
+            self.mechanism.links, self.frozen.system.links, self.frozen.system.offsets, strict=False
+        ):
+            momentum = link.mass_matrix()[:3] @ rates[start : start + link.size]
+            turning = momentum[2] - 0.5 * link.length * float(link.axes[1] @ momentum[:2])
+            found[given.name] = {
+                "final_velocity": (momentum[:2] / link.mass).tolist(),
+                "final_spin": turning / link.inertia,
+            }
+        return found
+
+    # --- reactions
+
+    def reaction_forces(self, time) -> np.ndarray:
+        """What the first link of each joint does to the second beside what it did before the impact: force along x and
+        y [N] and moment [N m], (time, joints, 3). Impulses without duration are left out."""
+        time, frozen = np.atleast_1d(np.asarray(time, float)), self.frozen
+        state, excited = self.target_state(time), frozen.modes.is_excited
+        coordinates = np.zeros((time.size, excited.size))
+        coordinates[:, excited] = state.coordinates
+        push = np.zeros(time.size) if isinstance(self.relative, Balances) else self.relative.force(time)
+        return self._by_joint(frozen.forces(push, coordinates))
+
+    def _by_joint(self, reactions: np.ndarray) -> np.ndarray:
+        """Force and moment on the second link of each joint, (..., joints, 3)."""
+        system = self.frozen.system
+        found = np.zeros((*reactions.shape[:-1], len(system.joints), 3))
+        for row, number in enumerate(np.flatnonzero(system.held)):
+            found[..., system.joint_of[number], :] -= reactions[..., row, None] * system.effect[number]
+        return found
+
+    def reactions(self, until: float) -> list[dict[str, Any]]:
+        """Impulses of every joint on its second link up to a time [s], as `Solution.reactions` says them."""
+        impulse = np.array(self.impulse(np.array([until]))[0])
+        if not self._swings:
+            return _impulses(self._by_joint(self.frozen.as_rigid(impulse)))
+        excited = self.frozen.modes.is_excited
+        rates = np.zeros(excited.size)
+        rates[excited] = self.target_state(until).rates[0]
+        whole = _impulses(self._by_joint(self.frozen.over_time(float(impulse), rates)))
+        if not isinstance(self.relative, Balances):
+            return whole
+        sudden = _impulses(self._by_joint(self.frozen.at_once(impulse)))
+        later = [{f"{name}_to_parting": value for name, value in joint.items()} for joint in whole]
+        return [first | second for first, second in zip(sudden, later, strict=True)]
+
+    @property
+    def _swings(self) -> bool:
+        """Whether the links vibrate in this motion."""
+        return isinstance(self.relative, KnowsModes) and self.frozen.modes.frequencies.size > 0
+
+    # --- energy
+
+    def energies(self, time):
+        """Parts of the energy [J]; "drives" is what the drives have taken up, negative where they feed the impact."""
+        time = np.atleast_1d(np.asarray(time, float))
+        parts, state, frozen = self.relative.energies(time), self.target_state(time), self.frozen
+        speed, mass = self.mechanism.velocity, self.scene.impactor.mass
+        momentum = frozen.rates @ frozen.system.mass
+        gained = momentum @ frozen.whole * state.velocity + state.rates @ (momentum @ self._vibrations)
+        moving = mass * speed * (self.relative.impactor_velocity(time) + 0.5 * speed)
+        return parts | {
+            "impactor": parts["impactor"] + moving,
+            "target_rigid": parts["target_rigid"] + self.mechanism.kinetic_energy + gained,
+            "drives": speed * self.impulse(time) - gained,
+        }
+
+
+def _impulses(joints: np.ndarray) -> list[dict[str, Any]]:
+    """Of force and moment, (joints, 3)."""
+    return [{"impulse": row[:2].tolist(), "moment_impulse": float(row[2])} for row in joints]
+
+
+class BalancedMechanismMotion(MechanismMotion):
+    """The same, made of impulses without duration."""
+
+    @property
+    def impulses(self) -> tuple[np.ndarray, np.ndarray]:
+        """Times [s] and impulses [N s] of the balances."""
+        assert isinstance(self.relative, Balances)
+        return self.relative.impulses
+
+
+def in_laboratory(solution: Solution, scene: Scene) -> Solution:
+    """The solution of an impact on a mechanism from what was solved at its struck point."""
+    relative = solution.known_motion
+    kind = BalancedMechanismMotion if isinstance(relative, Balances) else MechanismMotion
+    motion, found = kind(scene, relative), copy(solution)
+    end = np.array([solution.duration])
+
+    def energy(_: Solution) -> dict[str, float]:
+        parts = {name: float(value[0]) for name, value in motion.energies(end).items()}
+        return {"initial": scene.initial_energy} | parts
+
+    def diagnostics(solved: Solution) -> dict[str, Any]:
+        parts = solved.energy
+        split = sum(value for name, value in parts.items() if name != "initial")
+        apart = motion.frozen.jacobian @ (motion.coordinates(end)[0] - end[0] * motion.frozen.rates)
+        return solution.diagnostics | {
+            "energy_error": (split - parts["initial"]) / parts["initial"],
+            "constraint_error": float(np.abs(apart).max(initial=0.0)),
+        }
+
+    for name, value in {
+        "scene": scene,
+        "motion": motion,
+        "impactor_velocity": Later(lambda _: solution.impactor_velocity + motion.mechanism.velocity),
+        "target_velocity": Later(lambda _: float(motion.rigid_velocity(end)[0])),
+        "restitution": Later(lambda _: solution.restitution | {"newton": None}),
+        "energy": Later(energy),
+        "diagnostics": Later(diagnostics),
+        "notes": Later(lambda solved: [*solution.notes, *_notes(solved, motion)]),
+    }.items():
+        object.__setattr__(found, name, value)
+    return found
+
+
+def _notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
+    """By how much the configuration turns meanwhile."""
+    lasts = solution.contacts[-1].end - solution.contacts[0].start if solution.contacts else 0.0
+    spins = {name: abs(motion.frozen.system.spin(i, motion.frozen.rates)) for i, name in enumerate(motion.names)}
+    fastest = max(spins, key=lambda name: spins[name])
+    angle = spins[fastest] * lasts
+    if not angle:
+        return []
+    grave = Severity.REMARK if 0.5 * angle**2 <= MAX_TURNING_ERROR else Severity.WARNING
+    values = {"link": fastest, "angle": float(np.degrees(angle)), "error": 50.0 * angle**2}
+    return [Note("configuration-frozen", grave, **values)]

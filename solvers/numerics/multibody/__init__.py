@@ -1,0 +1,1 @@
+"""Planar bodies joined to each other, in floating frames of reference."""

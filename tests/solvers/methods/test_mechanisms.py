@@ -1,0 +1,202 @@
+"""Impacts on mechanisms: rigid closed forms of thesis 6.4, beams that they contain, balances of momentum at joints."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+import solvers
+from solvers import Balance, Modal, RigidImpulse, Scene
+from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, four_bar, rotating_bar
+
+HERTZ = {"law": "hertz", "stiffness": 1e9}
+
+
+def test_rotating_bar_without_flexibility():
+    """(6.24): 1.943 m/s, 2.276 kg m/s and 0.683 kg m2/s; table 6.6 prints half of the last."""
+    found = solvers.solve(rotating_bar())
+    assert found.method["name"] == "rigid"
+    assert found.impactor_velocity == approx(-1.9426, rel=1e-13)
+    assert found.reactions[0]["impulse"] == approx([0.0, 2.276], abs=1e-13)
+    assert found.reactions[0]["moment_impulse"] == approx(0.6828, rel=1e-13)
+    assert found.energy["drives"] == approx(-0.6828 * 3.142, rel=1e-13)
+    assert abs(found.diagnostics["energy_error"]) < 1e-13
+
+
+def test_four_bar_without_flexibility():
+    """Thesis 6.4.3, printed 3.511; and with a crank that nothing holds at its speed."""
+    found = solvers.solve(four_bar())
+    assert found.impactor_velocity == approx(-3.51356, rel=1e-12)
+    free = solvers.solve(four_bar(initial=True))
+    assert free.impactor_velocity == approx(-2.598535, rel=1e-6)
+    assert free.impulse == approx(2.315447, rel=1e-6)
+    assert free.energy["drives"] == approx(0.0, abs=1e-12)
+    spins = [free.links[name]["final_spin"] for name in ("crank", "coupler", "bar")]
+    assert np.isfinite(spins).all() and abs(spins[2]) < 3.1416
+
+
+def test_the_rigid_answer_is_that_of_the_bars_alone_whatever_bends():
+    stiff, bent = (RigidImpulse().solve(four_bar(modes)) for modes in (0, 7))
+    assert bent.impactor_velocity == approx(stiff.impactor_velocity, rel=1e-12)
+    for one, other in zip(stiff.reactions, bent.reactions, strict=True):
+        assert one["impulse"] == approx(other["impulse"], abs=1e-11)
+        assert one["moment_impulse"] == approx(other["moment_impulse"], abs=1e-11)
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
+def test_restitution_and_energy_of_one_balance(restitution):
+    scene = four_bar(initial=True)
+    found = RigidImpulse(restitution=restitution).solve(scene)
+    mass = scene.target.at_rest.mass
+    reduced = 1.0 / (1.0 / 2.133 + 1.0 / mass)
+    assert found.impulse == approx((1.0 + restitution) * reduced * scene.speed, rel=1e-12)
+    assert found.energy["dissipated"] == approx(0.5 * reduced * (1.0 - restitution**2) * scene.speed**2, rel=1e-12)
+    assert abs(found.diagnostics["energy_error"]) < 1e-12
+
+
+@pytest.mark.parametrize(("modes", "share"), [(5, -0.12610795411466), (8, 0.07927242659819), (12, 0.05296032734688)])
+def test_sudden_reaction_of_a_clamp_is_what_its_modes_leave_out(modes, share):
+    """Table 6.6, sum of P over the momentum given: 1 - sum phi_i(L) int phi_i dm, whatever the balances."""
+    found = Balance().solve(rotating_bar(modes))
+    assert found.reactions[0]["impulse"][1] / found.impulse == approx(share, rel=1e-10)
+
+
+@pytest.mark.parametrize(("modes", "velocity", "balances"), [(5, -1.783, 20), (8, -1.796, 39), (12, -1.723, 61)])
+def test_rotating_bar_by_balances(modes, velocity, balances):
+    """As the cantilever of the same bar, seen from its tip. Table 6.6 prints 1.874, 1.786, 1.736: chaotic."""
+    found = Balance().solve(rotating_bar(modes))
+    beam = {"kind": "beam", "length": 0.3, "section": FLAT, "material": STEEL | {"density": 1.138 / 0.3 / 4.8e-4}}
+    alone = Scene.from_table({"impactor": {"kind": "mass", "mass": 1.138, "velocity": 1.0}, "target": beam})
+    same = Balance(modes=modes, estimate=False).solve(alone)
+    times, impulses = (values[:4] for values in found.motion.impulses)
+    assert impulses == approx(same.motion.impulses[1][:4], rel=1e-9)
+    assert times == approx(same.motion.impulses[0][:4], rel=1e-9, abs=1e-15)
+    assert found.impactor_velocity == approx(velocity, rel=0.05)
+    assert found.diagnostics["balances"] == approx(balances, rel=0.25)
+    assert abs(found.diagnostics["energy_error"]) < 1e-11
+
+
+def momentum(scene: Scene, links: dict) -> np.ndarray:
+    """Linear momentum of all links (2,) and angular momentum about the origin."""
+    found = np.zeros(3)
+    for link in scene.target.links:
+        velocity, centre = np.array(links[link.name]["final_velocity"]), link.centre
+        found[:2] += link.mass * velocity
+        spin = links[link.name]["final_spin"]
+        found[2] += link.inertia * spin + link.mass * (centre[0] * velocity[1] - centre[1] * velocity[0])
+    return found
+
+
+@pytest.mark.parametrize("method", [RigidImpulse(restitution=0.5), Balance(), Modal(estimate=False)])
+@pytest.mark.parametrize("initial", [False, True])
+def test_joints_and_contact_give_the_momentum_that_the_links_gain(method, initial):
+    """Linear and angular, of every link vibrating or not: what ground, drive and impactor have given them."""
+    law = {} if method.NAME != "modal" else {"contact": HERTZ}
+    scene = four_bar(6, initial, **law)
+    found = method.solve(scene)
+    until = found.contacts[-1].end
+    before = found.motion.of_links(scene.target.frozen.rates)
+    gained = momentum(scene, found.motion.link_rates(until)) - momentum(scene, before)
+    given = found.impulse * np.array([-1.0, 0.0, 0.8])  # on the tip, 0.8 m up, towards -x
+    for joint, reaction in zip(scene.target.joints, found.reactions, strict=True):
+        if joint.links[0] != "ground":
+            continue
+        push = np.array(reaction.get("impulse_to_parting", reaction["impulse"]))
+        turn = reaction.get("moment_impulse_to_parting", reaction["moment_impulse"])
+        given[:2] += push
+        given[2] += turn + joint.at[0] * push[1] - joint.at[1] * push[0]
+    assert gained == approx(given, abs=1e-9 * found.impulse)
+
+
+@pytest.mark.parametrize(
+    ("shapes", "support"),
+    [("clamped-free", "cantilever"), ("pinned-free", "pinned-free"), ("mean-axis", "free-free")],
+)
+@pytest.mark.parametrize("theory", ["euler-bernoulli", "timoshenko"])
+def test_one_link_is_the_beam_on_such_a_support(shapes, support, theory):
+    """Thrown by its drive or not: the same impact, as the same closing speed is all that counts."""
+    link = {"name": "bar", "from": [0.1, 0.2], "to": [0.1, 0.5], "section": FLAT, "material": "steel", "modes": 8}
+    target = {
+        "kind": "mechanism",
+        "links": [link | {"shapes": shapes, "theory": theory}],
+        "struck": {"link": "bar", "at": 0.9, "normal": [2.0, 0.0]},
+    }
+    if support != "free-free":
+        target["joints"] = [{"links": ["ground", "bar"], "at": [0.1, 0.2]}]
+        target["drives"] = [{"joint": 0, "speed": 2.0, "initial": support == "pinned-free"}]
+    speed = 1.0 - (0.9 * 0.3 * 2.0 if support != "free-free" else 0.0)
+    impactor = {"kind": "mass", "mass": 0.4, "velocity": speed}
+    found = Modal(estimate=False).solve(Scene.from_table({"impactor": impactor, "target": target, "contact": HERTZ}))
+    beam = {"kind": "beam", "length": 0.3, "section": FLAT, "material": "steel", "support": support, "at": 0.9}
+    same = Modal(modes=8, estimate=False).solve(
+        Scene.from_table(
+            {"impactor": impactor | {"velocity": 1.0}, "target": beam | {"theory": theory}, "contact": HERTZ}
+        )
+    )
+    assert found.peak_force == approx(same.peak_force, rel=1e-6)
+    assert found.impactor_velocity - speed + 1.0 == approx(same.impactor_velocity, abs=1e-7)
+    assert abs(found.diagnostics["energy_error"]) < 1e-10
+
+
+def test_shapes_of_another_kind_tend_to_the_same_impact():
+    """A pinned bar by the shapes of a clamped or a free one: constraints act on the shapes, too."""
+    peaks = {}
+    for shapes in ("pinned-free", "clamped-free", "mean-axis"):
+        scene = rotating_bar(24, contact=HERTZ)
+        bar = scene.table()["target"]["links"][0] | {"shapes": shapes}
+        scene = scene.replace({"target.links": [bar], "target.drives": [{"joint": 0, "speed": 3.142, "initial": True}]})
+        peaks[shapes] = Modal(estimate=False).solve(scene).peak_force
+    assert peaks["mean-axis"] == approx(peaks["pinned-free"], rel=1e-3)
+    assert peaks["clamped-free"] == approx(peaks["pinned-free"], rel=1e-3)
+
+
+def test_fixed_links_are_one_bar():
+    """Two halves joined rigidly, each with shapes of its own, vibrate as the whole: first order, as no shape of a
+    clamped half has a moment at its free end."""
+    bar = {"kind": "beam", "length": 0.3, "section": FLAT, "material": STEEL}
+    alone = Scene.from_table({"impactor": {"velocity": 1.0, "mass": 1.0}, "target": bar}).target.modes(4)
+    errors = [two_halves(modes).frequencies[:4] / alone.frequencies - 1.0 for modes in (10, 20, 40)]
+    assert np.abs(errors[2]).max() < 0.006
+    assert errors[0][[0, 1, 3]] / errors[1][[0, 1, 3]] == approx(2.0, rel=0.1)
+    assert errors[1][[0, 1, 3]] / errors[2][[0, 1, 3]] == approx(2.0, rel=0.1)
+
+
+def two_halves(modes: int):
+    half = {"section": FLAT, "material": STEEL, "modes": modes, "shapes": "clamped-free"}
+    links = [
+        half | {"name": "inner", "from": [0.0, 0.0], "to": [0.15, 0.0]},
+        half | {"name": "outer", "from": [0.15, 0.0], "to": [0.3, 0.0]},
+    ]
+    joints = [
+        {"links": ["ground", "inner"], "at": [0.0, 0.0]},
+        {"kind": "fixed", "links": ["inner", "outer"], "at": [0.15, 0.0]},
+    ]
+    scene = rotating_bar().replace(
+        {
+            "target.links": links,
+            "target.joints": joints,
+            "target.struck": {"link": "outer", "at": 1.0, "normal": [0, -1]},
+        }
+    )
+    return scene.target.frozen.modes
+
+
+def test_links_are_drawn_where_the_motion_has_them():
+    found = Balance().solve(rotating_bar(5))
+    times = found.motion.impulses[0][:7]  # between them histories are straight
+    points = found.motion.link_points(times, 10)["bar"]
+    assert points.shape == (7, 11, 2)
+    assert points[:, 0] == approx(np.zeros((7, 2)), abs=1e-15)
+    tip = -found.motion.end_position(times)  # along -y
+    turned = found.motion.coordinates(times)[:, 2]
+    assert points[:, -1, 1] == approx(0.3 * np.sin(turned) + (tip - 0.3 * turned) * np.cos(turned), abs=1e-9)
+
+
+def test_reaction_forces_over_time_add_up_to_their_impulses():
+    scene = rotating_bar(6, contact=HERTZ)
+    found = Modal(estimate=False).solve(scene)
+    until = found.contacts[-1].end
+    times = np.linspace(0.0, until, 40_001)
+    forces = found.motion.reaction_forces(0.5 * (times[1:] + times[:-1]))[:, 0]
+    impulse = forces.sum(axis=0) * (times[1] - times[0])
+    assert impulse[:2] == approx(found.reactions[0]["impulse"], abs=2e-3 * found.impulse)
+    assert impulse[2] == approx(found.reactions[0]["moment_impulse"], abs=2e-3 * 0.3 * found.impulse)
