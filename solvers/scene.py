@@ -220,7 +220,7 @@ def _read_impactor(given: object, target: AnyBody) -> AnyBody:
     found: Any = read_body("impactor", {**given, "velocity": fastest} if known else given)
     if not isinstance(found, (RigidMass, Rod, Beam, Pivoted)):
         raise SceneError("impactor.kind", found.kind, allowed("strikes-mechanism"))
-    if not known:
+    if not known or isinstance(found, Pivoted):
         return found
     return replace(found, velocity=validation.number("impactor.velocity", given["velocity"], -fastest, fastest, "m/s"))
 
