@@ -41,7 +41,7 @@ def contact_times(solution: Solution) -> ContactTimes:
     """
     contacts = solution.contacts
     apparent, real = apparent_time(contacts) or 0.0, sum(contact.end - contact.start for contact in contacts)
-    with_mass, alone = half_periods(solution.scene)
+    with_mass, alone = half_periods(solution.scene.at_contact)
     return ContactTimes(
         len(contacts), apparent, real, with_mass, alone, _summary(len(contacts), apparent, real, with_mass)
     )

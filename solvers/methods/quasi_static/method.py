@@ -53,8 +53,10 @@ class QuasiStatic(Method):
     BEAMS = True
 
     def why_not(self, scene: Scene) -> Note | None:
-        model = self._model(scene)
         target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
+        if target.bends and target.own_modes:
+            return Note("refusals.no-structure", Severity.REFUSAL, **kinds)
+        model = self._model(scene)
         if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
             return Note("refusals.no-finite-body", Severity.REFUSAL)
         if not model.startswith("structural"):

@@ -5,7 +5,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import Balance, Modal, RigidImpulse, Scene
+from solvers import METHODS, Balance, Modal, RigidImpulse, Scene
 from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, four_bar, rotating_bar
 
 HERTZ = {"law": "hertz", "stiffness": 1e9}
@@ -200,3 +200,12 @@ def test_reaction_forces_over_time_add_up_to_their_impulses():
     impulse = forces.sum(axis=0) * (times[1] - times[0])
     assert impulse[:2] == approx(found.reactions[0]["impulse"], abs=2e-3 * found.impulse)
     assert impulse[2] == approx(found.reactions[0]["moment_impulse"], abs=2e-3 * 0.3 * found.impulse)
+
+
+@pytest.mark.parametrize("modes", [0, 4])
+@pytest.mark.parametrize("law", [{}, HERTZ])
+def test_every_method_solves_it_or_says_why_not(modes, law):
+    scene = four_bar(modes, **({"contact": law} if law else {}))
+    for method in (each.read({}) for each in METHODS.values()):
+        if method.refusal(scene) is None:
+            assert abs(method.solve(scene).diagnostics["energy_error"]) < 1e-9
