@@ -8,7 +8,7 @@ import numpy as np
 
 import solvers
 from solvers import LAWS, METHODS, Body, Scene
-from solvers.bodies import AnyBody
+from solvers.bodies import AnyBody, FlexiblePendulum
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
@@ -49,6 +49,8 @@ def _own_values(name: str) -> dict[str, Any]:
     method = dict(scene.method)
     wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
     wanted["method"] = method.get("name") or solvers.usual_method(scene)
+    if bends_alone(scene):
+        wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
     if on_beam(scene):
         wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
     if not in_space(scene):
@@ -178,9 +180,16 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     if "mass_ratio" in acting_choices(chosen):
         mass = base.target.mass / chosen["mass_ratio"]
         changes |= {f"impactor.{key}": value for key, value in base.impactor.of_mass(mass).items()}
+    if bends_alone(base) and chosen["modes"] != own.get("modes"):
+        changes["impactor.modes"] = chosen["modes"]
     if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
         changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)
+
+
+def bends_alone(scene: Scene) -> bool:
+    """Whether all that rings is a pendulum, whose own modes are then those that are chosen."""
+    return isinstance(scene.impactor, FlexiblePendulum) and scene.target.time_unit is None
 
 
 def _of_velocity(name: str, body: AnyBody, velocity: float) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from solvers import ContactPeriod, Rod, Scene, Solution, Waveguide
+from solvers.bodies import FlexiblePendulum
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal.method import ModalMotion
@@ -20,6 +21,7 @@ from solvers.text.notes import Note
 
 from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+from .pendulum import pendulum_told, striker_arrays, waves_of_force
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
 MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
@@ -41,10 +43,8 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
     for name, solution in (("exact", exact), ("other", other)):
         if solution is None:
             continue
-        arrays |= {
-            f"{name}Mass": solution.known_motion.impactor_position(even) / length_unit,
-            f"{name}End": solution.known_motion.end_position(even) / length_unit,
-        }
+        arrays |= striker_arrays(name, solution, even, length_unit)
+        arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
         if solution is exact or not carried:
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
@@ -73,14 +73,15 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
             "kind": scene.impactor.kind,
             "mass": min(scene.impactor.mass, LARGEST_MASS),
             "radius": getattr(scene.impactor, "radius", None),
-        },
+        }
+        | pendulum_told(scene.impactor),
         "target": _target(scene),
         "speed": speed,
         "forceUnit": force_unit,
         "stressUnit": stress_unit,
         "modes": request.modes,
         "step": steps,
-        "exact": _figures(exact),
+        "exact": _figures(exact) | ({"name": "converged"} if scene.impactor.bends else {}),
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
         "prediction": None if scene.prescribed_force else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
@@ -134,7 +135,10 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
     A uniform rod that is fixed or free at its far end is its own mirror: one wave says all.
     """
     bodies, target = [*scene.impactor.rods, *scene.target.rods], scene.target
-    if not isinstance(target, Waveguide) or not isinstance(exact.motion, SendsWaves):
+    motion, unit = exact.motion, 1.0
+    if isinstance(scene.impactor, FlexiblePendulum) and isinstance(target, Waveguide):
+        motion, unit = waves_of_force(exact)
+    if not isinstance(target, Waveguide) or not isinstance(motion, SendsWaves):
         return [], {}
     trip, reach = scene.time_unit, exact.duration / scene.time_unit
     first = len(bodies) - len(target.rods)
@@ -159,8 +163,8 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
         )
         edge += body.length
         for way in (True,) if mirrored else (True, False):
-            time, wave = _wave_history(exact.motion, number, way, even)
-            arrays |= {f"{'f' if way else 'g'}{number}Time": time, f"{'f' if way else 'g'}{number}": wave}
+            time, wave = _wave_history(motion, number, way, even)
+            arrays |= {f"{'f' if way else 'g'}{number}Time": time, f"{'f' if way else 'g'}{number}": unit * wave}
     return rods, arrays
 
 

@@ -85,6 +85,8 @@ AXIAL: Fields = {
             "otherTime": Field("(other force)", "[T]"),
             "otherForce": Field("(other force)", "[Z v]"),
             "modalForce": Field("(steps)", "one for each step, from which the browser rebuilds the modes [Z v]"),
+            "exactBar": Field("(motion, bar places)", "of a pendulum that bends, from its pivot on [v T]"),
+            "otherBar": Field("(motion, bar places)", "likewise [v T]"),
             "balanceTime": Field("(balances)", "[T]"),
             "balanceForce": Field("(balances)", "impulse over the step [Z v]"),
             "fieldStress": Field("(instants, places)", "[v sqrt(E rho)]"),
@@ -219,6 +221,9 @@ RECORDS: dict[str, Fields] = {
         "kind": Field("string"),
         "mass": Field("number", "[kg]"),
         "radius": Field("number | null", "of its face [m]", optional=True),
+        "length": Field("number", "of a pendulum [m]", optional=True),
+        "place": Field("number", "from its pivot to the contact [m]", optional=True),
+        "ownMass": Field("number", "of all of it, where `mass` is what is felt at the contact [kg]", optional=True),
     },
     "TargetTold": {
         "kind": Field("string"),

@@ -17,7 +17,7 @@ LEAST_SWITCHED = 2  # modes that can change with the contact
 def beside(request: Request, exact: Solution) -> Solution | None:
     """The chosen method, or modes if waves are chosen; None if it cannot solve this scene or is the exact one."""
     scene, name = request.scene, request.method_beside
-    if name == exact.method["name"]:
+    if name == exact.method["name"] and not scene.impactor.bends:  # of a pendulum that bends: by its own shapes
         name = "quasi-static"
     method = METHODS[name].read(method_options(name, request, exact))
     if method.refusal(scene):

@@ -1,7 +1,9 @@
 """What others are measured by: the one place that decides it, for each use the cheapest that is near enough."""
 
+from dataclasses import replace
 from typing import Any
 
+from ..bodies import FlexiblePendulum
 from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
 from ..scene import Scene
 from ..solution.solution import Solution
@@ -17,6 +19,8 @@ SWEEP_TOLERANCE, SWEEP_MODES = 1e-6, 30
 # Modes shown beside others on a beam, the second where the first are what is shown; and steps, at which a slider is
 # still answered at once.
 MODES_BESIDE, STEPS_BESIDE = (40, 20), 20_000
+# Of a bar that bends as it swings, as far as its theory reaches; the others give way as if at rest.
+SHAPES_OF_PENDULUM = 30
 
 
 def reference(scene: Scene) -> Solution:
@@ -43,14 +47,23 @@ def swept_reference(scene: Scene) -> Solution:
 
 
 def exact_solution(scene: Scene, restitution: float) -> Solution:
-    """Waves; for bodies without waves one integrated to rounding.
+    """Waves; for bodies without waves one integrated to rounding; many modes of a pendulum that bends, and of the rod.
 
     Where nothing gives way at the contact of bodies without waves, the restitution stands for it. Raises SceneError for
     beams, of which no exact solution is known.
     """
-    if scene.bends:
+    if scene.target.bends:
         raise SceneError("target.kind", scene.target.kind, allowed("not-bending"))
-    for method in (Waves(), Modal(modes=1), RigidImpulse(restitution), Balance(restitution=restitution)):
+    modes = Modal(modes=1)
+    if isinstance(scene.impactor, FlexiblePendulum):
+        modes, bar = (
+            Modal(modes=REFERENCE_MODES, estimate=False),
+            replace(scene.impactor, count=SHAPES_OF_PENDULUM, shapes="pinned-free"),
+        )
+        scene = replace(
+            scene, impactor=replace(bar, count=max(bar.modes_within_reach(bar.count), scene.impactor.count))
+        )
+    for method in (Waves(), modes, RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
             return method.solve_in_full(scene, scene.method.get("duration"))
     raise SceneError("method.name", None, allowed("solvable"))

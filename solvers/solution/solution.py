@@ -176,10 +176,10 @@ class Solution:
         joints += self.reactions or []
         joints += [{"impulse": [swing.pivot_impulse, 0.0], "moment_impulse": 0.0} for swing in self.swings.values()]
         names = dict(zip(self.swings, ("pendulum", "struck pendulum"), strict=False))
-        links = self.links or {
+        links = {
             names[body]: {"final_velocity": [swing.centre_velocity, 0.0], "final_spin": swing.spin}
             for body, swing in self.swings.items()
-        }
+        } | (self.links or {})
         turned = {
             body: {"final_spin": swing.spin, "effective_mass": swing.felt_mass} for body, swing in self.swings.items()
         }

@@ -70,8 +70,9 @@ function eventsOnOneRod(frame) {
   const fixed = frame.rods[0].mirror > 0;
   const rigid = chosen.law === 'rigid';
   const pressure = pretty(frame.stressUnit / 1e6);
+  const said = { striker: frame.impactor.kind, pressure };
   /** @type {Event[]} */
-  const found = [[0, text(rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', { pressure })]];
+  const found = [[0, text(rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', said)]];
   if (duration > 0.5) found.push([0.5, text(fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid })]);
   if (exact.contacts[0][1] > 1 + 1e-9)
     found.push([1, text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back')]);

@@ -7,6 +7,7 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { endMass, onward, push, striker, struckBody, wall } from './bodies.js';
+import { pendulum, shapeOf, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
 /** @import { Striker } from '../shell/striker.js' */
@@ -18,6 +19,7 @@ const RINGS = 24; // over all rods; half as many on one
 const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
+const FACE = 0.45; // of the picture: where a body without length is struck
 
 export class Stage {
   /** @type {AxialFrame} */ frame;
@@ -114,16 +116,20 @@ export class Stage {
     const [size, struck] = this.#sizes(width, height);
     this.#fit(right - left, size);
     const meeting = field.mass(t) > field.end(t);
-    const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : 0.45 * width;
+    if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
+    const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : FACE * width;
     const face = rest + field.end(t) * this.scale;
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
-    if (!rods.length) struckBody(c, frame, { face, middle, size: struck, meet }, width);
+    if (!rods.length)
+      struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
     if (impactor.kind === 'pulse') {
       if (contact) push(c, rest, middle, thick);
     } else if (impactor.kind === 'rod') this.#rod(c, rest, face, middle, thick, contact);
-    else {
+    else if (impactor.kind === 'pendulum') {
+      if (contact) this.#touch(c, own, middle, 3 * WIDTH);
+    } else {
       const prediction = frame.prediction && rest + frame.prediction.impactor * t * this.scale;
       striker(c, frame, { face: own, middle, size, meet }, prediction);
       if (contact) this.#touch(c, meet ?? own, middle, size);
@@ -165,6 +171,22 @@ export class Stage {
     if (contact) this.#touch(c, face, middle, thick + 6);
     const width = rest - 40;
     this.striker?.draw(c, { x: 40 + width / 2, y: middle, width, height: thick, way: [1, 0], sized: false });
+  }
+  /**
+   * A pendulum that strikes, behind what it presses in, and what of it can be taken hold of.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   * @param {number} rest
+   * @param {number} middle
+   * @param {number} height
+   */
+  #pendulum(c, t, rest, middle, height) {
+    const { field, frame, scale } = this;
+    const own = field.mass(t);
+    const shape = shapeOf(frame, field.solution, t, own);
+    pendulum(c, frame, shape, { rest, middle, scale, height }, frame.prediction && frame.prediction.impactor * t);
+    const drawn = { x: rest + own * scale - WIDTH / 2, y: middle, width: WIDTH, height: 3 * WIDTH };
+    this.striker?.draw(c, { ...drawn, way: [1, 0], sized: false });
   }
   /**
    * Where two bodies press on each other.

@@ -30,10 +30,13 @@ const when = (t) => `${localised(String(Number(t.toFixed(t < 0.995 ? 2 : t < 10 
  * What T is.
  * @param {AxialFrame} frame
  */
-function unitsOf({ rods, target, trip }) {
+function unitsOf({ exactBar, impactor, rods, target, trip }) {
   const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
-  const what = !rods.length ? 'contact' : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : 'one';
-  return text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
+  const alone = exactBar ? 'pendulum' : 'contact';
+  const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : 'one';
+  const units = text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
+  const { mass: felt, ownMass: own } = impactor;
+  return own === undefined ? units : `${text('axial.pendulum', { own, felt })} ${units}`;
 }
 
 export class Story {
@@ -108,6 +111,10 @@ export class Story {
     const away = (/** @type {number | null} */ v) => percent(Math.abs((v ?? 0) - (exact.final ?? 0)));
     const errors = [...(other ? [away(other.final)] : []), prediction ? away(prediction.impactor) : '–'];
     rows.push(['error', estimated(exact.diagnostics.estimated_error), ...errors]);
+    if (both.some((s) => s.diagnostics.pivot_moment !== undefined)) {
+      row('pivot-moment', (s) => pretty(s.diagnostics.pivot_moment ?? 0));
+      row('contact-moment', (s) => pretty(s.diagnostics.contact_moment ?? 0));
+    }
     row('solved', (s) => pretty(s.diagnostics.wall_time * 1e3));
     const column = (/** @type {AxialFigures} */ s) =>
       s.name === 'modal' && modalForce ? text('method.modal.modes', { modes: Number(chosen.modes) }) : shortly(s.name);

@@ -36,6 +36,8 @@
  * @property {number | null} estimated_error
  * @property {number} [resolved_time]  the finest that modes can tell [s]
  * @property {number} [raw_contacts]
+ * @property {number} [pivot_moment]  of a pendulum that bends [N m]
+ * @property {number} [contact_moment]
  */
 
 /**
@@ -87,6 +89,9 @@
  * @property {string} kind
  * @property {number} mass  [kg]
  * @property {number | null} [radius]  of its face [m]
+ * @property {number} [length]  of a pendulum [m]
+ * @property {number} [place]  from its pivot to the contact [m]
+ * @property {number} [ownMass]  of all of it, where `mass` is what is felt at the contact [kg]
  */
 
 /**
@@ -142,6 +147,8 @@
  * @property {Numbers} [otherTime]
  * @property {Numbers} [otherForce]
  * @property {Numbers} [modalForce]  one for each step
+ * @property {Numbers} [exactBar]  (motion, bar places), flat: of a pendulum that bends, from its pivot on [v T]
+ * @property {Numbers} [otherBar]
  * @property {Numbers} [balanceTime]
  * @property {Numbers} [balanceForce]
  * @property {Numbers} [fieldStress]  (instant, place), flat

@@ -16,6 +16,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..options import flag, option, whole, word
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
+from .frames import frame_figures, pivot_figures
 from .motion import ModalMotion
 from .pair import Pair
 
@@ -119,12 +120,12 @@ class Modal(Method):
             "resolved_time": motion.pair.resolved_time,
         }
         if isinstance(scene.impactor, Pivoted) and scene.impactor.bends:
-            found["diagnostics"] |= motion.pivot_figures()
+            found["diagnostics"] |= pivot_figures(motion)
         if self.frame != "mean-axis" and not scene.target.bends:
-            found["diagnostics"] |= motion.frame_figures(contacts[-1].end, self.frame == "attached")
+            found["diagnostics"] |= frame_figures(motion, contacts[-1].end, self.frame == "attached")
         if found["restitution"]["newton_at_contact"] is not None:
-            rigid, parting = scene.rigid_contact, contacts[-1].end
-            found["restitution"]["newton_at_contact"] = None if rigid else _parting_speed(motion, parting)
+            apart = None if scene.rigid_contact else _parting_speed(motion, contacts[-1].end)
+            found["restitution"]["newton_at_contact"] = apart
         return found
 
     def _notes(self, scene: Scene, motion: ModalMotion, asked: bool, contacts: list) -> list[Note]:
@@ -219,8 +220,7 @@ class Modal(Method):
         others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
         if not any(motion.pair.truncated):
             others = {self.modes}
-        final = motion.record.velocity[-1]
-        differences = []
+        final, differences = motion.record.velocity[-1], []
         for modes in others:
             fewer = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes))
             other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(fewer, motion.duration)

@@ -4,7 +4,6 @@ from functools import cached_property
 
 import numpy as np
 
-from ...bodies import FlexiblePendulum, Waveguide
 from ...numerics.oscillators import Bank, Record, advance, turn
 from ...scene import Scene
 from ...solution.motion import TargetState
@@ -12,9 +11,6 @@ from ...solution.sampled_motion import given_up, growth, run_out
 from ...solution.solution import ContactPeriod
 from .pair import Pair
 
-FRAME_SAMPLES = 500  # at which the frame is watched after the contact
-PIVOT_SAMPLES = 2_000  # at which the moments of a pendulum are looked at
-NO_PLACE = 1e-300  # [m]: the first end of the impactor, whose places are negative
 # Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
 # waves, mass ratios 0.02 to 50 on fixed and free rods, 20 to 200 modes: false gaps stay below, true ones open wider.
 LEAST_OPENING = 0.4
@@ -40,7 +36,7 @@ class ModalMotion:
         self._law = pair.law(scene)[0]
 
     @cached_property
-    def _bank(self) -> Bank:
+    def bank(self) -> Bank:
         return self.pair.bank(self.step)
 
     @cached_property
@@ -82,7 +78,7 @@ class ModalMotion:
             displacement = self.record.checkpoint_displacement[saved].copy()
             velocity = self.record.checkpoint_velocity[saved].copy()
             push = self.record.contact_force[cell]
-            advance(self._bank, displacement, velocity, self.record.contact_force[saved * self.stride : cell])
+            advance(self.bank, displacement, velocity, self.record.contact_force[saved * self.stride : cell])
             angle = self.pair.frequencies * (t - cell * self.step)
             cosine, sine, kick, velocity_kick = turn(angle, self._softness, self.pair.damping)
             found[0, row] = cosine * displacement + sine * velocity + kick * push
@@ -194,8 +190,8 @@ class ModalMotion:
     @property
     def _drifts(self) -> list[float]:
         """Velocities [m/s] that no impact on the struck place changes all of, as the body turns about another point."""
-        bodies, modes = (self.scene.impactor, self.scene.target), (self.pair.impactor, self.pair.target)
-        return [0.0 if m.rigid_mean == 1.0 else body.velocity for body, m in zip(bodies, modes, strict=True)]
+        pairs = (self.scene.impactor, self.pair.impactor), (self.scene.target, self.pair.target)
+        return [0.0 if modes.rigid_mean == 1.0 else body.velocity for body, modes in pairs]
 
     def stress(self, time, x):
         """Compression positive [Pa]: along a rod, or of a beam on the side that is struck."""
@@ -250,7 +246,7 @@ class ModalMotion:
     def _ringing(self, time):
         """Strain and kinetic energy of every oscillator, each (time, modes) [J]."""
         displacement, rates = self._coordinates(time)
-        return displacement**2 * self._bank.energy, (rates / self.pair.frequencies) ** 2 * self._bank.energy
+        return displacement**2 * self.bank.energy, (rates / self.pair.frequencies) ** 2 * self.bank.energy
 
     def _nearest(self, time):
         """Numbers of the instants nearest to `time`: energy is kept between instants, not within a step."""
@@ -298,38 +294,6 @@ class ModalMotion:
     def deepest(self) -> np.ndarray:
         """Largest indentation so far at every instant [m]."""
         return np.maximum(np.maximum.accumulate(self.record.indentation), 0.0)
-
-    def frame_figures(self, parting: float, struck_end: bool) -> dict[str, float | None]:
-        """What a frame fixed to an end does after the contact: thesis 10.2.
-
-        Its own velocity, which is that of its section and no velocity of the rod; and the largest stress on that end,
-        which is free and has none, relative to the peak pressure of the contact: fictitious, from the clamped shapes.
-        """
-        end = np.array([0.0 if struck_end else self.scene.target.length])
-        if self.duration <= parting + self.pair.resolved_time:
-            return {"frame_velocity": None, "fictitious_end_stress": None}
-        time = np.linspace(parting, self.duration, FRAME_SAMPLES)
-        pressure = float(self.record.contact_force.max()) / self.scene.target.known_as(Waveguide).area
-        return {
-            "frame_velocity": float(self.velocity(time[-1:], end)[0, 0]),
-            "fictitious_end_stress": float(np.abs(self.stress(time, end)).max()) / pressure,
-        }
-
-    def pivot_figures(self) -> dict[str, float]:
-        """Of a pendulum that bends: the largest bending moment at its pivot and where it strikes [N m], and the largest
-        force of the pivot [N].
-
-        A pivot bears no moment: what there is of it is fictitious, from shapes clamped there, thesis figure 10.11.
-        """
-        time = np.linspace(0.0, self.duration, PIVOT_SAMPLES)
-        place = self.scene.impactor.known_as(FlexiblePendulum).place
-        x = np.array([-NO_PLACE, -place])  # the impactor is where x is negative
-        moments, force = np.abs(self.moment(time, x)).max(axis=0), np.abs(self.shear(time, x[:1])).max()
-        return {
-            "pivot_moment": float(moments[0]),
-            "contact_moment": float(moments[1]),
-            "peak_pivot_force": float(force),
-        }
 
     # --- contacts
 

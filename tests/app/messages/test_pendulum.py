@@ -1,0 +1,64 @@
+"""Pendulums on the page: what is felt of them, how they bend, and the waves that their force sends."""
+
+import numpy as np
+import pytest
+from pytest import approx
+
+from app.choices.request import Request
+from app.choices.scene_of import own_choices
+from app.messages.encoding import read_header
+from app.messages.pendulum import pendulum_told, striker_arrays, waves_of_force
+from app.messages.solve import solve_frame
+from solvers.accuracy.reference import exact_solution
+
+SCENES = ["rigid-pendulum", "figure-9.2", *(f"figure-9.{k}" for k in (10, 11, 14))]
+SCENES += [f"figure-10.{k}" for k in range(8, 13)]
+
+
+@pytest.fixture(scope="module")
+def bent():
+    """Figure 9.11 as the page knows it best."""
+    return exact_solution(Request.of(own_choices("figure-9.11")).scene, 0.8)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_pendulum_is_shown(name):
+    header = read_header(solve_frame(own_choices(name)))
+    told = header["impactor"]
+    assert told["kind"] == "pendulum"
+    assert told["mass"] == approx(0.0041 / 0.19**2)
+    assert told["ownMass"] == approx(0.1968, rel=1e-9)
+    assert (told["place"], told["length"]) == (approx(0.19), approx(0.25))
+    bends = name not in SCENES[:2]
+    assert (header["exact"]["name"] == "converged") == bends
+    assert {array[0] for array in header["arrays"]} >= ({"exactBar", "otherBar"} if bends else set())
+
+
+def test_waves_follow_the_contact_force(bent):
+    """The front that runs away from the struck end is the force there, F = Z v."""
+    motion, unit = waves_of_force(bent)
+    t = np.linspace(0.02, 0.9, 200)  # in round trips, before an echo is back
+    force = bent.motion.force(t * bent.scene.time_unit) / (bent.scene.target.impedance * bent.scene.speed)
+    assert unit * motion.sent(0, True, t) == approx(force, abs=2e-3 * force.max())
+
+
+def test_the_bar_bends_where_it_strikes(bent):
+    """Its face is not where its turning as a whole has it, and never deeper in the rod than the indentation."""
+    time = np.linspace(0.0, bent.duration, 101)
+    arrays = striker_arrays("exact", bent, time, 1.0)
+    depth = arrays["exactMass"] - bent.motion.end_position(time)
+    assert depth.max() == approx(bent.peak_indentation, rel=1e-2)
+    assert arrays["exactBar"][:, 0] == approx(np.zeros(101), abs=1e-15)
+    whole = bent.motion.impactor_position(time)
+    assert np.abs(arrays["exactMass"] - whole).max() > 1e-5
+    assert pendulum_told(bent.scene.target) == {}
+
+
+def test_modes_of_a_pendulum_on_a_stop_are_chosen():
+    """They are its own, as nothing else rings; on a rod they are the rod's."""
+    chosen = own_choices("figure-10.11")
+    assert chosen["modes"] == 5
+    assert Request.of(chosen | {"modes": 3}).scene.impactor.count == 3
+    assert Request.of(own_choices("figure-9.11") | {"modes": 12}).scene.impactor.count == 5
+    moments = [read_header(solve_frame(chosen | {"modes": n}))["other"]["diagnostics"]["pivot_moment"] for n in (3, 10)]
+    assert moments == [approx(31.61, rel=1e-3), approx(0.805, rel=1e-2)]
