@@ -3,7 +3,8 @@
 import numpy as np
 
 import solvers
-from solvers.numerics.rigid.impulses import point_velocity, residuals, strike
+from solvers.numerics.rigid.friction import rub
+from solvers.numerics.rigid.impulses import kinetic_energy, point_velocity, residuals, strike
 from tests.solvers.numerics.rigid.test_impulses import held, random_pairs
 
 from .timing import median, row
@@ -21,6 +22,10 @@ def measure() -> dict[str, object]:
         for gained in residuals((first, second), found, normal)
     )
     scene = solvers.load("note-rod")
+    friction = np.random.default_rng(2).uniform(0.0, 1.0, PAIRS)
+    rubbing = median(lambda: rub(first, second, normal, friction, restitution), 9)
+    rubbed = rub(first, second, normal, friction, restitution)
+    before, after = (sum(map(kinetic_energy, pair)) for pair in ((first, second), (rubbed.first, rubbed.second)))
     return dict(
         [
             row("rigid impulses, random full tensors", PAIRS / spent, "a second", ">= 1e5"),
@@ -31,6 +36,8 @@ def measure() -> dict[str, object]:
             ),
             row("rigid impulses: worst residual of momentum", momentum, "", "<= 1e-12"),
             row("rigid impulses: worst residual of angular momentum", angular, "", "<= 1e-12"),
+            row("impulses with friction, random full tensors", PAIRS / rubbing, "a second", ">= 1e5"),
+            row("impulses with friction: most energy made, relative", (after / before - 1.0).max(), "", "<= 1e-12"),
             row("one scene of two bodies, whole solve()", 1e3 * median(lambda: solvers.solve(scene), 50), "ms"),
         ]
     )

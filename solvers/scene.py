@@ -29,12 +29,14 @@ from .bodies import (
 from .bodies.lumped import SPEED_RANGE
 from .contact import LAWS, Rigid
 from .contact.duration import contact_time
+from .contact.friction import read_friction
 from .contact.protocol import Law
 from .numerics.rigid import impulses
 from .validation import SceneError, allowed
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
+IN_SPACE = ("normal", "friction")  # keys of a contact between bodies in space
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,7 @@ class Scene:
     given: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     normal: tuple[float, float, float] | Any = None  # from impactor to target, where they are bodies in space
     note: str = ""
+    friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
 
     @classmethod
     def from_table(cls, given: object) -> "Scene":
@@ -67,7 +70,7 @@ class Scene:
             validation.required("", given, part, allowed("a-table"))
         target = read_body("target", given["target"])
         impactor = _read_impactor(given["impactor"], target)
-        normal = _read_normal(impactor, target, given.get("contact"))
+        normal, friction = _read_normal(impactor, target, given.get("contact"))
         if isinstance(impactor, Pulse):
             impactor = _on_rod(impactor, target, given.get("contact"))
         else:
@@ -88,6 +91,7 @@ class Scene:
             given,
             normal,
             validation.text("note", given.get("note", ""), LONGEST_NOTE),
+            friction,
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -122,6 +126,8 @@ class Scene:
             contact[name] = self.given["contact"][name]
         if self.normal is not None:
             contact["normal"] = list(self.normal)
+        if self.friction is not None:
+            contact["friction"] = self.friction
         tables: dict[str, Any] = {
             "title": self.title,
             "source": self.source,
@@ -251,20 +257,20 @@ def _check_masses(impactor: AnyBody, target: AnyBody) -> None:
         raise SceneError("impactor.mass", impactor.mass, allowed("impactor-mass", low=low, high=high))
 
 
-def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[float, float, float] | None:
-    """The normal of bodies in space, which meet each other or a stop only; None on an axis."""
+def _read_normal(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[Any, float | None]:
+    """The normal and the friction of bodies in space, which meet each other or a stop only; None on an axis."""
     if not isinstance(impactor, Body) and not isinstance(target, Body):
-        return None
+        return None, None
     if not isinstance(impactor, Body):
         raise SceneError("impactor.kind", impactor.kind, allowed("body-strikes"))
     if not isinstance(target, Body) and (not isinstance(target, Wall) or target.endless):
         raise SceneError("target.kind", target.kind, allowed("body-or-stop"))
-    contact = validation.table("contact", {} if contact is None else contact, ("law", "normal"))
+    contact = validation.table("contact", {} if contact is None else contact, ("law", *IN_SPACE))
     given = validation.required("contact", contact, "normal", allowed("normal"))
-    normal = read_normal("contact.normal", given)
-    check_struck("impactor", impactor, normal)
-    check_struck("target", target, normal)
-    return normal
+    normal, friction = read_normal("contact.normal", given), read_friction(contact)
+    check_struck("impactor", impactor, normal, bool(friction))
+    check_struck("target", target, normal, bool(friction))
+    return normal, friction
 
 
 def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spatial: bool = False) -> Law:
@@ -272,7 +278,7 @@ def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spati
     if not isinstance(given, Mapping):
         raise SceneError(key, given, allowed("law-table"))
     law: Any = LAWS[validation.choice(f"{key}.law", given.get("law", "rigid"), ("rigid",) if spatial else LAWS)]
-    validation.table(key, given, ("law", *law.KEYS, *(("normal",) if spatial else ())))
+    validation.table(key, given, ("law", *law.KEYS, *(IN_SPACE if spatial else ())))
     try:
         return law.read(given, impactor, target)
     except SceneError as refused:  # laws name their keys as those of the impactor's contact

@@ -161,7 +161,7 @@ def _bodies_report(solution: Solution) -> str:
         _line("bodies.normal", _vector(scene.normal)),
         _line("bodies.approach", f"{scene.speed:+.8g} m/s"),
         _line("bodies.effective-mass", f"{solution.effective_mass:.8g} kg"),
-        _line("bodies.impulse", f"{solution.impulse:.8g} N s"),
+        *_pushes(solution),
     ]
     for name in ("impactor", "target"):
         body, velocity = getattr(scene, name), getattr(solution, f"{name}_velocity")
@@ -176,9 +176,35 @@ def _bodies_report(solution: Solution) -> str:
             lines.append("  " + text("bodies.stop", body=name))
     lines += ["", "  " + text("bodies.energy")]
     lines += [f"    {named('energy', key):30}{value:14.8g}" for key, value in energy.items()]
+    lines += _models(solution)
     residuals = [_residual(name, found[f"{name}_error"]) for name in ("energy", "momentum", "angular_momentum")]
     lines += ["", "  " + "   ".join(residuals), *(_note(note) for note in solution.notes)]
     return "\n".join(lines)
+
+
+def _pushes(solution: Solution) -> list[str]:
+    """The impulse; with friction as a vector, and how the bodies slide."""
+    if solution.sliding is None:
+        return [_line("bodies.impulse", f"{solution.impulse:.8g} N s")]
+    lines = [
+        _line("bodies.friction", f"{solution.scene.friction:.6g}"),
+        _line("bodies.impulse-on-target", f"{_vector(solution.impulse)} N s"),
+    ]
+    for number, each in enumerate(solution.sliding):
+        code = "bodies.sliding" if number == 0 else "bodies.then"
+        lines.append(_line(code, text("bodies.until", kind=each.kind, impulse=each.until)))
+    return lines
+
+
+def _models(solution: Solution) -> list[str]:
+    """What each model of restitution gives, where bodies rub."""
+    if not solution.models or not solution.contacts:
+        return []
+    lines = ["", "  " + text("bodies.models")]
+    for name, found in solution.models.items():
+        values = {"parting": found["restitution"]["newton_at_contact"], **found["energy"]}
+        lines.append(f"    {name:10}{_vector(found['impulse']):34}{text('bodies.model', **values)}")
+    return lines
 
 
 def _vector(values: tuple[float, float, float]) -> str:

@@ -56,7 +56,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         "across": _listed(across),
         "up": _listed(up),
         "normal": list(scene.normal),
-        "impulse": solution.impulse,
+        "impulse": float(np.linalg.norm(solution.impulse)),
         "bodies": bodies,
         "figures": figures(solution),
         "notes": coded(solution.notes),
@@ -66,11 +66,11 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
 
 def figures(solution: Solution) -> list[list[Any]]:
     """The numbers beside the picture: code of the name (`space.row`), a number or a vector, unit."""
-    found = solution.diagnostics
+    found, scene = solution.diagnostics, solution.scene
     rows: list[list[Any]] = [
         ["approach", solution.scene.speed, "m/s"],
         ["effective-mass", solution.effective_mass, "kg"],
-        ["impulse", solution.impulse, "N s"],
+        ["impulse", list(solution.impulse) if scene.friction is not None else solution.impulse, "N s"],
         ["restitution", solution.method["restitution"], ""],
         ["energy-before", solution.energy["initial"], "J"],
         ["energy-lost", solution.energy["dissipated"], "J"],

@@ -106,9 +106,10 @@ def read_normal(key: str, given: object) -> Vector:
     return tuple((vector if abs(length - 1.0) < 1e-15 else vector / largest / (length / largest)).tolist())
 
 
-def check_struck(key: str, body: object, normal: Vector) -> None:
-    """Refuses a body struck so that it would turn about an axis about which nothing resists."""
-    if isinstance(body, Body) and impulses.unresisted(in_space(body), np.array(normal)):
+def check_struck(key: str, body: object, normal: Vector, rubbed: bool = False) -> None:
+    """Refuses a body struck so that it would turn about an axis about which nothing resists; `rubbed` from any side."""
+    ways = np.eye(3) if rubbed else np.array([normal])
+    if isinstance(body, Body) and any(impulses.unresisted(in_space(body), way) for way in ways):
         raise SceneError(f"{key}.inertia", [list(row) for row in body.inertia], allowed("inertia-where-it-turns"))
 
 

@@ -8,7 +8,7 @@ from .finite_elements.nodal import FeNodal
 from .modal.method import Modal
 from .mode_switch import ModeSwitch
 from .quasi_static.method import QuasiStatic
-from .rigid import RigidImpulse
+from .rigid.method import RigidImpulse
 from .waves.method import Waves
 
 METHODS = {

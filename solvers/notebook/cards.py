@@ -14,6 +14,7 @@ def scene_card(scene: Any) -> str:
     rows += [("contact", scene.contact.NAME)]
     if scene.normal is not None:
         rows += [("normal, impactor to target", _vector(scene.normal))]
+        rows += [] if scene.friction is None else [("friction", _number(scene.friction))]
     elif not scene.prescribed_force:
         rows += [("mass ratio, target / impactor", _number(scene.mass_ratio))]
     if not scene.prescribed_force:
@@ -34,10 +35,10 @@ def solution_card(solution: Any) -> str:
     found = solution.diagnostics
     rows = [
         ("method", _method(solution.method)),
-        ("impulse", _number(solution.impulse, "N s")),
+        ("impulse", _quantity(solution.impulse, "N s")),
         ("peak force", _number(solution.peak_force, "N")),
-        ("impactor leaves at", _velocity(solution.impactor_velocity)),
-        ("target moves on at", _velocity(solution.target_velocity)),
+        ("impactor leaves at", _quantity(solution.impactor_velocity, "m/s")),
+        ("target moves on at", _quantity(solution.target_velocity, "m/s")),
         ("deepest indentation", _number(solution.peak_indentation, "m")),
         *((f"restitution, {name.replace('_', ' ')}", _number(e)) for name, e in solution.restitution.items()),
         *((f"energy, {name.replace('_', ' ')}", _number(part, "J")) for name, part in solution.energy.items()),
@@ -159,8 +160,8 @@ def _vector(values: Sequence[float]) -> str:
     return "(" + ", ".join(f"{value + 0.0:.6g}" for value in values) + ")"
 
 
-def _velocity(value: Any) -> str:
-    return f"{_vector(value)} m/s" if isinstance(value, tuple) else _number(value, "m/s")
+def _quantity(value: Any, unit: str) -> str:
+    return f"{_vector(value)} {unit}" if isinstance(value, tuple) else _number(value, unit)
 
 
 def _body(body: Any, normal: Any) -> str:
@@ -172,7 +173,7 @@ def _body(body: Any, normal: Any) -> str:
     if body.kind == "pulse":
         shown.append(f"largest force {_number(max(body.forces), 'N')}")
     elif normal is not None or body.velocity:
-        shown.append(f"velocity {_velocity(body.velocity)}")
+        shown.append("velocity " + _quantity(body.velocity, "m/s"))
     return ", ".join(shown)
 
 

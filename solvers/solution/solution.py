@@ -25,6 +25,14 @@ class ContactPeriod:
     peak_force: float | Any  # [N]; None: an impact of no duration
 
 
+@dataclass(frozen=True)
+class Sliding:
+    """One stretch of an impact with friction: the touching points slide, stick, or slide anew another way."""
+
+    kind: str  # of `solvers.contact.friction.SLIDING`
+    until: float  # normal impulse [N s]
+
+
 def apparent_time(contacts: Sequence[ContactPeriod]) -> float | None:
     """The contact time that is asked for everywhere: from first touch to last parting [s], thesis 8.3.
 
@@ -85,7 +93,7 @@ class Solution:
     contacts: list[ContactPeriod]
     duration: float  # [s], up to which it is solved
     motion: Motion | None  # None: bodies in space, which move freely before and after
-    impulse: float = _Figure()  # of all contacts [N s]
+    impulse: Any = _Figure()  # of all contacts [N s]; on the target, a vector, where bodies in space rub
     impactor_velocity: Any = _Figure()  # [m/s]; a prescribed force has none
     target_velocity: Any = _Figure()  # of its centre of mass [m/s]
     restitution: dict[str, float | None] = _Figure()  # newton, poisson, newton_at_contact
@@ -98,6 +106,8 @@ class Solution:
     effective_mass: float | None = None  # of the contact [kg], where the impact is one impulse
     impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
     target_spin: tuple[float, float, float] | None = None
+    sliding: list[Sliding] | None = None  # of bodies in space that rub
+    models: dict[str, dict[str, Any]] | None = None  # what each model of restitution gives for them
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
 
     @property
@@ -183,28 +193,34 @@ class Solution:
         turned = {
             body: {"final_spin": swing.spin, "effective_mass": swing.felt_mass} for body, swing in self.swings.items()
         }
+        rubbed = {}
+        if self.sliding is not None:
+            rubbed = {"sliding": [asdict(each) for each in self.sliding], "models": self.models}
+        impulse = list(self.impulse) if isinstance(self.impulse, tuple) else self.impulse
         return {
             "scene": self.scene.table(),
             "method": self.method,
             "contacts": [asdict(contact) for contact in self.contacts],
             **({"links": links} if links else {}),
             **({"joints": joints} if joints else {}),
-            "impulse": self.impulse,
+            "impulse": impulse,
             **effective_mass,
             "peak_force": self.peak_force,
             "peak_indentation": self.peak_indentation,
             "residual_indentation": self.residual_indentation,
-            "impactor": _final(self.impactor_velocity, self.impactor_spin) | turned.get("impactor", {}),
-            "target": _final(self.target_velocity, self.target_spin) | turned.get("target", {}),
+            "impactor": final(self.impactor_velocity, self.impactor_spin) | turned.get("impactor", {}),
+            "target": final(self.target_velocity, self.target_spin) | turned.get("target", {}),
             "restitution": self.restitution,
             "energy": self.energy,
+            **rubbed,
             "diagnostics": self.diagnostics,
             "duration": self.duration,
             **coded(self.notes),
         }
 
 
-def _final(velocity: Any, spin: Any) -> dict[str, Any]:
+def final(velocity: Any, spin: Any) -> dict[str, Any]:
+    """Of one body, as in results."""
     if spin is None:
         return {"final_velocity": velocity}
     return {"final_velocity": list(velocity), "final_spin": list(spin)}

@@ -46,7 +46,7 @@ def principal(inertia: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def point_velocity(bodies: Bodies) -> np.ndarray:
     """Velocity [m/s] of each body where it is touched."""
-    return bodies.velocity + np.cross(_arm(bodies), bodies.spin)
+    return bodies.velocity + np.cross(arm(bodies), bodies.spin)
 
 
 def strike(first: Bodies, second: Bodies, normal: np.ndarray, restitution: np.ndarray | float) -> Strike:
@@ -61,7 +61,7 @@ def strike(first: Bodies, second: Bodies, normal: np.ndarray, restitution: np.nd
     if np.any(stray[0]) or np.any(stray[1]):
         raise ValueError("a body is struck beside an axis about which it has no moment of inertia")
     softness: Any = sum(
-        1.0 / np.asarray(bodies.mass, float) + np.vecdot(np.cross(_arm(bodies), normal), turn)
+        1.0 / np.asarray(bodies.mass, float) + np.vecdot(np.cross(arm(bodies), normal), turn)
         for bodies, turn in zip((first, second), turns, strict=True)
     )
     if not np.all(softness > 0.0):
@@ -85,16 +85,26 @@ def residuals(
     Both (..., 3), and zero but for rounding. `about`: from the contact point [m]. An immovable body takes what
     the impulse gives it.
     """
+    return gained(before, (found.first, found.second), found.impulse[..., None] * normal, about)
+
+
+def gained(
+    before: tuple[Bodies, Bodies],
+    after: tuple[Bodies, Bodies],
+    impulse: np.ndarray,
+    about: np.ndarray | float = 0.0,
+) -> tuple[np.ndarray, np.ndarray]:
+    """The same for any impulse (..., 3) on the second body, its opposite on the first [N s]."""
     momentum, angular = np.zeros(3), np.zeros(3)
-    for old, new, way in zip(before, (found.first, found.second), (-1.0, 1.0), strict=True):
+    for old, new, way in zip(before, after, (-1.0, 1.0), strict=True):
         held = np.isinf(old.mass)[..., None]
-        given = way * found.impulse[..., None] * normal
+        given = way * impulse
         mass = np.where(np.isinf(old.mass), 0.0, old.mass)[..., None]
-        gained = np.where(held, given, mass * (new.velocity - old.velocity))
+        change = np.where(held, given, mass * (new.velocity - old.velocity))
         turned = _times(old.inertia, new.spin - old.spin)
-        place = np.where(held, 0.0, _arm(old))
-        momentum = momentum + gained
-        angular = angular + np.cross(place - about, gained) + np.where(held, 0.0, turned)
+        place = np.where(held, 0.0, arm(old))
+        momentum = momentum + change
+        angular = angular + np.cross(place - about, change) + np.where(held, 0.0, turned)
     return momentum, angular
 
 
@@ -110,20 +120,31 @@ def unresisted(bodies: Bodies, normal: np.ndarray) -> np.ndarray:
     return _solved(bodies, normal)[1]
 
 
-def _arm(bodies: Bodies) -> np.ndarray:
+def arm(bodies: Bodies) -> np.ndarray:
     """c, and zero for a point mass: it is where it is touched."""
     return np.where(np.any(bodies.inertia, axis=(-2, -1))[..., None], bodies.centre, 0.0)
 
 
-def _solved(bodies: Bodies, normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """I^-1 (c x n) [rad/s per N s] in the range of the tensor, and whether c x n leaves that range."""
-    arm = _arm(bodies)
+def inverse_inertia(bodies: Bodies) -> np.ndarray:
+    """I^-1 (..., 3, 3) [1/(kg m2)] in the range of the tensor, zero elsewhere and for a body that does not move."""
+    inverse, axes, _ = _inverted(bodies)
+    return (axes * inverse[..., None, :]) @ np.swapaxes(axes, -1, -2)
+
+
+def _inverted(bodies: Bodies) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """1 / principal moments, their axes as columns, and about which of them nothing resists."""
     moments, axes = principal(bodies.inertia)
     held = np.isinf(bodies.mass)[..., None]
-    couple = _times(np.swapaxes(axes, -1, -2), np.cross(arm, normal))
     weightless = (moments == 0.0) & ~held
-    stray = weightless & (np.abs(couple) > STRAY_COUPLE * np.sqrt(np.vecdot(arm, arm))[..., None])
-    inverse = np.where(weightless | held, 0.0, 1.0 / np.where(moments > 0.0, moments, 1.0))
+    return np.where(weightless | held, 0.0, 1.0 / np.where(moments > 0.0, moments, 1.0)), axes, weightless
+
+
+def _solved(bodies: Bodies, normal: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """I^-1 (c x n) [rad/s per N s] in the range of the tensor, and whether c x n leaves that range."""
+    c = arm(bodies)
+    inverse, axes, weightless = _inverted(bodies)
+    couple = _times(np.swapaxes(axes, -1, -2), np.cross(c, normal))
+    stray = weightless & (np.abs(couple) > STRAY_COUPLE * np.sqrt(np.vecdot(c, c))[..., None])
     return _times(axes, inverse * couple), stray.any(axis=-1)
 
 

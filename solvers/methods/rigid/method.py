@@ -1,37 +1,43 @@
-"""Rigid bodies: one impulse without duration, in closed form."""
+"""Rigid bodies: one impulse without duration, in closed form or, where they rub, over the normal impulse."""
 
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..bodies import AnyBody, Body, in_space
-from ..numerics.rigid.impulses import Bodies, Strike, kinetic_energy, residuals, strike
-from ..provenance import clock
-from ..scene import Scene
-from ..solution.sampled_motion import SampledMotion, field_as_a_whole
-from ..solution.solution import ContactPeriod, Solution
-from ..text.notes import Note, Severity
-from .base import AFTERGLOW, Method
-from .options import option, real
+from ...bodies import AnyBody, Body, in_space
+from ...contact.friction import MODELS
+from ...numerics.rigid.friction import Rubbed
+from ...numerics.rigid.impulses import Bodies, Strike, gained, kinetic_energy, strike
+from ...provenance import clock
+from ...scene import Scene
+from ...solution.sampled_motion import SampledMotion, field_as_a_whole
+from ...solution.solution import ContactPeriod, Solution
+from ...text.notes import Note, Severity
+from ..base import AFTERGLOW, Method
+from ..options import option, real, word
+from .friction import models, restored, rubbed, rubbing_notes, sliding
 
 ALONG = (1.0, 0.0, 0.0)  # the axis on which bodies without a normal meet
 
 
 @dataclass(frozen=True)
 class RigidImpulse(Method):
-    """Both bodies move as a whole before and after one frictionless impulse J = (1 + e) mu v_imp.
+    """Both bodies move as a whole before and after one impulse, J = (1 + e) mu v_imp without friction.
 
     Bodies in space with their tensors of inertia, or any bodies on an axis, where rods and chains of bonded rods count
     by their mass and what is held by a support counts as immovable; a beam counts by the mass felt where it is struck,
     1 / (1 / m + d^2 / J) at d from its centre, J / x^2 at x from its pin.
-    The contact law has no say, but `restitution`.
-    Source: note on rigid-body impulses; thesis 3.2 and (9.1) on an axis.
+    The contact law has no say, but `restitution`; bodies in space may rub, and then `model` says what is restored: of
+    the work of the normal force its share e^2 (stronge), of the normal impulse (poisson), of the normal velocity with
+    the impulse of sticking cut off at the cone of friction (newton), which can make energy.
+    Source: note on rigid-body impulses; thesis 3.2 and (9.1) on an axis; friction: `solvers.numerics.rigid.sliding`.
     Differs: the note has no guard against bodies that part already, J = 0, and leaves out the loss of energy,
     mu (1 - e^2) v_imp^2 / 2.
     """
 
     restitution: float = option(1.0, real(0.0, 1.0))
+    model: str = option(MODELS[0], word(MODELS))  # of what rubs
 
     NAME = "rigid"
     SPATIAL = BEAMS = True
@@ -46,34 +52,52 @@ class RigidImpulse(Method):
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         begun = clock()
-        normal = np.array(scene.normal or ALONG)
+        normal, method = np.array(scene.normal or ALONG), self.table()
         before = in_space(scene.impactor), in_space(scene.target)
-        found = strike(*before, normal, self.restitution)
+        by_model = {}
+        if scene.friction is None:
+            found: Strike | Rubbed = strike(*before, normal, self.restitution)
+            pushed = found.impulse * normal
+            del method["model"]  # has no say
+        else:
+            by_model = rubbed(scene, self.restitution)
+            found = by_model[self.model]
+            pushed = found.impulse
         wall_time = clock() - begun
         duration = AFTERGLOW * scene.time_unit if duration is None else duration
-        impulse, approached = float(found.impulse), bool(found.approach > 0.0)
-        energy = _energy(scene, before, found)
-        force = None if approached else 0.0
+        impulse, approached = float(pushed @ normal), bool(found.approach > 0.0)
+        energy, force = _energy(scene, before, found), None if approached else 0.0
+        figures = {
+            "impulse": impulse,
+            "restitution": self._restitution(scene, before, found, normal),
+            "notes": _notes(scene, before, approached),
+        }
+        if isinstance(found, Rubbed):
+            figures["notes"] += rubbing_notes(scene, by_model, self.model)
+            figures |= {
+                "impulse": tuple(pushed.tolist()),
+                "restitution": restored(scene, found),
+                "sliding": sliding(scene, found),
+                "models": models(scene, by_model),
+            }
         return Solution(
             scene=scene,
-            method=self.table(),
+            method=method,
             contacts=[ContactPeriod(0.0, 0.0, impulse, force)] if approached else [],
             duration=duration,
-            motion=_motion(scene, before, found, duration) if scene.normal is None else None,
-            impulse=impulse,
+            motion=_motion(scene, before, found, impulse, duration) if scene.normal is None else None,
             peak_force=force,
             peak_indentation=None,
             residual_indentation=None,
-            restitution=self._restitution(scene, before, found, normal),
             energy=energy,
-            diagnostics=_diagnostics(before, found, normal, energy) | {"wall_time": wall_time} | _unknown(scene),
-            notes=_notes(scene, before, approached),
+            diagnostics=_diagnostics(before, found, pushed, energy) | {"wall_time": wall_time} | _unknown(scene),
             effective_mass=float(found.effective_mass),
+            **figures,
             **_velocities(scene, found),
         )
 
     def _restitution(
-        self, scene: Scene, before: tuple[Bodies, Bodies], found: Strike, normal: np.ndarray
+        self, scene: Scene, before: tuple[Bodies, Bodies], found: Strike | Rubbed, normal: np.ndarray
     ) -> dict[str, float | None]:
         """By impulses and by the touching points what was asked for; by the centres of mass what follows from it."""
         if not found.approach > 0.0:
@@ -88,7 +112,7 @@ class RigidImpulse(Method):
         return {"newton": newton, "poisson": self.restitution, "newton_at_contact": self.restitution}
 
 
-def _velocities(scene: Scene, found: Strike) -> dict[str, Any]:
+def _velocities(scene: Scene, found: Strike | Rubbed) -> dict[str, Any]:
     """Scalars on an axis, vectors and spins in space."""
     if scene.normal is None:
         return {f"{name}_velocity": mean for name, (_, mean) in _wholes(scene, found).items()}
@@ -97,7 +121,7 @@ def _velocities(scene: Scene, found: Strike) -> dict[str, Any]:
     return velocities | {f"{name}_spin": tuple(body.spin.tolist()) for name, body in parts.items()}
 
 
-def _wholes(scene: Scene, found: Strike) -> dict[str, tuple[float, float]]:
+def _wholes(scene: Scene, found: Strike | Rubbed) -> dict[str, tuple[float, float]]:
     """On an axis: velocity of the struck place and of the centre of mass, which differ where a beam turns."""
     wholes = {}
     for name, after in (("impactor", found.first), ("target", found.second)):
@@ -115,7 +139,7 @@ def _kinetic(body: AnyBody, state: Bodies) -> float:
     return float(body.modes(1).moving_energy(body.mass, body.velocity, state.velocity[0]))
 
 
-def _energy(scene: Scene, before: tuple[Bodies, Bodies], found: Strike) -> dict[str, float]:
+def _energy(scene: Scene, before: tuple[Bodies, Bodies], found: Strike | Rubbed) -> dict[str, float]:
     bodies = scene.impactor, scene.target
     return {
         "initial": float(sum(_kinetic(body, state) for body, state in zip(bodies, before, strict=True))),
@@ -124,20 +148,22 @@ def _energy(scene: Scene, before: tuple[Bodies, Bodies], found: Strike) -> dict[
         "target_vibration": 0.0,
         "local": 0.0,
         "dissipated": float(found.lost),
+        **({"friction": float(found.rubbed)} if isinstance(found, Rubbed) else {}),
     }
 
 
 def _diagnostics(
-    before: tuple[Bodies, Bodies], found: Strike, normal: np.ndarray, energy: dict[str, float]
+    before: tuple[Bodies, Bodies], found: Strike | Rubbed, pushed: np.ndarray, energy: dict[str, float]
 ) -> dict[str, Any]:
     """Residuals relative to what there was: of energy, of momentum, of angular momentum about the point of impact."""
-    momentum, angular = (float(np.linalg.norm(gained)) for gained in residuals(before, found, normal))
-    push = turn = float(found.impulse)
+    momentum, angular = (float(np.linalg.norm(each)) for each in gained(before, (found.first, found.second), pushed))
+    given = float(np.linalg.norm(pushed))
+    push = turn = given
     for body in before:
         mass = 0.0 if np.isinf(body.mass) else float(body.mass)
         arm, speed, spin = (float(np.linalg.norm(v)) for v in (body.centre, body.velocity, body.spin))
         push += mass * speed
-        turn += mass * arm * speed + float(np.abs(body.inertia).max()) * spin + float(found.impulse) * arm
+        turn += mass * arm * speed + float(np.abs(body.inertia).max()) * spin + given * arm
     split = sum(value for name, value in energy.items() if name != "initial")
     errors = {
         "energy_error": (split - energy["initial"]) / (energy["initial"] or 1.0),
@@ -170,7 +196,9 @@ def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> lis
     return notes
 
 
-def _motion(scene: Scene, before: tuple[Bodies, Bodies], found: Strike, duration: float) -> SampledMotion:
+def _motion(
+    scene: Scene, before: tuple[Bodies, Bodies], found: Strike | Rubbed, impulse: float, duration: float
+) -> SampledMotion:
     """On an axis: straight on before and after, with the jump at time zero."""
     wholes = _wholes(scene, found)
     face, first = (np.array([scene.impactor.velocity, new, new]) for new in wholes["impactor"])
@@ -184,7 +212,7 @@ def _motion(scene: Scene, before: tuple[Bodies, Bodies], found: Strike, duration
     return SampledMotion(
         time=instants,
         force=np.zeros(3),  # the impact has no duration: all of it is in the impulse
-        impulse=float(found.impulse) * np.array([0.0, 1.0, 1.0]),
+        impulse=impulse * np.array([0.0, 1.0, 1.0]),
         impactor_position=instants * first,
         impactor_velocity=first,
         end_position=instants * end,

@@ -1,0 +1,1 @@
+"""Rigid bodies: one impulse, with and without friction."""
