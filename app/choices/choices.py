@@ -10,6 +10,7 @@ from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.validation import shown
 
 from ..text.catalogues import page
+from .bodies import BodyValues, read_values
 
 SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
 START = next(iter(SCENES))
@@ -23,6 +24,7 @@ class Choices(param.Parameterized):
     """
 
     scene = param.Selector(default=START, objects=list(SCENES))
+    bodies = BodyValues(default="", doc="values of bodies that are changed, see app.choices.bodies")
     mass_ratio = param.Number(default=1.0, bounds=(1e-3, 1e3))  # target / impactor
     speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # of approach [m/s]
     place = param.Number(default=1.0, bounds=(0.0, 1.0))  # where along a beam, or a rod in space, the impact falls
@@ -72,12 +74,22 @@ def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, k
         return page().text("refused.choice", **said, options=[names.get(each, each) for each in parameter.objects])
     if isinstance(parameter, param.Boolean):
         return page().text("refused.switch", **said)
+    if isinstance(parameter, BodyValues) and isinstance(value, str):
+        return page().text("refused.bodies", control=said["control"], why=_wrong_in(value))
     if isinstance(parameter, param.String):
         return page().text("refused.text", **said)
     low, high = parameter.bounds
     unit = page().texts.get(f"unit.{name}", "none")
     whole = isinstance(parameter, param.Integer)
     return page().text("refused.number", **said, whole=whole, low=low, high=high, unit=unit)
+
+
+def _wrong_in(text: str) -> str:
+    try:
+        read_values(text)
+    except ValueError as refused:
+        return str(refused)
+    return ""
 
 
 def title_of(name: str, key: str | None = None) -> str:

@@ -47,8 +47,8 @@ class Request:
 
     @property
     def own(self) -> dict[str, Any]:
-        """The choices with which the page opens the scene."""
-        return own_choices(self.chosen["scene"])
+        """The choices with which the page opens the scene with these bodies."""
+        return own_choices(self.chosen["scene"], self.chosen["bodies"])
 
     @property
     def acting(self) -> list[str]:

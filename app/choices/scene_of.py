@@ -1,7 +1,7 @@
 """The scene that choices describe, and the choices that a scene asks for."""
 
 from dataclasses import fields
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
 from .beam import BEAM_CHOICES, on_beam, other_beam
+from .bodies import parts_of, read_values, with_values
 from .choices import SCENES, Choices, accepts
 from .space import has_length, in_space, struck_at, struck_place
 
@@ -28,19 +29,34 @@ def kind_of(scene: Scene) -> str:
     return "beam" if on_beam(scene) else "axial"
 
 
-def choices_of(name: str) -> dict[str, Any]:
-    """The values that a built-in scene asks for, each within its bounds."""
-    return dict(_own_values(name))
+def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
+    """The values that a built-in scene asks for, each within its bounds; `bodies`: values of these that are changed."""
+    return _own_values(name, bodies) | {"bodies": bodies}
 
 
-def own_choices(name: str) -> dict[str, Any]:
+def own_choices(name: str, bodies: str = "") -> dict[str, Any]:
     """A value for every choice, as the page opens a built-in scene; an address says only what differs from these."""
-    return Choices(scene=name, **choices_of(name)).chosen()
+    return Choices(scene=name, **choices_of(name, bodies)).chosen()
+
+
+@lru_cache(maxsize=512)
+def base_of(name: str, bodies: str = "") -> Scene:
+    """A built-in scene with other values of its bodies, before all other choices.
+
+    Raises ValueError with a sentence for the visitor.
+    """
+    return with_values(SCENES[name], read_values(bodies))
 
 
 @cache
-def _own_values(name: str) -> dict[str, Any]:
-    scene = SCENES[name]
+def body_keys(name: str) -> tuple[str, ...]:
+    """All values of its bodies that can be set in a built-in scene."""
+    return tuple(f"{part.key}.{quantity}" for part in parts_of(SCENES[name]) for quantity in part.quantities)
+
+
+@lru_cache(maxsize=1024)
+def _own_values(name: str, bodies: str) -> dict[str, Any]:
+    scene = base_of(name, bodies)
     wanted: dict[str, Any] = {"speed": scene.speed}
     if in_space(scene):
         wanted["place"] = struck_place(scene)
@@ -96,12 +112,13 @@ def _of_own_name(law: str) -> list[str]:
 
 def acting_choices(chosen: dict[str, Any]) -> list[str]:
     """The choices that change anything in the chosen scene."""
-    base = SCENES[chosen["scene"]]
+    base = base_of(chosen["scene"], chosen["bodies"])
+    first = ["scene", "bodies"] if body_keys(chosen["scene"]) else ["scene"]
     if in_space(base):
-        return ["scene", "speed", "restitution"] + (["place"] if has_length(base) else [])
+        return [*first, "speed", "restitution"] + (["place"] if has_length(base) else [])
     if base.prescribed_force:
-        return ["scene"]
-    names = ["scene", "method", "speed", "law", *law_choices(chosen["law"])]
+        return first
+    names = [*first, "method", "speed", "law", *law_choices(chosen["law"])]
     if on_beam(base):
         names += BEAM_CHOICES
     if not on_beam(base) or "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid"):
@@ -152,8 +169,8 @@ def contact_table(chosen: dict[str, Any]) -> dict[str, Any]:
 
 
 def chosen_scene(chosen: dict[str, Any]) -> Scene:
-    """The scene that these choices describe."""
-    base = SCENES[chosen["scene"]]
+    """The scene that these choices describe. Raises ValueError with a sentence for the visitor if there is none."""
+    base = base_of(chosen["scene"], chosen["bodies"])
     if in_space(base):
         faster = chosen["speed"] / base.speed
         scene = base.replace(
@@ -172,7 +189,7 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         faster = chosen["speed"] / base.speed
         changes = _of_velocity("impactor", base.impactor, faster * base.impactor.velocity)
         changes |= _of_velocity("target", base.target, faster * base.target.velocity)
-    own = choices_of(chosen["scene"])
+    own = choices_of(chosen["scene"], chosen["bodies"])
     if on_beam(base):
         base = other_beam(
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}

@@ -27,6 +27,7 @@ import numba
 from solvers.jit import all_compiled
 
 from ..choices.beam import on_beam
+from ..choices.body_value import with_body_value
 from ..choices.choices import SCENES, START, Choices
 from ..choices.scene_of import choices_of, kind_of
 from ..messages.solve import solve_frame
@@ -124,7 +125,8 @@ COMPILER = Compiler()
 
 def works() -> dict[str, Callable]:
     """What the page asks for, by name."""
-    return {work.__name__: work for work in (solve_frame, *(work for view in VIEWS for work in view.compiled))}
+    asked = (work for view in VIEWS for work in view.compiled)
+    return {work.__name__: work for work in (solve_frame, with_body_value, *asked)}
 
 
 Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is asked with

@@ -21,6 +21,7 @@ from solvers.text.notes import Note
 
 from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+from .parts import parts_told
 from .pendulum import pendulum_told, striker_arrays, waves_of_force
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
@@ -65,6 +66,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "title": scene.title,
         "source": scene.source,
         "note": scene.note,
+        "parts": parts_told(request),
         "unshown": unshown(scene),
         "trip": trip,
         "duration": reach / trip,

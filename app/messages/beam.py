@@ -20,6 +20,7 @@ from solvers.text.notes import Note
 
 from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+from .parts import parts_told
 from .solutions import method_options
 
 MS = 1e3  # [ms / s]
@@ -82,6 +83,7 @@ def beam_frame(request: Request) -> bytes:
         "title": scene.title,
         "source": scene.source,
         "note": scene.note,
+        "parts": parts_told(request),
         "unshown": unshown(scene),
         "trip": 1e-3,
         "duration": MS * main.duration,

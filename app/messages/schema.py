@@ -37,6 +37,7 @@ COMMON: Fields = {
     "title": Field("string"),
     "source": Field("string"),
     "note": Field("string"),
+    "parts": Field("PartTold[]", "bodies, and rods of a chain one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
     "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
 }
@@ -206,6 +207,19 @@ RECORDS: dict[str, Fields] = {
         "elements": Field("number | null"),
         "contacts": Field("number", "how many"),
         "impulse": Field("number", "[N s]"),
+    },
+    "PartTold": {
+        "key": Field("string", "of its table: impactor, target, target.rods.2"),
+        "kind": Field("string"),
+        "values": Field("ValueTold[]", "that can be set"),
+        "derived": Field("[name: string, value: number][]", "what follows from them, SI units"),
+    },
+    "ValueTold": {  # SI units
+        "quantity": Field("string", "the rest of its key: length, material.young"),
+        "value": Field("number | string | null", "as it is; None: not given"),
+        "own": Field("number | string | null", "as the scene has it"),
+        "low": Field("number | null", "that it may be; None of a material"),
+        "high": Field("number | null"),
     },
     "RodTold": {
         "from": Field("number", "from the struck face [m]"),

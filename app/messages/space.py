@@ -16,6 +16,7 @@ from solvers.numerics.rigid.rotation import rotations
 from ..choices.request import Request
 from ..choices.space import equivalent_box
 from .encoding import coded, packed, unshown
+from .parts import parts_told
 
 STEPS = 60  # samples of the movement on either side of the impact
 LARGEST_TURN = 1.2  # [rad] shown on either side
@@ -50,6 +51,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         "title": scene.title,
         "source": scene.source,
         "note": scene.note,
+        "parts": parts_told(request),
         "unshown": unshown(scene),
         "duration": duration,
         "size": size,

@@ -8,6 +8,8 @@ import param
 from solvers.validation import shown
 
 from ..choices.beam import free_place
+from ..choices.bodies import is_key
+from ..choices.body_value import with_body_value
 from ..choices.choices import Choices, accepts, refusal
 from ..choices.scene_of import choices_of
 from ..text.catalogues import page
@@ -35,7 +37,12 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     """
     kept: dict[str, Any] = {}
     refused = []
-    for name in (name for name in Choices.CHOSEN if name in arguments):
+    for name in (name for name in Choices.CHOSEN if name in arguments or name == "bodies"):
+        if name == "bodies":  # whose values have keys of their own
+            more, refused_too = _bodies_in(arguments, kept)
+            kept |= more
+            refused += refused_too
+            continue
         text = text_of(arguments[name])
         value: Any = value_of(Choices.param[name], text)
         if not accepts(name, value):
@@ -47,6 +54,18 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     if "support" in arguments and "place" not in arguments and "support" in kept and "place" in kept:
         kept["place"] = free_place(kept["support"], kept["place"])
     return kept, refused
+
+
+def _bodies_in(arguments: dict[str, list[bytes]], kept: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """Values of bodies, by keys of scene files in SI units, as choices of the scene that is `kept`; and refusals."""
+    found, refused = dict(kept), []
+    for key in filter(is_key, arguments):
+        asked = Choices(**found).chosen() | {"body_value": f"{key}={text_of(arguments[key])}"}
+        try:
+            found |= with_body_value(asked)
+        except ValueError as refusal:  # SceneError: the sentence is for the visitor
+            refused.append(str(refusal))
+    return found, refused
 
 
 def text_of(given: list[bytes]) -> str:

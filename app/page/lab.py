@@ -260,7 +260,9 @@ def _spec() -> dict[str, Any]:
     found = {}
     for name in Choices.CHOSEN:
         parameter = Choices.param[name]
-        if isinstance(parameter, param.Selector):
+        if isinstance(parameter, param.String):
+            found[name] = {"default": parameter.default}
+        elif isinstance(parameter, param.Selector):
             found[name] = {"default": parameter.default, "options": list(parameter.objects)}
             if name == "scene":
                 found[name]["groups"] = scene_groups()

@@ -1,13 +1,14 @@
 """The views beside the solution: who answers what is asked in them, and when."""
 
 from collections import Counter
-from collections.abc import Callable, Coroutine, Hashable
+from collections.abc import Callable, Coroutine, Hashable, Iterable, Iterator
 from functools import partial
 from typing import Any
 
 import panel as pn
 import param
 
+from ..choices.body_value import with_body_value
 from ..choices.choices import SCENES
 from ..choices.scene_of import kind_of
 from ..jobs.long_run import LongRun
@@ -41,18 +42,28 @@ class Panels(Questions):
         self.param.watch(self.ask_panels, list(self.FOLLOWED))
         for view in VIEWS:
             self._open(view)
+        acts = self.choose, self._refuse, partial(self._wait, with_body_value.__name__)
+        self._lead("body_value", Runner(with_body_value, *self._reports(acts), visitor=self.visitor))
+
+    def _lead(self, name: str, runner: Runner) -> None:
+        """Have a question answered by choices that change."""
+        self._runners[name] = runner
+        self.param.watch(partial(self._go_to, name), name)
+
+    def _reports(self, acts: Iterable[Callable]) -> Iterator[Callable]:
+        return (partial(self._report, act) for act in acts)
 
     def _open(self, view: View) -> None:
         for name, work in view.answers.items():
             self._runners[name] = self._runner_of(view, work, partial(setattr, self, name))
         for name, question in view.asked.items():
             if question.leads:
-                self._runners[name] = self._runner_of(view, question.leads, self.choose)
-                self.param.watch(partial(self._go_to, name), name)
+                self._lead(name, self._runner_of(view, question.leads, self.choose))
         if view.run and view.kernels:
             acts = partial(setattr, self, view.name), self._refuse, partial(self._wait, view.name)
-            reports = (partial(self._report, act) for act in acts)
-            self._long[view.name] = LongRun(view.run, view.kernels, *reports, visitor=self.visitor, kept=view.kept)
+            self._long[view.name] = LongRun(
+                view.run, view.kernels, *self._reports(acts), visitor=self.visitor, kept=view.kept
+            )
             self.param.watch(partial(self._start_or_stop, view), view.running)
         elif view.stoppable:
             self.param.watch(partial(self._stop_or_resume, view), view.running)
@@ -61,7 +72,7 @@ class Panels(Questions):
         acts = publish, partial(self._refuse_view, view), partial(self._wait, work.__name__)
         return Runner(
             work,
-            *(partial(self._report, act) for act in acts),
+            *self._reports(acts),
             visitor=self.visitor,
             seconds=MAX_ANALYSIS_SECONDS,
             rest=REST_SECONDS if view.rests else 0.0,

@@ -11,7 +11,11 @@ class Questions(param.Parameterized):
     OPENED = tuple(view.opener for view in VIEWS)
     RUNS = tuple(view.running for view in VIEWS if view.run or view.stoppable)
     FOLLOWED = (*OPENED, *(name for view in VIEWS for name in view.sent))  # what is answered at once
-    ASKED = (*OPENED, *RUNS, *(name for view in VIEWS for name in view.asked))  # what a visitor may set
+    ASKED = (*OPENED, *RUNS, "body_value", *(name for view in VIEWS for name in view.asked))  # what a visitor may set
+
+    body_value = param.String(
+        default="", regex=r"^[a-z0-9_.]{0,60}(=[\w.+-]{0,30})?$", doc="a value of a body, until it is so"
+    )
 
 
 for _view in VIEWS:

@@ -13,6 +13,7 @@ from bokeh.util.token import (
     get_token_payload,
 )
 
+from ..choices.bodies import is_key
 from ..choices.choices import Choices
 from ..jobs.fair import Shares
 from ..jobs.turns import Rate
@@ -41,7 +42,7 @@ class Door:
 
     def issue(self, arguments: dict[str, list[bytes]]) -> str:
         """A token for a new session with these choices; the session itself is made when its socket opens."""
-        kept = {key: [arguments[key][-1][: 4 * LONGEST_TEXT]] for key in arguments if key in KNOWN}
+        kept = {key: [arguments[key][-1][: 4 * LONGEST_TEXT]] for key in arguments if key in KNOWN or is_key(key)}
         return generate_jwt_token(
             generate_session_id(secret_key=self._secret, signed=True),
             secret_key=self._secret,

@@ -6,12 +6,13 @@ tests/app/serving/test_guard.py fails if they change.
 
 from typing import Any, NamedTuple
 
+from ..choices.bodies import LONGEST
 from ..choices.choices import Choices
 from ..page.questions import Questions
 from .limits import MAX_EVENTS
 
 MAX_PULLS = 3  # of the document by one socket; a page pulls it once
-LONGEST_VALUE = 100  # letters of a text
+LONGEST_VALUE = LONGEST  # letters of a text
 SETTABLE = frozenset((*Choices.CHOSEN, *Questions.ASKED))
 # What Panel reports by itself of the browser; dropped without a word.
 REPORTED = frozenset(

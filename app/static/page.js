@@ -4,6 +4,7 @@ import { BeamView } from './beam/view.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
 import { Analyses } from './panels/panels.js';
+import { Bodies } from './shell/bodies.js';
 import { Changes } from './shell/changes.js';
 import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
@@ -29,7 +30,7 @@ import { text } from './text/catalogue.js';
 
 // Styles of the component, which lives in a shadow root; a later sheet wins over an earlier one.
 const SHEETS = [
-  ...['lab', 'layout', 'controls', 'player', 'story', 'first'].map((name) => `shell/${name}.css`),
+  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first'].map((name) => `shell/${name}.css`),
   'charts/charts.css',
   'compare/compare.css',
   'space/stage.css',
@@ -71,6 +72,8 @@ export class Page {
       (name, value) => this.send(name, value),
       (sentence) => this.complain(sentence),
     );
+    this.bodies = new Bodies(this);
+    this.controls.root.append(this.bodies.root);
     this.caption = make('p', { className: 'caption' });
     this.player = new Player((t) => this.show(t), {
       events: () => this.events(),
@@ -168,7 +171,7 @@ export class Page {
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      this.complain(model.refused);
+      if (!this.bodies.refused(model.refused)) this.complain(model.refused);
     });
     for (const name of this.names)
       model.on(name, () => {
@@ -304,6 +307,7 @@ export class Page {
       this.toldAt = performance.now();
       this.telling = 0;
       this.controls.arrange(this.frame);
+      this.bodies.load(this.frame);
       this.told.load(this.frame);
       this.told.at(this.player.t + this.player.start);
       this.first.load(this.frame);

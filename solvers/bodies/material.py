@@ -33,6 +33,13 @@ MATERIALS = {
     "steel": Material(210e9, 7900.0, 0.30),  # thesis 5.3
     "bronze": Material(98e9, 8600.0, 0.34),  # thesis 9.5; Poisson's ratio is a handbook value
     "aluminium": Material(70e9, 2700.0, 0.33),
+    # handbook values at room temperature, rounded
+    "brass": Material(100e9, 8500.0, 0.35),
+    "copper": Material(120e9, 8940.0, 0.34),
+    "titanium": Material(114e9, 4430.0, 0.34),  # Ti-6Al-4V
+    "glass": Material(70e9, 2500.0, 0.22),  # soda-lime
+    "acrylic": Material(3.2e9, 1180.0, 0.37),
+    "concrete": Material(30e9, 2400.0, 0.20),
 }
 
 

@@ -1,4 +1,5 @@
 // Settings in which solutions differ, in the words of their controls.
+import { wordsOf } from '../shell/body_values.js';
 import { pretty } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 
@@ -38,10 +39,12 @@ export function kindsOf(one, other) {
  * @param {string} name
  * @param {Frame} frame
  */
-function settingOf(name, { chosen, title }) {
+function settingOf(name, frame) {
+  const { chosen, title } = frame;
   const { options, title: control, unit } = LABELS[name];
   const value = chosen[name];
   if (name === 'scene') return title;
+  if (name === 'bodies') return wordsOf(frame);
   if (typeof value !== 'number') return options?.[value] ?? value;
   return unit === 'm/s'
     ? `${pretty(value)} ${unit}`
@@ -57,4 +60,5 @@ export const lineOf = (names, frame) =>
   names
     .filter((name) => frame.acting.includes(name))
     .map((name) => settingOf(name, frame))
+    .filter(Boolean)
     .join(', ');

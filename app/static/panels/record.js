@@ -1,4 +1,5 @@
 // A measured record beside the scene: sent to the server with the choices, drawn as it is moved and scaled.
+import { entriesOf } from '../shell/body_values.js';
 import { Figure } from '../charts/figure.js';
 import { between } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
@@ -189,7 +190,9 @@ class Measurement {
     this.asking = true;
     const sign = this.sign.checked ? '-1' : '1';
     const query = new URLSearchParams({ at: this.at.value.trim(), kind: this.kind.value, sign });
-    for (const name of names) query.set(name, String(frame.chosen[name]));
+    const { bodies, ...chosen } = frame.chosen;
+    for (const [key, value] of entriesOf(bodies)) query.set(key, value);
+    for (const name of names) if (name in chosen) query.set(name, String(chosen[name]));
     this.root.ariaBusy = 'true';
     waiter.soon('record', text('record.idle'));
     const answer = await this.#send(query, this.file);

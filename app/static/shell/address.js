@@ -1,5 +1,6 @@
 // The address of the page says what is shown, and what is open and asked; of the choices only what differs from the
 // scene's own values.
+import { entriesOf } from './body_values.js';
 import { keptText } from './kept.js';
 
 /** @import { Page } from '../page.js' */
@@ -18,7 +19,9 @@ function choicesOf({ spec }, { acting, chosen, own }) {
   const { scene } = chosen;
   const changed = Object.keys(spec).filter((name) => acting.includes(name) && chosen[name] !== own[name]);
   const first = scene === spec.scene.default ? [] : [/** @type {[string, string]} */ (['scene', String(scene)])];
-  return [...first, ...changed.map((name) => /** @type {[string, string]} */ ([name, String(chosen[name])]))];
+  const bodies = acting.includes('bodies') ? entriesOf(chosen.bodies) : []; // by keys of their own
+  const rest = changed.filter((name) => name !== 'bodies');
+  return [...first, ...bodies, ...rest.map((name) => /** @type {[string, string]} */ ([name, String(chosen[name])]))];
 }
 
 /**

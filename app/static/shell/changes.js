@@ -105,9 +105,10 @@ export class Changes {
   arrived(frame) {
     const { goal, server } = this;
     if (!goal) return;
-    const there = frame.chosen.scene === goal.scene;
+    const { bodies = '' } = goal.settings; // which, like the scene, bring values of their own
+    const there = frame.chosen.scene === goal.scene && frame.chosen.bodies === bodies;
     /** @type {Record<string, any>} */
-    const wanted = there ? { ...frame.own, ...goal.settings, scene: goal.scene } : { scene: goal.scene };
+    const wanted = there ? { ...frame.own, ...goal.settings } : { scene: goal.scene, bodies };
     const names = Object.keys(wanted).filter((name) => name in server.model.spec);
     const missing = names.filter((name) => !Object.is(frame.chosen[name], wanted[name]));
     if (there && !missing.length) {

@@ -28,6 +28,7 @@ export class Controls {
     this.root = make('form', { className: 'controls' });
     this.root.onsubmit = (event) => event.preventDefault();
     for (const name of Object.keys(spec)) {
+      if (!spec[name].options && spec[name].low === undefined) continue; // bodies, which have fields of their own
       this.fields[name] = spec[name].options ? this.#select(name) : this.#slider(name);
       if (name !== 'scene') this.root.append(this.fields[name].root); // which stands in the bar
     }

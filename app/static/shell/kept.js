@@ -1,10 +1,12 @@
 // Kept solutions in an address: "A,modes:5;B,law:hertz,mass_ratio:2", each by what differs from its scene's own values.
 import { LETTERS } from '../compare/run.js';
+import { entriesOf, isBodyKey, textOf } from './body_values.js';
 
 /** @import { Letter, Run } from '../compare/run.js' */
 /** @import { Chosen, Frame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
+const BODY_VALUE = /^[\w.+-]{1,30}$/; // the server knows which can be
 const NUMBER = /^-?\d+(\.\d+)?(e[+-]?\d+)?$/;
 
 /** @typedef {{ letter: Letter, settings: Partial<Chosen> }} Wanted */
@@ -18,8 +20,9 @@ export const keptText = (runs, now) =>
     .map(({ frame: { acting, chosen, own }, letter }) => {
       const differ = (/** @type {string} */ name) =>
         name === 'scene' ? chosen.scene !== now.chosen.scene : acting.includes(name) && chosen[name] !== own[name];
-      const settings = Object.keys(chosen).filter(differ);
-      return [letter, ...settings.map((name) => `${name}:${chosen[name]}`)].join(',');
+      const settings = Object.keys(chosen).filter((name) => name !== 'bodies' && differ(name));
+      const pairs = [...entriesOf(chosen.bodies), ...settings.map((name) => [name, chosen[name]])];
+      return [letter, ...pairs.map((pair) => pair.join(':'))].join(',');
     })
     .join(';');
 
@@ -45,12 +48,19 @@ function wantedOf(text, spec) {
   const letter = LETTERS.find((each) => each === first);
   /** @type {Partial<Chosen>} */
   const settings = {};
+  /** @type {[key: string, value: string][]} */
+  const bodies = [];
   for (const setting of rest) {
     const [name, value = '', ...more] = setting.split(':');
+    if (isBodyKey(name) && BODY_VALUE.test(value) && !more.length) {
+      bodies.push([name, value]);
+      continue;
+    }
     const known = Object.hasOwn(spec, name) ? valueOf(value, spec[name]) : null;
     if (known === null || more.length) return null;
     settings[name] = known;
   }
+  if (bodies.length) settings.bodies = textOf(bodies);
   return letter ? { letter, settings } : null;
 }
 

@@ -18,8 +18,28 @@
  * @property {string} title
  * @property {string} source
  * @property {string} note
+ * @property {PartTold[]} parts  bodies, and rods of a chain one by one
  * @property {string[]} unshown  keys that the scene sets and that have no control
  * @property {number} duration  axial: in round trips; beam: in milliseconds; bodies: seconds on either side of it
+ */
+
+/**
+ * A body, or a rod of a chain.
+ * @typedef {object} PartTold
+ * @property {string} key  of its table: impactor, target, target.rods.2
+ * @property {string} kind
+ * @property {ValueTold[]} values  that can be set
+ * @property {[name: string, value: number][]} derived  what follows from them, SI units
+ */
+
+/**
+ * A value of a body, SI units.
+ * @typedef {object} ValueTold
+ * @property {string} quantity  the rest of its key: length, material.young
+ * @property {number | string | null} value  as it is; null: not given
+ * @property {number | string | null} own  as the scene has it
+ * @property {number | null} low  that it may be; null of a material
+ * @property {number | null} high
  */
 
 /**

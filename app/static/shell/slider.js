@@ -1,5 +1,5 @@
 // A choice that is a number: a slider, linear or logarithmic, and a field for the exact value.
-import { text } from '../text/catalogue.js';
+import { family, text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
 import { make } from './dom.js';
 
@@ -46,6 +46,8 @@ export class Slider {
     head.dataset.term = name;
     this.range.dataset.term = name;
     this.root = make('div', { className: `field field-${name}` }, head, this.range);
+    const { low, high } = family(`ends.${name}`);
+    if (low && high) this.root.append(make('p', { className: 'ends' }, make('span', {}, low), make('span', {}, high)));
   }
   /** @param {number} place */
   #toValue(place) {

@@ -61,6 +61,35 @@ def test_a_wrong_type_is_refused_without_a_stack_trace(server, value):
     run(attack())
 
 
+async def refused(client: SocketClient) -> str:
+    """The next sentence that refuses something; nothing is solved before."""
+    while True:
+        for event in (await client.receive())[1].get("events", []):
+            assert event.get("attr") != "frame"
+            if event.get("attr") == "refused" and event["new"]:
+                return event["new"]
+
+
+def test_values_of_bodies_that_cannot_be_are_refused_and_set_back(server):
+    lengths = [f"target.length={value}" for value in ("-1", "0", "nan", "1e400", "1_0", "x" * 40)]
+
+    async def attack():
+        client = await opened(server)
+        for value in [*lengths, "target.length=1 x", "x" * 700, 1.0, NAN, None]:
+            await client.set("bodies", value)
+            await client.refusal("bodies")
+        for value in [*lengths, "impactor.length=1", "target.rods.2", "=", "<b>"]:
+            await client.set("body_value", value)
+            await refused(client)
+        await client.set("bodies", "target.rods.2.length=1")  # which another scene has: refused where it is solved
+        assert "no such value" in await refused(client)
+        await client.set("body_value", "target.length=0.5")
+        await client.answer()
+        client.close()
+
+    run(attack(), 60.0)
+
+
 @pytest.mark.parametrize("name", ["frame", "refused", "waiting", "spec", "visible", "esm"])
 def test_what_is_no_choice_cannot_be_changed_for_others(server, name):
     async def attack():

@@ -1,0 +1,61 @@
+"""What the browser needs of the bodies themselves: what can be set, within which bounds, and what follows from it."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from solvers import Bending, Body, SpringMass, Waveguide
+from solvers.bodies import AnyBody, Pulse
+
+from ..choices.bodies import RANGES, Part, parts_of
+from ..choices.choices import SCENES
+from ..choices.request import Request
+from ..choices.space import equivalent_box
+
+
+def parts_told(request: Request | None) -> list[dict[str, Any]]:
+    """Every body, and every rod of a chain, as in `schema.RECORDS`."""
+    if request is None:
+        return []
+    own = {part.key: part for part in parts_of(SCENES[request.chosen["scene"]])}
+    return [_told(part, own[part.key]) for part in parts_of(request.scene)]
+
+
+def _told(part: Part, own: Part) -> dict[str, Any]:
+    values = [
+        {
+            "quantity": quantity,
+            "value": part.value(quantity),
+            "own": own.value(quantity),
+            "low": RANGES.get(quantity, (None, None))[0],
+            "high": RANGES.get(quantity, (None, None))[1],
+        }
+        for quantity in own.quantities
+    ]
+    given = {value["quantity"] for value in values}
+    derived = [[name, value] for name, value in _derived(part.body) if name not in given and math.isfinite(value)]
+    return {"key": part.key, "kind": part.body.kind, "values": values, "derived": derived}
+
+
+def _derived(body: AnyBody) -> list[tuple[str, float]]:
+    """What follows from its geometry and material, in SI units."""
+    found = [("velocity", float(np.linalg.norm(body.velocity)))] if np.any(body.velocity) else []
+    if isinstance(body, Pulse):
+        return [("peak_force", max(body.forces)), ("duration", body.end)]
+    found += [("mass", body.mass)]
+    if isinstance(body, Waveguide):
+        rods = body.rods
+        if len(rods) == 1:
+            wave_speed, impedance = rods[0].wave_speed, body.impedance
+            found += [("area", body.area), ("wave_speed", wave_speed), ("impedance", impedance)]
+        found += [("round_trip", body.round_trip_time)]
+    elif isinstance(body, Bending):
+        wave_speed = math.sqrt(body.material.young / body.material.density)
+        found += [("area", body.section.area), ("second_moment", body.second_moment), ("wave_speed", wave_speed)]
+        found += [("period", body.time_unit or math.inf)]
+    elif isinstance(body, SpringMass):
+        found += [("period", 2.0 * body.half_swing)]
+    elif isinstance(body, Body) and not body.is_point:
+        found += [("longest_side", float(max(equivalent_box(body)[0])))]
+    return found

@@ -1,0 +1,254 @@
+// The bodies: what each is and what follows from it, with a field for every value that can be set.
+import { family, named, text } from '../text/catalogue.js';
+import { inUnit, read, unitOf, written } from './body_values.js';
+import { make } from './dom.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Frame, PartTold, ValueTold } from './message.js' */
+
+const NAMES = family('body.value');
+const DERIVED = family('body.derived');
+const MATERIALS = family('name.material');
+const KINDS = family('bodies.kind');
+const MANY = 2; // bodies, beyond which they are opened one by one
+let made = 0;
+
+/**
+ * A field for one value.
+ * @typedef {object} Field
+ * @property {HTMLElement} root
+ * @property {(told: ValueTold) => void} show
+ * @property {(sentence: string) => void} complain  at the field; an empty sentence when all is well
+ */
+
+export class Bodies {
+  made = ''; // for which bodies the fields are
+  /** @type {Map<string, Field>} */ fields = new Map(); // by key
+  /** @type {Map<string, (part: PartTold) => void>} */ heads = new Map();
+  /** @type {Map<string, string>} */ waiting = new Map(); // by key: what is to be asked
+  asked = ''; // the key that is being answered
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.list = make('div', { className: 'body-list' });
+    this.root = make('section', { className: 'bodies', hidden: true });
+    this.root.append(make('h2', { textContent: text('bodies.title') }), this.list);
+    page.model.on('body_value', () => {
+      if (page.model.body_value) return;
+      this.asked = '';
+      this.#ask();
+    });
+  }
+  /** @param {Frame} frame */
+  load(frame) {
+    const { parts } = frame;
+    this.root.hidden = !parts.length;
+    const kind = JSON.stringify(parts.map(({ key, kind: each, values }) => [key, each, values.map((v) => v.quantity)]));
+    if (kind !== this.made) this.#make(parts);
+    this.made = kind;
+    for (const part of parts) {
+      this.heads.get(part.key)?.(part);
+      for (const told of part.values) this.fields.get(`${part.key}.${told.quantity}`)?.show(told);
+    }
+  }
+  /**
+   * Whether the value that is being asked was refused, which is then said at its field.
+   * @param {string} sentence
+   */
+  refused(sentence) {
+    const field = this.fields.get(this.asked);
+    if (!this.asked || !field) return false;
+    field.complain(sentence);
+    return true;
+  }
+  /**
+   * Have a value set, or with none go back to that of the scene.
+   * @param {string} key
+   * @param {string | number} [value]
+   */
+  set(key, value) {
+    this.waiting.set(key, value === undefined ? key : `${key}=${value}`);
+    this.#ask();
+  }
+  /** One at a time: each is answered by what the bodies are then. */
+  #ask() {
+    const { changes, model, player } = this.page;
+    const [next] = this.waiting;
+    if (!next || this.asked || changes.server.lost()) return;
+    const [key, wanted] = next;
+    this.waiting.delete(key);
+    this.asked = key;
+    player.rest();
+    changes.leave();
+    model.body_value = wanted;
+  }
+  /** @param {PartTold[]} parts */
+  #make(parts) {
+    this.fields.clear();
+    this.heads.clear();
+    const rods = parts.filter(({ key }) => key.includes('.')).length;
+    this.list.replaceChildren(...parts.map((part) => this.#part(part, rods, parts.length <= MANY)));
+  }
+  /**
+   * @param {PartTold} part
+   * @param {number} rods  of the chain, if it is one
+   * @param {boolean} open
+   */
+  #part({ key, kind, values }, rods, open) {
+    const [first, , rod] = key.split('.');
+    const name = rod
+      ? text('bodies.head.rod', { rod, rods })
+      : text(`bodies.head.${first}`, { kind: KINDS[kind] ?? kind });
+    const facts = make('span', { className: 'facts' });
+    const derived = make('dl', { className: 'derived' });
+    const title = text('bodies.reset-about', { name });
+    const reset = make('button', { type: 'button', className: 'when', textContent: text('bodies.reset'), title });
+    reset.ariaLabel = title;
+    reset.onclick = () => this.set(key);
+    const fields = values.map((told) => {
+      const whole = `${key}.${told.quantity}`;
+      const field = told.quantity === 'material' ? this.#material(whole, name) : this.#number(whole, told, name);
+      this.fields.set(whole, field);
+      return field.root;
+    });
+    const root = make('details', { className: 'body', open });
+    root.append(make('summary', {}, make('b', { textContent: name }), facts), ...fields, derived, reset);
+    this.heads.set(key, (part) => {
+      facts.textContent = factsOf(part);
+      reset.hidden = part.values.every(({ value, own }) => same(value, own));
+      derived.replaceChildren(
+        ...part.derived.flatMap(([each, value]) => [
+          make('dt', { textContent: DERIVED[each] ?? each }),
+          make('dd', { textContent: written(each, value) }),
+        ]),
+      );
+    });
+    return root;
+  }
+  /**
+   * @param {string} key
+   * @param {string} body
+   * @returns {Field}
+   */
+  #material(key, body) {
+    made += 1;
+    const input = make('select', { id: `body-${made}` });
+    input.append(...Object.entries(MATERIALS).map(([value, textContent]) => make('option', { value, textContent })));
+    const own = make('option', { value: '', textContent: text('bodies.own-material') });
+    own.disabled = true;
+    input.append(own);
+    input.onchange = () => this.set(key, input.value);
+    input.ariaLabel = text('bodies.field', { name: NAMES.material, unit: 'none', body });
+    const label = make('label', { htmlFor: input.id, textContent: NAMES.material });
+    const row = rowOf(label, input);
+    return {
+      root: row.root,
+      complain: row.complain,
+      show: ({ value, own: scenes }) => {
+        row.complain('');
+        input.value = String(value ?? '');
+        row.mark(same(value, scenes), named('material', String(scenes)) || text('bodies.own-material'));
+      },
+    };
+  }
+  /**
+   * @param {string} key
+   * @param {ValueTold} told
+   * @param {string} body
+   * @returns {Field}
+   */
+  #number(key, { quantity, own, low, high }, body) {
+    made += 1;
+    const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
+    input.autocomplete = 'off';
+    input.id = `body-${made}`;
+    input.placeholder = text('bodies.unknown');
+    let unit = unitOf(quantity, Number(own ?? 0));
+    let last = '';
+    let typing = false;
+    const label = make('label', { htmlFor: input.id, textContent: NAMES[quantity] });
+    const sign = make('span', { className: 'unit', textContent: unit.sign });
+    const row = rowOf(label, input, sign);
+    const ends = { low: written(quantity, low ?? -Infinity), high: written(quantity, high ?? Infinity) };
+    input.oninput = () => (typing = true);
+    input.onchange = () => {
+      const given = input.value.trim();
+      typing = given !== last;
+      if (!typing) return row.complain('');
+      if (!given) {
+        typing = false;
+        return this.set(key);
+      }
+      const value = read(given, quantity, unit);
+      const said = { given: given.slice(0, 24), unit: unit.sign || 'none', ...ends };
+      if (Number.isNaN(value)) return row.complain(text('bodies.not-number', said));
+      if (low !== null && high !== null && !(value >= low && value <= high))
+        return row.complain(text('bodies.not-within', said));
+      row.complain('');
+      typing = false;
+      return this.set(key, value);
+    };
+    return {
+      root: row.root,
+      complain: (sentence) => {
+        row.complain(sentence);
+        typing = false;
+        if (sentence) input.value = last;
+      },
+      show: ({ value, own: scenes }) => {
+        unit = unitOf(quantity, Number(scenes ?? value ?? 0));
+        sign.textContent = unit.sign;
+        input.ariaLabel = text('bodies.field', { name: NAMES[quantity], unit: unit.sign || 'none', body });
+        const shown = value === null ? '' : inUnit(Number(value), unit);
+        if (shown !== last) row.complain('');
+        last = shown;
+        if (!typing) input.value = last;
+        row.mark(same(value, scenes), scenes === null ? text('bodies.unknown') : written(quantity, Number(scenes)));
+      },
+    };
+  }
+}
+
+/**
+ * A label with its field, and room for what is wrong with it.
+ * @param {HTMLElement} label
+ * @param {HTMLInputElement | HTMLSelectElement} input
+ * @param {...HTMLElement} more
+ */
+function rowOf(label, input, ...more) {
+  const wrong = make('p', { className: 'wrong', role: 'alert', hidden: true, id: `${input.id}-wrong` });
+  const root = make('div', { className: 'body-value' }, label, input, ...more, wrong);
+  const complain = (/** @type {string} */ sentence) => {
+    wrong.hidden = !sentence;
+    wrong.textContent = sentence;
+    input.ariaInvalid = sentence ? 'true' : null;
+    if (sentence) input.setAttribute('aria-describedby', wrong.id);
+    else input.removeAttribute('aria-describedby');
+  };
+  const mark = (/** @type {boolean} */ own, /** @type {string} */ scenes) => {
+    root.classList.toggle('changed', !own);
+    input.title = own ? '' : text('bodies.own', { value: scenes });
+  };
+  return { root, complain, mark };
+}
+
+/**
+ * Whether two values are the same but for rounding.
+ * @param {number | string | null} a
+ * @param {number | string | null} b
+ */
+const same = (a, b) =>
+  typeof a === 'number' && typeof b === 'number' ? Math.abs(a - b) <= 1e-9 * Math.abs(b) : a === b;
+
+/**
+ * What is said of a body where its fields are folded: material, size and mass.
+ * @param {PartTold} part
+ */
+function factsOf({ derived, values }) {
+  /** @type {Record<string, number | string | null>} */
+  const known = Object.fromEntries([...derived, ...values.map(({ quantity, value }) => [quantity, value])]);
+  const material = known.material ? named('material', String(known.material)) : '';
+  const sizes = ['length', 'mass'].filter((quantity) => typeof known[quantity] === 'number');
+  return [material, ...sizes.map((quantity) => written(quantity, Number(known[quantity])))].filter(Boolean).join(' · ');
+}

@@ -1,0 +1,143 @@
+// Values of bodies: as one text of keys and SI values, in units that a person uses, and in words.
+import { family, named, text } from '../text/catalogue.js';
+import { engineering, figures, localised } from '../text/format.js';
+
+/** @import { Frame } from './message.js' */
+/** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
+
+const PART = /^(impactor|target(?:\.rods\.\d+)?)\.(.+)$/;
+const GIVEN = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(\S*)$/i;
+const DIGITS = 6; // of a value in its field
+const SI = family('body.unit');
+/** @type {Record<string, [sign: string, factor: number, from: number][]>} */
+const SHOWN = {
+  m: [
+    ['µm', 1e-6, 0],
+    ['mm', 1e-3, 1e-4],
+    ['m', 1, 1],
+  ],
+  'm²': [
+    ['mm²', 1e-6, 0],
+    ['m²', 1, 0.1],
+  ],
+  'm⁴': [
+    ['mm⁴', 1e-12, 0],
+    ['cm⁴', 1e-8, 1e-7],
+    ['m⁴', 1, 1e-2],
+  ],
+  kg: [
+    ['mg', 1e-6, 0],
+    ['g', 1e-3, 1e-3],
+    ['kg', 1, 1],
+  ],
+  Pa: [
+    ['MPa', 1e6, 0],
+    ['GPa', 1e9, 5e9],
+  ],
+  'N/m': [
+    ['N/m', 1, 0],
+    ['kN/m', 1e3, 1e3],
+    ['MN/m', 1e6, 1e6],
+  ],
+};
+/** @type {Record<string, Record<string, number>>} */
+const ALSO = { m: { cm: 1e-2, km: 1e3 }, 'm²': { 'cm²': 1e-4 }, kg: { t: 1e3 }, Pa: { Pa: 1, kPa: 1e3 } };
+ALSO['N/m'] = { 'N/mm': 1e3 };
+ALSO['kg/m³'] = { 'g/cm³': 1e3 };
+
+/** @param {string} key */
+export function partsOfKey(key) {
+  const [, part = '', quantity = ''] = PART.exec(key) ?? [];
+  return { part, quantity };
+}
+
+/**
+ * Keys and values of all that is changed.
+ * @param {unknown} bodies
+ * @returns {[key: string, value: string][]}
+ */
+export const entriesOf = (bodies) =>
+  String(bodies ?? '')
+    .split(' ')
+    .filter(Boolean)
+    .map((each) => /** @type {[string, string]} */ (each.split('=')));
+
+/** @param {[key: string, value: string][]} entries */
+export const textOf = (entries) => entries.map((entry) => entry.join('=')).join(' ');
+
+/** @param {string} key */
+export const isBodyKey = (key) => PART.test(key);
+
+/**
+ * The unit in which a quantity of this size is shown.
+ * @param {string} quantity
+ * @param {number} size
+ * @returns {Unit}
+ */
+export function unitOf(quantity, size) {
+  const si = SI[quantity] ?? '';
+  const [sign, factor] = (SHOWN[si] ?? []).findLast(([, , from]) => Math.abs(size) >= from * (1 - 1e-9)) ?? [si, 1];
+  return { sign, factor };
+}
+
+/**
+ * A number for a field, in this unit.
+ * @param {number} value
+ * @param {Unit} unit
+ */
+export const inUnit = (value, { factor }) => localised(String(Number((value / factor).toPrecision(DIGITS))));
+
+/**
+ * A value with its unit.
+ * @param {string} quantity
+ * @param {number} value
+ */
+export function written(quantity, value) {
+  const si = SI[quantity] ?? '';
+  if (si === 's' || si === 'N') return engineering(value, si);
+  const { sign, factor } = unitOf(quantity, value);
+  return [figures(value / factor, 4), sign].filter(Boolean).join(' ');
+}
+
+/**
+ * What was typed, in SI units: a number in this unit, or with another one behind it. NaN where it is neither.
+ * @param {string} given
+ * @param {string} quantity
+ * @param {Unit} unit
+ */
+export function read(given, quantity, { factor }) {
+  const [, number, sign] = GIVEN.exec(given.trim().replace(',', '.')) ?? [];
+  if (number === undefined) return NaN;
+  const times = sign ? unitsOf(quantity)[plain(sign)] : factor;
+  return times === undefined ? NaN : Number((Number(number) * times).toPrecision(12));
+}
+
+/** @param {string} sign */
+const plain = (sign) =>
+  sign.replace('^', '').replace(/^u/, 'µ').replace(/2$/, '²').replace(/3$/, '³').replace(/4$/, '⁴');
+
+/**
+ * @param {string} quantity
+ * @returns {Record<string, number>}  factors by sign
+ */
+function unitsOf(quantity) {
+  const si = SI[quantity];
+  if (!si) return {};
+  return { [si]: 1, ...Object.fromEntries((SHOWN[si] ?? []).map(([sign, factor]) => [sign, factor])), ...ALSO[si] };
+}
+
+/**
+ * What is changed, in words: "Length 600 mm (body 2)".
+ * @param {Frame} frame
+ */
+export const wordsOf = ({ chosen, parts }) =>
+  entriesOf(chosen.bodies)
+    .map(([key, value]) => {
+      const { part, quantity } = partsOfKey(key);
+      const shown = quantity === 'material' ? named('material', value) : written(quantity, Number(value));
+      const rods = parts.filter((each) => each.key.includes('.')).length;
+      const rod = part.includes('.') ? Number(part.split('.')[2]) : 0;
+      const name = text(`body.value.${quantity}`);
+      return text('bodies.changed', { name, shown, body: part === 'impactor' ? 1 : 2, rod, rods });
+    })
+    .join(', ');

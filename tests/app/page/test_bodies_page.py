@@ -1,0 +1,137 @@
+"""The bodies on the page: shown, typed, refused at the field, in link, history and comparison, set back."""
+
+from playwright.sync_api import expect
+
+from .test_compare_page import KEEP
+from .test_links_page import AT_REST, chosen
+from .test_workspace_page import whole
+
+SEARCH = "() => location.search"
+OUTSIDE = """() => {  // what sticks out of the column of the bodies, or is cut
+  const { root } = strikewave.page.bodies, { left, right } = root.getBoundingClientRect();
+  const parts = [...root.querySelectorAll('label, input, select, dt, dd, summary, .unit')].filter((e) => e.checkVisibility());
+  return parts.filter((e) => { const r = e.getBoundingClientRect(); return r.left < left || r.right > right
+    || (e.tagName !== 'INPUT' && e.scrollWidth > e.clientWidth + 1); }).map((e) => e.textContent || e.id);
+}"""  # noqa: E501
+
+
+def body(page, number: int):
+    return page.tab.locator(".body").nth(number - 1)
+
+
+def field(page, name: str, number: int = 2):
+    return body(page, number).get_by_label(name)
+
+
+def typed(page, name: str, text: str, number: int = 2) -> None:
+    """Type a value, and wait for what it does as a step of the history."""
+    box = field(page, name, number)
+
+    def enter():
+        box.fill(text)
+        box.press("Enter")
+
+    page.answered(enter)
+    page.wait("() => !strikewave.page.bodies.asked")
+
+
+def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
+    page = open_page()
+    expect(body(page, 2).locator(".derived")).to_contain_text("5156 m/s")
+    page.tab.wait_for_timeout(AT_REST)
+    typed(page, "Length", "60 cm")
+    page.tab.wait_for_timeout(AT_REST)
+    expect(field(page, "Length")).to_have_value("600")
+    expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("2")  # the striker is as heavy as before
+    expect(field(page, "Mass, kg", 1)).to_have_value("2.133")
+    page.wait("() => location.search === '?target.length=0.6'")
+    page.answered(lambda: field(page, "Material").select_option("aluminium"))
+    page.wait("() => location.search === '?target.length=0.6&target.material=aluminium'")
+    page.tab.wait_for_timeout(AT_REST)
+    page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
+    expect(field(page, "Material")).to_have_value("steel")
+    page.answered(lambda: page.evaluate("() => strikewave.page.history.redo()"))
+    page.wait("() => location.search === '?target.length=0.6&target.material=aluminium'")
+    again = open_page(page.evaluate(SEARCH))
+    assert again.header("chosen") == page.header("chosen")
+    page.tab.reload()
+    page.laid_out()
+    assert page.header("chosen")["bodies"] == "target.length=0.6 target.material=aluminium"
+    page.answered(body(page, 2).get_by_role("button", name="Reset").click)
+    page.wait("() => location.search === ''")
+    assert page.header("chosen")["mass_ratio"] == 1.0
+
+
+def test_mass_and_ratio_follow_each_other(open_page):
+    page = open_page()
+    typed(page, "Mass, kg", "0.5", 1)
+    expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("4.266")
+    ratio = page.tab.get_by_label("Mass ratio, exact value")
+    ratio.fill("2")
+    page.answered(lambda: ratio.press("Enter"))
+    expect(field(page, "Mass, kg", 1)).to_have_value("1.0665")
+    expect(page.tab.locator(".field-mass_ratio .ends")).to_have_text("← heavier hammerlighter hammer →")
+
+
+def test_what_cannot_be_is_said_at_the_field_and_nothing_is_lost(open_page):
+    page = open_page("?target.length=0.6")
+    before, sent = page.header("chosen"), page.quiet()["sent"]
+    box = field(page, "Length")
+    for given in ("-3", "0", "2 kg", "nan", "1e400", "abc", "<b>x"):
+        box.fill(given)
+        box.press("Enter")
+        expect(page.tab.locator(".wrong:visible")).to_have_count(1)
+        expect(page.tab.locator(".wrong:visible")).to_contain_text(f"“{given}” is not possible.")
+        assert box.get_attribute("aria-invalid") == "true"
+    assert page.quiet()["sent"] == sent and page.header("chosen") == before
+    expect(page.tab.locator(".toast:visible")).to_have_count(0)
+    box.fill("600")
+    box.press("Enter")
+    expect(page.tab.locator(".wrong:visible")).to_have_count(0)
+
+
+def test_what_the_server_refuses_is_said_at_the_field_too(open_page):
+    page = open_page()
+    box = field(page, "Length")
+    box.fill("9000 m")
+    box.press("Enter")
+    expect(page.tab.locator(".wrong:visible")).to_have_text(
+        "Mass ratio would then be 3e+04; it can be from 0.001 to 1000."
+    )
+    expect(page.tab.locator(".toast:visible")).to_have_count(0)
+    expect(box).to_have_value("300")
+    assert chosen(page, "bodies", "mass_ratio") == ["", 1.0]
+
+
+def test_a_bad_link_says_what_cannot_be_and_shows_the_rest(open_page):
+    page = open_page("?target.length=-1&target.material=bronze&target.rods.2.length=3&speed=2")
+    expect(page.tab.locator(".toast")).to_contain_text("is not possible")
+    assert chosen(page, "bodies", "speed") == ["target.material=bronze", 2]
+
+
+def test_kept_solutions_differ_by_their_bodies_in_words(open_page):
+    page = open_page()
+    page.evaluate(KEEP)
+    typed(page, "Length", "600")
+    expect(page.tab.locator(".of-story")).to_contain_text("Length 600 mm (body 2)")
+    page.evaluate(KEEP)
+    typed(page, "Length", "")  # as in the scene
+    again = open_page(page.evaluate(SEARCH))
+    again.wait("() => strikewave.page.compare.runs.length === 2")
+    kept = "() => strikewave.page.compare.runs.map(({ frame }) => frame.chosen.bodies)"
+    assert again.evaluate(kept) == page.evaluate(kept) == ["", "target.length=0.6"]
+
+
+def test_all_bodies_of_a_chain_are_reached_in_every_window(open_page):
+    page = open_page("?scene=split-hopkinson")
+    heads = page.tab.locator(".body summary b").all_inner_texts()
+    assert heads[:2] == ["Body 1, strikes: rod", "Body 2, is struck: chain of rods"]
+    assert heads[2:] == [f"Body 2, rod {number} of 3" for number in (1, 2, 3)]
+    body(page, 4).locator("summary").click()
+    typed(page, "Length", "20", 4)
+    page.wait("() => location.search === '?scene=split-hopkinson&target.rods.2.length=0.02'")
+    for width, height in [(1440, 900), (1280, 720), (820, 1180), (390, 844)]:
+        page.tab.set_viewport_size({"width": width, "height": height})
+        page.laid_out()
+        expect(field(page, "Length", 4)).to_be_visible()
+        assert whole(page) and page.evaluate(OUTSIDE) == []
