@@ -8,12 +8,14 @@ import math
 import re
 from collections.abc import Mapping
 from copy import deepcopy
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import param
 
 from solvers import Material, Scene
 from solvers.bodies import MATERIALS, AnyBody, read_material
+from solvers.bodies.pendulum import Pivoted
 
 from ..text.catalogues import page
 
@@ -62,6 +64,8 @@ class Part(NamedTuple):
             return self.body.material is not None and "material" in self.table and (name != "density" or weighs)
         if group == "section":
             return name in self.table.get("section", {})
+        if isinstance(self.body, Pivoted) and quantity == "mass":
+            return False  # felt at the contact is another one, which the mass ratio sets
         return quantity in self.table or (quantity == "mass" and self.body.free_mass)
 
     def value(self, quantity: str) -> float | str | None:
@@ -69,17 +73,15 @@ class Part(NamedTuple):
         group, _, name = quantity.partition(".")
         if quantity == "mass":
             return self.body.mass
-        if group == "material":
-            material = self.body.material
-            if not name or material is None:
-                return next((known for known, each in MATERIALS.items() if _alike(each, material)), "")
-            return material.table().get(name)
+        if group == "material" and (material := self.body.material) is not None:
+            return material.table().get(name) if name else _name_of(material)
         return self.table[group][name] if name else self.table[quantity]
 
 
-def _alike(one: Material, other: Material) -> bool:
-    """Whether they are of one kind, which says little of their strength."""
-    return (one.young, one.density, one.poisson) == (other.young, other.density, other.poisson)
+def _name_of(material: Material) -> str:
+    """Of the known one with the same elasticity and density, which says little of strength; or nothing."""
+    own = replace(material, yield_strength=None)
+    return next((name for name, known in MATERIALS.items() if replace(known, yield_strength=None) == own), "")
 
 
 def parts_of(scene: Scene) -> list[Part]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from solvers import Bending, Body, SpringMass, Waveguide
 from solvers.bodies import AnyBody, Pulse
+from solvers.bodies.pendulum import Pivoted
 
 from ..choices.bodies import RANGES, Part, parts_of
 from ..choices.choices import SCENES
@@ -43,7 +44,10 @@ def _derived(body: AnyBody) -> list[tuple[str, float]]:
     found = [("velocity", float(np.linalg.norm(body.velocity)))] if np.any(body.velocity) else []
     if isinstance(body, Pulse):
         return [("peak_force", max(body.forces)), ("duration", body.end)]
-    found += [("mass", body.mass)]
+    if isinstance(body, Pivoted):
+        found += [("mass", body.own_mass), ("felt_mass", body.mass), ("inertia", body.inertia)]
+    else:
+        found += [("mass", body.mass)]
     if isinstance(body, Waveguide):
         rods = body.rods
         if len(rods) == 1:
