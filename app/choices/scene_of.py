@@ -15,6 +15,7 @@ from solvers.contact.viscous import LEAST_RESTITUTION
 from .beam import BEAM_CHOICES, on_beam, other_beam
 from .bodies import parts_of, read_values, with_values
 from .choices import SCENES, Choices, accepts
+from .mechanism import mechanism_values, on_mechanism, other_mechanism
 from .space import has_length, in_space, struck_at, struck_place
 
 DEPTH = 1e-5  # [m] at which `force_at_depth` says how stiff a power law is: its stiffness has no unit of its own
@@ -26,7 +27,7 @@ def kind_of(scene: Scene) -> str:
     """How the page draws it: "axial", "beam" or "bodies", as its message says too."""
     if in_space(scene):
         return "bodies"
-    return "beam" if on_beam(scene) else "axial"
+    return "beam" if on_beam(scene) or on_mechanism(scene) else "axial"
 
 
 def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
@@ -67,7 +68,9 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     wanted["method"] = method.get("name") or solvers.usual_method(scene)
     if bends_alone(scene):
         wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
-    if on_beam(scene):
+    if on_mechanism(scene):
+        wanted |= mechanism_values(scene)
+    elif on_beam(scene):
         wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
     if not in_space(scene):
         wanted |= {"law": scene.contact.NAME} | _constants(scene)
@@ -119,12 +122,16 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     if base.prescribed_force:
         return first
     names = [*first, "method", "speed", "law", *law_choices(chosen["law"])]
-    if on_beam(base):
+    if on_mechanism(base):
+        names += mechanism_values(base)
+    elif on_beam(base):
         names += BEAM_CHOICES
-    if not on_beam(base) or "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid"):
+    if kind_of(base) != "beam" or "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid"):
         names.append("restitution")
     if base.impactor.free_mass and np.isfinite(base.mass_ratio):
         names.append("mass_ratio")
+    if on_mechanism(base):
+        return names
     shown = "modal" if chosen["method"] == "waves" else chosen["method"]
     return names + resolutions(base, shown)
 
@@ -184,13 +191,16 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         return struck_at(scene, chosen["place"]) if has_length(base) else scene
     if base.prescribed_force:
         return base
-    changes = _of_velocity("impactor", base.impactor, chosen["speed"])
-    if base.target.velocity:
+    if on_mechanism(base):
+        base, changes = other_mechanism(base, chosen), {}
+    else:
+        changes = _of_velocity("impactor", base.impactor, chosen["speed"])
+    if base.target.velocity and not on_mechanism(base):
         faster = chosen["speed"] / base.speed
         changes = _of_velocity("impactor", base.impactor, faster * base.impactor.velocity)
         changes |= _of_velocity("target", base.target, faster * base.target.velocity)
     own = choices_of(chosen["scene"], chosen["bodies"])
-    if on_beam(base):
+    if on_beam(base) and not on_mechanism(base):
         base = other_beam(
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         )

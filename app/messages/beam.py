@@ -19,7 +19,19 @@ from solvers.studies.contact_times import compare_with_half_space, contact_times
 from solvers.text.notes import Note
 
 from ..choices.request import Request
-from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+from .encoding import (
+    FORCE_POINTS,
+    LARGEST_MASS,
+    coded,
+    cycle,
+    force_history,
+    instants,
+    packed,
+    refusals,
+    unshown,
+    whole_numbers,
+)
+from .mechanism import RIGID_LINKS, mechanism_fields, mechanism_of, rigid_answer, struck_link
 from .parts import parts_told
 from .solutions import method_options
 
@@ -30,7 +42,6 @@ FORCE_STEPS = (
 DRAWN_MODES, PLACES = 48, 81  # of the fields that the browser rebuilds
 INSTANTS, SAMPLED_PLACES = 120, 41  # of fields of other methods
 MOTION_POINTS = 500  # of the motions of impactor and struck place
-EARLY = 0.15  # share of evenly spread instants; the rest lies at first
 CONTACTS = 250  # of each solution, listed one by one
 LISTED_RATES = 60  # contacts before and after which velocities are listed
 HALF_SPACE_POINTS = 160
@@ -59,8 +70,12 @@ def beam_frame(request: Request) -> bytes:
     """The message for one impact on a beam."""
     scene = request.scene
     main, reason = main_solution(request)
-    reference = None if request.draft else modes_beside(scene, main)
+    mechanism = mechanism_of(scene)
+    reference = None if request.draft else modes_beside(scene, main) if mechanism is None else rigid_answer(main)
     header, arrays = _fields(main)
+    linkage, moved = mechanism_fields(main)
+    header |= linkage
+    arrays |= moved
     time = instants(main.duration, MOTION_POINTS)
     arrays |= {"time": MS * time} | _paths(main, time, "")
     arrays |= {"impactorRate": main.known_motion.impactor_velocity(time), "struckRate": struck_velocity(main, time)}
@@ -71,7 +86,9 @@ def beam_frame(request: Request) -> bytes:
     refused = refusals(scene)
     if refused["quasi-static"] is None:
         arrays |= _static(scene, main)
-    arrays |= _half_space(scene) | _speeds(scene, main) | cycle(main, CYCLE_SAMPLES)
+    if mechanism is None:
+        arrays |= _half_space(scene) | _speeds(scene, main)
+    arrays |= cycle(main, CYCLE_SAMPLES)
     header |= {
         "kind": "beam",
         "chosen": request.chosen,
@@ -88,20 +105,14 @@ def beam_frame(request: Request) -> bytes:
         "trip": 1e-3,
         "duration": MS * main.duration,
         "speed": scene.speed,
-        "beam": _beam(scene.target),
+        "beam": _beam(scene.target) if mechanism is None else struck_link(mechanism),
         "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},
         "law": {"name": scene.contact.NAME, "damps": scene.contact.LOSSY, "yields": scene.contact.PLASTIC},
         "main": _figures(main),
-        "reference": None if reference is None else _figures(reference),
+        "reference": None if reference is None else _figures(reference, RIGID_LINKS if mechanism else None),
         "span": _span(main),
     }
     return packed(header, arrays)
-
-
-def instants(duration: float, count: int) -> np.ndarray:
-    """Times [s] from 0 to the end, closer together at first."""
-    even = np.linspace(0.0, 1.0, count)
-    return duration * (EARLY * even + (1.0 - EARLY) * even**2)
 
 
 def _span(solution: Solution) -> dict[str, float | None]:
@@ -126,10 +137,11 @@ def _beam(beam: Any) -> dict[str, Any]:
     }
 
 
-def _figures(solution: Solution) -> dict[str, Any]:
+def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
     return {
-        "name": solution.method["name"],
-        "modes": solution.method.get("modes"),
+        "name": name or solution.method["name"],
+        "modes": None if name else solution.method.get("modes"),
+        "joints": solution.reactions,
         "elements": solution.method.get("elements"),
         "contacts": len(solution.contacts),
         "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
@@ -246,12 +258,6 @@ def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.nda
         "keptModes": modes.frequencies.size,
     }
     return header, arrays
-
-
-def whole_numbers(values: np.ndarray) -> tuple[np.ndarray, float]:
-    """Two bytes a number, and their unit."""
-    unit = float(np.abs(values).max(initial=0.0)) / 32_767 or 1.0
-    return np.rint(values / unit).astype("<i2"), unit
 
 
 def _static(scene: Scene, main: Solution) -> dict[str, np.ndarray]:

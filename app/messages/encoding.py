@@ -21,6 +21,7 @@ FORCE_POINTS = 1_200  # of a contact force
 LARGEST_MASS = 1e12  # [kg] sent for what has none or is infinite
 SHOWN = ("name", "duration", "modes", "elements", "restitution")  # keys of a method that the page sets, or shows
 CHECKED = bool(os.environ.get("IMPACT_CHECK_MESSAGES"))  # set by the tests: takes a twelfth of making a message
+EARLY = 0.15  # share of instants that are evenly spread; the others are closer together at first
 CYCLE_POINTS, IMPACT_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
 
 
@@ -101,3 +102,15 @@ def read_header(message: bytes) -> dict[str, Any]:
     """The header of a message, for tests and tools."""
     length = int.from_bytes(message[:4], "little")
     return json.loads(message[4 : 4 + length])
+
+
+def instants(duration: float, count: int) -> np.ndarray:
+    """Times [s] from 0 to the end, closer together at first."""
+    even = np.linspace(0.0, 1.0, count)
+    return duration * (EARLY * even + (1.0 - EARLY) * even**2)
+
+
+def whole_numbers(values: np.ndarray) -> tuple[np.ndarray, float]:
+    """Two bytes a number, and their unit."""
+    unit = float(np.abs(values).max(initial=0.0)) / 32_767 or 1.0
+    return np.rint(values / unit).astype("<i2"), unit

@@ -169,6 +169,8 @@ def _value(scene: Scene, key: str) -> float:
 
 def _lean(scene: Scene, method: Method, key: str) -> bool:
     """Whether a run differs from the unperturbed one by its impactor and law alone, so that nothing is built twice."""
+    if scene.at_contact is not scene:  # a mechanism
+        return False
     rigid_impactor = not scene.impactor.modes(1).frequencies.size
     return isinstance(method, Modal) and rigid_impactor and key.partition(".")[0] in ("impactor", "contact")
 

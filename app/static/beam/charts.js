@@ -11,6 +11,7 @@ import { called } from '../text/words.js';
 
 const END = family('beam.end');
 const ENDS = {
+  joined: [END.first, END.second],
   cantilever: [END.clamp, END.tip],
   'pinned-pinned': [END.pin, END.roller],
   'clamped-clamped': [END.clamp, END.clamp],

@@ -1,6 +1,7 @@
 // What happens in an impact on a beam, one event after the other, and why.
 import { text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
+import { mechanismEvents, mechanismReasons } from './mechanism_story.js';
 
 /** @import { BeamFrame, Support } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -8,6 +9,7 @@ import { duration, figures, length, percent, speed } from '../text/format.js';
 const TOLD = 4; // contacts told one by one
 /** @type {Record<Support, string[]>} */
 const HOLDERS = {
+  joined: [],
   cantilever: ['clamp'],
   'pinned-pinned': ['pin', 'roller'],
   'clamped-clamped': ['clamp', 'clamp'],
@@ -53,6 +55,7 @@ function holding({ beam, contacts, main, time, struckPath }) {
  * @returns {Event[]}
  */
 export function beamEvents(frame) {
+  if (frame.mechanism) return mechanismEvents(frame);
   const { contacts, main } = frame;
   const last = contacts.length - 1;
   /** @type {Event[]} */
@@ -153,6 +156,7 @@ function ending(frame) {
  */
 export function reasonsOf(frame) {
   const { main } = frame;
+  if (frame.mechanism) return mechanismReasons(frame);
   const waveless = WAVELESS.includes(main.name);
   const held = waveless ? null : holding(frame);
   if (held) return tell('beam.why.held', frame, held);

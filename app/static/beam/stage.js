@@ -5,19 +5,15 @@ import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
+import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
+import { Mechanism } from './mechanism.js';
 import { drawSupports } from './supports.js';
 
 /** @import { BeamFrame } from '../shell/message.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { BeamField, Out, What } from './field.js' */
 
-/** @typedef {'shear' | 'moment'} Diagram */
-/** @type {[Diagram, label: string, unit: string][]} */
-const DIAGRAMS = [
-  ['shear', text('beam.stage.shear'), 'N'],
-  ['moment', text('beam.stage.moment'), 'N m'],
-];
 const UNITS = { moment: 'MPa', velocity: 'm/s', shear: 'N', deflection: 'mm' };
 const WAYS = [text('beam.stage.back'), text('beam.stage.forward')];
 const ENDS = {
@@ -49,6 +45,7 @@ export class BeamStage {
   thick = 0;
   hit = { x: 0, y: 0, size: 0 }; // where the impactor touches
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
+  /** @type {Mechanism | null} */ mechanism = null; // of which the beam is a link
 
   constructor() {
     this.canvas = make('canvas', { role: 'img', ariaLabel: text('beam.stage.about') });
@@ -67,8 +64,9 @@ export class BeamStage {
     let reach = field.largest.deflection;
     for (let k = 0; k < frame.time.length; k++)
       if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
-    this.factor = roundBelow((0.13 * frame.beam.length) / reach);
-    this.reach = reach;
+    this.mechanism = frame.mechanism ? new Mechanism(frame, reach) : null;
+    this.reach = this.mechanism?.reach ?? reach;
+    this.#magnify();
     this.usual = { ...field.usual };
     // of both signs alike, so that the zero line stays
     this.scales = { shear: field.usual.shear * 1.25, moment: field.largest.moment * 1.2 };
@@ -89,7 +87,15 @@ export class BeamStage {
     for (const name of /** @type {const} */ (['shear', 'moment']))
       this.scales[name] = ranges[name] ?? this.scales[name];
     for (const name of FIELDS) this.usual[name] = ranges[`usual ${name}`] ?? this.usual[name];
+    this.#magnify();
+  }
+  #magnify() {
+    this.mechanism?.magnify(this.reach);
     this.factor = roundBelow((0.13 * this.frame.beam.length) / this.reach);
+  }
+  /** Whether there are forces within the beam to draw. */
+  get diagrams() {
+    return this.mechanism ? this.mechanism.bends && !this.narrow : true;
   }
   /** @param {number} t */
   draw(t) {
@@ -99,28 +105,51 @@ export class BeamStage {
     if (!sheet) return;
     const { c, width, height } = sheet;
     const narrow = width < 560;
-    const margin = narrow ? 30 : 64;
-    const top = 0.56 * height;
     this.width = width;
     this.narrow = narrow;
-    this.left = margin;
-    this.long = width - 2 * margin;
+    const margin = narrow ? 30 : 64;
+    const beside = this.mechanism && !narrow; // the diagrams, as a mechanism is about as high as wide
+    const room = beside && this.diagrams ? 0.54 * width : width;
+    const top = this.mechanism ? height : 0.56 * height;
+    this.left = beside ? room + margin : margin;
+    this.long = width - this.left - (beside ? 20 : margin);
     this.middle = 0.62 * top;
     this.scale = Math.min((this.factor * this.long) / frame.beam.length, (0.36 * top) / this.reach);
     this.thick = Math.min(Math.max(((2 * frame.beam.halfDepth) / frame.beam.length) * this.long, 5), 0.1 * top);
     this.values = this.field.profile(t, this.what);
     this.moved = this.field.profile(t, 'deflection');
-    this.grid(c, 0, height);
-    this.impactor(c, t);
-    this.beam(c);
-    this.prediction(c, t);
-    this.supports(c);
-    this.touch(c, t);
+    if (this.mechanism) this.#linkage(c, this.mechanism, t, room, top);
+    else {
+      this.grid(c, 0, height);
+      this.impactor(c, t);
+      this.beam(c);
+      this.prediction(c, t);
+      this.supports(c);
+      this.touch(c, t);
+      this.hold(c);
+    }
     this.words(c, top);
-    this.hold(c);
-    DIAGRAMS.forEach(([name, label, unit], k) =>
-      this.diagram(c, t, name, label, unit, top + (k * (height - top)) / 2, (height - top) / 2),
-    );
+    if (this.diagrams) diagrams(c, this, t, beside ? 40 : top, beside ? height - 44 : height - top);
+  }
+  /**
+   * The mechanism of which the beam is a link, and what strikes it.
+   * @param {CanvasRenderingContext2D} c
+   * @param {Mechanism} mechanism
+   * @param {number} t
+   * @param {number} width
+   * @param {number} height
+   */
+  #linkage(c, mechanism, t, width, height) {
+    const { field, frame, values, what } = this;
+    mechanism.fit(width, height);
+    mechanism.place(t);
+    const value = (/** @type {number} */ share) => values[Math.round(share * (field.places - 1))];
+    mechanism.links(c, value, this.usual[what], what === 'moment');
+    mechanism.joints(c);
+    mechanism.striker(c, between(frame.time, frame.impactorPath, t), this.touching(t));
+    mechanism.reactions(c, t);
+    mechanism.words(c, 12, 36);
+    this.striker?.draw(c, mechanism.held);
   }
   /** @param {number} j */
   px(j) {
@@ -283,10 +312,10 @@ export class BeamStage {
     c.font = letters(12);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
-    const factor = (this.scale * frame.beam.length) / this.long;
+    const factor = this.mechanism?.factor ?? (this.scale * frame.beam.length) / this.long;
     c.fillText(text('stage.movement', { times: figures(factor, 2) }), 12, 18);
     if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
-    this.#colours(c);
+    if (this.mechanism?.bends ?? true) this.#colours(c);
   }
   /**
    * The scale of colours, away from the impactor, which flies back over the struck place.
@@ -296,7 +325,7 @@ export class BeamStage {
     const { frame, narrow, what, width } = this;
     const bar = narrow ? 90 : 130;
     const beside = narrow ? 165 : 0.3 * width; // what is written at the left
-    const x = frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
+    const x = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
     const y = 22;
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
     const largest = this.usual[what] * unit;
@@ -315,74 +344,5 @@ export class BeamStage {
     c.fillText(most, x + bar, y + 18);
     c.textAlign = 'left';
     c.fillText(low, x, y - 4);
-  }
-  /**
-   * Value along the beam on a scale that stays the same over the whole impact.
-   * @param {CanvasRenderingContext2D} c
-   * @param {number} t
-   * @param {Diagram} name
-   * @param {string} label
-   * @param {string} unit
-   * @param {number} top
-   * @param {number} height
-   */
-  diagram(c, t, name, label, unit, top, height) {
-    const values = name === this.what ? this.values : this.field.profile(t, name);
-    const most = this.scales[name];
-    const zero = top + 0.54 * height;
-    const reach = (0.32 * height) / most;
-    this.#curve(c, values, name, zero, reach, 0.42 * height);
-    const [factor, prefix] = prefixed(most);
-    const { left, long, narrow } = this;
-    c.strokeStyle = COLORS.edge;
-    c.lineWidth = 1;
-    c.beginPath();
-    c.moveTo(left, zero);
-    c.lineTo(left + long, zero);
-    for (const side of [-1, 1]) {
-      c.moveTo(left - 4, zero + side * most * reach);
-      c.lineTo(left, zero + side * most * reach);
-    }
-    c.stroke();
-    c.fillStyle = COLORS.faint;
-    c.font = SMALL;
-    c.textBaseline = 'middle';
-    c.textAlign = 'right';
-    for (const side of narrow ? [] : [-1, 0, 1])
-      c.fillText(figures(-side * most * factor, 2), left - 8, zero + side * most * reach);
-    c.textBaseline = 'top';
-    c.textAlign = 'left';
-    const scale = narrow ? ` (± ${figures(most * factor, 2)})` : '';
-    c.fillText(`${label}, ${prefix}${unit}${scale}`, narrow ? 12 : left + 4, top + 3);
-    let peak = 0;
-    for (let j = 0; j < values.length; j++) if (Math.abs(values[j]) > Math.abs(values[peak])) peak = j;
-    c.textAlign = 'right';
-    c.fillStyle = COLORS.cursor;
-    const place = figures(peak / (values.length - 1), 2);
-    const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;
-    c.fillText(text('beam.stage.peak', { value, place }), left + long, top + 3);
-  }
-  /**
-   * @param {CanvasRenderingContext2D} c
-   * @param {Out} values
-   * @param {Diagram} name
-   * @param {number} zero
-   * @param {number} reach  pixels for a unit
-   * @param {number} room  pixels to both sides
-   */
-  #curve(c, values, name, zero, reach, room) {
-    const last = values.length - 1;
-    const at = (/** @type {number} */ j) => zero - Math.min(Math.max(values[j] * reach, -room), room);
-    c.fillStyle = name === 'moment' ? 'rgba(222,105,62,.30)' : 'rgba(66,133,200,.30)';
-    c.beginPath();
-    c.moveTo(this.px(0), zero);
-    for (let j = 0; j <= last; j++) c.lineTo(this.px(j), at(j));
-    c.lineTo(this.px(last), zero);
-    c.fill();
-    c.strokeStyle = name === 'moment' ? '#b4481f' : COLORS.waves;
-    c.lineWidth = 1.6;
-    c.beginPath();
-    for (let j = 0; j <= last; j++) c.lineTo(this.px(j), at(j));
-    c.stroke();
   }
 }

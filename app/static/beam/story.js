@@ -6,6 +6,7 @@ import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
 import { called, METHODS, noteOf } from '../text/words.js';
 import { beamEvents, reasonsOf, spanOf, tell } from './events.js';
+import { Joints } from './mechanism_story.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { BeamFigures, BeamFrame } from '../shell/message.js' */
@@ -39,7 +40,9 @@ export class BeamStory {
     this.root.append(this.whyHeading, this.why, this.span, this.warnings.heading, this.warnings.list);
     this.root.append(heading(text('story.energy')), this.energy);
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
-    this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside, this.source);
+    this.joints = new Joints();
+    this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside);
+    this.numbers.append(this.joints.root, this.source);
   }
   /** @param {BeamFrame} frame */
   load(frame) {
@@ -51,6 +54,7 @@ export class BeamStory {
     this.span.textContent = spanOf(frame);
     this.warnings.load(this.#notes());
     this.contactTable();
+    this.joints.load(frame);
     this.figures();
     this.shares();
     const { keptModes = 0, drawnModes = 0, source, title } = frame;
@@ -109,7 +113,8 @@ export class BeamStory {
       ['unaccounted', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)],
       ['solved', (s) => figures(s.diagnostics.wall_time * 1e3)],
     );
-    this.beside.textContent = reference ? text('beam.note.beside', { method: called(reference) }) : '';
+    const about = this.frame.mechanism ? 'beam.note.beside-rigid' : 'beam.note.beside';
+    this.beside.textContent = reference ? text(about, { method: called(reference) }) : '';
     const unit = `${prefix}N`;
     const lines = rows.map(([name, show]) => rowOf([text(`beam.row.${name}`, { unit }), ...both.map(show)]));
     this.answers.replaceChildren(headOf(['', ...both.map(called)]), make('tbody', {}, ...lines));

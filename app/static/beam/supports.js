@@ -67,6 +67,7 @@ const SUPPORTS = {
   cantilever: [clamp],
   'pinned-pinned': [pin, roller],
   'clamped-clamped': [clamp, clamp],
+  joined: [],
   'free-free': [],
   'pinned-free': [pin],
 };

@@ -9,6 +9,7 @@ import { family, text } from '../text/catalogue.js';
 import { called } from '../text/words.js';
 import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
 import { fieldOf, FIELDS } from './field.js';
+import { Reactions } from './reactions.js';
 import { BeamStage } from './stage.js';
 import { BeamStory } from './story.js';
 
@@ -17,7 +18,7 @@ import { BeamStory } from './story.js';
 /** @import { Band } from './charts.js' */
 /** @import { BeamField, What } from './field.js' */
 
-/** @typedef {BeamSpaceTime | BeamForce | BeamMotion | Dispersion | Cycle} Part  what has a chart */
+/** @typedef {BeamSpaceTime | BeamForce | BeamMotion | Reactions | Dispersion | Cycle} Part  what has a chart */
 
 const SLOW_SECONDS = 16;
 const SLOW_CONTACTS = 4;
@@ -43,10 +44,11 @@ export class BeamView {
     this.motion = new BeamMotion(this.axis, go);
     this.dispersion = new Dispersion();
     this.cycle = new Cycle();
+    this.reactions = new Reactions(this.axis, go);
     this.charts = [this.spaceTime, this.force, this.motion];
     this.axis.watch(() => this.zoomed());
     /** @type {Part[]} */
-    const parts = [...this.charts, this.cycle, this.dispersion];
+    const parts = [...this.charts, this.reactions, this.cycle, this.dispersion];
     this.inView = new InView(parts, (part) => this.paint(part));
     this.story = new BeamStory(page);
     const names = family('beam.colour');
@@ -63,7 +65,7 @@ export class BeamView {
     this.slow.onclick = () => this.slowly();
     this.spaceTime.chart.title.after(this.colours.root);
     const [waves, force, moved] = this.charts.map(({ chart }) => chart);
-    this.stack = new Stack('beam', { waves, force, moved }, () => page.redraw());
+    this.stack = new Stack('beam', { waves, force, reactions: this.reactions.chart, moved }, () => page.redraw());
     this.strip = force; // is seen on a phone, whatever else is
     this.buttons = [this.slow, this.whole];
     this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
@@ -91,7 +93,11 @@ export class BeamView {
     this.force.load(frame);
     this.motion.load(frame);
     this.cycle.load(frame);
-    this.dispersion.load(frame);
+    this.reactions.load(frame);
+    const { mechanism } = frame;
+    this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
+    this.dispersion.chart.root.hidden = Boolean(mechanism);
+    if (!mechanism) this.dispersion.load(frame);
     this.dress();
     this.draw();
   }

@@ -16,6 +16,7 @@ const TRIES = family('first.tries');
  * @param {Frame} frame
  */
 export function seenIn(frame) {
+  if (frame.kind === 'beam' && frame.mechanism) return SEEN.mechanism;
   if (frame.kind !== 'axial') return SEEN[frame.kind];
   if (frame.impactor.kind === 'pendulum') return SEEN.pendulum;
   return frame.rods.length > 1 ? SEEN.rods : frame.rods.length ? SEEN.rod : SEEN.compact;

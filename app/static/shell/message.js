@@ -89,7 +89,9 @@
  * @property {number | null} elements
  * @property {number} contacts
  * @property {number} impulse
+ * @property {JointImpulse[] | null} joints
  */
+/** @typedef {{ impulse: [number, number], moment_impulse: number }} JointImpulse */
 /** @typedef {Figures & OfResolution} BeamFigures */
 
 /**
@@ -186,6 +188,12 @@
  * @property {number} trip
  * @property {number} speed
  * @property {BeamTold} beam
+ * @property {MechanismTold | null} mechanism
+ * @property {Numbers} [linkPoints]  (links, link places, 2), flat
+ * @property {Numbers} [linkTime]
+ * @property {Numbers} [linkMoves]  (link instants, links, link places, 2), flat
+ * @property {Numbers} [reactionTime]
+ * @property {Numbers} [reactions]  (reaction instants, joints, 3), flat
  * @property {Striking} impactor
  * @property {{ name: string, damps: boolean, yields: boolean }} law
  * @property {BeamFigures} main
@@ -229,7 +237,28 @@
  * @property {boolean} held
  * @property {number} speedLimit
  */
-/** @typedef {'cantilever' | 'pinned-pinned' | 'clamped-clamped' | 'free-free' | 'pinned-free'} Support */
+/**
+ * A mechanism, of which the struck link stands for the beam. Links reach from their first end to their second.
+ * @typedef {object} MechanismTold
+ * @property {LinkTold[]} links
+ * @property {JointTold[]} joints
+ * @property {number} struck  which link is
+ * @property {number} at  share of its length
+ * @property {[number, number]} contact  [m]
+ * @property {[number, number]} normal  from impactor to link
+ * @property {number} mass  of all links [kg]
+ */
+/** @typedef {{ name: string, flexible: boolean, depth: number }} LinkTold */
+/**
+ * @typedef {object} JointTold
+ * @property {string} kind
+ * @property {[string, string]} links  by name; ground
+ * @property {number} link  on which it is drawn
+ * @property {number} share  of its length
+ * @property {[number, number] | null} axis  along which it slides
+ * @property {boolean} driven
+ */
+/** @typedef {'joined' | 'cantilever' | 'pinned-pinned' | 'clamped-clamped' | 'free-free' | 'pinned-free'} Support */
 
 /**
  * Fields of a beam by its modes.

@@ -1,0 +1,113 @@
+"""What the browser draws of a mechanism besides its struck link, which stands for the beam in app/messages/beam.py.
+
+Links are drawn where they are as the impact begins, and by how much their points have moved since.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from solvers import Modal, RigidImpulse, Scene, Solution
+from solvers.bodies import Mechanism
+from solvers.bodies.linkage.joints import Joint
+from solvers.methods.mechanisms import MechanismMotion
+
+from .encoding import instants, whole_numbers
+
+RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that of its method
+PARTS = 10  # straight pieces of a link that bends
+INSTANTS = 100
+REACTIONS = 300  # instants
+
+
+def mechanism_of(scene: Scene) -> Mechanism | None:
+    """What is struck, if that is one."""
+    return scene.target if isinstance(scene.target, Mechanism) else None
+
+
+def mechanism_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Header and arrays; without any, if it is none."""
+    motion = solution.known_motion
+    if not isinstance(motion, MechanismMotion):
+        return {"mechanism": None}, {}
+    time = instants(solution.duration, INSTANTS)
+    links = motion.link_points(time, PARTS)
+    places = np.stack([links[name] for name in motion.names], axis=1)  # (instants, links, places, 2)
+    arrays: dict[str, Any] = {
+        "linkPoints": places[0],
+        "linkTime": 1e3 * time,
+        "linkMoves": whole_numbers(places - places[0]),
+    }
+    if motion.mechanism.joints:
+        fine = instants(solution.duration, REACTIONS)
+        arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
+    return {"mechanism": _described(motion.mechanism)}, arrays
+
+
+def _described(mechanism: Mechanism) -> dict[str, Any]:
+    driven = {drive.joint for drive in mechanism.drives}
+    names = [link.name for link in mechanism.links]
+    return {
+        "links": [
+            {
+                "name": link.name,
+                "flexible": link.flexible,
+                "depth": 2.0 * link.section.half_depth if link.section and link.section.second_moment else 0.0,
+            }
+            for link in mechanism.links
+        ],
+        "joints": [_joint(mechanism, joint, number in driven) for number, joint in enumerate(mechanism.joints)],
+        "struck": names.index(mechanism.struck.link),
+        "at": mechanism.struck.at,
+        "contact": mechanism.contact_point.tolist(),
+        "normal": list(mechanism.struck.normal),
+        "mass": mechanism.mass,
+    }
+
+
+def _joint(mechanism: Mechanism, joint: Joint, driven: bool) -> dict[str, Any]:
+    """A joint is drawn on the first of its links that is no ground."""
+    names = [link.name for link in mechanism.links]
+    number = next(names.index(name) for name in joint.links if name in names)
+    link = mechanism.links[number]
+    arm = np.array(joint.at) - np.array(link.start)
+    return {
+        "kind": joint.kind,
+        "links": list(joint.links),
+        "link": number,
+        "share": float(arm @ link.along) / link.length if link.length else 0.0,
+        "axis": list(joint.axis) if joint.axis is not None else None,
+        "driven": driven,
+    }
+
+
+def struck_link(mechanism: Mechanism) -> dict[str, Any]:
+    """The struck link as the page tells of a beam."""
+    link = mechanism.struck_link
+    bends = link.section is not None and link.section.second_moment is not None
+    material = link.material
+    return {
+        "length": link.length,
+        "mass": mechanism.mass,
+        "support": "joined",
+        "theory": link.theory,
+        "place": mechanism.struck.at * link.length,
+        "halfDepth": link.section.half_depth if bends and link.section else 0.0,
+        "secondMoment": link.section.second_moment if bends and link.section else 1.0,
+        "endMass": 0.0,
+        "held": mechanism.held,
+        "speedLimit": math.sqrt(material.young / material.density) if material else 0.0,
+    }
+
+
+def rigid_answer(solution: Solution) -> Solution | None:
+    """The same impact on the same mechanism with rigid links, if any of them bends."""
+    mechanism = mechanism_of(solution.scene)
+    if mechanism is None or not mechanism.flexible:
+        return None
+    links = tuple(replace(link, modes=0, axial=0) for link in mechanism.links)
+    scene = replace(solution.scene, target=replace(mechanism, links=links))
+    method = Modal(estimate=False) if not scene.rigid_contact else RigidImpulse()
+    return method.solve(scene, solution.duration)

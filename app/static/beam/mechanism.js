@@ -1,0 +1,341 @@
+// A struck mechanism on the stage: links that move and bend, their joints, and what the joints bear.
+import { letters } from '../charts/canvas.js';
+import { roundBelow } from '../charts/scale.js';
+import { COLORS, css } from '../charts/styles.js';
+import { given } from '../shell/message.js';
+import { text } from '../text/catalogue.js';
+import { figures, prefixed } from '../text/format.js';
+
+/** @import { BeamFrame, JointTold, MechanismTold } from '../shell/message.js' */
+/** @import { Drawn } from '../shell/striker.js' */
+
+/** @typedef {CanvasRenderingContext2D} Context */
+/** @typedef {[x: number, y: number]} Point */
+
+const SHOWN_MOVE = 0.12; // of the mechanism, that the largest movement is drawn as
+const ROOM = 46; // pixels about the mechanism, at most
+const SHARE_OF_ROOM = 0.2; // of the height of the picture
+const LONGEST_ARROW = 44; // pixels, of the largest reaction
+const LEAST_ARROW = 3;
+const PIN = 4.5; // pixels
+const GROUND = 'ground';
+
+export class Mechanism {
+  factor = 1; // by which movement is drawn larger
+  scale = 1; // pixels in a metre
+  /** @type {Point} */ middle = [0, 0]; // of the mechanism [m]
+  /** @type {Point} */ center = [0, 0]; // and on the canvas
+  largest = 0; // reaction [N]
+  /** @type {Point[][]} */ placed = []; // links as they are drawn, in pixels
+  /** @type {Drawn | null} */ held = null; // where the striker is
+
+  /**
+   * @param {BeamFrame} frame
+   * @param {number} reach  of the impactor while it touches [m]
+   */
+  constructor(frame, reach) {
+    this.frame = frame;
+    /** @type {MechanismTold} */
+    this.told = given(frame.mechanism, 'mechanism');
+    this.points = given(frame.linkPoints, 'linkPoints');
+    this.moves = given(frame.linkMoves, 'linkMoves');
+    this.times = given(frame.linkTime, 'linkTime');
+    this.places = frame.shapes.linkPoints[1];
+    const [x, y] = [0, 1].map((k) => Array.from(this.points).filter((_, i) => i % 2 === k));
+    this.box = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)];
+    this.size = Math.max(this.box[1] - this.box[0], this.box[3] - this.box[2]);
+    let most = reach;
+    for (const move of this.moves) most = Math.max(most, Math.abs(move));
+    this.reach = most;
+    this.magnify(most);
+    for (const force of frame.reactions ?? []) this.largest = Math.max(this.largest, Math.abs(force));
+  }
+  /** @param {number} reach  the largest movement that is to be drawn [m] */
+  magnify(reach) {
+    this.factor = Math.max(roundBelow((SHOWN_MOVE * this.size) / reach), 1);
+  }
+  /**
+   * @param {number} width
+   * @param {number} height
+   */
+  fit(width, height) {
+    const [left, right, low, high] = this.box;
+    const [across, up] = [Math.max(right - left, 1e-9), Math.max(high - low, 1e-9)];
+    const room = Math.min(ROOM, SHARE_OF_ROOM * height);
+    this.scale = Math.min((width - 2 * room) / (across + SHOWN_MOVE * this.size), (height - 2 * room) / up);
+    this.middle = [(left + right) / 2, (low + high) / 2];
+    this.center = [width / 2, height / 2 + 6];
+  }
+  /**
+   * @param {number} x
+   * @param {number} y  upwards
+   * @returns {Point}
+   */
+  pixel(x, y) {
+    return [this.center[0] + (x - this.middle[0]) * this.scale, this.center[1] - (y - this.middle[1]) * this.scale];
+  }
+  /** @param {number} t */
+  place(t) {
+    const { factor, moves, places, points, times, told } = this;
+    let k = 1;
+    while (k < times.length - 1 && times[k] < t) k++;
+    const part = Math.min(Math.max((t - times[k - 1]) / (times[k] - times[k - 1] || 1), 0), 1);
+    const all = 2 * places * told.links.length;
+    const moved = (/** @type {number} */ i) =>
+      points[i] + factor * (moves[(k - 1) * all + i] * (1 - part) + moves[k * all + i] * part);
+    this.placed = told.links.map((_link, n) =>
+      Array.from({ length: places }, (_, j) => this.pixel(...this.#pair(moved, 2 * (n * places + j)))),
+    );
+  }
+  /**
+   * @param {(i: number) => number} value
+   * @param {number} i
+   * @returns {Point}
+   */
+  #pair(value, i) {
+    return [value(i), value(i + 1)];
+  }
+  /**
+   * A place along a link, as it is drawn.
+   * @param {number} link
+   * @param {number} share  of its length
+   * @returns {Point}
+   */
+  along(link, share) {
+    const at = Math.min(Math.max(share, 0), 1) * (this.places - 1);
+    const k = Math.min(Math.floor(at), this.places - 2);
+    const [[a, b], [c, d]] = [this.placed[link][k], this.placed[link][k + 1]];
+    return [a + (at - k) * (c - a), b + (at - k) * (d - b)];
+  }
+  /** The direction of the impact on the canvas. @returns {Point} */
+  get way() {
+    const [x, y] = this.told.normal;
+    return [x, -y];
+  }
+  /** Whether there are moments in the struck link. */
+  get bends() {
+    return this.told.links[this.told.struck].flexible;
+  }
+  /**
+   * What strikes it, where it has come to.
+   * @param {Context} c
+   * @param {number} moved  along the normal [m]
+   * @param {boolean} touching
+   */
+  striker(c, moved, touching) {
+    const { impactor } = this.frame;
+    const [wx, wy] = this.way;
+    const size = Math.min(Math.max(36 * (impactor.mass / this.told.mass) ** (1 / 6), 18), 48);
+    const [nx, ny] = this.told.normal;
+    const aside = 0.5 * this.thick(this.told.struck) + 1;
+    const [x, y] = this.pixel(
+      this.told.contact[0] + this.factor * moved * nx,
+      this.told.contact[1] + this.factor * moved * ny,
+    );
+    const [a, b] = [x - (aside + size / 2) * wx, y - (aside + size / 2) * wy];
+    c.save();
+    c.translate(a, b);
+    c.rotate(Math.atan2(wy, wx));
+    c.fillStyle = '#3b4a59';
+    c.beginPath();
+    if (impactor.kind === 'sphere') c.arc(0, 0, size / 2, 0, 7);
+    else c.roundRect(-size / 2, -size / 2, size, size, 5);
+    c.fill();
+    if (touching) {
+      c.fillStyle = COLORS.cursor;
+      c.fillRect(size / 2 - 1.5, -size / 2 - 4, 3, size + 8);
+    }
+    c.restore();
+    this.held = { x: a, y: b, width: size, height: size, way: this.way, sized: true };
+  }
+  /** @param {number} n */
+  thick(n) {
+    return Math.min(Math.max(this.told.links[n].depth * this.scale, 6), 16);
+  }
+  /**
+   * @param {Context} c
+   * @param {(j: number) => number} value  that the colours of the struck link show, at a place from 0 to 1
+   * @param {number} end  of the colours
+   * @param {boolean} fibres  whether both sides of it differ in sign
+   */
+  links(c, value, end, fibres) {
+    c.lineCap = 'round';
+    c.lineJoin = 'round';
+    this.placed.forEach((line, n) => {
+      const struck = n === this.told.struck && this.told.links[n].flexible;
+      c.strokeStyle = '#4a5968';
+      c.lineWidth = this.thick(n) + 2;
+      this.#path(c, line);
+      c.strokeStyle = '#c3ccd5';
+      c.lineWidth = this.thick(n);
+      this.#path(c, line);
+      if (struck) this.#coloured(c, line, this.thick(n), value, end, fibres);
+    });
+    c.lineCap = 'butt';
+  }
+  /**
+   * @param {Context} c
+   * @param {Point[]} line
+   */
+  #path(c, line) {
+    c.beginPath();
+    for (const [x, y] of line) c.lineTo(x, y);
+    c.stroke();
+  }
+  /**
+   * Piece by piece, either side of the middle line where fibres differ.
+   * @param {Context} c
+   * @param {Point[]} line
+   * @param {number} thick
+   * @param {(j: number) => number} value
+   * @param {number} end
+   * @param {boolean} fibres
+   */
+  #coloured(c, line, thick, value, end, fibres) {
+    const [nx, ny] = this.way;
+    c.lineCap = 'butt';
+    for (let k = 1; k < line.length; k++) {
+      const [[a, b], [x, y]] = [line[k - 1], line[k]];
+      const length = Math.hypot(x - a, y - b) || 1;
+      let [across, down] = [-(y - b) / length, (x - a) / length];
+      if (across * nx + down * ny < 0) [across, down] = [-across, -down];
+      const found = value((k - 0.5) / (line.length - 1));
+      for (const side of fibres ? [-1, 1] : [0]) {
+        const shift = (side * thick) / 4;
+        c.strokeStyle = css((side || 1) * found, end);
+        c.lineWidth = fibres ? thick / 2 : thick;
+        c.beginPath();
+        c.moveTo(a + across * shift, b + down * shift);
+        c.lineTo(x + across * shift, y + down * shift);
+        c.stroke();
+      }
+    }
+  }
+  /** @param {Context} c */
+  joints(c) {
+    for (const joint of this.told.joints) {
+      const [x, y] = this.along(joint.link, joint.share);
+      if (joint.links.includes(GROUND)) this.#ground(c, joint, x, y);
+      if (joint.kind === 'prismatic') this.#slide(c, joint, x, y);
+      c.fillStyle = joint.driven ? COLORS.modal : '#fff';
+      c.strokeStyle = '#33475b';
+      c.lineWidth = 1.6;
+      c.beginPath();
+      if (joint.kind === 'fixed') c.rect(x - PIN, y - PIN, 2 * PIN, 2 * PIN);
+      else c.arc(x, y, PIN, 0, 7);
+      c.fill();
+      c.stroke();
+    }
+  }
+  /**
+   * @param {Context} c
+   * @param {JointTold} joint
+   * @param {number} x
+   * @param {number} y
+   */
+  #ground(c, joint, x, y) {
+    if (joint.kind === 'prismatic') return;
+    c.strokeStyle = '#8a97a3';
+    c.fillStyle = '#d4dce4';
+    c.lineWidth = 1.2;
+    c.beginPath();
+    c.moveTo(x, y);
+    c.lineTo(x - 9, y + 15);
+    c.lineTo(x + 9, y + 15);
+    c.closePath();
+    c.fill();
+    c.stroke();
+    c.beginPath();
+    c.moveTo(x - 14, y + 15);
+    c.lineTo(x + 14, y + 15);
+    for (let s = -10; s <= 14; s += 7) {
+      c.moveTo(x + s, y + 15);
+      c.lineTo(x + s - 5, y + 21);
+    }
+    c.stroke();
+  }
+  /**
+   * The guide of a sliding joint.
+   * @param {Context} c
+   * @param {JointTold} joint
+   * @param {number} x
+   * @param {number} y
+   */
+  #slide(c, { axis }, x, y) {
+    const [across, up] = axis ?? [1, 0];
+    const length = Math.hypot(across, up) || 1;
+    const [dx, dy] = [across / length, -up / length];
+    c.strokeStyle = '#8a97a3';
+    c.lineWidth = 1.4;
+    for (const side of [-9, 9]) {
+      c.beginPath();
+      c.moveTo(x - 26 * dx - side * dy, y - 26 * dy + side * dx);
+      c.lineTo(x + 26 * dx - side * dy, y + 26 * dy + side * dx);
+      c.stroke();
+    }
+  }
+  /**
+   * What each joint does to its second link, as an arrow, at the instant that is placed.
+   * @param {Context} c
+   * @param {number} t
+   */
+  reactions(c, t) {
+    const { reactionTime: times, reactions } = this.frame;
+    if (!times || !reactions || !this.largest) return;
+    let k = 0;
+    while (k < times.length - 1 && times[k + 1] <= t) k++;
+    const count = this.told.joints.length;
+    this.told.joints.forEach((joint, n) => {
+      const [fx, fy] = [0, 1].map((i) => (reactions[3 * (k * count + n) + i] / this.largest) * LONGEST_ARROW);
+      if (Math.hypot(fx, fy) >= LEAST_ARROW) arrow(c, this.along(joint.link, joint.share), [fx, -fy]);
+    });
+  }
+  /**
+   * @param {Context} c
+   * @param {number} x
+   * @param {number} y
+   */
+  words(c, x, y) {
+    c.font = letters(11);
+    c.fillStyle = COLORS.faint;
+    c.textBaseline = 'bottom';
+    c.textAlign = 'center';
+    this.told.links.forEach(({ name }, n) => {
+      const [a, b] = this.along(n, n === this.told.struck ? 0.28 : 0.5);
+      const [[fx, fy], [lx, ly]] = [this.placed[n][0], this.placed[n][this.places - 1]];
+      const length = Math.hypot(lx - fx, ly - fy) || 1;
+      const aside = 0.5 * this.thick(n) + 12;
+      const [dx, dy] = [(-(ly - fy) / length) * aside, ((lx - fx) / length) * aside];
+      const away = dx * this.way[0] + dy * this.way[1] < 0 ? -1 : 1; // the striker comes from the other side
+      c.fillText(name, a + away * dx, b + away * dy + 6);
+    });
+    if (!this.largest) return;
+    const [factor, prefix] = prefixed(this.largest);
+    c.textAlign = 'left';
+    c.fillStyle = COLORS.halfSpace;
+    const force = `${figures(this.largest * factor, 2)} ${prefix}N`;
+    c.fillText(text('beam.stage.reactions', { force }), x, y);
+  }
+}
+
+/**
+ * @param {Context} c
+ * @param {Point} from
+ * @param {Point} way  in pixels
+ */
+function arrow(c, [x, y], [dx, dy]) {
+  const length = Math.hypot(dx, dy);
+  const [ux, uy] = [dx / length, dy / length];
+  const head = Math.min(7, length);
+  c.strokeStyle = c.fillStyle = COLORS.halfSpace;
+  c.lineWidth = 2;
+  c.beginPath();
+  c.moveTo(x, y);
+  c.lineTo(x + dx - head * ux, y + dy - head * uy);
+  c.stroke();
+  c.beginPath();
+  c.moveTo(x + dx, y + dy);
+  c.lineTo(x + dx - head * ux - 0.5 * head * uy, y + dy - head * uy + 0.5 * head * ux);
+  c.lineTo(x + dx - head * ux + 0.5 * head * uy, y + dy - head * uy - 0.5 * head * ux);
+  c.fill();
+}

@@ -1,0 +1,85 @@
+// What happens in an impact on a mechanism, one event after the other, and what its joints have borne.
+import { headOf, make, rowOf } from '../shell/dom.js';
+import { heading, scrolled } from '../shell/story.js';
+import { family, text } from '../text/catalogue.js';
+import { duration, figures, speed } from '../text/format.js';
+import { given } from '../shell/message.js';
+
+/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { Event } from '../shell/story.js' */
+
+const LISTED = 4; // contacts that are described one by one
+
+/**
+ * A sentence on a mechanism, with its values.
+ * @param {string} code
+ * @param {BeamFrame} frame
+ * @param {Record<string, any>} [values]
+ */
+function tell(code, frame, values = {}) {
+  const { links, struck } = given(frame.mechanism, 'mechanism');
+  return text(`beam.mechanism.${code}`, { striker: frame.impactor.kind, link: links[struck].name, ...values });
+}
+
+/**
+ * Velocities along the normal as a contact begins or ends, as far as they are known.
+ * @param {BeamFrame} frame
+ * @param {number} k
+ * @param {0 | 1} end
+ */
+function ratesAt({ rates }, k, end) {
+  const [own, ahead] = [rates[4 * k + 2 * end], rates[4 * k + 2 * end + 1]];
+  return { own: speed(own), ahead: speed(ahead), apart: speed(Math.abs(own - ahead)) };
+}
+
+/**
+ * The events of the impact, in the order of time [ms].
+ * @param {BeamFrame} frame
+ * @returns {Event[]}
+ */
+export function mechanismEvents(frame) {
+  const { contacts, main, speed: approach } = frame;
+  const { links, struck } = given(frame.mechanism, 'mechanism');
+  const last = contacts.length - 1;
+  const bends = links[struck].flexible;
+  /** @type {Event[]} */
+  const found = [[contacts[0][0], tell('meets', frame, { approach: speed(approach), bends })]];
+  contacts.slice(0, LISTED).forEach(([start, end], k) => {
+    if (k > 0) found.push([start, tell('meets-again', frame, { number: k + 1, ...ratesAt(frame, k, 0) })]);
+    if (k < last) found.push([end, tell('parts', frame, { lasts: duration(end - start), ...ratesAt(frame, k, 1) })]);
+  });
+  if (last >= LISTED)
+    found.push([contacts[LISTED][0], tell('repeated', frame, { first: LISTED + 1, last: main.contacts })]);
+  if (main.stillTouching) found.push([contacts[last][1], text('beam.event.still-touching')]);
+  else if (main.contacts <= contacts.length)
+    found.push([contacts[last][1], tell('ends', frame, { leaves: speed(main.final ?? 0), last: last > 0 })]);
+  return found.sort((a, b) => a[0] - b[0]);
+}
+
+/**
+ * Why so many contacts, or why only one.
+ * @param {BeamFrame} frame
+ */
+export function mechanismReasons(frame) {
+  const { links } = given(frame.mechanism, 'mechanism');
+  const bends = frame.main.name !== 'rigid' && links.some(({ flexible }) => flexible);
+  return tell(!bends ? 'rigid' : frame.main.contacts > 1 ? 'many' : 'one', frame);
+}
+
+/** What the joints have borne, as a table. */
+export class Joints {
+  constructor() {
+    this.table = make('table', { className: 'figures' });
+    this.root = make('div', { hidden: true }, heading(text('beam.mechanism.joints')), scrolled(this.table));
+  }
+  /** @param {BeamFrame} frame */
+  load({ main, mechanism }) {
+    this.root.hidden = !mechanism || !main.joints?.length;
+    if (!mechanism || !main.joints) return;
+    const columns = family('beam.mechanism.column');
+    const rows = main.joints.map(({ impulse: [x, y], moment_impulse: moment }, n) =>
+      rowOf([mechanism.joints[n].links.join(' – '), figures(x), figures(y), figures(moment)]),
+    );
+    this.table.replaceChildren(headOf(['', columns.x, columns.y, columns.moment]), make('tbody', {}, ...rows));
+  }
+}

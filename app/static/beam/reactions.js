@@ -1,0 +1,42 @@
+// What the joints of a mechanism bear over time.
+import { Chart } from '../charts/chart.js';
+import { text } from '../text/catalogue.js';
+
+/** @import { Axis } from '../charts/axis.js' */
+/** @import { Series } from '../charts/chart.js' */
+/** @import { BeamFrame } from '../shell/message.js' */
+
+/** @type {Series['style'][]} */
+const STYLES = ['exact', 'other', 'halfSpace', 'struck', 'record', 'prediction', 'limit'];
+
+export class Reactions {
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    const [title, about] = [text('beam.chart.reactions'), text('beam.chart.reactions-about')];
+    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'N', zero: true, pad: [0.04, 0.12], go });
+  }
+  /** @param {BeamFrame} frame */
+  load({ contacts, mechanism, reactionTime: x, reactions }) {
+    this.chart.root.hidden = !mechanism || !reactions;
+    if (!mechanism || !reactions || !x) return;
+    const count = mechanism.joints.length;
+    /** @type {Series[]} */
+    const series = mechanism.joints.slice(0, STYLES.length).map((joint, n) => ({
+      x,
+      y: Array.from(x, (_, k) => Math.hypot(reactions[3 * (k * count + n)], reactions[3 * (k * count + n) + 1])),
+      name: joint.links.join(' – '),
+      style: STYLES[n],
+    }));
+    this.chart.show({ series, shades: contacts });
+  }
+  draw() {
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+}
