@@ -333,11 +333,13 @@ export class Dispersion {
   }
   /** @param {BeamFrame} frame */
   load(frame) {
-    const { wavenumbers: x, lower, upper, beam } = frame;
+    const { wavenumbers: x, lower, upper, beam, modeFrequencies, modeWavenumbers } = frame;
+    this.chart.root.hidden = !x; // of a mechanism there is no one curve
+    if (!x || !lower || !modeFrequencies || !modeWavenumbers) return;
     const factor = 0.5 / Math.PI;
     const far = x[x.length - 1];
     const theory = named('theory', beam.theory);
-    const [slow, fast] = this.#modes(frame);
+    const [slow, fast] = modesOf(modeWavenumbers, modeFrequencies, beam.speedLimit);
     const limit = { x: [0, far], y: [0, beam.speedLimit * far] };
     /** @type {Series[]} */
     const series = [
@@ -347,28 +349,31 @@ export class Dispersion {
     ];
     if (upper) series.push({ x, y: upper, factor, reach: 0, name: text('beam.chart.shear-branch'), style: 'struck' });
     series.push({ ...limit, factor, reach: 0, name: '√(E/ρ)', style: 'limit' });
-    const readout = text('beam.chart.too-fast', { fast: fast.x.length, all: frame.modeWavenumbers.length });
+    const readout = text('beam.chart.too-fast', { fast: fast.x.length, all: modeWavenumbers.length });
     this.chart.axis.load(0, far);
     this.chart.show({ series, readout });
-  }
-  /**
-   * Kept modes that the material can carry, and those that would outrun its fastest wave.
-   * @param {BeamFrame} options
-   */
-  #modes({ modeWavenumbers, modeFrequencies, beam }) {
-    /** @type {{ x: number[], y: number[] }[]} */
-    const found = [
-      { x: [], y: [] },
-      { x: [], y: [] },
-    ];
-    modeWavenumbers.forEach((x, i) => {
-      const kind = found[Number(modeFrequencies[i] > beam.speedLimit * x)];
-      kind.x.push(x);
-      kind.y.push(modeFrequencies[i]);
-    });
-    return found;
   }
   draw() {
     this.chart.draw();
   }
+}
+
+/**
+ * Kept modes that the material can carry, and those that would outrun its fastest wave.
+ * @param {ArrayLike<number>} wavenumbers
+ * @param {ArrayLike<number>} frequencies
+ * @param {number} limit  speed of the fastest wave
+ */
+function modesOf(wavenumbers, frequencies, limit) {
+  /** @type {{ x: number[], y: number[] }[]} */
+  const found = [
+    { x: [], y: [] },
+    { x: [], y: [] },
+  ];
+  Array.from(wavenumbers).forEach((x, i) => {
+    const kind = found[Number(frequencies[i] > limit * x)];
+    kind.x.push(x);
+    kind.y.push(frequencies[i]);
+  });
+  return found;
 }

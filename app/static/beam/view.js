@@ -96,8 +96,7 @@ export class BeamView {
     this.reactions.load(frame);
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
-    this.dispersion.chart.root.hidden = Boolean(mechanism);
-    if (!mechanism) this.dispersion.load(frame);
+    this.dispersion.load(frame);
     this.dress();
     this.draw();
   }

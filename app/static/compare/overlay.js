@@ -100,7 +100,7 @@ export function layOver(view, now, runs) {
  * @returns {Series[]}
  */
 function dispersionOf({ frame, letter }) {
-  if (frame.kind !== 'beam') return [];
+  if (frame.kind !== 'beam' || !frame.wavenumbers || !frame.lower) return [];
   return [
     { x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, name: letter, style: `kept${letter}` },
   ];

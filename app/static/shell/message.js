@@ -218,11 +218,11 @@
  * @property {Numbers} [staticShape]
  * @property {Numbers} [halfTime]
  * @property {Numbers} [halfForce]
- * @property {Numbers} wavenumbers
- * @property {Numbers} lower
+ * @property {Numbers} [wavenumbers]
+ * @property {Numbers} [lower]
  * @property {Numbers} [upper]
- * @property {Numbers} modeFrequencies
- * @property {Numbers} modeWavenumbers
+ * @property {Numbers} [modeFrequencies]
+ * @property {Numbers} [modeWavenumbers]
  */
 /**
  * @typedef {object} BeamTold
