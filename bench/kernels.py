@@ -140,7 +140,21 @@ def _modal() -> list:
                 record.velocity[0] = 1.0
                 rest = np.zeros(modes), np.zeros(modes)
                 mass = scene.impactor.mass
-                march(law, Residual(residual), mass, known.rigid_mass, step, bank, *rest, STEPS + 1, 0, STEPS, record)
+                march(
+                    law,
+                    Residual(residual),
+                    mass,
+                    known.rigid_mass,
+                    0.0,
+                    0.0,
+                    step,
+                    bank,
+                    *rest,
+                    STEPS + 1,
+                    0,
+                    STEPS,
+                    record,
+                )
 
             floor, spent, ratio = paired_medians(bare, run, 61)
             what = f"modal kernel, {modes} modes, {name}"

@@ -37,7 +37,7 @@ def _kernel() -> list:
         def run(scene=scene, residual=residual, record=record, bank=bank, step=step):
             record.velocity[0] = 1.0
             rest = np.zeros(MODES), np.zeros(MODES)
-            march(scene.contact, residual, 2.133, np.inf, step, bank, *rest, STEPS + 1, 0, STEPS, record)
+            march(scene.contact, residual, 2.133, np.inf, 0.0, 0.0, step, bank, *rest, STEPS + 1, 0, STEPS, record)
 
         _, spent, ratio = paired_medians(bare, run, 61)
         what = f"beam, {MODES} modes, {STEPS} steps, {law}"

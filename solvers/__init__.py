@@ -10,7 +10,7 @@ from .accuracy.reference import reference
 from .accuracy.tradeoff import stored_tradeoff, tradeoff
 from .accuracy.tradeoff_table import Point as TradeOffPoint
 from .accuracy.tradeoff_table import TradeOff
-from .bodies import Beam, Bending, Body, Material, RigidMass, Rod, Rods, SpringMass, Wall, Waveguide
+from .bodies import Beam, Bending, Body, Material, Mechanism, RigidMass, Rod, Rods, SpringMass, Wall, Waveguide
 from .contact import LAWS
 from .methods import (
     METHODS,
@@ -53,6 +53,7 @@ __all__ = [
     "FeNodal",
     "Figures",
     "Material",
+    "Mechanism",
     "Method",
     "Modal",
     "ModeSwitch",

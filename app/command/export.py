@@ -3,6 +3,7 @@
 import io
 import os
 import textwrap
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -70,9 +71,23 @@ def _leaving(solution: Solution) -> list[str]:
     if solution.impactor_velocity is None:
         impactor = "  " + text("solve.prescribed")
     else:
-        share = text("solve.of-its-speed", share=solution.impactor_velocity / solution.scene.impactor.velocity)
-        impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s   ({share})"
-    return [impactor, f"  {text('solve.target-moves'):21}{target}", *_swinging(solution)]
+        before = solution.scene.impactor.velocity
+        share = text("solve.of-its-speed", share=solution.impactor_velocity / before) if before else ""
+        impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s"
+        impactor += f"   ({share})" if share else ""
+    return [impactor, f"  {text('solve.target-moves'):21}{target}", *_swinging(solution), *_jointed(solution)]
+
+
+def _jointed(solution: Solution) -> list[str]:
+    """How the links of a mechanism go on, and what its joints give."""
+    lines = []
+    for name, link in (solution.links or {}).items():
+        moves = text("solve.link-moves", velocity=_vector(link["final_velocity"]), spin=link["final_spin"])
+        lines.append(f"  {text('solve.link', name=name):21}{moves}")
+    for number, joint in enumerate(solution.reactions or []):
+        gives = text("solve.joint-gives", impulse=_vector(joint["impulse"]), moment=joint["moment_impulse"])
+        lines.append(f"  {text('solve.joint', number=number):21}{gives}")
+    return lines
 
 
 def _swinging(solution: Solution) -> list[str]:
@@ -109,7 +124,7 @@ def _time_line(diagnostics: dict[str, float]) -> str:
 def _unit_name(scene: Scene) -> str:
     """What the unit of time T is."""
     rings = next((body.kind for body in (scene.target, scene.impactor) if body.time_unit is not None), None)
-    return text("solve.unit", of={None: "contact", "beam": "beam"}.get(rings, "wave"))
+    return text("solve.unit", of={None: "contact", "beam": "beam", "mechanism": "links"}.get(rings, "wave"))
 
 
 def comparison(exact: Solution, rows: list[Row]) -> str:
@@ -207,7 +222,7 @@ def _models(solution: Solution) -> list[str]:
     return lines
 
 
-def _vector(values: tuple[float, float, float]) -> str:
+def _vector(values: Sequence[float]) -> str:
     return "(" + ", ".join(f"{value + 0.0:.6g}" for value in values) + ")"
 
 

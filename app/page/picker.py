@@ -1,9 +1,10 @@
 """The picker of scenes: what each is called, and under which heading it stands."""
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
-from solvers import Scene
+from solvers import Mechanism, Scene
 
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
@@ -11,10 +12,10 @@ from ..choices.space import in_space
 from ..text.catalogues import page
 
 
-def scene_groups() -> list[list[Any]]:
+def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
     """Scenes by heading, each as [name, what it is], for the picker."""
     groups: dict[str, list[list[str]]] = {}
-    for name, scene in SCENES.items():
+    for name, scene in listed.items():
         groups.setdefault(_heading(name, scene), []).append([name, _entry(name, scene)])
     return [[heading, scenes] for heading, scenes in groups.items()]
 
@@ -31,6 +32,8 @@ def _heading(name: str, scene: Scene) -> str:
         return page().text("scenes.thesis", chapter=found[2])
     if in_space(scene):
         return page().text("scenes.space")
+    if isinstance(scene.target, Mechanism):
+        return page().text("scenes.mechanisms")
     if on_beam(scene):
         return page().text("scenes.beams")
     if scene.impactor.rods or len(scene.target.rods) > 1:

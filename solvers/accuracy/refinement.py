@@ -6,7 +6,7 @@ from typing import Any
 from ..methods import METHODS
 from ..methods.base import Method
 from ..scene import Scene
-from ..text.notes import Note
+from ..text.notes import Note, Severity
 from ..validation import SceneError
 
 LEVELS: dict[str, tuple[float, ...]] = {  # values of each resolution, coarse to fine
@@ -58,8 +58,11 @@ class Ladder:
 
 
 def ladders(scene: Scene) -> list[Ladder]:
-    """One for each method and variant that can solve the scene, closed forms first; empty if none can."""
+    """One for each method and variant that can solve the scene, closed forms first; empty if none can, or if the target
+    itself says how many modes it has, so that no method can be refined."""
     found: list[Ladder] = []
+    if scene.target.own_modes:
+        return found
     for name, method in METHODS.items():
         for options in VARIANTS.get(name, ({},)):
             if "restitution" in options and not _rings(scene) and not scene.rigid_contact:
@@ -76,7 +79,8 @@ def ranked(found: list[Ladder]) -> list[Ladder]:
 
 def refusals(scene: Scene) -> dict[str, Note]:
     """Why the methods that cannot solve the scene cannot: a note for each."""
-    given = {name: method.read({}).refusal(scene) for name, method in METHODS.items()}
+    fixed = Note("refusals.own-modes", Severity.REFUSAL) if scene.target.own_modes else None
+    given = {name: method.read({}).refusal(scene) or fixed for name, method in METHODS.items()}
     able = {ladder.levels[0].NAME for ladder in ladders(scene)}
     return {name: reason for name, reason in given.items() if reason is not None and name not in able}
 

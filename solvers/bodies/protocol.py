@@ -30,6 +30,8 @@ class AnyBody(ABC):
     kind: str  # its word in scene files
     mass: float  # [kg], with all that is fixed to it; infinite of a wall
     velocity: float  # before the impact [m/s], positive the way the impactor goes
+    acceleration: float = 0.0  # by itself, without the impact, against what strikes it [m/s2], positive the same way
+    jerk: float = 0.0  # how fast that changes [m/s3]
     material: Material | None  # at the contact; None: rigid
     length: float  # [m]; 0: it has no places of its own
     radius: float | None = None  # of curvature at the contact [m]; None: flat

@@ -26,6 +26,10 @@ class MechanismMotion:
         self.scene, self.relative = scene, relative
         self.mechanism: Mechanism = scene.target.known_as(Mechanism)
         self.frozen = self.mechanism.frozen
+        self._followed = followed = isinstance(relative, KnowsModes)  # else it is over at once
+        self.acceleration = self.frozen.acceleration if followed else 0.0  # of the struck point
+        self.jerk = self.frozen.jerk if followed else 0.0
+        self.weight = float(self.frozen.normal @ self.frozen.system.gravity) if followed else 0.0  # of 1 kg [N]
         self.names = [link.name for link in self.mechanism.links]
 
     # --- what does not depend on who looks
@@ -36,8 +40,8 @@ class MechanismMotion:
     def force_history(self):
         return self.relative.force_history()
 
-    def impulse(self, time):
-        return self.relative.impulse(time)
+    def impulse(self, time, after=True):
+        return self.relative.impulse(time, after)
 
     def resolved_force(self, time):
         """The force, averaged where its method says over what."""
@@ -61,42 +65,63 @@ class MechanismMotion:
         return self.relative.impactor_position(time) + self._carried(time)
 
     def impactor_velocity(self, time, after=True):
-        return self.relative.impactor_velocity(time, after) + self.mechanism.velocity
+        return self.relative.impactor_velocity(time, after) + self.speed(time)
 
     def face_velocity(self, time, after=True):
         """Of the impactor where it strikes."""
         seen = self.relative
         found = seen.face_velocity if isinstance(seen, MovesFace) else seen.impactor_velocity
-        return found(time, after) + self.mechanism.velocity
+        return found(time, after) + self.speed(time)
 
     def end_position(self, time):
         """Of the struck point."""
         return self.relative.end_position(time) + self._carried(time)
 
     def end_velocity(self, time, after=True):
-        return self.relative.end_velocity(time, after) + self.mechanism.velocity
+        return self.relative.end_velocity(time, after) + self.speed(time)
 
     def rigid_velocity(self, time, after=True):
         """Of the centre of all masses."""
-        return self.relative.rigid_velocity(time, after) + float(self.frozen.mean_weights @ self.frozen.rates)
+        return self.relative.rigid_velocity(time, after) + self.before(time) @ self.frozen.mean_weights
 
     def displacement(self, time, x):
-        return self.relative.displacement(time, x) + np.multiply.outer(np.asarray(time, float), self._speeds(x))
+        time = np.asarray(time, float)
+        speeds, accelerations = self._of_points(x)
+        moved = np.multiply.outer(time, speeds) + np.multiply.outer(0.5 * time**2, accelerations)
+        return self.relative.displacement(time, x) + moved
 
     def velocity(self, time, x):
-        return self.relative.velocity(time, x) + self._speeds(x)
+        speeds, accelerations = self._of_points(x)
+        carried = speeds + np.multiply.outer(np.asarray(time, float), accelerations)
+        return self.relative.velocity(time, x) + carried
 
     def _carried(self, time):
-        return self.mechanism.velocity * np.asarray(time, float)
+        """How far the struck point would have come without the impact [m]."""
+        time = np.asarray(time, float)
+        return time * (self.mechanism.velocity + time * (self.acceleration / 2.0 + time * self.jerk / 6.0))
 
-    def _speeds(self, x):
-        """Of the points of the struck link before the impact, (x,)."""
-        link = self.frozen.system.links[self.frozen.link]
-        start = self.frozen.system.offsets[self.frozen.link]
-        x = np.atleast_1d(np.asarray(x, float))
-        own = self.frozen.rates[start : start + link.size]
+    def speed(self, time):
+        """At what speed it would move [m/s]."""
+        time = np.asarray(time, float)
+        return self.mechanism.velocity + time * (self.acceleration + 0.5 * self.jerk * time)
+
+    def before(self, time):
+        """Rates without the impact, (time, size)."""
+        sped_up = self.frozen.accelerations * self._followed
+        return self.frozen.rates + np.multiply.outer(np.asarray(time, float), sped_up)
+
+    def _of_points(self, x):
+        """Velocities and accelerations of the points of the struck link without the impact, (x,) each."""
+        frozen, x = self.frozen, np.atleast_1d(np.asarray(x, float))
+        link, spin = frozen.system.links[frozen.link], frozen.system.spin(frozen.link, frozen.rates)
+        start = frozen.system.offsets[frozen.link]
+        own = slice(start, start + link.size)
         places = link.origin + np.multiply.outer(x, link.axes[0])
-        return np.array([self.frozen.normal @ link.point(at) @ own for at in places])
+        speeds = np.array([frozen.normal @ link.point(at) @ frozen.rates[own] for at in places])
+        accelerations = [
+            frozen.normal @ (link.point(at) @ frozen.accelerations[own] + link.centripetal(at, spin)) for at in places
+        ]
+        return speeds, np.array(accelerations) * self._followed
 
     # --- all coordinates
 
@@ -116,14 +141,15 @@ class MechanismMotion:
     def coordinates(self, time) -> np.ndarray:
         """How far all coordinates have come since the impact began, (time, size); see `numerics.multibody.system`."""
         state, time = self.target_state(time), np.atleast_1d(np.asarray(time, float))
-        moved = np.multiply.outer(time, self.frozen.rates) + np.multiply.outer(state.position, self.frozen.whole)
+        carried = 0.5 * time[:, None] * (self.frozen.rates + self.before(time))
+        moved = carried + np.multiply.outer(state.position, self.frozen.whole)
         return moved + state.coordinates @ self._vibrations.T
 
     def rates(self, time) -> np.ndarray:
         """Of all coordinates, (time, size)."""
         state = self.target_state(time)
         moved = np.multiply.outer(state.velocity, self.frozen.whole) + state.rates @ self._vibrations.T
-        return self.frozen.rates + moved
+        return self.before(np.atleast_1d(np.asarray(time, float))) + moved
 
     def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
         """Where the links are, by name: (time, parts + 1, 2) [m], in the laboratory, at even distances along each;
@@ -206,18 +232,31 @@ class MechanismMotion:
 
     # --- energy
 
+    def _done(self, time):
+        """Work of the contact force at the speed of the struck point without the impact [J]."""
+        done = self.speed(time) * self.impulse(time)
+        if not (self.acceleration or self.jerk):
+            return done
+        instants = self.relative.force_history()[0]  # between them the impulse grows steadily
+        before, after = self.impulse(instants[1:], False), self.impulse(instants[:-1])
+        width, middle = np.diff(instants), 0.5 * (instants[1:] + instants[:-1])
+        grown = (self.acceleration + self.jerk * middle) * 0.5 * (before + after)
+        cells = width * (grown + self.jerk * width * (before - after) / 12.0)
+        return done - np.interp(time, instants, np.append(0.0, np.cumsum(cells)))
+
     def energies(self, time):
-        """Parts of the energy [J]; "drives" is what the drives have taken up, negative where they feed the impact."""
+        """Parts of the energy [J]; "drives" is what the drives have taken up, and gravity from the impactor, negative
+        where they feed the impact. What the mechanism would exchange with them without the impact is left out."""
         time = np.atleast_1d(np.asarray(time, float))
         parts, state, frozen = self.relative.energies(time), self.target_state(time), self.frozen
-        speed, mass = self.mechanism.velocity, self.scene.impactor.mass
+        speed, mass = self.speed(time), self.scene.impactor.mass
         momentum = frozen.rates @ frozen.system.mass
         gained = momentum @ frozen.whole * state.velocity + state.rates @ (momentum @ self._vibrations)
         moving = mass * speed * (self.relative.impactor_velocity(time) + 0.5 * speed)
         return parts | {
             "impactor": parts["impactor"] + moving,
             "target_rigid": parts["target_rigid"] + self.mechanism.kinetic_energy + gained,
-            "drives": speed * self.impulse(time) - gained,
+            "drives": self._done(time) - gained - self.weight * mass * self.impactor_position(time),
         }
 
 
@@ -250,8 +289,11 @@ def in_laboratory(solution: Solution, scene: Scene) -> Solution:
     def diagnostics(solved: Solution) -> dict[str, Any]:
         parts = solved.energy
         split = sum(value for name, value in parts.items() if name != "initial")
-        apart = motion.frozen.jacobian @ (motion.coordinates(end)[0] - end[0] * motion.frozen.rates)
+        carried = 0.5 * end[0] * (motion.frozen.rates + motion.before(end)[0])
+        apart = motion.frozen.jacobian @ (motion.coordinates(end)[0] - carried)
+        lost = scene.impactor.mass * (scene.impactor.velocity + motion.weight * end[0] - solved.impactor_velocity)
         return solution.diagnostics | {
+            "momentum_error": (lost - solved.impulse) / (scene.impactor.mass * scene.speed),
             "energy_error": (split - parts["initial"]) / parts["initial"],
             "constraint_error": float(np.abs(apart).max(initial=0.0)),
         }
@@ -259,7 +301,7 @@ def in_laboratory(solution: Solution, scene: Scene) -> Solution:
     for name, value in {
         "scene": scene,
         "motion": motion,
-        "impactor_velocity": Later(lambda _: solution.impactor_velocity + motion.mechanism.velocity),
+        "impactor_velocity": Later(lambda _: solution.impactor_velocity + motion.speed(end[0])),
         "target_velocity": Later(lambda _: float(motion.rigid_velocity(end)[0])),
         "restitution": Later(lambda _: solution.restitution | {"newton": None}),
         "energy": Later(energy),

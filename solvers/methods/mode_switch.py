@@ -235,7 +235,7 @@ class SwitchedMotion:
             forces += [[0.0], np.maximum(contact.forces, 0.0), [0.0]]
         return self._unit * np.concatenate(times), self._force * np.concatenate(forces)
 
-    def impulse(self, time):
+    def impulse(self, time, after=True):
         """What the mass loses of momentum: at once by the change of modes as it touches, then by the series' force."""
         time = self._time(time)
         total = np.zeros_like(time)

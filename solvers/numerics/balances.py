@@ -3,6 +3,8 @@
 Both bodies are one bank of oscillators in mass-normalised coordinates q, rigid-body motion being omega = 0; the faces
 overlap by w.q and an impulse P changes q' by -w P. A balance with restitution e is P = (1 + e) w.q' / w.w; between
 balances everything moves freely.
+Where the bodies accelerate towards each other by themselves, by `fall` + `surge` t [m/s2], the overlap is
+w.q + fall t^2 / 2 + surge t^3 / 6.
 Source: thesis 6.3 and 6.4.1.
 """
 
@@ -25,6 +27,8 @@ class Bank(NamedTuple):
     frequencies: np.ndarray
     closing: np.ndarray
     target: int
+    fall: float = 0.0  # by which both accelerate towards each other without touching [m/s2]
+    surge: float = 0.0  # how fast that grows [m/s3]
 
 
 class Events(NamedTuple):
@@ -58,10 +62,20 @@ def single_balance(mobility: np.ndarray, closing: np.ndarray, rates: np.ndarray,
     return -(1.0 + restitution) * float(closing @ rates) / float(closing @ response) * response
 
 
+def led(bank, time):
+    """How far both bodies come together without touching, how fast, and their acceleration."""
+    fall = bank.fall + bank.surge * time
+    half, sixth = 0.5 * bank.fall * time * time, bank.surge * time**3 / 6.0
+    return half + sixth, time * (bank.fall + 0.5 * bank.surge * time), fall
+
+
+_led = kernel(led)  # `led` itself takes arrays of times
+
+
 @kernel
-def _apart(bank, p):
+def _apart(bank, p, time):
     """Whether both bodies as a whole move away from each other."""
-    first = bank.closing[0] * p[0]
+    first = bank.closing[0] * p[0] + _led(bank, time)[1]
     return first + bank.closing[bank.target] * p[bank.target] < 0.0 if bank.target >= 0 else first < 0.0
 
 
@@ -99,10 +113,13 @@ def at_step_ends(bank, turn, restitution, step, end, patience, q, p, events):
     _write(events, 0, 0.0, impulse, lost, NOT_JOINED, q, p)
     count, k = 1, 0
     while k * step < end and count < events.time.size:
-        if k * step - events.time[count - 1] > patience and _apart(bank, p):
+        if k * step - events.time[count - 1] > patience and _apart(bank, p, k * step):
             break
         k += 1
         overlap, rate = step_on(turn, bank.closing, q, p)
+        lead, speed, _ = _led(bank, k * step)
+        overlap += lead
+        rate += speed
         if overlap >= 0.0 and rate > 0.0:
             impulse, lost = _balance(bank, restitution, rate, p)
             _write(events, count, k * step, impulse, lost, NOT_JOINED, q, p)
@@ -123,12 +140,15 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
     _write(events, 0, 0.0, impulse, lost, NOT_JOINED, q, p)
     count, time, level, part, before = 1, 0.0, 0, step, 0.0
     while time < end and count < events.time.size:
-        if time - events.time[count - 1] > patience and _apart(bank, p):
+        if time - events.time[count - 1] > patience and _apart(bank, p, time):
             break
         copy_to(q1, q)
         copy_to(p1, p)
         turn = Turn(turns.stay[level], turns.go[level], turns.back[level])
         overlap, rate = step_on(turn, bank.closing, q1, p1)
+        lead, speed, _ = _led(bank, time + part)
+        overlap += lead
+        rate += speed
         if overlap > tolerance >= before and level + 1 < levels:
             level += 1
             part *= 0.5
@@ -146,23 +166,27 @@ def by_halving(bank, turns, restitution, step, tolerance, end, patience, q, p, e
 
 
 @inner_kernel
-def _fly(bank, turn, step, q, p, q1, p1, longest):
-    """Free flight from (q, p) until the faces meet: q1, p1 there. Returns its duration, or -1 if over `longest`.
+def _fly(bank, turn, step, q, p, q1, p1, begun, longest):
+    """Free flight from (q, p) at `begun` [s] until the faces meet: q1, p1 there. Returns its duration, or -1 if over
+    `longest`.
 
     In every step the cubic through overlap and rate at both ends shows whether they met and parted again within it.
     """
     copy_to(q1, q)
     copy_to(p1, p)
-    overlap, rate = 0.0, dot(bank.closing, p)
+    overlap, rate = 0.0, dot(bank.closing, p) + _led(bank, begun)[1]
     steps, elapsed = 0, 0.0
     while elapsed < longest:
-        before, rate_before = overlap, rate
+        before, rate_before, now = overlap, rate, begun + elapsed
         overlap, rate = step_on(turn, bank.closing, q1, p1)
+        lead, speed, _ = _led(bank, now + step)
+        overlap += lead
+        rate += speed
         high = rises(before, rate_before, overlap, rate, step)
         if high > 0.0 and (steps > 0 or rate_before < 0.0 or overlap > 0.0):
             low = 0.0 if steps > 0 else 1e-9 * step  # past the touch that the flight began with
             step_back(turn, q1, p1)
-            into = rise_in(bank, q1, p1, low, high)
+            into = rise_in(bank, q1, p1, low, high, *_led(bank, now))
             turn_by(bank, into, q1, p1)
             return elapsed + into
         steps += 1
@@ -176,22 +200,35 @@ class Joined(NamedTuple):
     frequencies: np.ndarray
     basis: np.ndarray
     press: np.ndarray  # of the faces, per unit of each coordinate [N / (m kg^1/2)]
+    # While both bodies accelerate towards each other, per unit of that acceleration:
+    shift: np.ndarray  # where the coordinates are in balance [kg^1/2 s2]
+    drift: np.ndarray  # acceleration of those without a frequency [kg^1/2]
+    weight: float  # with which the faces press besides [kg]
 
 
 def joined(bank: Bank) -> Joined:
     """Modes of both bodies with w.q = 0."""
     squares = bank.frequencies**2
     found, basis = held_together(squares, bank.closing)
-    press = -(bank.closing * squares / float(bank.closing @ bank.closing)) @ basis
-    return Joined(np.sqrt(np.maximum(found, 0.0)), basis, press)
+    norm = float(bank.closing @ bank.closing)
+    press = -(bank.closing * squares / norm) @ basis
+    frequencies = np.sqrt(np.maximum(found, 0.0))
+    pushed = basis[0] / bank.closing[0]
+    swings = frequencies > 0.0
+    shift = np.where(swings, pushed / np.where(swings, frequencies, 1.0) ** 2, 0.0)
+    drift = np.where(swings, 0.0, pushed)
+    return Joined(frequencies, basis, press, shift, drift, 1.0 / norm + float(press @ shift))
 
 
 @allocating_kernel
-def _stick(joined, step, q, p, longest):
-    """Move as one until the faces would pull; in place. Returns the duration, and whether it ended so."""
+def _stick(bank, joined, step, q, p, begun, longest):
+    """Move as one from `begun` [s] until the faces would pull; in place. Returns how long, and whether it ended so."""
     basis, modes = joined.basis, joined.frequencies.size
-    own, own_rate = basis.T @ q, basis.T @ p
-    after = Bank(joined.frequencies, -joined.press, -1)  # its "overlap" is the pull
+    lead, speed, fall = _led(bank, begun)  # which hardly changes while they stick
+    q[0] += lead / bank.closing[0]
+    p[0] += speed / bank.closing[0]
+    own, own_rate, weight = basis.T @ q - fall * joined.shift, basis.T @ p, fall * joined.weight
+    after = Bank(joined.frequencies, -joined.press, -1, 0.0, 0.0)  # its "overlap" is the pull
     turn_stay, turn_go, turn_back = np.empty(modes), np.empty(modes), np.empty(modes)
     for i in range(modes):
         omega = joined.frequencies[i]
@@ -201,20 +238,25 @@ def _stick(joined, step, q, p, longest):
     turn = Turn(turn_stay, turn_go, turn_back)
     elapsed, parted = 0.0, False
     pull, rate = sum_after(after, 0.0, own, own_rate)
+    pull -= weight
     while elapsed < longest:
         before, rate_before = pull, rate
         pull, rate = step_on(turn, after.closing, own, own_rate)
+        pull -= weight
         high = rises(before, rate_before, pull, rate, step)
         if high > 0.0:
             step_back(turn, own, own_rate)
-            into = rise_in(after, own, own_rate, 0.0, high)
+            into = rise_in(after, own, own_rate, 0.0, high, -weight, 0.0, 0.0)
             turn_by(after, into, own, own_rate)
             elapsed += into
             parted = True
             break
         elapsed += step
-    copy_to(q, basis @ own)
-    copy_to(p, basis @ own_rate)
+    copy_to(q, basis @ (own + fall * (joined.shift + 0.5 * elapsed**2 * joined.drift)))
+    copy_to(p, basis @ (own_rate + fall * elapsed * joined.drift))
+    lead, speed, _ = _led(bank, begun + elapsed)
+    q[0] -= lead / bank.closing[0]
+    p[0] -= speed / bank.closing[0]
     return elapsed, parted
 
 
@@ -229,25 +271,27 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
     q1, p1 = np.empty(q.size), np.empty(q.size)
     count, time = 0, 0.0
     while time < end and count + 2 <= events.time.size:
-        rate = dot(bank.closing, p)
+        _, speed, fall = _led(bank, time)
+        rate = dot(bank.closing, p) + speed
         impulse, lost = _balance(bank, restitution, rate, p)
         parting = restitution * rate
-        push = -(bank.closing * bank.frequencies**2 * q).sum()  # how fast the faces would come back
+        push = fall - (bank.closing * bank.frequencies**2 * q).sum()  # how fast the faces would come back
         sticks = push > 0.0 and 2.0 * parting <= soft * push
         if sticks:
-            more, less = _balance(bank, 0.0, dot(bank.closing, p), p)
+            more, less = _balance(bank, 0.0, dot(bank.closing, p) + speed, p)
             impulse, lost = impulse + more, lost + less
         _write(events, count, time, impulse, lost, sticks, q, p)
         count += 1
         if sticks:
             before = p[0]
-            elapsed, parted = _stick(joined, step, q, p, end - time)
+            elapsed, parted = _stick(bank, joined, step, q, p, time, end - time)
             time += elapsed
             _write(events, count, time, (before - p[0]) / bank.closing[0], 0.0, NOT_JOINED, q, p)
             count += 1
             if not parted:
                 break
-        elapsed = _fly(bank, turn, step, q, p, q1, p1, min(end - time, patience if _apart(bank, p) else np.inf))
+        longest = min(end - time, patience if _apart(bank, p, time) else np.inf)
+        elapsed = _fly(bank, turn, step, q, p, q1, p1, time, longest)
         if elapsed < 0.0:
             break
         time += elapsed
@@ -264,9 +308,20 @@ def course(bank: Bank, flight: np.ndarray, joined: Joined, events: Events, after
     q, p = _swing(bank.frequencies, flight, events.coordinates[after], events.rates[after], delay[:, None])
     stuck = np.flatnonzero(events.stuck[after])
     if stuck.size:
-        at, rate = (states[after[stuck]] @ joined.basis for states in (events.coordinates, events.rates))
-        own = _swing(joined.frequencies, joined.frequencies, at, rate, delay[stuck, None])
-        q[stuck], p[stuck] = (values @ joined.basis.T for values in own)
+        begun, late = events.time[after[stuck]], delay[stuck]
+        at, rate = events.coordinates[after[stuck]], events.rates[after[stuck]]
+        lead, speed, fall = led(bank, begun)
+        at[:, 0] += lead / bank.closing[0]
+        rate[:, 0] += speed / bank.closing[0]
+        shift = np.multiply.outer(fall, joined.shift)
+        own, own_rate = _swing(
+            joined.frequencies, joined.frequencies, at @ joined.basis - shift, rate @ joined.basis, late[:, None]
+        )
+        q[stuck] = (own + shift + np.multiply.outer(0.5 * fall * late**2, joined.drift)) @ joined.basis.T
+        p[stuck] = (own_rate + np.multiply.outer(fall * late, joined.drift)) @ joined.basis.T
+        lead, speed, _ = led(bank, begun + late)
+        q[stuck, 0] -= lead / bank.closing[0]
+        p[stuck, 0] -= speed / bank.closing[0]
     return q, p
 
 

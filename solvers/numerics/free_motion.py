@@ -97,11 +97,14 @@ def turn_by(bank, time, q, p):
 
 
 @inner_kernel
-def rise_in(bank, q, p, low, high):
-    """The instant in (low, high) at which the sum becomes positive: Newton kept in brackets."""
+def rise_in(bank, q, p, low, high, lead, speed, fall):
+    """The instant in (low, high) at which the sum, and lead + speed t + fall t^2 / 2 with it, becomes positive: Newton
+    kept in brackets."""
     place = high
     for _ in range(100):
         total, rate = sum_after(bank, place, q, p)
+        total += lead + place * (speed + 0.5 * fall * place)
+        rate += speed + fall * place
         if total > 0.0:
             high = place
         else:

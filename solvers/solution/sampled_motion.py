@@ -154,8 +154,8 @@ class SampledMotion:
     def force_history(self):
         return self.time, self._force
 
-    def impulse(self, time):
-        return self._at(time, self._impulse)
+    def impulse(self, time, after=True):
+        return self._at(time, self._impulse, after)
 
     def impactor_position(self, time):
         return self._at(time, self._impactor_position)

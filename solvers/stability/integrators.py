@@ -337,7 +337,7 @@ def run_exact(law, residual, mass, rigid_mass, step, bank, speed, limits):
     worst, deepest, ending, done = 0.0, 0.0, BOUND, 0
     while done < limits.most and ending == BOUND:
         until = min(done + chunk, limits.most)
-        march(law, residual, mass, rigid_mass, step, bank, displacement, velocity, chunk, done, until, r)
+        march(law, residual, mass, rigid_mass, 0.0, 0.0, step, bank, displacement, velocity, chunk, done, until, r)
         for k in range(done, until):
             _count(r.contact_force[k], r.indentation[k + 1], limits, tally)
             deepest = max(deepest, r.indentation[k + 1])

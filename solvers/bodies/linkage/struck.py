@@ -39,6 +39,15 @@ class StruckMechanism(AnyBody):
         raise TypeError("a mechanism is written as a whole")
 
     @property
+    def acceleration(self) -> float:
+        """Of its struck point against an impactor that falls freely."""
+        return self.frozen.acceleration - float(self.frozen.normal @ self.frozen.system.gravity)
+
+    @cached_property
+    def jerk(self) -> float:
+        return self.frozen.jerk
+
+    @property
     def mass(self) -> float:
         """Felt where it is struck; infinite where it is held."""
         return self.frozen.rigid_mass

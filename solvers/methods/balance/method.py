@@ -182,7 +182,7 @@ class Balance(Method):
         q, p = np.zeros(bank.closing.size), pair.start.copy()
         end = MAX_ROUND_TRIPS * scene.time_unit if duration is None else duration
         period = pair.shortest_period or scene.time_unit
-        joined, flight, step = Joined(*(np.zeros((0,) * n) for n in (1, 2, 1))), bank.frequencies, self.step
+        joined, flight, step = Joined(*(np.zeros((0,) * n) for n in (1, 2, 1, 1, 1)), 0.0), bank.frequencies, self.step
         if self.variant == "event-located":
             joined, step = balances.joined(bank), period / SAMPLES_PER_PERIOD
             count, reached = balances.event_located(

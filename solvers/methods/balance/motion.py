@@ -49,7 +49,8 @@ class Pair:
             frequencies.append(own.frequencies)
             closing.append(sign * own.at_contact)
             start.append(np.zeros(own.frequencies.size))
-        bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1])
+        fall, surge = -scene.target.acceleration, -scene.target.jerk
+        bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1], fall, surge)
         highest = float(bank.frequencies.max())
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0
         rings = [(own, body) for own, body in zip(modes, bodies, strict=True) if body.time_unit is not None]
@@ -167,7 +168,8 @@ class BalanceMotion(SampledMotion):
         pair, bank, q, p = self.run.pair, self.run.pair.bank, *self.run.states(after, times)
         energy = 0.5 * (p * p + (bank.frequencies * q) ** 2)
         split, target, (first, second), (impactor, other) = pair.split, bank.target, pair.modes, pair.bodies
-        face, face_rate = bank.closing[0] * q[:, 0], bank.closing[0] * p[:, 0]
+        lead, speed, _ = balances.led(bank, times)
+        face, face_rate = bank.closing[0] * q[:, 0] + lead, bank.closing[0] * p[:, 0] + speed
         ringing, rate, rigid = energy[:, split:].sum(1), np.full(times.size, other.velocity), np.zeros(times.size)
         if target >= 0:
             rate = -bank.closing[target] * p[:, target]

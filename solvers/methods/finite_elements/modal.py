@@ -134,7 +134,7 @@ class FeModal(FiniteElements):
 
         def advance(begin, end, record):
             march(
-                law, spring, first.rigid_mass, second.rigid_mass, plan.step, bank,
+                law, spring, first.rigid_mass, second.rigid_mass, 0.0, 0.0, plan.step, bank,
                 displacement, velocity, plan.stride, begin, end, record,
             )  # fmt: skip
             return end

@@ -319,7 +319,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
     law, spring = _contact(scene, pair, step)
     slowest = [2.0 * math.pi / modes.frequencies[0] for modes in (pair.impactor, pair.target) if modes.frequencies.size]
     period, size = max(slowest, default=scene.time_unit), pair.frequencies.size
-    bank = pair.bank(step)
+    bank, fall, surge = pair.bank(step), -scene.target.acceleration, -scene.target.jerk
     stride = max(1, (count or 3 * math.ceil(period / step)) * size // CHECKPOINT_NUMBERS)
     most = count or int(min(MAX_STEPS, math.ceil(MAX_ROUND_TRIPS * scene.time_unit / step)))
     chunk = count or min(most, math.ceil(period / step))
@@ -332,7 +332,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
         if until > record.contact_force.size:
             record = _grown(record, min(2 * until, most), stride)
         march(
-            law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, step, bank,
+            law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, fall, surge, step, bank,
             displacement, velocity, stride, done, until, record,
         )  # fmt: skip
         apart = not record.contact_force[done:until].any()
@@ -371,8 +371,8 @@ def again(motion: ModalMotion, scene: Scene, record: Record | None = None) -> tu
     record.velocity[0], record.rigid_velocity[0] = scene.impactor.velocity, scene.target.velocity
     displacement, velocity = np.zeros((2, pair.frequencies.size))
     march(
-        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, step, pair.bank(step), displacement, velocity,
-        stride, 0, motion.steps, record,
+        law, spring, pair.impactor.rigid_mass, pair.target.rigid_mass, -scene.target.acceleration,
+        -scene.target.jerk, step, pair.bank(step), displacement, velocity, stride, 0, motion.steps, record,
     )  # fmt: skip
     return ModalMotion(scene, pair, step, stride, record, False), record
 

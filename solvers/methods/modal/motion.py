@@ -65,7 +65,7 @@ class ModalMotion:
         """Times and raw forces, constant over each step: every instant stands twice."""
         return np.repeat(self._instants, 2)[1:-1], np.repeat(self.record.contact_force, 2)
 
-    def impulse(self, time):
+    def impulse(self, time, after=True):
         return self._at(time, self._impulses)
 
     def amplitudes(self, time):

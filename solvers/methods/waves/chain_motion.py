@@ -64,7 +64,7 @@ class ChainMotion:
         order = np.argsort(times, kind="stable")
         return history.trip * times[order], forces[order]
 
-    def impulse(self, time):
+    def impulse(self, time, after=True):
         unit = self.history.force_unit * self.history.trip
         return unit * self.history.sampled(self.history.contact, IMPULSE, self._t(time))
 

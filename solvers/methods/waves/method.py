@@ -231,7 +231,7 @@ class WaveMotion:
         sent, arriving = self._sent_and_arriving(time, after)
         return self._speed * (sent - arriving)
 
-    def impulse(self, time):
+    def impulse(self, time, after=True):
         sent, arriving = self._totals(time)
         return self._force_unit * self._trip * (sent + arriving)
 

@@ -16,6 +16,7 @@ from ..modes import Modes
 from .system import System
 
 RANK_TOLERANCE = 1e-9  # of the largest singular value, with lengths in units of the mechanism's own
+JERK_ANGLE = 1e-3  # [rad], by which the fastest link is turned to find it: second order, half the digits left
 FELT = 1e-12  # of what a unit impulse could move at the most: below it the struck point is held
 
 
@@ -26,6 +27,16 @@ def rates_before(system: System, started: bool = True) -> np.ndarray:
     found = np.zeros(system.size)
     mass, rows = system.mass[np.ix_(rigid, rigid)], system.jacobian[np.ix_(chosen, rigid)]
     found[rigid] = _constrained(mass, rows, np.zeros(mass.shape[0]), system.rates[chosen])[0]
+    return found
+
+
+def accelerations(system: System, rates: np.ndarray) -> np.ndarray:
+    """Of links that do not vibrate, (size,), under weight and at rates (size,)."""
+    rigid, held = system.rigid, system.held
+    load = (system.weight + system.centrifugal(rates))[rigid]
+    rows, required = system.jacobian[np.ix_(held, rigid)], system.drift(rates)[held]
+    found = np.zeros(system.size)
+    found[rigid], _ = _constrained(system.mass[np.ix_(rigid, rigid)], rows, load, required)
     return found
 
 
@@ -60,12 +71,7 @@ class Frozen:
     @cached_property
     def accelerations(self) -> np.ndarray:
         """Before the impact, of links that do not vibrate, (size,)."""
-        system, rigid = self.system, self.system.rigid
-        load = (system.weight + system.centrifugal(self.rates))[rigid]
-        rows, required = system.jacobian[np.ix_(system.held, rigid)], system.drift(self.rates)[system.held]
-        found = np.zeros(system.size)
-        found[rigid], _ = _constrained(system.mass[np.ix_(rigid, rigid)], rows, load, required)
-        return found
+        return accelerations(self.system, self.rates)
 
     @cached_property
     def bent(self) -> np.ndarray:
@@ -96,8 +102,31 @@ class Frozen:
     @property
     def acceleration(self) -> float:
         """The same of its acceleration [m/s2]."""
-        own = self.system.centripetal(self.link, self.at, self.rates)
-        return float(self.closing @ self.accelerations + self.normal @ own)
+        return self._acceleration_after(0.0)
+
+    @cached_property
+    def jerk(self) -> float:
+        """How fast that changes along the normal, which turns with the link, as the mechanism moves on [m/s3]."""
+        fastest = float(np.abs(self.rates[self._angles]).max())
+        if fastest == 0.0:
+            return 0.0
+        later = JERK_ANGLE / fastest
+        return (self._acceleration_after(later) - self._acceleration_after(-later)) / (2.0 * later)
+
+    @property
+    def _angles(self) -> np.ndarray:
+        """Which coordinates are the angles of the links."""
+        return np.array(self.system.offsets[:-1]) + 2
+
+    def _acceleration_after(self, time: float) -> float:
+        system, change = self.system, time * self.rates + 0.5 * time**2 * self.accelerations
+        rates = self.rates + time * self.accelerations
+        moved = system.moved(change) if time else system
+        at = system.followed(self.link, self.at, change)
+        turned = change[system.offsets[self.link] + 2]
+        normal = np.array([[np.cos(turned), -np.sin(turned)], [np.sin(turned), np.cos(turned)]]) @ self.normal
+        own = moved.point(self.link, at) @ accelerations(moved, rates) + moved.centripetal(self.link, at, rates)
+        return float(normal @ own)
 
     @cached_property
     def _free(self) -> np.ndarray:

@@ -6,7 +6,7 @@ Source: thesis 6.2, (6.3), (6.4), (6.7); Shabana (1998). Cost: O(coordinates^2) 
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -139,6 +139,27 @@ class System:
     @cached_property
     def weight(self) -> np.ndarray:
         return np.concatenate([link.load(self.gravity) for link in self.links])
+
+    def followed(self, link: int, at: np.ndarray, change: np.ndarray) -> np.ndarray:
+        """Where a point of a link comes when the coordinates change by (size,), (2,)."""
+        if link == GROUND:
+            return at
+        start, origin = self.offsets[link], self.links[link].origin
+        cosine, sine = np.cos(change[start + 2]), np.sin(change[start + 2])
+        return origin + change[start : start + 2] + np.array([[cosine, -sine], [sine, cosine]]) @ (at - origin)
+
+    def moved(self, change: np.ndarray) -> "System":
+        """In another configuration, of links that do not deform: coordinates changed by (size,)."""
+        links = [
+            link._replace(origin=link.origin + change[start : start + 2], angle=link.angle + change[start + 2])
+            for link, start in zip(self.links, self.offsets, strict=False)
+        ]
+        joints = []
+        for joint in self.joints:
+            tip = self.followed(joint.first, joint.at + joint.axis, change)
+            at = self.followed(joint.second, joint.at, change)
+            joints.append(joint._replace(at=at, axis=tip - self.followed(joint.first, joint.at, change)))
+        return replace(self, links=links, joints=joints)
 
     def point(self, link: int, at: np.ndarray) -> np.ndarray:
         """Velocity of a point of a link, or of the ground, per unit of each rate, (2, size)."""

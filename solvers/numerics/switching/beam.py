@@ -209,7 +209,7 @@ def _pressed(sets, turn, step, q, p, longest):
         high = rises(before, rate_before, pull, rate, step) if before < 0.0 else 0.0
         if high > 0.0:
             step_back(turn, q, p)
-            into = rise_in(bank, q, p, 0.0, high)
+            into = rise_in(bank, q, p, 0.0, high, 0.0, 0.0, 0.0)
             q1, p1 = q.copy(), p.copy()
             turn_by(bank, into, q1, p1)
             if (sets.at * p1).sum() < first:
@@ -255,7 +255,7 @@ def _flown(sets, turn, step, q, p, longest, patience):
         turned = before >= 0.0 and overlap >= 0.0 and rate >= 0.0
         if high > 0.0 or turned:
             step_back(turn, q, p)
-            into = rise_in(bank, q, p, 0.0, high) if high > 0.0 else _turning(bank, q, p, step)
+            into = rise_in(bank, q, p, 0.0, high, 0.0, 0.0, 0.0) if high > 0.0 else _turning(bank, q, p, step)
             turn_by(bank, into, q, p)
             return elapsed + into
         elapsed += step

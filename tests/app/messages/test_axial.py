@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solvers
-from app.choices.choices import Choices
+from app.choices.choices import SCENES, Choices
 from app.choices.scene_of import choices_of, chosen_scene
 from app.command.export import report
 from app.messages.axial import rigid_prediction
@@ -123,7 +123,7 @@ def test_the_rigid_prediction_is_the_classical_answer():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", solvers.scene_names())
+@pytest.mark.parametrize("name", SCENES)
 def test_every_scene_is_drawn_and_reported_as_it_says(name):
     scene = solvers.load(name)
     solution = solvers.solve(scene)

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 import app
-import solvers
-from app.choices.choices import Choices
+from app.choices.choices import SCENES, Choices
 from app.choices.scene_of import choices_of
 from app.messages.encoding import packed, read_header
 from app.messages.schema import MESSAGES, RECORDS, check
@@ -58,7 +57,7 @@ def test_a_record_has_the_same_fields_in_python_and_in_the_browser(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", solvers.scene_names())
+@pytest.mark.parametrize("name", SCENES)
 def test_every_scene_by_every_method_is_packed_as_said(name):
     own = Choices(scene=name, **choices_of(name)).chosen()
     refusals = read_header(solve_frame(own))["refusals"]

@@ -154,3 +154,36 @@ def test_step_halving_meets_the_same_first_balances():
     # 1e-16 m of overlap at about 1 m/s are 1e-16 s; chaos lets it grow
     assert halved.time[:8] == approx(located.time[:8], rel=1e-8)
     assert halved.impulse[:8] == approx(located.impulse[:8], rel=1e-7)
+
+
+@pytest.mark.parametrize("restitution", [1.0, 0.5])
+def test_a_mass_that_falls_on_a_wall_bounces_as_a_ball_does(restitution):
+    """Each flight lasts 2 v / g, and v falls by the restitution."""
+    bank = Bank(np.zeros(1), np.array([2.0]), -1, 9.81)  # 0.25 kg
+    q, p, found = np.zeros(1), np.array([0.5]), balances.events(12, 1)  # 1 m/s
+    nothing = balances.Joined(*(np.zeros((0,) * n) for n in (1, 2, 1, 1, 1)), 0.0)
+    count, _ = balances.event_located(
+        bank, nothing, exact_turn(bank.frequencies, 1e-3), 1e-3, restitution, 1e-9, 1.0, 1.0, q, p, found
+    )
+    assert count >= 5
+    speeds = restitution ** np.arange(count)
+    assert found.impulse[:count] == approx(0.25 * (1.0 + restitution) * speeds, rel=1e-10)
+    assert np.diff(found.time[:count]) == approx(2.0 * speeds[1:] / 9.81, rel=1e-9)
+
+
+def test_bodies_that_stick_while_they_accelerate_obey_newton():
+    """A mass that falls onto a mass on a spring, without restitution: both swing about their common rest, and go apart
+    where the spring would pull the mass faster than it falls."""
+    mass, other, stiffness, gravity = 2.0, 1.0, 400.0, 9.81
+    bank = Bank(np.array([0.0, np.sqrt(stiffness / other)]), np.array([mass**-0.5, -(other**-0.5)]), -1, gravity)
+    q, p, found = np.zeros(2), np.array([mass**0.5 * 1.0, 0.0]), balances.events(20, 2)
+    joined = balances.joined(bank)
+    turn, step = exact_turn(bank.frequencies, 1e-3), 1e-3
+    balances.event_located(bank, joined, turn, step, 0.0, 1.0, 1.0, 1.0, q, p, found)
+    # x'' = (m g - k x) / (m + m2), from 0 at m v / (m + m2); the force on the mass, m (g - x''), ends where x'' = g
+    omega = np.sqrt(stiffness / (mass + other))
+    rest, speed = mass * gravity / stiffness, mass / (mass + other)
+    amplitude = np.hypot(rest, speed / omega)
+    phase = np.arctan2(speed / omega, -rest)  # x = rest + amplitude cos(omega t - phase)
+    leaves = np.arccos(-gravity / (amplitude * omega**2))
+    assert found.time[1] == approx((leaves + phase) / omega, rel=1e-9)
