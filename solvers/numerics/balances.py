@@ -206,6 +206,12 @@ class Joined(NamedTuple):
     weight: float  # with which the faces press besides [kg]
 
 
+def apart() -> Joined:
+    """For variants whose faces never stick."""
+    nothing = np.zeros(0)
+    return Joined(nothing, np.zeros((0, 0)), nothing, nothing, nothing, 0.0)
+
+
 def joined(bank: Bank) -> Joined:
     """Modes of both bodies with w.q = 0."""
     squares = bank.frequencies**2

@@ -10,7 +10,7 @@ import numpy as np
 from ... import validation
 from ...bodies import Rod
 from ...numerics import balances
-from ...numerics.balances import Events, Joined
+from ...numerics.balances import Events
 from ...numerics.elements.modes import mesh_modes
 from ...numerics.free_motion import Turn, exact_turn, newmark_turn
 from ...numerics.modes import Modes
@@ -182,7 +182,7 @@ class Balance(Method):
         q, p = np.zeros(bank.closing.size), pair.start.copy()
         end = MAX_ROUND_TRIPS * scene.time_unit if duration is None else duration
         period = pair.shortest_period or scene.time_unit
-        joined, flight, step = Joined(*(np.zeros((0,) * n) for n in (1, 2, 1, 1, 1)), 0.0), bank.frequencies, self.step
+        joined, flight, step = balances.apart(), bank.frequencies, self.step
         if self.variant == "event-located":
             joined, step = balances.joined(bank), period / SAMPLES_PER_PERIOD
             count, reached = balances.event_located(

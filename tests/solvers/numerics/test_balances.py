@@ -161,9 +161,8 @@ def test_a_mass_that_falls_on_a_wall_bounces_as_a_ball_does(restitution):
     """Each flight lasts 2 v / g, and v falls by the restitution."""
     bank = Bank(np.zeros(1), np.array([2.0]), -1, 9.81)  # 0.25 kg
     q, p, found = np.zeros(1), np.array([0.5]), balances.events(12, 1)  # 1 m/s
-    nothing = balances.Joined(*(np.zeros((0,) * n) for n in (1, 2, 1, 1, 1)), 0.0)
     count, _ = balances.event_located(
-        bank, nothing, exact_turn(bank.frequencies, 1e-3), 1e-3, restitution, 1e-9, 1.0, 1.0, q, p, found
+        bank, balances.apart(), exact_turn(bank.frequencies, 1e-3), 1e-3, restitution, 1e-9, 1.0, 1.0, q, p, found
     )
     assert count >= 5
     speeds = restitution ** np.arange(count)
