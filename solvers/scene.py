@@ -163,6 +163,13 @@ class Scene:
         """Whether one of the bodies bends."""
         return self.impactor.bends or self.target.bends
 
+    def with_modes(self, most: int | None) -> "Scene":
+        """The scene with so many modes of each link of a mechanism, where it has more; else the scene itself."""
+        if not isinstance(self.target, Mechanism) or most is None:
+            return self
+        mechanism = self.target.with_modes(most)
+        return self if mechanism is self.target else replace(self, target=mechanism)
+
     @property
     def at_contact(self) -> "Scene":
         """The impact alone: of a mechanism, seen from its struck point; else the scene itself."""

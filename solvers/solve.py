@@ -5,7 +5,8 @@ from typing import Any
 
 from . import validation
 from .accuracy.auto import Auto
-from .methods import METHODS, usual_method
+from .bodies import Mechanism
+from .methods import METHODS, Modal, usual_method
 from .methods.base import Method
 from .scene import Scene
 from .solution.solution import Solution
@@ -24,6 +25,8 @@ def read_method(given: Mapping[str, Any], scene: Scene | None = None) -> tuple[M
     name = given.pop("name", None)
     if name is None and scene is not None:
         name = usual_method(scene)
+    if name == Modal.NAME and scene is not None and isinstance(scene.target, Mechanism):
+        given.setdefault("modes", max(Modal.modes, scene.target.most_modes))
     return CHOICES[validation.choice("method.name", name, CHOICES)].read(given), duration
 
 

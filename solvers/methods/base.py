@@ -87,6 +87,7 @@ class Method(ABC):
         reason = self.refusal(scene)
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
+        scene = scene.with_modes(getattr(self, "modes", None))
         impact = scene.at_contact
         if duration is not None:
             longest = min(MAX_ROUND_TRIPS * impact.time_unit, MAX_DURATION)

@@ -1,7 +1,7 @@
 """A planar mechanism as a target: links, joints, drives, and where it is struck."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -140,6 +140,18 @@ class Mechanism(AnyBody):
             side = float(np.sign(self.frozen.system.links[self.frozen.link].axes[1] @ self.frozen.normal))
             fibre = side * section.half_depth / section.second_moment
         return StruckMechanism(self.frozen, fibre, link.material, self.radius, self.flexible)
+
+    @property
+    def most_modes(self) -> int:
+        """Of any link, of bending or of stretching."""
+        return max(max(link.modes, link.axial) for link in self.links)
+
+    def with_modes(self, most: int) -> "Mechanism":
+        """With so many modes of bending, and as many of stretching, of each link, where it has more."""
+        if self.most_modes <= most:
+            return self
+        fewer = (replace(link, modes=min(link.modes, most), axial=min(link.axial, most)) for link in self.links)
+        return replace(self, links=tuple(fewer))
 
     @property
     def flexible(self) -> bool:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...bodies import Rod, Wall, Waveguide
+from ...bodies import Bending, Rod, Wall, Waveguide
 from ...contact import Hertz, Linear, Power
 from ...contact.duration import contact_time, exponent_of
 from ...numerics.collisions import Collision, damped_collision, path_collision, power_collision, sine_collision
@@ -53,10 +53,8 @@ class QuasiStatic(Method):
     BEAMS = True
 
     def why_not(self, scene: Scene) -> Note | None:
-        target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
-        if target.bends and target.own_modes:
-            return Note("refusals.no-structure", Severity.REFUSAL, **kinds)
         model = self._model(scene)
+        target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
         if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
             return Note("refusals.no-finite-body", Severity.REFUSAL)
         if not model.startswith("structural"):
@@ -88,7 +86,7 @@ class QuasiStatic(Method):
             return "structural"
         if not scene.impactor.free_mass:
             return "local"
-        if scene.target.bends:
+        if isinstance(scene.target, Bending):
             return "structural" if spring_of(scene.target).carried < scene.impactor.mass else "local"
         light = isinstance(scene.target, Rod) and scene.target.fixed and scene.mass_ratio < 1.0
         return "structural" if light else "local"

@@ -65,7 +65,7 @@ def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) 
     """
     notes = _spring_left_out(scene, motion, contact)
     for name, body in (("impactor", scene.impactor), ("target", scene.target)):
-        if body.bends:
+        if isinstance(body, Bending):
             notes += _ringing_left_out(scene, name, motion, contact)
         if not isinstance(body, Rod) or contact.end > SLOW_ROUND_TRIPS * body.round_trip_time:
             continue

@@ -5,7 +5,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import METHODS, Balance, Modal, RigidImpulse, Scene
+from solvers import METHODS, Balance, Modal, QuasiStatic, RigidImpulse, Scene
 from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, four_bar, rotating_bar
 
 HERTZ = {"law": "hertz", "stiffness": 1e9}
@@ -255,3 +255,19 @@ def test_every_method_solves_it_or_says_why_not(modes, law):
     for method in (each.read({}) for each in METHODS.values()):
         if method.refusal(scene) is None:
             assert abs(method.solve(scene).diagnostics["energy_error"]) < 1e-9
+
+
+def test_fewer_modes_than_the_scene_gives_its_links_are_those_of_a_scene_that_gives_fewer():
+    scene, fewer = (four_bar(modes, contact=HERTZ) for modes in (9, 4))
+    found, expected = Modal(modes=4).solve(scene), Modal().solve(fewer)
+    assert found.impactor_velocity == expected.impactor_velocity
+    assert found.energy == expected.energy
+    assert Modal(modes=9).solve(scene).impactor_velocity == Modal().solve(scene).impactor_velocity
+    many = four_bar(60, contact=HERTZ)
+    assert solvers.solve(many).method["modes"] == 60
+
+
+def test_links_that_are_held_to_be_rigid_are_so_quasi_statically():
+    bending, stiff = (QuasiStatic().solve(four_bar(modes, contact=HERTZ)) for modes in (5, 0))
+    assert bending.impactor_velocity == stiff.impactor_velocity
+    assert bending.peak_force == stiff.peak_force
