@@ -9,16 +9,17 @@ import numpy as np
 
 from .. import validation
 from ..accuracy.reference import SWEEP_MODES
-from ..bodies import Bending, in_space
+from ..bodies import Bending, Mechanism, in_space
 from ..contact.duration import exponent_of
 from ..contact.protocol import Damped, Yielding
 from ..methods import METHODS
 from ..numerics.rigid.impulses import strike
 from ..scene import Scene
-from ..text.messages import FORMATS
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
+from .candidate import Candidate
 from .contours import contour
+from .mechanisms import mechanism_candidates
 from .models import LOSSES, MODELS, QUESTIONS, contact_duration, family_of, models_of
 from .tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
 
@@ -26,35 +27,6 @@ LEVELS = (0.01, 0.05, 0.2)  # of error, drawn on the maps
 FALLBACKS = ("waves", "modal", "fe-nodal", "balance", "quasi-static", "rigid")
 USUAL_PLACES = {"cantilever": 1.0}
 UNKNOWN = Note("plan-unknown", Severity.REMARK)  # until it is said why
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """A model for this scene. `changes` turn the scene into the one to solve; expected_error: of the answer, relative
-    (of the final velocity as a share of the speed of approach); infinite where the model cannot predict it, NaN where
-    nobody has measured. `theory` and `contact` ("elastic" or "elastoplastic") only where there is a choice of them."""
-
-    name: str
-    changes: dict[str, Any]
-    expected_error: float
-    modes: int | None = None
-    theory: str | None = None
-    contact: str | None = None
-
-    @property
-    def parts(self) -> dict[str, Any]:
-        """What it is made of, without what it is not."""
-        parts = {"name": self.name, "modes": self.modes, "theory": self.theory, "contact": self.contact}
-        return {key: value for key, value in parts.items() if value is not None}
-
-    @property
-    def model(self) -> str:
-        """All of it in one line."""
-        return FORMATS["model"](self.parts)
-
-    def table(self) -> dict[str, Any]:
-        error = self.expected_error if math.isfinite(self.expected_error) else None
-        return {"model": self.model, "changes": self.changes, "expected_error": error}
 
 
 @dataclass(frozen=True)
@@ -143,10 +115,13 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     speed allows, elastic instead of elastoplastic. Where none is within the tolerance the best is taken, and says so.
     Error: the largest of the four measured points around the scene; sweeps are of elastic contacts of a compact body on
     a uniform rod's end, or on a beam where it is usually struck; see `measured`.
+    Of a mechanism with links that bend each model is solved, against twice as many modes of each link.
     Source: the validity that thesis 3.5 names in words, and its future work, measured by bench/measure_regimes.py.
     """
     validation.choice("question", question, QUESTIONS)
     tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
+    if isinstance(scene.target, Mechanism) and scene.target.flexible:
+        return _solved(scene, question, tolerance)
     family = family_of(scene)
     if family is None:
         return _unmeasured(scene, question, tolerance)
@@ -155,15 +130,21 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     if family.endswith("-rod"):
         count, error = _modes_needed(family, number, groups, tolerance)
         modes = count if error <= tolerance else None
-    good = [k for k, candidate in enumerate(candidates) if candidate.expected_error <= tolerance]
-    errors = [candidate.expected_error for candidate in candidates]
-    chosen = good[0] if good else int(np.argmin(errors))
-    better = [k for k in range(len(candidates)) if k > chosen and errors[k] < errors[chosen]]
+    chosen, better = _smallest(candidates, tolerance)
     found = Plan(
-        scene, question, tolerance, groups, candidates[chosen],
-        candidates[better[0]] if better else None, candidates, UNKNOWN, _covered(scene, family, groups), modes,
+        scene, question, tolerance, groups, candidates[chosen], better, candidates, UNKNOWN,
+        _covered(scene, family, groups), modes,
     )  # fmt: skip
     return _with_reason(found, candidates[:chosen])
+
+
+def _smallest(candidates: list[Candidate], tolerance: float) -> tuple[int, Candidate | None]:
+    """The first within the tolerance, or the best where none is, and the next that does better."""
+    errors = [candidate.expected_error for candidate in candidates]
+    good = [k for k, error in enumerate(errors) if error <= tolerance]
+    chosen = good[0] if good else int(np.argmin(errors))
+    better = [k for k in range(chosen + 1, len(candidates)) if errors[k] < errors[chosen]]
+    return chosen, candidates[better[0]] if better else None
 
 
 def regime_map(
@@ -348,6 +329,26 @@ def _with_reason(found: Plan, smaller: list[Candidate]) -> Plan:
 
 def _finite(error: float) -> float | None:
     return error if math.isfinite(error) else None
+
+
+def _solved(scene: Scene, question: str, tolerance: float) -> Plan:
+    """Of a mechanism each model is solved: that takes milliseconds, and no sweep covers so many shapes of it."""
+    candidates, finest = mechanism_candidates(scene, QUESTIONS.index(question))
+    number, better = _smallest(candidates, tolerance)
+    chosen, rigid = candidates[number], candidates[0] if scene.rigid_contact else candidates[1]
+    why = Note(
+        "plan-solved",
+        Severity.REMARK if chosen.expected_error <= tolerance else Severity.WARNING,
+        model=chosen.parts,
+        question=question,
+        error=_finite(chosen.expected_error),
+        enough=chosen.expected_error <= tolerance,
+        tolerance=tolerance,
+        rigid=None if chosen is rigid else _finite(rigid.expected_error),
+        modes=finest,
+    )
+    groups = {"mass_ratio": float(scene.mass_ratio)}
+    return Plan(scene, question, tolerance, groups, chosen, better, candidates, why, True, chosen.modes)
 
 
 def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:
