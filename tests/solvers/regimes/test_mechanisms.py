@@ -22,7 +22,7 @@ def test_the_chosen_model_is_as_good_as_it_says():
 def test_rigid_links_are_enough_for_a_soft_contact_and_not_for_a_hard_one():
     still = {"target.drives": [{"joint": 0, "speed": 0.0}], "impactor.velocity": 1.0}
     soft, hard = (rotating_bar(10, contact={"law": "linear", "stiffness": k}, **still) for k in (1e2, 1e9))
-    assert plan(soft, "peak-force", 0.05).model == "local quasi-static"
+    assert plan(soft, "peak-force", 0.05).model == "local-quasi-static"
     assert plan(hard, "peak-force", 0.05).chosen.modes
     for scene in (soft, hard):
         errors = [candidate.expected_error for candidate in plan(scene).candidates if candidate.modes]
