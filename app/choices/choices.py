@@ -7,6 +7,7 @@ import param
 import solvers
 from solvers import LAWS, METHODS, Mechanism
 from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
+from solvers.contact.friction import MODELS
 from solvers.validation import shown
 
 from ..text.catalogues import page
@@ -40,6 +41,10 @@ class Choices(param.Parameterized):
     for _name, (_usual, _low, _high) in OF_LAWS.items():
         locals()[_name] = param.Number(default=_usual, bounds=(_low, _high))
     restitution = param.Number(default=0.8, bounds=(0.0, 1.0))
+    friction = param.Number(default=0.0, bounds=(0.0, 2.0))  # of bodies in space
+    restitution_model = param.Selector(default=MODELS[0], objects=list(MODELS))  # of restitution, where they rub
+    tilt = param.Number(default=0.0, bounds=(0.0, 80.0))  # of their normal, away from that of the scene [degrees]
+    tilt_way = param.Number(default=0.0, bounds=(-180.0, 180.0))  # where to, about it [degrees]
     modes = param.Integer(default=50, bounds=(1, 200))
     elements = param.Integer(default=50, bounds=(1, 200))
     method = param.Selector(default="waves", objects=list(METHODS))

@@ -16,7 +16,7 @@ from .beam import BEAM_CHOICES, on_beam, other_beam
 from .bodies import parts_of, read_values, with_values
 from .choices import SCENES, Choices, accepts
 from .mechanism import mechanism_values, on_mechanism, other_mechanism
-from .space import has_length, in_space, struck_at, struck_place
+from .space import has_length, in_space, leaning, struck_at, struck_place
 
 DEPTH = 1e-5  # [m] at which `force_at_depth` says how stiff a power law is: its stiffness has no unit of its own
 
@@ -60,7 +60,8 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     scene = base_of(name, bodies)
     wanted: dict[str, Any] = {"speed": scene.speed}
     if in_space(scene):
-        wanted["place"] = struck_place(scene)
+        wanted |= {"place": _at_end(struck_place(scene)), "friction": scene.friction or 0.0}
+        wanted |= {"restitution_model": scene.method["model"]} if "model" in scene.method else {}
     elif np.isfinite(scene.mass_ratio):
         wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
     method = dict(scene.method)
@@ -75,6 +76,11 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     if not in_space(scene):
         wanted |= {"law": scene.contact.NAME} | _constants(scene)
     return {name: value for name, value in wanted.items() if accepts(name, value)}
+
+
+def _at_end(place: float) -> float:
+    """A place along a body that is its end but for the digits of a scene file is its end."""
+    return float(round(place)) if abs(place - round(place)) < 1e-6 else place
 
 
 def _constants(scene: Scene) -> dict[str, Any]:
@@ -118,7 +124,10 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     base = base_of(chosen["scene"], chosen["bodies"])
     first = ["scene", "bodies"] if body_keys(chosen["scene"]) else ["scene"]
     if in_space(base):
-        return [*first, "speed", "restitution"] + (["place"] if has_length(base) else [])
+        names = [*first, "speed", "restitution", "friction", "tilt"]
+        further = (("restitution_model", chosen["friction"]), ("tilt_way", chosen["tilt"]))
+        names += [name for name, acts in further if acts]
+        return names + (["place"] if has_length(base) else [])
     if base.prescribed_force:
         return first
     names = [*first, "method", "speed", "law", *law_choices(chosen["law"])]
@@ -188,7 +197,10 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
                 if isinstance(getattr(base, name), Body)
             }
         )
-        return struck_at(scene, chosen["place"]) if has_length(base) else scene
+        if chosen["friction"] or base.friction is not None:
+            scene = scene.replace({"contact.friction": chosen["friction"]})
+        scene = struck_at(scene, chosen["place"]) if has_length(base) else scene
+        return leaning(scene, chosen["tilt"], chosen["tilt_way"])
     if base.prescribed_force:
         return base
     if on_mechanism(base):

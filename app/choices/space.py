@@ -35,6 +35,23 @@ def struck_at(scene: Scene, place: float) -> Scene:
     return scene.replace({f"{name}.centre": centre.tolist()})
 
 
+def own_frame(scene: Scene) -> np.ndarray:
+    """The normal of a scene and two tangents, as rows; it leans towards the first by a `tilt_way` of 0 degrees."""
+    normal = np.array(scene.normal)
+    aside = np.eye(3)[int(np.argmin(np.abs(normal)))]
+    along = np.cross(normal, aside) / np.linalg.norm(np.cross(normal, aside))
+    return np.array([normal, along, np.cross(normal, along)])
+
+
+def leaning(scene: Scene, tilt: float, way: float) -> Scene:
+    """The scene with its normal leaning by a `tilt` [degrees] the `way` [degrees] about where it was."""
+    if tilt == 0.0:
+        return scene
+    lean, turn = np.radians((tilt, way))
+    shares = [np.cos(lean), np.sin(lean) * np.cos(turn), np.sin(lean) * np.sin(turn)]
+    return scene.replace({"contact.normal": (shares @ own_frame(scene)).tolist()})
+
+
 def _struck(scene: Scene) -> tuple[str, Body]:
     """The target, if it is long at all, or else the impactor."""
     for name in ("target", "impactor"):

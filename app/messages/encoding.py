@@ -19,7 +19,14 @@ from .schema import check
 
 FORCE_POINTS = 1_200  # of a contact force
 LARGEST_MASS = 1e12  # [kg] sent for what has none or is infinite
-SHOWN = ("name", "duration", "modes", "elements", "restitution")  # keys of a method that the page sets, or shows
+SHOWN = (
+    "name",
+    "duration",
+    "modes",
+    "elements",
+    "restitution",
+    "model",
+)  # keys of a method that the page sets, or shows
 CHECKED = bool(os.environ.get("IMPACT_CHECK_MESSAGES"))  # set by the tests: takes a twelfth of making a message
 EARLY = 0.15  # share of instants that are evenly spread; the others are closer together at first
 CYCLE_POINTS, IMPACT_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it

@@ -176,7 +176,11 @@ BODIES: Fields = {
     "across": Field("Vector", "of the picture, to the right"),
     "up": Field("Vector", "of the picture"),
     "normal": Field("Vector", "of the contact"),
-    "impulse": Field("number", "[N s]"),
+    "ownFrame": Field("Vector[]", "the normal as the scene has it, and two tangents, from which a tilt is told"),
+    "impulse": Field("number", "its size [N s]"),
+    "push": Field("Vector", "the impulse on the target [N s]"),
+    "friction": Field("number"),
+    "sliding": Field("SlidingTold[]", "how the contact slides, up to which normal impulse; none without friction"),
     "bodies": Field("{ impactor: BodyTold, target: BodyTold }"),
     "figures": Field("FigureTold[]", "beside the picture: name, number or vector, unit"),
     "notes": Field("Note[]"),
@@ -184,6 +188,14 @@ BODIES: Fields = {
     "targetPath": Field("(samples, 3)", "[m]"),
     "impactorTurn": Field("(samples, 3, 3)", "from the instant of the impact"),
     "targetTurn": Field("(samples, 3, 3)"),
+    **_optional(
+        {
+            "slidePress": Field("(course)", "normal impulse, where there is friction [N s]"),
+            "slideParting": Field("(course)", "velocity at which the touching points part [m/s]"),
+            "slideAlong": Field("(course)", "at which the impactor slides on the target, in the picture [m/s]"),
+            "slideAside": Field("(course)", "and towards who looks [m/s]"),
+        }
+    ),
 }
 MESSAGES = {"axial": AXIAL, "beam": BEAM, "bodies": BODIES}  # by kind
 

@@ -16,7 +16,8 @@ def solve_frame(chosen: dict[str, Any]) -> bytes:
     """Solve what is chosen, exactly and by the method shown beside it, and pack what the page draws."""
     request = Request.of(chosen)
     if request.kind == "bodies":
-        return bodies_frame(RigidImpulse(restitution=request.restitution).solve(request.scene), request)
+        method = RigidImpulse(restitution=request.restitution, model=request.chosen["restitution_model"])
+        return bodies_frame(method.solve(request.scene), request)
     if request.kind == "beam":
         return beam_frame(request)
     exact = exact_solution(request.scene, request.restitution)

@@ -4,23 +4,29 @@ SI units. Places are from the point of impact; times run from -1 to 1, in units 
 The picture is seen along `across` x `up`: no perspective, the normal and the largest movement lie in its plane.
 """
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
-from solvers import Body, Scene, Solution
+from solvers import Body, RigidImpulse, Scene, Solution
 from solvers.bodies import in_space
+from solvers.contact.friction import MODELS
+from solvers.numerics.rigid.friction import sliding_path
 from solvers.numerics.rigid.impulses import principal
 from solvers.numerics.rigid.rotation import rotations
 
 from ..choices.request import Request
-from ..choices.space import equivalent_box
+from ..choices.scene_of import base_of
+from ..choices.space import equivalent_box, own_frame
 from .encoding import coded, packed, unshown
 from .parts import parts_told
 
 STEPS = 60  # samples of the movement on either side of the impact
 LARGEST_TURN = 1.2  # [rad] shown on either side
 LARGEST_MOVE = 0.7  # of the size of the bodies
+RESTORED = ("newton_at_contact", "poisson", "energetic")
+COURSE_POINTS = 400  # of sliding, at most
 ALIKE = 1e-6  # relative difference of the principal moments of what is drawn as a ball
 
 
@@ -32,7 +38,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         "target": (solution.target_velocity, solution.target_spin),
     }
     size, duration = _scale(scene, after)
-    across, up = _plane(scene, after, size)
+    across, up = _plane(*_seen(scene, after, request), size)
     bodies = {}
     final: Any  # velocity and spin
     for name, final in after.items():
@@ -58,12 +64,59 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         "across": _listed(across),
         "up": _listed(up),
         "normal": list(scene.normal),
+        "ownFrame": own_frame(_scene_of(request) or scene).tolist(),
         "impulse": float(np.linalg.norm(solution.impulse)),
+        "push": _listed(np.multiply(solution.impulse, scene.normal) if scene.friction is None else solution.impulse),
+        "friction": scene.friction or 0.0,
+        "sliding": [asdict(each) for each in solution.sliding or []],
         "bodies": bodies,
         "figures": figures(solution),
         "notes": coded(solution.notes),
     }
-    return packed(header, _movements(scene, after, duration))
+    return packed(header, _movements(scene, after, duration) | _course(solution, across, up))
+
+
+def _scene_of(request: Request | None) -> Scene | None:
+    """The scene that was chosen, before what the hand changes in it."""
+    return base_of(request.chosen["scene"], request.chosen["bodies"]) if request else None
+
+
+def _seen(scene: Scene, after: dict[str, tuple[Any, Any]], request: Request | None) -> tuple[Scene, Any]:
+    """The scene, and its movement, from which the plane of the picture follows: on the page always as built in, so that
+    the picture stands still under the hand that changes it.
+    """
+    own = _scene_of(request)
+    if own is None:
+        return scene, after
+    found = RigidImpulse().solve(own)
+    return own, {
+        name: (getattr(found, f"{name}_velocity"), getattr(found, f"{name}_spin")) for name in ("impactor", "target")
+    }
+
+
+def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str, np.ndarray]:
+    """How the contact slides over the normal impulse; nothing without friction, or without an impact."""
+    scene, method = solution.scene, solution.method
+    if not solution.sliding:
+        return {}
+    normal, toward = np.array(scene.normal), np.cross(across, up)
+    along = np.cross(toward, normal)
+    if np.linalg.norm(along) < 1e-6:  # the normal points at who looks
+        along = across
+    along = along - (along @ normal) * normal
+    along /= np.linalg.norm(along)
+    aside = np.cross(normal, along)
+    aside *= 1.0 if aside @ toward >= 0.0 else -1.0
+    law = MODELS.index(method["model"])
+    before = in_space(scene.impactor), in_space(scene.target)
+    path, frame = sliding_path(*before, normal, float(scene.friction or 0.0), method["restitution"], law, COURSE_POINTS)
+    slides = -path[:, 1:] @ frame
+    return {
+        "slidePress": path[:, 0],
+        "slideParting": path[:, 1],
+        "slideAlong": slides @ along,
+        "slideAside": slides @ aside,
+    }
 
 
 def figures(solution: Solution) -> list[list[Any]]:
@@ -72,11 +125,14 @@ def figures(solution: Solution) -> list[list[Any]]:
     rows: list[list[Any]] = [
         ["approach", solution.scene.speed, "m/s"],
         ["effective-mass", solution.effective_mass, "kg"],
-        ["impulse", list(solution.impulse) if scene.friction is not None else solution.impulse, "N s"],
+        ["impulse", solution.impulse if scene.friction is None else list(solution.impulse), "N s"],
         ["restitution", solution.method["restitution"], ""],
         ["energy-before", solution.energy["initial"], "J"],
         ["energy-lost", solution.energy["dissipated"], "J"],
     ]
+    if scene.friction is not None:
+        rows.append(["energy-rubbed", solution.energy["friction"], "J"])
+        rows += [[f"restitution-{name}", solution.restitution[name], ""] for name in RESTORED]
     for name in ("impactor", "target"):
         body = in_space(getattr(solution.scene, name))
         rows += [
@@ -87,10 +143,21 @@ def figures(solution: Solution) -> list[list[Any]]:
         ]
     return [
         *rows,
+        *_model_rows(solution),
         ["momentum-error", found["momentum_error"], ""],
         ["angular-momentum-error", found["angular_momentum_error"], ""],
         ["energy-error", found["energy_error"], ""],
     ]
+
+
+def _model_rows(solution: Solution) -> list[list[Any]]:
+    """The impulse by each model of restitution, and what it leaves of the energy."""
+    initial = solution.energy["initial"] or 1.0
+    rows: list[list[Any]] = []
+    for name, found in (solution.models or {}).items():
+        left = 1.0 - sum(found["energy"].values()) / initial
+        rows += [[f"{name}-impulse", found["impulse"], "N s"], [f"{name}-energy", 100.0 * left, "%"]]
+    return rows
 
 
 def _drawn(body: Any) -> dict[str, Any]:

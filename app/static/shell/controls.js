@@ -4,7 +4,7 @@ import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
 import { Slider } from './slider.js';
 
-/** @import { AxialFrame, Frame } from './message.js' */
+/** @import { AxialFrame, Frame, SpaceFrame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
 /**
@@ -84,12 +84,19 @@ export class Controls {
       option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
       option.title = reason ? said(reason) : '';
     }
-    if (frame.kind === 'bodies') this.note.textContent = text('controls.in-space');
+    if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
     else if (frame.kind === 'beam')
       this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
     else this.note.textContent = axialNote(frame);
   }
 }
+
+/**
+ * What the restitution does in space: without friction all models are one.
+ * @param {SpaceFrame} frame
+ */
+const inSpaceNote = ({ chosen, friction }) =>
+  text('controls.in-space', { model: friction > 0 ? chosen.restitution_model : '' });
 
 /**
  * What the restitution does in an impact along an axis.

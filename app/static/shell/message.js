@@ -307,6 +307,7 @@
  * @property {Moving} before
  * @property {Moving} after
  */
+/** @typedef {{ kind: 'slip' | 'stick' | 'reversal', until: number }} SlidingTold */
 /**
  * One impulse between bodies in space, SI units; places from the point of impact, times from -1 to 1 in durations.
  * @typedef {object} SpaceOnly
@@ -315,7 +316,11 @@
  * @property {Vector} across
  * @property {Vector} up
  * @property {Vector} normal
+ * @property {Vector[]} ownFrame  the normal as the scene has it, and two tangents, from which a tilt is told
  * @property {number} impulse
+ * @property {Vector} push  the impulse on the target
+ * @property {number} friction
+ * @property {SlidingTold[]} sliding  none without friction
  * @property {{ impactor: BodyTold, target: BodyTold }} bodies
  * @property {FigureTold[]} figures
  * @property {Note[]} notes
@@ -323,6 +328,10 @@
  * @property {Numbers} targetPath
  * @property {Numbers} impactorTurn  (time, 3, 3), flat
  * @property {Numbers} targetTurn
+ * @property {Numbers} [slidePress]  normal impulse as the contact slides
+ * @property {Numbers} [slideParting]
+ * @property {Numbers} [slideAlong]  of the impactor on the target, in the picture
+ * @property {Numbers} [slideAside]  and towards who looks
  */
 /** @typedef {Common & SpaceOnly} SpaceFrame */
 /** @typedef {AxialFrame | BeamFrame | SpaceFrame} Frame */

@@ -1,13 +1,14 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
 import { cleared, letters } from '../charts/canvas.js';
-import { roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
-import { arrow, head, label, measure, stopAt } from './arrows.js';
+import { arrow, label, stopAt } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
+import { Hands, LOOKS, turnedBy } from './hands.js';
+import { legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
@@ -28,7 +29,11 @@ const FONT = letters(12);
 
 export class BodiesStage {
   /** @type {SpaceFrame} */ frame;
+  /** @type {number[]} */ turned = LOOKS.side; // the picture, by a hand
+  /** @type {Vector} */ across = [1, 0, 0]; // the picture as it is seen
+  /** @type {Vector} */ up = [0, 1, 0];
   /** @type {Vector} */ toward = [0, 0, 1]; // who looks
+  time = 0; // that is shown
   box = [0, 1, 0, 1]; // left, right, low and high of all that moves [m]
   speed = 0; // the largest
   spin = 0;
@@ -37,17 +42,38 @@ export class BodiesStage {
   x = 0;
   y = 0;
   long = 0;
+  wide = 1; // of all of it
+  high = 1;
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
 
   constructor() {
     this.canvas = make('canvas', { role: 'img', ariaLabel: text('space.about') });
     this.canvas.style.cssText = 'width:100%;height:100%;display:block';
     this.root = make('section', { className: 'stage bodies' }, this.canvas);
+    this.hands = new Hands(this);
   }
   /** @param {SpaceFrame} frame */
   load(frame) {
     this.frame = frame;
-    this.toward = cross(frame.across, frame.up);
+    this.#measure();
+  }
+  /**
+   * Look from elsewhere.
+   * @param {number[]} turned
+   */
+  look(turned) {
+    this.turned = turned;
+    if (!this.frame) return;
+    this.#measure();
+    this.redraw();
+  }
+  redraw() {
+    this.draw(this.time);
+  }
+  #measure() {
+    const { frame } = this;
+    [this.across, this.up] = turnedBy(frame.across, frame.up, this.turned);
+    this.toward = cross(this.across, this.up);
     const box = [Infinity, -Infinity, Infinity, -Infinity];
     const both = BOTH.map((name) => frame.bodies[name]).flatMap(({ before, after }) => [before, after]);
     this.speed = Math.max(...both.map(({ velocity }) => size(velocity)));
@@ -87,7 +113,7 @@ export class BodiesStage {
    * @returns {Point}
    */
   flat(p) {
-    return [dot(p, this.frame.across), dot(p, this.frame.up)];
+    return [dot(p, this.across), dot(p, this.up)];
   }
   /**
    * Time from -1 to 1.
@@ -100,6 +126,7 @@ export class BodiesStage {
     if (!sheet) return;
     const { c, width, height } = sheet;
     this.fit(width, height);
+    this.time = t;
     const now = Math.min(Math.max(t, -1), 1);
     const when = now < 0 ? 'before' : 'after';
     for (const name of BOTH)
@@ -117,8 +144,9 @@ export class BodiesStage {
     for (const name of BOTH) this.body(c, name, now);
     for (const name of BOTH) this.moves(c, name, now, when, true);
     if (struck) this.impulseLabel(c);
+    this.hands.draw(c);
     this.hold(c, now);
-    this.legend(c, now, width, height);
+    legend(c, this, now, width, height);
   }
   /**
    * @param {Context} c
@@ -147,6 +175,7 @@ export class BodiesStage {
     );
     this.x = width / 2 - (this.scale * (left + right)) / 2;
     this.y = height / 2 + (this.scale * (low + high)) / 2;
+    [this.wide, this.high] = [width, height];
     this.long = 0.2 * Math.min(width, height); // pixels of the longest velocity
   }
   /**
@@ -308,34 +337,14 @@ export class BodiesStage {
       arrow(c, from, to, 2);
       if (labelled) label(c, `${brief(size(velocity))} m/s`, to, [vx, -vy]);
     }
-    if (size(spin) > 1e-9 * this.spin) this.arc(c, from, spin, labelled);
-  }
-  /**
-   * @param {Context} c
-   * @param {Point} centre
-   * @param {Vector} spin
-   * @param {boolean} labelled
-   */
-  arc(c, [x, y], spin, labelled) {
-    const seen = dot(spin, this.toward) / this.spin;
-    const way = seen < 0 ? -1 : 1;
-    const radius = 20;
-    const sweep = Math.max(Math.abs(seen) * 1.6 * Math.PI, 0.5);
-    const start = 0.35 * Math.PI;
-    const end = start + way * sweep;
-    c.lineWidth = 1.6;
-    c.beginPath();
-    c.arc(x, y, radius, -start, -end, way > 0);
-    c.stroke();
-    head(c, [x + radius * Math.cos(end), y - radius * Math.sin(end)], [-way * Math.sin(end), -way * Math.cos(end)], 7);
-    if (labelled) label(c, `${brief(size(spin))} rad/s`, [x, y + radius + 8], [0, 1]);
+    if (size(spin) > 1e-9 * this.spin) spinOf(c, this, from, spin, labelled);
   }
   /**
    * @param {Context} c
    * @param {number} strength
    */
   impulse(c, strength) {
-    const [nx, ny] = this.flat(this.frame.normal);
+    const [nx, ny] = this.flat(times(this.frame.push, 1 / this.frame.impulse));
     const long = 0.9 * this.long;
     const { bodies } = this.frame;
     c.globalAlpha = strength;
@@ -356,33 +365,5 @@ export class BodiesStage {
     c.fillStyle = COLORS.cursor;
     c.font = letters(13, 'bold ');
     label(c, `J = ${brief(this.frame.impulse)} N s`, [this.x + 12 * side[0], this.y + 14 * side[1]], side);
-  }
-  /**
-   * Time, a length to measure by, and which way the axes of the world run.
-   * @param {Context} c
-   * @param {number} t
-   * @param {number} width
-   * @param {number} height
-   */
-  legend(c, t, width, height) {
-    const { frame } = this;
-    const bar = roundBelow((0.2 * width) / this.scale);
-    c.strokeStyle = c.fillStyle = COLORS.faint;
-    c.font = FONT;
-    measure(c, width - 16, height - 14, bar * this.scale, `${brief(bar)} m`);
-    c.textAlign = 'left';
-    c.textBaseline = 'top';
-    const time = `${brief(Math.abs(t) * frame.duration * 1e3)} ms`;
-    c.fillText(text('space.when', { before: t < 0, time }), 12, 10);
-    /** @type {Point} */
-    const origin = [34, height - 34];
-    ['x', 'y', 'z'].forEach((axis, i) => {
-      const [dx, dy] = [frame.across[i] * 24, -frame.up[i] * 24];
-      if (Math.hypot(dx, dy) < 5) return;
-      /** @type {Point} */
-      const tip = [origin[0] + dx, origin[1] + dy];
-      arrow(c, origin, tip, 1.2);
-      label(c, axis, tip, [dx, dy]);
-    });
   }
 }

@@ -4,6 +4,7 @@ import { Warnings, Events, heading, scrolled } from '../shell/story.js';
 import { pretty } from '../text/format.js';
 import { said, text } from '../text/catalogue.js';
 import { noteOf } from '../text/words.js';
+import { dot } from './vectors.js';
 
 /** @import { SpaceFrame } from '../shell/message.js' */
 
@@ -12,6 +13,19 @@ function written(value) {
   if (value === null) return '–';
   if (!Array.isArray(value)) return pretty(value);
   return value.map((part) => pretty(Math.abs(part) < 1e-12 ? 0 : part)).join(', ');
+}
+
+/**
+ * What happens, in words.
+ * @param {SpaceFrame} frame
+ */
+function touchOf({ friction, impulse, normal, push, sliding }) {
+  if (!(impulse > 0)) return text('space.move-apart');
+  if (!sliding.length) return text('space.touch', { impulse: pretty(impulse) });
+  const share = pretty(sliding[0].until / dot(push, normal));
+  const kinds = sliding.map(({ kind }) => kind).join('-then-');
+  const slides = text(`space.sliding.${kinds}`, { share });
+  return text('space.touch-and-rub', { friction: pretty(friction), impulse: pretty(impulse), slides });
 }
 
 export class SpaceStory {
@@ -33,8 +47,8 @@ export class SpaceStory {
   }
   /** @param {SpaceFrame} frame */
   load(frame) {
-    const { figures, impulse, notes, source, title } = frame;
-    this.units.textContent = impulse > 0 ? text('space.touch', { impulse: pretty(impulse) }) : text('space.move-apart');
+    const { figures, notes, source, title } = frame;
+    this.units.textContent = touchOf(frame);
     this.events.load([[0, this.units.textContent]]);
     const rows = figures.map(([name, value, unit]) => rowOf([text(`space.row.${name}`), written(value), unit]));
     this.figures.replaceChildren(make('tbody', {}, ...rows));

@@ -1,4 +1,9 @@
 // Everything that is shown of an impulse between bodies in space.
+import { segments } from '../shell/dom.js';
+import { Stack } from '../shell/stack.js';
+import { family, text } from '../text/catalogue.js';
+import { Course, Hodograph } from './charts.js';
+import { LOOKS } from './hands.js';
 import { BodiesStage } from './stage.js';
 import { SpaceStory } from './story.js';
 
@@ -14,18 +19,36 @@ export class SpaceView {
     this.page = page;
     this.stage = new BodiesStage();
     this.story = new SpaceStory();
+    this.charts = [new Hodograph(), new Course()];
+    const [hodograph, course] = this.charts.map(({ chart }) => chart);
+    this.stack = new Stack('bodies', { hodograph, course }, () => page.redraw());
+    const names = family('space.look');
+    const look = (/** @type {string} */ name) => this.look(/** @type {keyof LOOKS} */ (name));
+    this.looks = segments(text('space.looks'), Object.keys(LOOKS), look, (name) => names[name]);
+    this.looks.root.classList.add('small');
+    this.stage.root.append(this.looks.root);
     /** @type {HTMLElement[]} */
     this.buttons = [];
+    this.look('side');
     this.hide(true);
+  }
+  /** @param {keyof LOOKS} name  from where */
+  look(name) {
+    this.stage.look(LOOKS[name]);
+    this.looks.show(name);
   }
   /** @param {boolean} hidden */
   hide(hidden) {
-    this.stage.root.hidden = hidden;
+    for (const part of [this.stage.root, this.stack.root]) part.hidden = hidden;
   }
   /** @param {SpaceFrame} frame */
   load(frame) {
     this.frame = frame;
+    this.page.root.classList.toggle('rubs', Boolean(frame.slidePress));
+    for (const part of this.charts) part.load(frame);
+    this.stack.arrange();
     this.dress();
+    this.draw();
   }
   dress() {
     this.page.compare.dress('');
@@ -36,6 +59,8 @@ export class SpaceView {
   show(t) {
     this.stage.draw(t);
   }
-  draw() {}
+  draw() {
+    for (const part of this.charts) if (!part.chart.root.hidden) part.draw();
+  }
   zoom() {}
 }

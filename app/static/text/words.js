@@ -27,7 +27,10 @@ const COUNTED = {
  * @typedef {{ title: string, unit?: string, options?: Record<string, string> }} Label
  */
 /** @type {Record<string, string>} */
-const OPTIONS = { method: 'method-choice', law: 'law', support: 'support', theory: 'theory' };
+const OPTIONS = {
+  method: 'method-choice',
+  ...Object.fromEntries(['law', 'restitution_model', 'support', 'theory'].map((name) => [name, name])),
+};
 /** @param {string} name */
 const labelOf = (name) => ({
   title: text(`control.${name}`),

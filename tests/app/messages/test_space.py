@@ -10,7 +10,7 @@ from pytest import approx
 
 import app
 import solvers
-from app.choices.space import equivalent_box, struck_at, struck_place
+from app.choices.space import equivalent_box, leaning, own_frame, struck_at, struck_place
 from app.messages.encoding import read_header
 from app.messages.space import bodies_frame
 from app.text.catalogues import script
@@ -66,6 +66,33 @@ def test_the_movement_is_that_of_the_solution():
     assert figures["effective-mass"] == solution.effective_mass
     assert figures["target-spin-after"] == list(solution.target_spin)
     assert figures["energy-lost"] == solution.energy["dissipated"]
+
+
+def test_the_course_of_sliding_is_that_of_the_solution():
+    """From the first touch to the parting; the hodograph lies in the tangents, seen as the picture is."""
+    solution = solvers.solve(solvers.load("brick-on-floor"))
+    message = bodies_frame(solution)
+    header, found = read_header(message), arrays(message)
+    body, normal = solution.scene.impactor, np.array(solution.scene.normal)
+    pressed = float(np.dot(solution.impulse, normal))
+    assert found["slidePress"][[0, -1]] == approx([0.0, pressed], rel=1e-6)
+    assert header["sliding"] == [{"kind": "slip", "until": pressed}]
+    for k, velocity, spin in ((0, body.velocity, body.spin), (-1, solution.impactor_velocity, solution.impactor_spin)):
+        point = np.add(velocity, np.cross(body.centre, spin))
+        assert found["slideParting"][k] == approx(-point @ normal, rel=1e-6)
+        assert found["slideAlong"][k] == approx(point @ header["across"], abs=1e-6)  # the picture stands upright
+        assert found["slideAside"][k] == approx(point @ np.cross(header["across"], header["up"]), abs=1e-6)
+    assert header["push"] == list(solution.impulse)
+    assert "slidePress" not in arrays(bodies_frame(solvers.solve(NOTE)))
+
+
+def test_a_normal_leans_as_it_is_told():
+    frame = own_frame(NOTE)
+    assert frame @ frame.T == approx(np.eye(3), abs=1e-15)
+    assert leaning(NOTE, 0.0, 77.0) is NOTE
+    for way, leans in ((0.0, frame[1]), (90.0, frame[2])):
+        leant = np.array(leaning(NOTE, 30.0, way).normal)
+        assert (leant @ frame[0], leant @ leans) == approx((np.cos(np.pi / 6), 0.5), abs=1e-15)
 
 
 def test_the_equivalent_box_of_a_brick_is_the_brick():

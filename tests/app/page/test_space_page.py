@@ -1,0 +1,65 @@
+"""Bodies in space on the page: friction, the model of restitution, how the contact slides, and what a hand can turn."""
+
+import pytest
+from pytest import approx
+
+SIZES = [(1440, 900), (1280, 720), (390, 844)]
+STAGE = (
+    "() => { const { left, top } = strikewave.page.space.stage.canvas.getBoundingClientRect(); return [left, top]; }"
+)
+SLIDES = "() => strikewave.page.space.charts.map(({ chart }) => !chart.root.hidden && chart.area.clientHeight > 40)"
+
+
+def drag(page, start: list[float], by: tuple[float, float]) -> None:
+    left, top = page.evaluate(STAGE)
+    x, y = left + start[0], top + start[1]
+    page.tab.mouse.move(x, y)
+    page.tab.mouse.down()
+    page.tab.mouse.move(x + by[0], y + by[1], steps=3)
+    page.tab.mouse.up()
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_sliding_is_drawn_where_there_is_friction(open_page, size):
+    page = open_page("?scene=brick-on-floor", size=size)
+    assert page.header("sliding")[0]["kind"] == "slip"
+    page.fits(size[0])
+    if size[0] > 1000:
+        assert any(page.evaluate(SLIDES))
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 1.5)"))
+    assert [each["kind"] for each in page.header("sliding")] == ["slip", "stick"]
+    page.wait("() => strikewave.page.caption.textContent.includes('stick from there on')")
+
+
+def test_without_friction_there_is_nothing_to_slide(open_page):
+    page = open_page("?scene=note-rod")
+    assert page.header("sliding") == [] and page.evaluate(SLIDES) == [False, False]
+    assert "restitution_model" not in page.header("acting")
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 0.5)"))
+    assert "restitution_model" in page.header("acting")
+    page.wait("() => strikewave.page.controls.fields.restitution_model.root.offsetHeight > 0")
+
+
+def test_a_model_that_makes_energy_is_warned_of(open_page):
+    page = open_page("?scene=brick-on-floor&restitution=1&restitution_model=newton")
+    (note,) = page.header("notes")
+    assert (note["code"], note["severity"]) == ("friction-makes-energy", "warning")
+
+
+def test_a_hand_turns_the_picture_leans_the_normal_and_moves_the_contact(open_page):
+    page = open_page("?scene=brick-on-floor")
+    page.evaluate("() => strikewave.page.player.go(0.2)")
+    drag(page, [60, 300], (100, -40))  # where nothing is
+    assert page.evaluate("() => strikewave.page.space.stage.turned") == approx([-0.8, -0.32])
+    page.evaluate("() => strikewave.page.space.look('side')")
+    tip = page.evaluate("() => strikewave.page.space.stage.hands.tip")
+    reach = page.evaluate("() => strikewave.page.space.stage.hands.reach")
+    page.answered(lambda: drag(page, tip, (reach, 0)))
+    page.wait("() => strikewave.page.frame.chosen.tilt > 40")
+    page.quiet()
+    assert page.header("chosen")["tilt"] == approx(45.0, abs=1.5)
+    across, normal = page.header("across"), page.header("normal")
+    assert sum(a * n for a, n in zip(across, normal, strict=True)) == approx(0.5**0.5, abs=0.03)
+    point = page.evaluate("() => [strikewave.page.space.stage.x, strikewave.page.space.stage.y]")
+    page.answered(lambda: drag(page, point, (20, 15)))
+    page.wait("() => strikewave.page.frame.chosen.place > 0.05")
