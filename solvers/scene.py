@@ -66,9 +66,10 @@ class Scene:
         Raises SceneError that names the key, the value and what is allowed.
         """
         given = validation.table("", given, ("title", "source", "note", "impactor", "target", "contact", "method"))
-        for part in ("impactor", "target"):
-            validation.required("", given, part, allowed("a-table"))
-        target = read_body("target", given["target"])
+        target = read_body("target", validation.required("", given, "target", allowed("a-table")))
+        usual = target.usual_impactor()
+        given = given if usual is None else {"impactor": usual} | dict(given)
+        validation.required("", given, "impactor", allowed("a-table"))
         impactor = _read_impactor(given["impactor"], target)
         normal, friction = _read_normal(impactor, target, given.get("contact"))
         if isinstance(impactor, Pulse):

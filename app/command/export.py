@@ -42,6 +42,7 @@ def report(solution: Solution) -> str:
     lines += [
         "",
         *_leaving(solution),
+        *_rotation(solution),
     ]
     if solution.peak_indentation is not None:
         lines.append(f"  {text('solve.indentation'):21}{solution.peak_indentation * 1e6:.6g} um")
@@ -90,6 +91,27 @@ def _jointed(solution: Solution) -> list[str]:
     return lines
 
 
+def _rotation(solution: Solution) -> list[str]:
+    """Of a rod that turns: its lowest frequencies, what is critical, and the steady stretch."""
+    found = solution.scene.target.figures()
+    if "critical_speed" not in found:
+        return []
+    lines = [
+        f"  {text('solve.frequencies'):21}{_listed(found['frequencies'])} rad/s",
+        f"  {text('solve.critical-speed'):21}{found['critical_speed']:.8g} rad/s",
+        f"  {text('solve.steady-stretch'):21}{found['steady_stretch'] * 1e6:.6g} um",
+    ]
+    if "simplified" in found:
+        lines.append(f"  {text('solve.bending'):21}{_listed(found['bending']['frequencies'])} rad/s")
+        lines.append(f"  {text('solve.simplified'):21}{_listed(found['simplified']['frequencies'])} rad/s")
+    return lines
+
+
+def _listed(frequencies: list[float | None]) -> str:
+    """The lowest three."""
+    return ", ".join(text("solve.unstable") if each is None else f"{each:.8g}" for each in frequencies[:3])
+
+
 def _swinging(solution: Solution) -> list[str]:
     """How pendulums turn on, what is felt of them at the contact, and what their pivots give."""
     lines = []
@@ -123,8 +145,12 @@ def _time_line(diagnostics: dict[str, float]) -> str:
 
 def _unit_name(scene: Scene) -> str:
     """What the unit of time T is."""
-    rings = next((body.kind for body in (scene.target, scene.impactor) if body.time_unit is not None), None)
-    return text("solve.unit", of={None: "contact", "beam": "beam", "mechanism": "links"}.get(rings, "wave"))
+    rings = next((body for body in (scene.target, scene.impactor) if body.time_unit is not None), None)
+    if rings is None:
+        return text("solve.unit", of="contact")
+    if rings.kind == "mechanism":
+        return text("solve.unit", of="links")
+    return text("solve.unit", of="beam" if rings.stress_source[0] == "moments" else "wave")
 
 
 def comparison(exact: Solution, rows: list[Row]) -> str:

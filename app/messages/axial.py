@@ -23,6 +23,8 @@ from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
 from .parts import parts_told
 from .pendulum import pendulum_told, striker_arrays, waves_of_force
+from .rotating import rotation_told, turning_fields, turning_rod, turns
+from .solutions import by_modes
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
 MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
@@ -33,9 +35,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
     """The message for one scene on an axis."""
     scene = request.scene
     speed, trip = scene.speed, scene.time_unit
-    target = scene.target if isinstance(scene.target, Waveguide) else None
-    force_unit = (target.impedance if target else scene.reduced_mass / trip) * speed
-    stress_unit = force_unit / (target.area if target else 1.0)
+    force_unit, stress_unit = _units(scene)
     reach = exact.duration
     even = np.linspace(0.0, reach, MOTION_POINTS + 1)
     length_unit = speed * trip
@@ -49,6 +49,8 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         if solution is exact or not carried:
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
+    if turns(scene.target):
+        rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, length_unit)
     arrays |= cycle(exact) | _balances(other, trip, force_unit)
     steps = None
     if carried is not None:
@@ -83,7 +85,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "stressUnit": stress_unit,
         "modes": request.modes,
         "step": steps,
-        "exact": _figures(exact) | ({"name": "converged"} if scene.impactor.bends else {}),
+        "exact": _figures(exact) | ({"name": "converged"} if by_modes(exact) else {}),
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
         "prediction": None if scene.prescribed_force else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
@@ -93,6 +95,19 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "leastRestitution": LEAST_RESTITUTION,
     }
     return packed(header, arrays)
+
+
+def _units(scene: Scene) -> tuple[float, float]:
+    """Of force [N] and stress [Pa]: those of the wave that sets out as rigid bodies touch."""
+    target = scene.target
+    if isinstance(target, Waveguide):
+        force = target.impedance * scene.speed
+        return force, force / target.area
+    if turns(target):
+        force = target.impedance * scene.speed
+        return force, force / target.section.area
+    force = scene.reduced_mass / scene.time_unit * scene.speed
+    return force, force
 
 
 def _carried_by_the_browser(solution: Solution) -> ModalMotion | None:
@@ -125,10 +140,10 @@ def _target(scene: Scene) -> dict[str, Any]:
         "radius": getattr(target, "radius", None),
         "mass": min(target.mass, LARGEST_MASS),
         "length": target.length,
-        "support": target.support if isinstance(target, Waveguide) else None,
+        "support": target.support if isinstance(target, Waveguide) or turns(target) else None,
         "held": target.held,
         "endMass": target.rods[-1].end_mass if target.rods else 0.0,
-    }
+    } | rotation_told(target)
 
 
 def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, np.ndarray]]:

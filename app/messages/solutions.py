@@ -14,10 +14,16 @@ LEAST_STEPS = 1_000  # of a draft, where a scene sets more
 LEAST_SWITCHED = 2  # modes that can change with the contact
 
 
+def by_modes(exact: Solution) -> bool:
+    """Whether many modes stand for an exact solution: then the chosen number of them can be shown beside it."""
+    bodies = exact.scene.impactor, exact.scene.target
+    return exact.method["name"] == Modal.NAME and any(body.time_unit is not None for body in bodies)
+
+
 def beside(request: Request, exact: Solution) -> Solution | None:
     """The chosen method, or modes if waves are chosen; None if it cannot solve this scene or is the exact one."""
     scene, name = request.scene, request.method_beside
-    if name == exact.method["name"] and not scene.impactor.bends:  # of a pendulum that bends: by its own shapes
+    if name == exact.method["name"] and not by_modes(exact):
         name = "quasi-static"
     method = METHODS[name].read(method_options(name, request, exact))
     if method.refusal(scene):

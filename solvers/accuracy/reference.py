@@ -47,22 +47,19 @@ def swept_reference(scene: Scene) -> Solution:
 
 
 def exact_solution(scene: Scene, restitution: float) -> Solution:
-    """Waves; for bodies without waves one integrated to rounding; many modes of a pendulum that bends, and of the rod.
+    """Waves; for bodies without waves one integrated to rounding; many modes of what else rings.
 
     Where nothing gives way at the contact of bodies without waves, the restitution stands for it. Raises SceneError for
     beams, of which no exact solution is known.
     """
     if scene.target.bends:
         raise SceneError("target.kind", scene.target.kind, allowed("not-bending"))
-    modes = Modal(modes=1)
+    rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
+    modes = Modal(modes=REFERENCE_MODES, estimate=False) if rings else Modal(modes=1)
     if isinstance(scene.impactor, FlexiblePendulum):
-        modes, bar = (
-            Modal(modes=REFERENCE_MODES, estimate=False),
-            replace(scene.impactor, count=SHAPES_OF_PENDULUM, shapes="pinned-free"),
-        )
-        scene = replace(
-            scene, impactor=replace(bar, count=max(bar.modes_within_reach(bar.count), scene.impactor.count))
-        )
+        bar = replace(scene.impactor, count=SHAPES_OF_PENDULUM, shapes="pinned-free")
+        known = max(bar.modes_within_reach(bar.count), scene.impactor.count)
+        scene = replace(scene, impactor=replace(bar, count=known))
     for method in (Waves(), modes, RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
             return method.solve_in_full(scene, scene.method.get("duration"))

@@ -16,6 +16,7 @@ from .protocol import AnyBody, Lumped
 from .pulse import Pulse
 from .rigid_body import Body, check_struck, in_space, read_normal
 from .rods import Joint, Rod, Rods, Waveguide
+from .rotating import RotatingRod
 
 IMPACTORS: dict[str, type[AnyBody]] = {
     "mass": RigidMass,
@@ -29,6 +30,7 @@ IMPACTORS: dict[str, type[AnyBody]] = {
 TARGETS: dict[str, type[AnyBody]] = {
     "rod": Rod,
     "rods": Rods,
+    "rotating-rod": RotatingRod,
     "beam": Beam,
     "mass": RigidMass,
     "pendulum": Pendulum,
@@ -58,6 +60,7 @@ __all__ = [
     "RigidMass",
     "Rod",
     "Rods",
+    "RotatingRod",
     "SpringMass",
     "Swing",
     "Wall",

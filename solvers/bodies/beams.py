@@ -75,10 +75,6 @@ class Bending(AnyBody):
         """How long its waves take to slow down a rigid mass [kg] that has struck it rigidly [s]."""
 
     @abstractmethod
-    def notes(self) -> list[Note]:
-        """What lies outside its theory, with the limit."""
-
-    @abstractmethod
     def notes_on_modes(self, count: int) -> list[Note]:
         """What its lowest `count` modes cannot resolve of an impact, with the limit."""
 

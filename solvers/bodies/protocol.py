@@ -105,6 +105,18 @@ class AnyBody(ABC):
         """Itself known by this share of its modes, where their number is its own and not the method's."""
         return self
 
+    def notes(self) -> list[Note]:
+        """What lies outside the theory of it, with the limit."""
+        return []
+
+    def figures(self) -> dict[str, Any]:
+        """What results say of it, whatever strikes it: keys and values."""
+        return {}
+
+    def usual_impactor(self) -> dict[str, Any] | None:
+        """The table of what strikes it, where a scene does not say; None: it must."""
+        return None
+
     def modes(self, count: int) -> Modes:
         """Its motion as a whole and its lowest natural modes."""
         raise TypeError(str(self.no_modes))

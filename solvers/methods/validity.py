@@ -78,7 +78,7 @@ def general_notes(
     may count contacts falsely, None where it cannot; `resolution`: the option that makes it finer.
     """
     scene = solution.scene
-    found = [note for body in bodies_that_bend(scene) for note in body.notes()]
+    found = [note for body in (scene.impactor, scene.target) for note in body.notes()]
     if solution.peak_indentation is not None:
         found += scene.contact.limits(solution.peak_indentation, scene.impactor, scene.target)
     found += filter(None, [counted_twice(solution)])

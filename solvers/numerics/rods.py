@@ -1,6 +1,7 @@
 """Natural modes of rods: uniform, of several pieces, and with a mass on one end."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,6 +30,26 @@ def rod_modes(length: float, mass: float, wave_speed: float, fixed: bool, count:
         slopes=lambda x: -amplitude * wavenumbers[:, None] * np.sin(np.multiply.outer(wavenumbers, x)),
         static_shapes=static_rod_shape(length, length**2 / (mass * wave_speed**2), fixed),
     )
+
+
+def rotating_rod_modes(length: float, mass: float, wave_speed: float, speed: float, count: int) -> Modes:
+    """Modes along a uniform rod that turns at `speed` [rad/s] about an axis at its far end, free where it is struck.
+
+    They are those of the rod at rest, as centrifugal force grows with displacement: omega^2 = (c k)^2 - Omega^2.
+    Under a steady force F on its end it gives way by F tan(a) / a L / (E A), a = Omega L / c.
+    Source: thesis (5.46)-(5.48).
+    """
+    still = rod_modes(length, mass, wave_speed, True, count)
+    frequencies, angle = np.sqrt(still.frequencies**2 - speed**2), speed * length / wave_speed
+    unit = length**2 / (mass * wave_speed**2)
+    whole = unit * (np.tan(angle) / angle if angle > 0.0 else 1.0)
+
+    def static(x: np.ndarray) -> np.ndarray:
+        part = 1.0 - np.asarray(x, float) / length
+        return unit * (np.sin(angle * part) / (angle * np.cos(angle)) if angle > 0.0 else part)
+
+    left_out = max(float(whole - np.sum((still.at_contact / frequencies) ** 2)), 0.0)
+    return replace(still, frequencies=frequencies, residual_compliance=left_out, static_shapes=static)
 
 
 def static_rod_shape(length: float, compliance: float, fixed: bool) -> Callable[[np.ndarray], np.ndarray]:

@@ -210,6 +210,7 @@ class Solution:
             "residual_indentation": self.residual_indentation,
             "impactor": final(self.impactor_velocity, self.impactor_spin) | turned.get("impactor", {}),
             "target": final(self.target_velocity, self.target_spin) | turned.get("target", {}),
+            **self.scene.target.figures(),
             "restitution": self.restitution,
             "energy": self.energy,
             **rubbed,

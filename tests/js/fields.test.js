@@ -48,7 +48,10 @@ test('sampled fields are straight in time and place', () => {
   const places = 4;
   const frame = { duration: 10, rods: [ROD], shapes: { fieldStress: [3, places] }, ...still };
   const table = Array.from({ length: 3 * places }, (_, p) => 5 * Math.floor(p / places) + (p % places));
-  const field = new SampledField({ ...frame, fieldStress: table, fieldVelocity: table, fieldDisplacement: table });
+  const field = new SampledField(
+    { ...frame, fieldStress: table, fieldVelocity: table, fieldDisplacement: table },
+    'other',
+  );
   const out = field.profile(2.5, 'stress', new Float64Array(7));
   [...out].forEach((value, k) => near(value, 2.5 + k / 2, 1e-12));
 });

@@ -80,6 +80,35 @@ export function striker(c, { impactor }, place, prediction) {
 }
 
 /**
+ * The axis about which a rod turns, and which way.
+ * @param {Context} c
+ * @param {number} x
+ * @param {number} middle
+ * @param {number} thick
+ */
+export function axis(c, x, middle, thick) {
+  const radius = 0.42 * thick;
+  c.strokeStyle = c.fillStyle = EDGE;
+  c.lineWidth = 2;
+  c.beginPath();
+  c.arc(x, middle, 5, 0, 7);
+  c.fill();
+  c.beginPath();
+  c.arc(x, middle, radius + 8, -1.1, 1.1);
+  c.stroke();
+  const [tipX, tipY] = [x + (radius + 8) * Math.cos(1.1), middle + (radius + 8) * Math.sin(1.1)];
+  c.beginPath();
+  c.moveTo(tipX - 5, tipY + 5);
+  c.lineTo(tipX + 6, tipY);
+  c.lineTo(tipX - 3, tipY - 7);
+  c.fill();
+  c.font = letters(13);
+  c.textAlign = 'left';
+  c.textBaseline = 'middle';
+  c.fillText('Ω', x + radius + 13, middle);
+}
+
+/**
  * A struck body in which no wave runs.
  * @param {Context} c
  * @param {AxialFrame} frame

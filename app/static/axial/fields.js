@@ -153,19 +153,30 @@ export class WaveField extends Field {
 export class SampledField extends Field {
   coarse = true;
 
-  /** @param {AxialFrame} frame */
-  constructor(frame) {
-    super(frame, 'other');
+  /**
+   * @param {AxialFrame} frame
+   * @param {'exact' | 'other'} solution
+   */
+  constructor(frame, solution) {
+    super(frame, solution);
+    const exact = solution === 'exact';
     this.from = frame.rods[0]?.from ?? 0;
     this.to = frame.rods.at(-1)?.to ?? 0;
     this.tables = {
-      stress: given(frame.fieldStress, 'fieldStress'),
-      velocity: given(frame.fieldVelocity, 'fieldVelocity'),
-      displacement: given(frame.fieldDisplacement, 'fieldDisplacement'),
+      stress: given(exact ? frame.exactStress : frame.fieldStress, 'stress'),
+      velocity: given(exact ? frame.exactVelocity : frame.fieldVelocity, 'velocity'),
+      displacement: given(exact ? frame.exactDisplacement : frame.fieldDisplacement, 'displacement'),
     };
-    const [instants, places] = frame.shapes.fieldStress;
+    const [instants, places] = frame.shapes[exact ? 'exactStress' : 'fieldStress'];
     this.instants = instants;
     this.places = places;
+  }
+  /**
+   * The largest anywhere.
+   * @param {What} what
+   */
+  largest(what) {
+    return this.tables[what].reduce((/** @type {number} */ most, value) => Math.max(most, Math.abs(value)), 1e-12);
   }
   /**
    * @param {number} t

@@ -6,7 +6,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
-import { endMass, onward, push, striker, struckBody, wall } from './bodies.js';
+import { axis, endMass, onward, push, striker, struckBody, wall } from './bodies.js';
 import { pendulum, shapeOf, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
@@ -110,7 +110,9 @@ export class Stage {
     const { c, width, height } = sheet;
     const { rods, impactor } = frame;
     const left = impactor.kind === 'rod' ? 40 : (width < 560 ? 0.25 : 0.21) * width;
-    const right = frame.target.held ? width - 30 : width * (impactor.kind === 'rod' ? 0.86 : 0.82);
+    const right = frame.target.held
+      ? width - (frame.target.rotation ? 66 : 30)
+      : width * (impactor.kind === 'rod' ? 0.86 : 0.82);
     const middle = height * 0.47;
     const thick = Math.min(height * 0.3, 56);
     const [size, struck] = this.#sizes(width, height);
@@ -153,7 +155,8 @@ export class Stage {
     this.field.profile(t, this.what, this.values);
     this.field.profile(t, 'displacement', this.moved);
     const rest = this.rods(c, left, right - left, middle, thick, this.scale);
-    if (target.support === 'fixed') wall(c, right, middle, thick);
+    if (target.rotation) axis(c, right, middle, thick);
+    else if (target.support === 'fixed') wall(c, right, middle, thick);
     if (target.support === 'anechoic') onward(c, right, middle, thick);
     if (target.endMass) endMass(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
     return rest;

@@ -6,7 +6,7 @@ import { family, numeral, said, text } from '../text/catalogue.js';
 import { noteOf, shortly } from '../text/words.js';
 import { eventsOf } from './events.js';
 
-/** @import { AxialFigures, AxialFrame } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Rotation } from '../shell/message.js' */
 
 const LISTED = 24; // events
 const CONTACTS = 12; // of each solution, in the table
@@ -27,6 +27,24 @@ const residual = (error) => (error === 0 ? text('axial.nothing') : numeral(Math.
 const when = (t) => `${localised(String(Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))))} T`;
 
 /**
+ * What its rotation does to a rod.
+ * @param {Rotation} rotation
+ */
+function turning({ speed, critical, stretch, strain, axial, bending, simplified }) {
+  const shown = (/** @type {number | null} */ each) => (each === null ? text('axial.unstable') : pretty(each));
+  const listed = (/** @type {(number | null)[]} */ list) => list.map(shown).join(', ');
+  const along = text('axial.rotation', {
+    speed: pretty(speed),
+    critical: pretty(critical),
+    stretch: pretty(stretch * 1e6),
+    strain: pretty(strain * 100),
+    axial: listed(axial),
+  });
+  if (!bending.length) return along;
+  return `${along} ${text('axial.across', { bending: listed(bending), simplified: listed(simplified) })}`;
+}
+
+/**
  * What T is.
  * @param {AxialFrame} frame
  */
@@ -36,6 +54,8 @@ function unitsOf({ exactBar, impactor, rods, target, trip }) {
   const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : 'one';
   const units = text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
   const { mass: felt, ownMass: own } = impactor;
+  const { rotation } = target;
+  if (rotation) return `${units} ${turning(rotation)}`;
   return own === undefined ? units : `${text('axial.pendulum', { own, felt })} ${units}`;
 }
 

@@ -157,7 +157,10 @@ export class AxialView {
 }
 
 /** @param {AxialFrame} frame */
-const exactFieldOf = (frame) => (frame.rods.length ? new WaveField(frame) : new Field(frame, 'exact'));
+function exactFieldOf(frame) {
+  if (frame.exactStress) return new SampledField(frame, 'exact');
+  return frame.rods.length ? new WaveField(frame) : new Field(frame, 'exact');
+}
 
 /**
  * The field that the pictures of a message show.
@@ -168,5 +171,5 @@ export const fieldOf = (frame) => (drawnFromOther(frame) ? otherFieldOf(frame) :
 /** @param {AxialFrame} frame */
 function otherFieldOf(frame) {
   if (frame.modalForce) return new ModalField(frame);
-  return frame.fieldStress ? new SampledField(frame) : new Field(frame, 'other');
+  return frame.fieldStress ? new SampledField(frame, 'other') : new Field(frame, 'other');
 }

@@ -126,6 +126,19 @@
  * @property {string | null} support
  * @property {boolean} held
  * @property {number} endMass
+ * @property {Rotation} [rotation]  of a rod that turns
+ */
+
+/**
+ * What its rotation does to a rod.
+ * @typedef {object} Rotation
+ * @property {number} speed  [rad/s]
+ * @property {number} critical  speed at which its stretch has no end [rad/s]
+ * @property {number} stretch  of its end, steadily [m]
+ * @property {number} strain  of its root, steadily
+ * @property {number[]} axial  lowest frequencies along it [rad/s]
+ * @property {number[]} bending  and across, in the plane of rotation
+ * @property {(number | null)[]} simplified  the same by (5.56), without the tension; null where unstable
  */
 
 /**
@@ -173,6 +186,9 @@
  * @property {Numbers} [otherBar]
  * @property {Numbers} [balanceTime]
  * @property {Numbers} [balanceForce]
+ * @property {Numbers} [exactStress]  (instant, place), flat: of a rod that turns
+ * @property {Numbers} [exactVelocity]
+ * @property {Numbers} [exactDisplacement]
  * @property {Numbers} [fieldStress]  (instant, place), flat
  * @property {Numbers} [fieldVelocity]
  * @property {Numbers} [fieldDisplacement]

@@ -1,0 +1,49 @@
+"""What the browser needs of a rod that turns: its place, its fields, and what the rotation does to it."""
+
+from typing import Any, TypeGuard
+
+import numpy as np
+
+from solvers import Solution
+from solvers.bodies import AnyBody, RotatingRod
+
+INSTANTS, PLACES = 160, 31  # of the fields, which no waves of one speed give
+LISTED = 3  # frequencies
+
+
+def turns(body: AnyBody) -> TypeGuard[RotatingRod]:
+    """Whether it is a rod that turns and is struck along its length."""
+    return isinstance(body, RotatingRod) and not body.across
+
+
+def turning_rod(rod: RotatingRod) -> list[dict[str, Any]]:
+    """As a rod that is fixed at its far end, the axis."""
+    place = {"from": 0.0, "to": rod.length, "transit": 0.5, "impedance": 1.0, "drift": 0.0, "area": 1.0}
+    return [place | {"joint": None, "mirror": 1}]
+
+
+def turning_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, np.ndarray]:
+    """Fields at (instant, place), displacements from the steady stretch."""
+    rod, motion = solution.scene.target, solution.known_motion
+    time, x = np.linspace(0.0, solution.duration, INSTANTS), np.linspace(0.0, rod.length, PLACES)
+    return {
+        "exactStress": motion.stress(time, x) / stress_unit,
+        "exactVelocity": motion.velocity(time, x) / solution.scene.speed,
+        "exactDisplacement": motion.displacement(time, x) / length_unit,
+    }
+
+
+def rotation_told(body: AnyBody) -> dict[str, Any]:
+    """What the rotation does to a rod, along it and across; nothing of other bodies."""
+    if not isinstance(body, RotatingRod):
+        return {}
+    found = body.figures()
+    across = {name: found[name]["frequencies"][:LISTED] if name in found else [] for name in ("bending", "simplified")}
+    told = {
+        "speed": body.speed,
+        "critical": body.critical_speed,
+        "stretch": body.steady_stretch,
+        "strain": body.root_strain,
+        "axial": found["axial"]["frequencies"][:LISTED],
+    }
+    return {"rotation": told | across}
