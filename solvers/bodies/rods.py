@@ -74,6 +74,8 @@ class Rod(Waveguide):
     velocity: float = 0.0  # [m/s], positive the way the impactor goes
     end_mass: float = 0.0  # rigid mass on the far end [kg]
     radius: float | None = None  # of curvature of the struck end [m]
+    # I of its section, the least [m4], where that is known; only notes depend on it, so that tables leave it out
+    second_moment: float | None = field(default=None, compare=False)
 
     KEYS = ("kind", "length", "section", "material", "support", "at", "velocity", "end_mass", "radius")
     kind = "rod"
@@ -98,6 +100,7 @@ class Rod(Waveguide):
             velocity if support == "free" else _still(key, velocity),
             _read_end_mass(key, given, support),
             read_radius(f"{key}.radius", given.get("radius")),
+            section_of_bar(key, given).least_moment,
         )
 
     @property
@@ -201,7 +204,8 @@ class Rods(Waveguide):
             name = f"{key}.rods[{number}]"
             part = validation.table(name, part, cls.ROD_KEYS)
             last = number == len(parts)
-            rods.append(Rod(*_read_bar(name, part), support if last else "free", velocity, end_mass if last else 0.0))
+            end = (support, velocity, end_mass) if last else ("free", velocity, 0.0)
+            rods.append(Rod(*_read_bar(name, part), *end, None, section_of_bar(name, part).least_moment))
             if number > 1:
                 joints.append(_read_joint(name, part))
             elif set(part) & {"joint", "gap", "contact"}:

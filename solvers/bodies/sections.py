@@ -25,6 +25,14 @@ class Section:
     shear_coefficient: float | None = None  # kappa, if given
     sides: tuple[float, ...] = ()  # (width, height), (radius,), or nothing where only the area is known [m]
 
+    @property
+    def least_moment(self) -> float | None:
+        """Second moment about the axis about which it bends most easily [m4], if it is known."""
+        if len(self.sides) == 2:
+            width, height = sorted(self.sides)
+            return height * width**3 / 12.0
+        return self.second_moment
+
     def shear_coefficient_for(self, poisson: float) -> float:
         """kappa by Cowper (1966), from the shape unless given; of an unknown shape that of a rectangle."""
         if self.shear_coefficient is not None:

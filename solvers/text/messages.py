@@ -35,6 +35,7 @@ FORMATS: dict[str, Callable[[Any], str]] = {
     "rough-time": lambda seconds: engineering(seconds, "s", 1),
     "length": lambda metres: engineering(metres, "m"),
     "force": lambda newtons: engineering(newtons, "N"),
+    "stress": lambda pascals: engineering(pascals, "Pa"),
     "percent": lambda share: f"{float(f'{100.0 * share:.2g}'):g} %",
     "rough": lambda value: f"{float(f'{value:.1g}'):g}",  # one digit, 20 rather than 2e+01
     "model": lambda parts: ", ".join(f"{part} modes" if name == "modes" else part for name, part in parts.items()),

@@ -123,6 +123,7 @@ const FORMATS = {
   'rough-time': (seconds) => engineering(seconds, 's', 1),
   length: (metres) => engineering(metres, 'm'),
   force: (newtons) => engineering(newtons, 'N'),
+  stress: (pascals) => engineering(pascals, 'Pa'),
   percent: (part) => `${localised(numeral(Number((100 * part).toPrecision(2)), 'g'))} %`,
   rough: (value) => localised(numeral(Number(value.toPrecision(1)), 'g')),
   method: (label) => described(label),

@@ -50,6 +50,7 @@ class QuasiStatic(Method):
     model: str = option("auto", word(MODELS))
 
     NAME = "quasi-static"
+    WAVES = False
     BEAMS = True
 
     def why_not(self, scene: Scene) -> Note | None:

@@ -53,7 +53,7 @@ def test_fixed_rod_struck_by_its_own_mass():
     # Differs: (4.34) prints 0.299 for the stress at the second touch
     assert second.peak_force / SIGMA0_AREA == approx(0.30507543511924173, abs=ROUNDING)
     assert ROD.round_trip_time == approx(0.00011637378202523601, rel=1e-15)  # (4.10)
-    assert all(str(note).startswith("Near grazing") for note in solution.notes)
+    assert {note.code for note in solution.notes} <= {"near-grazing", "pulse-short", "strain-large", "rod-buckles"}
 
 
 def test_the_impulse_of_each_contact_is_the_momentum_the_mass_loses():
@@ -272,7 +272,7 @@ def test_rigid_contact_keeps_energy_and_momentum(support, mass_ratio):
     assert abs(solution.diagnostics["energy_error"]) <= ROUNDING
     assert abs(solution.diagnostics["momentum_error"]) <= ROUNDING
     assert solution.diagnostics["estimated_error"] <= 2.0 * ROUNDING
-    assert all(str(note).startswith("Near grazing") for note in solution.notes)
+    assert {note.code for note in solution.notes} <= {"near-grazing", "pulse-short", "strain-large", "rod-buckles"}
 
 
 @pytest.mark.parametrize("support", SUPPORTS)

@@ -1,0 +1,176 @@
+"""What the theory of rods leaves out of an impact, where it matters: yield, buckling, and motion across the rod."""
+
+import math
+from operator import itemgetter
+from typing import NamedTuple
+
+import numpy as np
+
+from ..bodies import Rod
+from ..contact.duration import contact_time
+from ..scene import Scene
+from ..solution.motion import SendsWaves
+from ..solution.solution import ContactPeriod, Solution
+from ..text.notes import Note, Severity
+
+LARGE_STRAIN = 1e-3  # reported where no yield strength is given: most metals yield between it and some 5e-3
+MAX_SPEED_ERROR = 0.05  # of waves as long as the pulse; less is not reported
+LAST_SPEED_ERROR = 0.3  # beyond which the correction itself is no longer known
+MIN_GROWTH = 20.0  # of a slight bend during the impact; less is not reported
+INSTANTS = 250  # at which waves are looked at, besides their jumps
+
+
+class Loaded(NamedTuple):
+    """A rod of a scene."""
+
+    body: str  # "impactor" or "target"
+    number: int  # among all rods of the scene, from the left
+    struck: bool  # whether it is one of the two that meet
+    rod: Rod
+
+
+def notes_on_rods(solution: Solution, waves: bool) -> list[Note]:
+    """Of the rods of a scene, each kind of note once, of the rod that needs it most; `waves`: whether it is solved for
+    theirs.
+    """
+    rods = _loaded(solution.scene)
+    if not rods or solution.peak_force is None or not solution.contacts:
+        return []
+    found = [*_strength(solution, rods), *_buckling(solution, rods)]
+    return found + (_radial_motion(solution.scene, rods) if waves else [])
+
+
+def _loaded(scene: Scene) -> list[Loaded]:
+    first = len(scene.impactor.rods)
+    bodies = [*scene.impactor.rods, *scene.target.rods]
+    names = ["impactor"] * first + ["target"] * len(scene.target.rods)
+    return [Loaded(names[n], n, n in (first - 1, first), rod) for n, rod in enumerate(bodies)]
+
+
+def _said(rods: list[Loaded], each: Loaded) -> dict[str, object]:
+    """Which rod it is: its number in its chain, 0 where it is alone."""
+    chain = [other.number for other in rods if other.body == each.body]
+    return {"body": each.body, "rod": 1 + chain.index(each.number) if len(chain) > 1 else 0}
+
+
+def _strength(solution: Solution, rods: list[Loaded]) -> list[Note]:
+    """Where stress goes beyond what the material bears elastically, or may do so."""
+    found = []
+    stressed = [(peak_stress(solution, each), each) for each in rods]
+    known = [(stress / each.rod.material.yield_strength, stress, each)
+             for stress, each in stressed if each.rod.material.yield_strength is not None]  # fmt: skip
+    share, stress, worst = max(known, key=itemgetter(0), default=(0.0, 0.0, rods[0]))
+    if share > 1.0:
+        values = {"stress": stress, "strength": stress / share, "slower": solution.scene.speed / share}
+        found.append(Note("rod-yields", Severity.WARNING, **_said(rods, worst), **values))
+    unknown = [(stress / each.rod.material.young, stress, each)
+               for stress, each in stressed if each.rod.material.yield_strength is None]  # fmt: skip
+    strain, stress, worst = max(unknown, key=itemgetter(0), default=(0.0, 0.0, rods[0]))
+    if strain > LARGE_STRAIN:
+        found.append(Note("strain-large", Severity.REMARK, **_said(rods, worst), stress=stress, strain=strain))
+    return found
+
+
+def peak_stress(solution: Solution, each: Loaded) -> float:
+    """Of either sign in a rod [Pa]: where its waves are known exactly, at its ends and in its middle; else of the
+    first front in a rigid contact, of the contact force in one that gives way, and nothing where it is not struck.
+    """
+    scene, rod = solution.scene, each.rod
+    if isinstance(solution.motion, SendsWaves):
+        unit = scene.target.rods[0].impedance * scene.speed / rod.area
+        lag, reach = 0.5 * rod.round_trip_time / scene.time_unit, solution.duration / scene.time_unit
+        return unit * _largest_sum(solution.motion, each.number, lag, reach)
+    if not each.struck:
+        return 0.0
+    force = _front_force(scene) if scene.rigid_contact else solution.peak_force
+    return (force or 0.0) / rod.area
+
+
+def _largest_sum(motion: SendsWaves, number: int, lag: float, reach: float) -> float:
+    """Of the waves of both ends of a rod, where they meet [Z v]; `lag` and `reach` [T]: of the rod and of the time."""
+    largest = 0.0
+    sent = np.union1d(np.linspace(0.0, reach, INSTANTS), motion.jumps(number, True, reach)[:INSTANTS])
+    for place in (-1.0, 0.0, 1.0):  # the left end, the middle, the right one
+        t = sent[sent + place * lag <= reach]
+        for after in (True, False):
+            stress = motion.sent(number, True, t, after) + motion.sent(number, False, t + place * lag, after)
+            largest = max(largest, float(np.abs(stress).max(initial=0.0)))
+    return largest
+
+
+def _front_force(scene: Scene) -> float:
+    """Of the first front in a rigid contact [N]: v Z1 Z2 / (Z1 + Z2), a rigid mass having no end of it."""
+    mobility = sum(1.0 / body.rods[0].impedance for body in (scene.impactor, scene.target) if body.rods)
+    return scene.speed / mobility
+
+
+def _buckling(solution: Solution, rods: list[Loaded]) -> list[Note]:
+    """Where a struck rod is so slender that a slight bend grows many times while the impact presses.
+
+    Under a force P a bend of wavenumber k grows as exp(s t), s^2 = (k^2 / rho A) (P - E I k^2); fastest where
+    k^2 = P / 2 E I, unless the rod is too short for that.
+    """
+    contact = max(solution.contacts, key=lambda each: each.impulse)
+    found = [(bend_growth(each.rod, contact), each) for each in rods if each.struck and each.rod.second_moment]
+    growth, worst = max(found, key=itemgetter(0), default=(0.0, rods[0]))
+    if growth < math.log(MIN_GROWTH):
+        return []
+    force = contact.impulse / (contact.end - contact.start)
+    length = worst.rod.length * math.sqrt(euler_load(worst.rod) / force)
+    times = math.exp(min(growth, 50.0))
+    values = {"force": force, "length": length, "lasts": contact.end - contact.start, "times": times}
+    return [Note("rod-buckles", Severity.WARNING, **_said(rods, worst), **values)]
+
+
+def euler_load(rod: Rod) -> float:
+    """Under which it buckles in the end [N]: pi^2 E I / L^2, of a rod fixed at its far end pi^2 E I / 4 L^2."""
+    return rod.material.young * (rod.second_moment or math.inf) * _longest_wave(rod) ** 2
+
+
+def _longest_wave(rod: Rod) -> float:
+    """Wavenumber of the longest bend that its ends allow [1/m]; the struck end is free to move across."""
+    return math.pi / rod.length * (0.5 if rod.support == "fixed" else 1.0)
+
+
+def bend_growth(rod: Rod, contact: ContactPeriod) -> float:
+    """Logarithm of how many times a slight bend grows during a contact, under its mean force."""
+    seconds = contact.end - contact.start
+    stiffness = rod.material.young * (rod.second_moment or math.inf)
+    force = contact.impulse / seconds if seconds > 0.0 else 0.0
+    wave = max(math.sqrt(0.5 * force / stiffness), _longest_wave(rod))
+    square = wave**2 * (force - stiffness * wave**2) / (rod.material.density * rod.area)
+    return seconds * math.sqrt(square) if square > 0.0 else 0.0
+
+
+def _radial_motion(scene: Scene, rods: list[Loaded]) -> list[Note]:
+    """Where the pulse is so short that the rod's motion across slows its waves down.
+
+    Source: Rayleigh's correction of the speed, c (1 - nu^2 pi^2 (a / wavelength)^2), a wave as long as the pulse.
+    """
+    seconds = pulse_seconds(scene)
+    found = [(_slower(each.rod, seconds), each) for each in rods if each.struck]
+    error, worst = max(found, key=itemgetter(0), default=(0.0, rods[0]))
+    if error < MAX_SPEED_ERROR:
+        return []
+    radii = worst.rod.wave_speed * seconds / math.sqrt(worst.rod.area / math.pi)
+    values = {"radii": radii, "error": error, "far": error > LAST_SPEED_ERROR}
+    return [Note("pulse-short", Severity.REMARK, **_said(rods, worst), **values)]
+
+
+def pulse_seconds(scene: Scene) -> float:
+    """How long the main part of the contact force lasts [s]: in a rigid contact until a mass is halted, or a rod's end
+    is back; else at least as long as the contact of two rigid bodies.
+    """
+    if scene.prescribed_force:
+        return math.inf
+    impactor = scene.impactor.round_trip_time
+    halted = scene.halting_time if impactor is None else impactor
+    if scene.rigid_contact:
+        return halted
+    return max(halted if math.isfinite(halted) else 0.0, contact_time(scene.contact, scene.reduced_mass, scene.speed))
+
+
+def _slower(rod: Rod, seconds: float) -> float:
+    """Share of the speed of its waves that motion across takes from one so long [s]."""
+    radius = math.sqrt(rod.area / math.pi)
+    return (rod.material.poisson * math.pi * radius / (rod.wave_speed * seconds)) ** 2
