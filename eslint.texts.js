@@ -6,7 +6,7 @@ const LETTERS = /\p{L}{2,}/u;
 const SAID = new Set(['textContent', 'title', 'ariaLabel', 'placeholder', 'ariaValueText', 'innerText']);
 const KEYS = ['Enter', 'Escape', 'Home', 'End'];
 const PARTS = ['Rows', 'Scale', 'Time', 'Dashed', 'Thin']; // of names in the code
-const NAMES = new Set(['Strikewave', 'None', 'Hz', 'µs', ...PARTS, ...KEYS]);
+const NAMES = new Set(['Strikewave', 'None', 'Hz', 'Pa', 'µs', ...PARTS, ...KEYS]);
 const CODE = /sans-serif$|^\s*<|^"/; // fonts, and pieces of markup
 const SELECTING = new Set(['matchMedia', 'querySelector', 'querySelectorAll', 'closest', 'matches']);
 

@@ -22,7 +22,6 @@
  * @property {string[]} unshown  keys that the scene sets and that have no control
  * @property {number} duration  axial: in round trips; beam: in milliseconds; bodies: seconds on either side of it
  */
-
 /**
  * A body, or a rod of a chain.
  * @typedef {object} PartTold
@@ -31,7 +30,6 @@
  * @property {ValueTold[]} values  that can be set
  * @property {[name: string, value: number][]} derived  what follows from them, SI units
  */
-
 /**
  * A value of a body, SI units.
  * @typedef {object} ValueTold
@@ -41,12 +39,10 @@
  * @property {number | null} low  that it may be; null of a material
  * @property {number | null} high
  */
-
 /**
  * Energies [J]; `initial` is what the others are shares of.
  * @typedef {{ initial: number, [part: string]: number }} Energies
  */
-
 /** @typedef {{ newton: number | null, poisson: number | null, newton_at_contact: number | null }} Restitution */
 
 /**
@@ -59,7 +55,6 @@
  * @property {number} [pivot_moment]  of a pendulum that bends [N m]
  * @property {number} [contact_moment]
  */
-
 /**
  * What a solution says of itself. Velocities of axial messages in impact speeds, of beams in m/s.
  * @typedef {object} Figures
@@ -75,7 +70,6 @@
  * @property {Diagnostics} diagnostics
  * @property {Note[]} notes
  */
-
 /**
  * @typedef {object} OfContacts
  * @property {Contact[]} contacts  [T, T, N s, N]
@@ -105,7 +99,6 @@
  * @property {'bonded' | 'touching' | null} joint
  * @property {-1 | 0 | 1} mirror  what its far end makes of a wave: turns it over, sends one of its own, sends it back
  */
-
 /**
  * @typedef {object} Striking
  * @property {string} kind
@@ -115,7 +108,6 @@
  * @property {number} [place]  from its pivot to the contact [m]
  * @property {number} [ownMass]  of all of it, where `mass` is what is felt at the contact [kg]
  */
-
 /**
  * @typedef {object} TargetTold
  * @property {string} kind
