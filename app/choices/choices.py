@@ -5,7 +5,7 @@ from typing import Any
 import param
 
 import solvers
-from solvers import LAWS, METHODS, Mechanism
+from solvers import LAWS, METHODS
 from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.contact.friction import MODELS
 from solvers.validation import shown
@@ -13,8 +13,7 @@ from solvers.validation import shown
 from ..text.catalogues import page
 from .bodies import BodyValues, read_values
 
-LIBRARY = {name: solvers.load(name) for name in solvers.scene_names()}
-SCENES = {name: scene for name, scene in LIBRARY.items() if not isinstance(scene.target, Mechanism)}  # that are drawn
+SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
 START = next(iter(SCENES))
 OF_LAWS = {name: values for law in LAWS.values() for name, values in law.VARIED.items()}  # constants of their own
 

@@ -235,13 +235,13 @@ def _warm(options: argparse.Namespace) -> int:
 
 
 def _scenes(options: argparse.Namespace) -> int:
-    from ..choices.choices import LIBRARY
+    from ..choices.choices import SCENES
     from ..page.picker import scene_groups
 
-    for heading, scenes in scene_groups(LIBRARY):
+    for heading, scenes in scene_groups(SCENES):
         print(heading)
         for name, title in scenes:
-            print(f"  {name:24}{title}  [{LIBRARY[name].source}]")
+            print(f"  {name:24}{title}  [{SCENES[name].source}]")
     return 0
 
 

@@ -45,8 +45,8 @@ def _models(scene: Scene, most: int) -> list[tuple[str, dict, int | None]]:
     impulse: dict = {"name": "rigid"}
     if isinstance(scene.contact, Damped):
         impulse["restitution"] = scene.contact.delivered(scene.reduced_mass, scene.speed)
-    rigid = [("rigid-impulse", impulse, None)]
+    found: list[tuple[str, dict, int | None]] = [("rigid-impulse", impulse, None)]
     if not scene.rigid_contact:
-        rigid.append(("local-quasi-static", {"name": "quasi-static", "model": "local"}, None))
+        found.append(("local-quasi-static", {"name": "quasi-static", "model": "local"}, None))
     counts = [count for count in COUNTS if count < most] + [most]
-    return rigid + [("modal", {"name": "modal", "modes": count}, count) for count in counts]
+    return found + [("modal", {"name": "modal", "modes": count}, count) for count in counts]

@@ -49,6 +49,9 @@ export class Mechanism {
     this.reach = most;
     this.magnify(most);
     for (const force of frame.reactions ?? []) this.largest = Math.max(this.largest, Math.abs(force));
+    this.sudden = !this.largest; // then all is over at once, and impulses are what there is
+    for (const { impulse } of (this.sudden && frame.main.joints) || [])
+      this.largest = Math.max(this.largest, ...impulse.map(Math.abs));
   }
   /** @param {number} reach  the largest movement that is to be drawn [m] */
   magnify(reach) {
@@ -280,14 +283,28 @@ export class Mechanism {
    * @param {number} t
    */
   reactions(c, t) {
-    const { reactionTime: times, reactions } = this.frame;
-    if (!times || !reactions || !this.largest) return;
-    let k = 0;
-    while (k < times.length - 1 && times[k + 1] <= t) k++;
-    const count = this.told.joints.length;
+    if (!this.largest) return;
+    const found = this.#reactionsAt(t);
     this.told.joints.forEach((joint, n) => {
-      const [fx, fy] = [0, 1].map((i) => (reactions[3 * (k * count + n) + i] / this.largest) * LONGEST_ARROW);
+      const [fx, fy] = found[n].map((part) => (part / this.largest) * LONGEST_ARROW);
       if (Math.hypot(fx, fy) >= LEAST_ARROW) arrow(c, this.along(joint.link, joint.share), [fx, -fy]);
+    });
+  }
+  /**
+   * Force [N] of every joint, or its impulse [N s] once all is over at once.
+   * @param {number} t
+   * @returns {Point[]}
+   */
+  #reactionsAt(t) {
+    const { main, reactionTime, reactions } = this.frame;
+    const { joints } = this.told;
+    if (this.sudden || !reactionTime || !reactions)
+      return joints.map((_, n) => (t > 0 ? (main.joints?.[n].impulse ?? [0, 0]) : [0, 0]));
+    let k = 0;
+    while (k < reactionTime.length - 1 && reactionTime[k + 1] <= t) k++;
+    return joints.map((_, n) => {
+      const at = 3 * (k * joints.length + n);
+      return [reactions[at], reactions[at + 1]];
     });
   }
   /**
@@ -313,8 +330,8 @@ export class Mechanism {
     const [factor, prefix] = prefixed(this.largest);
     c.textAlign = 'left';
     c.fillStyle = COLORS.halfSpace;
-    const force = `${figures(this.largest * factor, 2)} ${prefix}N`;
-    c.fillText(text('beam.stage.reactions', { force }), x, y);
+    const most = `${figures(this.largest * factor, 2)} ${prefix}N${this.sudden ? ' s' : ''}`;
+    c.fillText(text('beam.stage.reactions', { sudden: this.sudden, most }), x, y);
   }
 }
 

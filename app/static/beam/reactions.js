@@ -20,8 +20,9 @@ export class Reactions {
   }
   /** @param {BeamFrame} frame */
   load({ contacts, mechanism, reactionTime: x, reactions }) {
-    this.chart.root.hidden = !mechanism || !reactions;
-    if (!mechanism || !reactions || !x) return;
+    const some = reactions?.some((force) => force !== 0); // else all is over at once
+    this.chart.root.hidden = !some;
+    if (!mechanism || !reactions || !x || !some) return;
     const count = mechanism.joints.length;
     /** @type {Series[]} */
     const series = mechanism.joints.slice(0, STYLES.length).map((joint, n) => ({

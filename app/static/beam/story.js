@@ -120,13 +120,13 @@ export class BeamStory {
     this.answers.replaceChildren(headOf(['', ...both.map(called)]), make('tbody', {}, ...lines));
   }
   shares() {
-    const { law, main } = this.frame;
+    const { law, main, mechanism } = this.frame;
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
     const yields = law.yields && !['balance', 'rigid'].includes(main.name);
     const inside = split ? ['target_kinetic', 'target_strain'] : ['target_vibration'];
-    const names = { ...family('beam.energy') };
+    const names = { ...family('beam.energy'), ...(mechanism ? family('beam.mechanism.energy') : {}) };
     if (yields) names.dissipated = names.yielding;
-    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated'];
+    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated', ...(mechanism ? ['drives'] : [])];
     showEnergy(
       this.energy,
       main.energy,

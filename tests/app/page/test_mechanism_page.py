@@ -1,0 +1,56 @@
+"""Mechanisms on the page: links and reactions drawn, rigid links beside, impulses at the joints in numbers."""
+
+from playwright.sync_api import expect
+from pytest import approx
+
+from .test_page import settled
+
+LONG = 60_000
+INK = """() => {
+  const { canvas } = strikewave.page.beam.stage;
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  return new Set(new Uint32Array(data.buffer)).size;
+}"""
+
+
+def test_a_linkage_is_drawn_with_reactions_and_the_answer_of_rigid_links(open_page):
+    page = open_page("?scene=four-bar")
+    assert page.evaluate(INK) > 50
+    expect(page.tab.get_by_role("heading", name="Reactions at the joints")).to_be_visible()
+    expect(page.tab.get_by_role("heading", name="Dispersion")).to_be_hidden()
+    assert "rigid links" in page.tab.locator("p.legend").all_inner_texts()[1]
+    first = page.header("main")["final"]
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('modes', 3)"))
+    assert page.header("main")["final"] != first
+    assert page.header("reference")["name"] == "rigid-links"
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('place', 0.7)"))
+    assert page.header("mechanism")["at"] == 0.7
+    page.turn_to("Analysis")
+    page.tab.get_by_role("button", name="Which model is enough?").click()
+    expect(page.tab.locator(".plan")).to_contain_text("with rigid links it would be", timeout=LONG)
+    settled(page)
+
+
+def test_links_move_as_the_library_says(open_page):
+    page = open_page("?scene=four-bar")
+    moved = page.evaluate(
+        """() => { const { page } = strikewave, { stage } = page.beam; page.player.go(2);
+          const read = () => stage.mechanism.placed[2].at(-1);
+          const later = read(); page.player.go(0); const first = read();
+          return (later[0] - first[0]) / stage.mechanism.scale / stage.mechanism.factor; }"""
+    )
+    struck = page.evaluate(
+        """() => { const { time, struckPath } = strikewave.page.frame; let k = 0;
+          while (time[k] < 2) k++; return struckPath[k]; }"""
+    )
+    assert abs(moved) == approx(abs(struck), rel=0.03)
+
+
+def test_impulses_at_the_joints_are_told_where_all_is_over_at_once(open_page):
+    page = open_page("?scene=slider-crank", size=(390, 844))
+    page.fits(390)
+    expect(page.tab.get_by_role("heading", name="Reactions at the joints")).to_be_hidden()
+    page.turn_to("Numbers")
+    table = page.tab.locator("table", has_text="moment, N m s")
+    expect(table).to_contain_text("ground – crank")
+    assert len(page.header("main")["joints"]) == table.locator("tbody tr").count()
