@@ -14,7 +14,7 @@ from ..text.notes import Note, Severity
 from ..validation import SceneError
 from .mechanisms import in_laboratory
 from .options import options_of
-from .rod_limits import notes_on_rods
+from .theory_limits import notes_on_theory
 from .validity import beside_elastic, bodies_that_bend, general_notes
 
 AFTERGLOW = 1.0  # round trips shown after the bodies have parted for good, where no duration is asked for
@@ -121,7 +121,7 @@ class Method(ABC):
     def _general_notes(self, solution: Solution, own: list[Note], whole: bool) -> list[Note]:
         """What is to be said besides its own notes."""
         notes = general_notes(solution, own, whole, self._miscounts(), self._resolution(solution.scene))
-        notes += notes_on_rods(solution, self.WAVES)
+        notes += notes_on_theory(solution, self.WAVES)
         return [note for note in notes if note not in own]
 
     def without_estimate(self) -> Self:

@@ -1,15 +1,15 @@
-"""What the theory of rods leaves out of an impact, where it matters: yield, buckling, and motion across the rod."""
+"""What the theory of rods and beams leaves out, where it matters: yield, buckling of rods, and their motion across."""
 
 import math
 from operator import itemgetter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..bodies import Rod
+from ..bodies import Bending, Material, Rod
 from ..contact.duration import contact_time
 from ..scene import Scene
-from ..solution.motion import SendsWaves
+from ..solution.motion import Bends, SendsWaves
 from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note, Severity
 
@@ -18,6 +18,8 @@ MAX_SPEED_ERROR = 0.05  # of waves as long as the pulse; less is not reported
 LAST_SPEED_ERROR = 0.3  # beyond which the correction itself is no longer known
 MIN_GROWTH = 20.0  # of a slight bend during the impact; less is not reported
 INSTANTS = 250  # at which waves are looked at, besides their jumps
+BENDING_INSTANTS, BENDING_PLACES = 120, 9  # at which a beam is; they miss some tenth of the largest moment
+REFLECTIONS = 4.0  # times which its supports may raise the stress at once
 
 
 class Loaded(NamedTuple):
@@ -29,15 +31,29 @@ class Loaded(NamedTuple):
     rod: Rod
 
 
-def notes_on_rods(solution: Solution, waves: bool) -> list[Note]:
-    """Of the rods of a scene, each kind of note once, of the rod that needs it most; `waves`: whether it is solved for
-    theirs.
+class Stressed(NamedTuple):
+    """A rod or a beam, its largest stress of either sign [Pa], and how notes name it."""
+
+    stress: float
+    material: Material
+    said: dict[str, Any]
+
+
+def notes_on_theory(solution: Solution, waves: bool) -> list[Note]:
+    """Of the rods and beams of a scene, each kind of note once, of the one that needs it most; `waves`: whether it is
+    solved for theirs.
     """
-    rods = _loaded(solution.scene)
-    if not rods or solution.peak_force is None or not solution.contacts:
+    scene, rods = solution.scene, _loaded(solution.scene)
+    if solution.peak_force is None or not solution.contacts:
         return []
-    found = [*_strength(solution, rods), *_buckling(solution, rods)]
-    return found + (_radial_motion(solution.scene, rods) if waves else [])
+    stressed = [Stressed(peak_stress(solution, each), each.rod.material, _said(rods, each)) for each in rods]
+    if isinstance(scene.target, Bending) and isinstance(solution.motion, Bends):
+        said = {"body": "target", "rod": 0, "kind": "beam"}
+        stressed.append(Stressed(_bending_stress(solution, scene.target), scene.target.material, said))
+    found = _strength(stressed, scene.speed)
+    if rods:
+        found += _buckling(solution, rods)
+    return found + (_radial_motion(scene, rods) if waves and rods else [])
 
 
 def _loaded(scene: Scene) -> list[Loaded]:
@@ -47,28 +63,43 @@ def _loaded(scene: Scene) -> list[Loaded]:
     return [Loaded(names[n], n, n in (first - 1, first), rod) for n, rod in enumerate(bodies)]
 
 
-def _said(rods: list[Loaded], each: Loaded) -> dict[str, object]:
+def _said(rods: list[Loaded], each: Loaded) -> dict[str, Any]:
     """Which rod it is: its number in its chain, 0 where it is alone."""
     chain = [other.number for other in rods if other.body == each.body]
-    return {"body": each.body, "rod": 1 + chain.index(each.number) if len(chain) > 1 else 0}
+    return {"body": each.body, "rod": 1 + chain.index(each.number) if len(chain) > 1 else 0, "kind": "rod"}
 
 
-def _strength(solution: Solution, rods: list[Loaded]) -> list[Note]:
+def _strength(stressed: list[Stressed], speed: float) -> list[Note]:
     """Where stress goes beyond what the material bears elastically, or may do so."""
     found = []
-    stressed = [(peak_stress(solution, each), each) for each in rods]
-    known = [(stress / each.rod.material.yield_strength, stress, each)
-             for stress, each in stressed if each.rod.material.yield_strength is not None]  # fmt: skip
-    share, stress, worst = max(known, key=itemgetter(0), default=(0.0, 0.0, rods[0]))
-    if share > 1.0:
-        values = {"stress": stress, "strength": stress / share, "slower": solution.scene.speed / share}
-        found.append(Note("rod-yields", Severity.WARNING, **_said(rods, worst), **values))
-    unknown = [(stress / each.rod.material.young, stress, each)
-               for stress, each in stressed if each.rod.material.yield_strength is None]  # fmt: skip
-    strain, stress, worst = max(unknown, key=itemgetter(0), default=(0.0, 0.0, rods[0]))
-    if strain > LARGE_STRAIN:
-        found.append(Note("strain-large", Severity.REMARK, **_said(rods, worst), stress=stress, strain=strain))
+    known = [(each.stress / each.material.yield_strength, each) for each in stressed if each.material.yield_strength]
+    share, worst = max(known, key=itemgetter(0), default=(0.0, None))
+    if worst is not None and share > 1.0:
+        values = {"stress": worst.stress, "strength": worst.stress / share, "slower": speed / share}
+        found.append(Note("stress-beyond-yield", Severity.WARNING, **worst.said, **values))
+    unknown = [(each.stress / each.material.young, each) for each in stressed if not each.material.yield_strength]
+    strain, worst = max(unknown, key=itemgetter(0), default=(0.0, None))
+    if worst is not None and strain > LARGE_STRAIN:
+        found.append(Note("strain-large", Severity.REMARK, **worst.said, stress=worst.stress, strain=strain))
     return found
+
+
+def _bending_stress(solution: Solution, beam: Bending) -> float:
+    """Largest in the outer fibre of a beam [Pa]; nothing where that cannot be large, as it is not worth the search.
+
+    A place of a long beam that is struck rigidly at v is stressed by v sqrt(E rho) h / 2 r, r being the radius of
+    gyration of its section, however long that lasts.
+    """
+    material, fibre = beam.material, beam.half_depth / beam.second_moment
+    at_once = solution.scene.speed * math.sqrt(
+        material.young * material.density * beam.section.area / beam.second_moment
+    )
+    bearable = material.yield_strength or LARGE_STRAIN * material.young
+    if REFLECTIONS * at_once < bearable or not isinstance(solution.motion, Bends):
+        return 0.0
+    times = np.linspace(0.0, solution.duration, BENDING_INSTANTS)
+    moment = solution.motion.moment(times, np.linspace(0.0, beam.length, BENDING_PLACES))
+    return fibre * float(np.abs(moment).max())
 
 
 def peak_stress(solution: Solution, each: Loaded) -> float:

@@ -8,7 +8,7 @@ from pytest import approx
 
 import solvers
 from solvers import ContactPeriod, Rod, Scene, Solution
-from solvers.methods.rod_limits import MIN_GROWTH, Loaded, bend_growth, euler_load, peak_stress
+from solvers.methods.theory_limits import MIN_GROWTH, Loaded, bend_growth, euler_load, peak_stress
 from tests.catalog import RIGID, ROD, SCENES, STEEL_ROD, struck_rod
 
 FRONT = ROD.impedance / ROD.area  # rho c v at 1 m/s [Pa]
@@ -51,13 +51,24 @@ def test_the_stress_found_is_the_largest_of_the_field():
 @pytest.mark.parametrize("method", ["waves", "modal"])
 def test_a_rod_that_yields_says_from_which_speed_on(method):
     material = STEEL | {"yield": 100e6}
-    found = note(solvers.solve(struck(speed=5.0, material=material), method), "rod-yields")
+    found = note(solvers.solve(struck(speed=5.0, material=material), method), "stress-beyond-yield")
     assert (found.severity, found.values["strength"]) == ("warning", approx(100e6, rel=1e-12))
     assert found.values["stress"] > (5.0 * FRONT if method == "waves" else 4.999 * FRONT)
     slower = found.values["slower"]
     for share, yields in ((0.99, False), (1.01, True)):
         again = solvers.solve(struck(speed=share * slower, material=material), method)
-        assert (note(again, "rod-yields") is not None) == yields
+        assert (note(again, "stress-beyond-yield") is not None) == yields
+
+
+def test_a_beam_that_yields_says_so_by_the_largest_stress_of_its_fibres():
+    scene = SCENES["hammer-on-cantilever"]
+    fast = solvers.solve(scene.replace({"impactor.velocity": 10.0}), "modal")
+    found = note(fast, "stress-beyond-yield")
+    moment = fast.motion.moment(np.linspace(0.0, fast.duration, 800), np.linspace(0.0, 0.4, 21))
+    assert found.values["stress"] == approx(np.abs(moment).max() * 0.01 / 2e-8, rel=0.12)
+    assert str(found).startswith("The struck beam yields")
+    assert found.values["strength"] == approx(400e6, rel=1e-12)
+    assert note(solvers.solve(scene, "modal"), "stress-beyond-yield") is None
 
 
 def test_without_a_yield_strength_a_large_strain_is_remarked():
