@@ -31,6 +31,7 @@ from .scenes.library import load, scene_names
 from .solution.solution import ContactPeriod, Solution
 from .solve import read_method, solve
 from .stability.maps import Stability, stability
+from .studies.bounces import Bounce, Bounces, bounces
 from .studies.contact_times import ContactTimes, compare_with_half_space, contact_times
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
@@ -45,6 +46,8 @@ __all__ = [
     "Beam",
     "Bending",
     "Body",
+    "Bounce",
+    "Bounces",
     "ContactPeriod",
     "ContactTimes",
     "Convergence",
@@ -76,6 +79,7 @@ __all__ = [
     "Wall",
     "Waveguide",
     "Waves",
+    "bounces",
     "compare",
     "compare_with_half_space",
     "contact_times",

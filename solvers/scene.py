@@ -26,6 +26,7 @@ from .bodies import (
     read_body,
     read_normal,
 )
+from .bodies.drop import fallen, height_and_gravity
 from .bodies.lumped import SPEED_RANGE
 from .contact import LAWS, Rigid
 from .contact.duration import contact_time
@@ -113,6 +114,10 @@ class Scene:
                 if not isinstance(table, dict):
                     raise SceneError(key, value, allowed("no-table", name=name))
             table[last] = value
+            if path == ["impactor"] and last in ("velocity", "height"):  # one in place of the other
+                table.pop("height" if last == "velocity" else "velocity", None)
+                if last == "velocity":
+                    table.pop("gravity", None)
         return Scene.from_table(tables)
 
     def with_impactor_mass(self, mass: float) -> "Scene":
@@ -133,11 +138,20 @@ class Scene:
             "title": self.title,
             "source": self.source,
             **({"note": self.note} if self.note else {}),
-            "impactor": self.impactor.table(),
+            "impactor": self._dropped(self.impactor.table()),
             "target": self.target.table(),
             "contact": contact,
         }
         return tables | ({"method": dict(self.method)} if self.method else {})
+
+    def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
+        """The table of the impactor, with the height from which it falls where the scene gives that."""
+        given = self.given.get("impactor", {})
+        if "height" not in given or fallen(given, self.impactor.kind)["velocity"] != self.impactor.velocity:
+            return impactor
+        height, gravity = height_and_gravity(given)
+        rest = {key: value for key, value in impactor.items() if key != "velocity"}
+        return rest | {"height": height, "gravity": gravity}
 
     def _repr_html_(self) -> str:
         from .notebook import cards

@@ -90,6 +90,7 @@ def _parser() -> argparse.ArgumentParser:
 
     _tradeoff_command(commands)
     _sweep_command(commands)
+    _bounce_command(commands)
     _ensemble_command(commands)
     _convergence_command(commands)
     _record_command(commands)
@@ -136,6 +137,20 @@ def _sweep_command(commands: Any) -> None:
         from .sweep import print_sweep
 
         return print_sweep(_scene(options), options.vary, options.json)
+
+    parser.set_defaults(run=run)
+
+
+def _bounce_command(commands: Any) -> None:
+    parser = commands.add_parser("bounce", help=text("help.bounce.about"))
+    _scene_arguments(parser)
+    parser.add_argument("--cut", default="1e-6", metavar="PART", help=text("help.bounce.cut"))
+    parser.add_argument("--bounces", default="200", metavar="N", help=text("help.bounce.bounces"))
+
+    def run(options: argparse.Namespace) -> int:
+        from .bounce import print_bounces
+
+        return print_bounces(_scene(options), options.cut, options.bounces, options.json)
 
     parser.set_defaults(run=run)
 

@@ -51,7 +51,7 @@ class Metrics:
             resolved = np.asarray(motion.resolved_force(times), float) if isinstance(motion, ResolvesForce) else force
         return cls(
             velocity=np.atleast_1d(rebound(solution)),
-            impulse=solution.impulse,
+            impulse=solution.normal_impulse,
             peak_force=solution.peak_force or None,
             contacts=tuple(solution.contacts),
             energy_error=solution.diagnostics["energy_error"],

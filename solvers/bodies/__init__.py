@@ -8,6 +8,7 @@ from collections.abc import Mapping
 
 from .. import validation
 from .beams import Beam, Bending
+from .drop import fallen
 from .linkage import Mechanism
 from .lumped import RigidMass, SpringMass, Wall
 from .material import MATERIALS, Material, read_material
@@ -79,4 +80,4 @@ def read_body(key: str, given: object) -> AnyBody:
     if not isinstance(given, Mapping):
         raise validation.SceneError(key, given, validation.allowed("kind-table"))
     kind = validation.choice(f"{key}.kind", given.get("kind", usual), kinds)
-    return kinds[kind].read(key, given)
+    return kinds[kind].read(key, fallen(given, kind) if key == "impactor" else given)

@@ -128,6 +128,11 @@ class Solution:
         return self.motion.reactions(self.contacts[-1].end if self.contacts else 0.0)
 
     @property
+    def normal_impulse(self) -> float:
+        """Of all contacts along their normal [N s]."""
+        return float(np.dot(self.impulse, self.scene.normal)) if isinstance(self.impulse, tuple) else self.impulse
+
+    @property
     def known_motion(self) -> Motion:
         """The motion. Raises SceneError for bodies in space, which have no history."""
         if self.motion is None:

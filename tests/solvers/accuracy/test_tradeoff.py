@@ -211,6 +211,13 @@ def test_a_cache_that_cannot_be_written_costs_nothing_but_time(monkeypatch, tmp_
     assert len(found.points) == 1
 
 
+def test_an_impulse_with_friction_is_rated_by_its_normal_part(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    found = tradeoff(solvers.load("note-rod-friction").replace({"impactor.velocity": [-3.0, -2.0, 0.9]}))
+    (point,) = found.points
+    assert point.errors["impulse"] == 0.0
+
+
 @pytest.mark.parametrize("name", ["fixed-rod", "free-rod", "bronze-rod-steel-ball", "sphere-on-half-space"])
 def test_shipped_scenes_bring_their_table(name):
     found = solvers.stored_tradeoff(solvers.load(name))

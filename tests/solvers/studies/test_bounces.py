@@ -1,0 +1,148 @@
+"""Dropped bodies and their bounces: free fall, the series of Zeno, laws that lose less the slower it falls."""
+
+import json
+import math
+
+import pytest
+from pytest import approx
+
+import solvers
+from solvers import Scene, SceneError
+from solvers.bodies.drop import STANDARD_GRAVITY
+from tests.catalog import STEEL_BEAM, STEEL_ROD
+
+BALL = solvers.load("bouncing-ball")
+DROP = solvers.load("drop-test")
+
+
+def dropped(height: float = 2.0, **impactor) -> Scene:
+    falling = {"mass": 0.3, "height": height} | impactor
+    return Scene.from_table({"impactor": falling, "target": {"kind": "stop"}})
+
+
+# --- the height in a scene --------------------------------------------------------------------------------------------
+
+
+def test_a_height_is_the_speed_that_the_fall_gives():
+    assert dropped().impactor.velocity == approx(math.sqrt(2.0 * 9.80665 * 2.0), rel=1e-15)
+    assert dropped(gravity=1.62).impactor.velocity == approx(math.sqrt(2.0 * 1.62 * 2.0), rel=1e-15)
+    rod = Scene.from_table({"impactor": {"kind": "rod", **{k: STEEL_ROD[k] for k in ("length", "section", "material")},
+                                         "height": 0.1}, "target": STEEL_ROD})  # fmt: skip
+    assert rod.impactor.velocity == approx(math.sqrt(0.2 * STANDARD_GRAVITY), rel=1e-15)
+
+
+@pytest.mark.parametrize("scene", [BALL, DROP, dropped(gravity=3.7)])
+def test_a_scene_with_a_height_is_written_back(scene):
+    written = scene.table()
+    assert "velocity" not in written["impactor"]
+    assert Scene.from_table(written) == scene
+    assert Scene.from_table(written).table() == written
+
+
+def test_height_and_velocity_replace_each_other():
+    faster = BALL.replace({"impactor.velocity": 7.0})
+    assert faster.impactor.velocity == 7.0 and "height" not in faster.table()["impactor"]
+    assert faster.replace({"impactor.height": 1.0}) == BALL
+    assert BALL.replace({"impactor.gravity": 1.62}).speed == approx(math.sqrt(2.0 * 1.62))
+
+
+@pytest.mark.parametrize(
+    "impactor, key, said",
+    [
+        ({"mass": 1.0, "height": 1.0, "velocity": 2.0}, "impactor.velocity", "beside a height"),
+        ({"mass": 1.0, "height": -1.0}, "impactor.height", "1e-12 to 1e+06"),
+        ({"mass": 1.0, "height": "high"}, "impactor.height", "1e-12 to 1e+06"),
+        ({"mass": 1.0, "height": 1.0, "gravity": 0.0}, "impactor.gravity", "m/s2"),
+        ({"mass": 1.0, "gravity": 9.81}, "impactor.height", "the key is missing"),
+        ({"kind": "body", "mass": 1.0, "height": 1.0}, "impactor.height", "mass, sphere, rod, beam"),
+    ],
+)
+def test_what_cannot_fall_is_refused(impactor, key, said):
+    with pytest.raises(SceneError) as refused:
+        Scene.from_table({"impactor": impactor, "target": {"kind": "stop"}})
+    assert refused.value.key == key and said in refused.value.allowed
+
+
+# --- bounces ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("restitution", [0.1, 0.5, 0.9, 0.99])
+@pytest.mark.parametrize("cut", [1e-2, 1e-8])
+def test_with_one_restitution_rest_is_that_of_the_series(restitution, cut):
+    """sqrt(2 h / g) (1 + e) / (1 - e) and h (1 + e^2) / (1 - e^2), wherever it is cut."""
+    found = solvers.bounces(BALL.replace({"method.restitution": restitution}), cut=cut, count=2_000)
+    assert (
+        found.ended == "cut"
+        and found.bounces[-1].height < cut <= found.bounces[-2 if len(found.bounces) > 1 else 0].height / restitution**2
+    )
+    fall = math.sqrt(2.0 / STANDARD_GRAVITY)
+    assert found.rest_time == approx(fall * (1.0 + restitution) / (1.0 - restitution), rel=1e-12)
+    assert found.path == approx((1.0 + restitution**2) / (1.0 - restitution**2), rel=1e-12)
+    for number, bounce in enumerate(found.bounces[:20], 1):
+        assert bounce.height == approx(restitution ** (2 * number), rel=1e-12)
+        since = fall * (1.0 + 2.0 * sum(restitution**k for k in range(1, number)))
+        assert bounce.time == approx(since, rel=1e-12)
+
+
+def test_it_stays_where_nothing_is_restored_and_goes_on_where_nothing_is_lost():
+    plastic = solvers.bounces(BALL.replace({"method.restitution": 0.0}))
+    assert (plastic.ended, len(plastic.bounces), plastic.path) == ("stays", 1, 1.0)
+    assert plastic.rest_time == approx(math.sqrt(2.0 / STANDARD_GRAVITY), rel=1e-14)
+    elastic = solvers.bounces(BALL.replace({"method.restitution": 1.0}), count=5)
+    assert (elastic.ended, elastic.rest_time, len(elastic.bounces)) == ("count", None, 5)
+    assert elastic.bounces[-1].height == approx(1.0, rel=1e-12)
+    assert [note.code for note in elastic.notes] == ["bounces-go-on"]
+
+
+def test_steel_that_yields_gives_back_more_the_slower_it_is_struck():
+    found = solvers.bounces(DROP, count=6)
+    restitutions = [bounce.restitution for bounce in found.bounces]
+    assert restitutions == sorted(restitutions) and restitutions[0] < 0.85 < restitutions[-1]
+    for before, after in zip(found.bounces, found.bounces[1:], strict=False):
+        alone = solvers.solve(DROP.replace({"impactor.velocity": before.rebound}))
+        assert -alone.impactor_velocity == approx(after.rebound, rel=1e-12)
+        assert after.time == approx(before.time + before.contact_time + 2.0 * before.rebound / STANDARD_GRAVITY)
+    json.dumps(found.table(), allow_nan=False)
+
+
+def test_it_ends_where_a_contact_outlasts_the_flight():
+    """A soft ball: by then its weight presses it in as far as it bounces."""
+    soft = Scene.from_table(
+        {
+            "impactor": {"mass": 1.0, "height": 1e-3},
+            "target": {"kind": "stop"},
+            "contact": {"law": "kelvin-voigt", "stiffness": 1e5, "restitution": 0.5},
+        }
+    )
+    found = solvers.bounces(soft)
+    last, before = found.bounces[-1], found.bounces[-2]
+    assert found.ended == "contact" and [note.code for note in found.notes] == ["contact-outlasts-flight"]
+    assert last.contact_time > 2.0 * last.rebound / STANDARD_GRAVITY
+    assert before.contact_time < 2.0 * before.rebound / STANDARD_GRAVITY
+    assert found.rest_time is not None and found.rest_time > last.time
+
+
+def test_what_still_vibrates_is_left_out_and_said():
+    beam = Scene.from_table(
+        {
+            "impactor": {"mass": 0.05, "height": 0.05, "radius": 0.01},
+            "target": STEEL_BEAM | {"support": "clamped-clamped", "at": 0.5},
+            "contact": {"law": "hertz"},
+        }
+    )
+    found = solvers.bounces(beam, "rigid", count=2)
+    assert [note.code for note in found.notes] == ["bounces-on-rest", "bounces-go-on"]
+
+
+@pytest.mark.parametrize("name", ["free-rod", "note-rod", "two-equal-rods", "pressure-bar"])
+def test_what_does_not_bounce_is_refused(name):
+    with pytest.raises(SceneError, match="strikes what is held"):
+        solvers.bounces(solvers.load(name))
+
+
+@pytest.mark.parametrize(
+    "option, value", [("cut", 0.0), ("cut", math.nan), ("count", 0), ("count", 1.5), ("gravity", -1)]
+)
+def test_options_out_of_range(option, value):
+    with pytest.raises(SceneError):
+        solvers.bounces(BALL, **{option: value})
