@@ -1,6 +1,5 @@
 """What of a mechanism can be chosen on the page, and the scene with it."""
 
-from dataclasses import replace
 from typing import Any
 
 from solvers import Scene
@@ -19,14 +18,13 @@ def mechanism_values(scene: Scene) -> dict[str, Any]:
     return {"place": mechanism.struck.at} | ({"modes": modes} if modes else {})
 
 
-def other_mechanism(base: Scene, chosen: dict[str, Any]) -> Scene:
-    """The scene struck at the chosen place and speed of approach, with so many modes of every link that bends.
+def mechanism_changes(base: Scene, chosen: dict[str, Any]) -> dict[str, Any]:
+    """The keys of the scene struck at the chosen place and speed of approach, with so many modes of links that bend.
 
     Raises SceneError for a place that cannot be struck.
     """
     target = base.target.table()
     target["links"] = [link | {"modes": chosen["modes"]} if link.get("modes") else link for link in target["links"]]
     target["struck"] |= {"at": chosen["place"]}
-    found = Mechanism.read("target", target)
-    impactor: Any = base.impactor
-    return replace(base, target=found, impactor=replace(impactor, velocity=found.velocity + chosen["speed"]))
+    velocity = Mechanism.read("target", target).velocity
+    return {"target": target, "impactor.velocity": velocity + chosen["speed"]}

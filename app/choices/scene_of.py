@@ -15,7 +15,7 @@ from solvers.contact.viscous import LEAST_RESTITUTION
 from .beam import BEAM_CHOICES, on_beam, other_beam
 from .bodies import parts_of, read_values, with_values
 from .choices import SCENES, Choices, accepts
-from .mechanism import mechanism_values, on_mechanism, other_mechanism
+from .mechanism import mechanism_changes, mechanism_values, on_mechanism
 from .space import has_length, in_space, leaning, struck_at, struck_place
 
 DEPTH = 1e-5  # [m] at which `force_at_depth` says how stiff a power law is: its stiffness has no unit of its own
@@ -204,7 +204,7 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     if base.prescribed_force:
         return base
     if on_mechanism(base):
-        base, changes = other_mechanism(base, chosen), {}
+        changes = mechanism_changes(base, chosen)
     else:
         changes = _of_velocity("impactor", base.impactor, chosen["speed"])
     if base.target.velocity and not on_mechanism(base):
