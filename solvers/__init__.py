@@ -25,6 +25,7 @@ from .methods import (
     usual_method,
 )
 from .methods.base import Method, SceneNotSupported
+from .methods.multibody.method import Multibody
 from .regimes.plan import Plan, RegimeMap, plan, regime_map
 from .scene import Scene
 from .scenes.library import load, scene_names
@@ -60,6 +61,7 @@ __all__ = [
     "Method",
     "Modal",
     "ModeSwitch",
+    "Multibody",
     "Plan",
     "QuasiStatic",
     "RegimeMap",

@@ -8,11 +8,12 @@ from .accuracy.auto import Auto
 from .bodies import Mechanism
 from .methods import METHODS, Modal, usual_method
 from .methods.base import Method
+from .methods.multibody.method import Multibody
 from .scene import Scene
 from .solution.solution import Solution
 from .validation import SceneError, allowed
 
-CHOICES: dict[str, type[Method]] = {**METHODS, Auto.NAME: Auto}
+CHOICES: dict[str, type[Method]] = {**METHODS, Auto.NAME: Auto, Multibody.NAME: Multibody}
 
 
 def read_method(given: Mapping[str, Any], scene: Scene | None = None) -> tuple[Method, float | None]:

@@ -44,6 +44,7 @@ class Method(ABC):
     SPATIAL: ClassVar[bool] = False  # whether it knows bodies in space, beside those on an axis
     PULSES: ClassVar[bool] = False  # whether it knows a prescribed force, beside bodies that strike
     BEAMS: ClassVar[bool] = False  # whether it knows beams struck across, beside rods
+    MOVES: ClassVar[bool] = False  # whether it follows a mechanism as it moves, not its impact alone
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
     # options that make it finer, the first that a scene allows; none: one answer
@@ -66,7 +67,7 @@ class Method(ABC):
 
     def refusal(self, scene: Scene) -> Note | None:
         """`why_not`, and before it what every method says that knows bodies on an axis only."""
-        scene = scene.at_contact
+        scene = scene if self.MOVES else scene.at_contact
         if scene.normal is not None and not self.SPATIAL:
             return Note("refusals.in-space", Severity.REFUSAL)
         if scene.prescribed_force and not self.PULSES:
@@ -90,9 +91,9 @@ class Method(ABC):
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
         scene = scene.with_modes(getattr(self, "modes", None))
-        impact = scene.at_contact
+        impact = scene if self.MOVES else scene.at_contact
         if duration is not None:
-            longest = min(MAX_ROUND_TRIPS * impact.time_unit, MAX_DURATION)
+            longest = MAX_DURATION if self.MOVES else min(MAX_ROUND_TRIPS * impact.time_unit, MAX_DURATION)
             shortest = 1e-6 * impact.time_unit
             duration = validation.number("method.duration", duration, shortest, longest, "s")
         before = compiled()

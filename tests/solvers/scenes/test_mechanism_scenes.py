@@ -13,7 +13,7 @@ NAMES = [name for name, scene in SCENES.items() if scene.target.kind == "mechani
 @pytest.mark.parametrize("name", NAMES)
 def test_every_mechanism_is_solved_as_it_asks_and_keeps_its_energy(name):
     found = solvers.solve(SCENES[name])
-    assert abs(found.diagnostics["energy_error"]) < 1e-9
+    assert abs(found.diagnostics["energy_error"]) < 1e-8
     assert abs(found.diagnostics["momentum_error"]) < 1e-10
     assert found.diagnostics["constraint_error"] < 1e-12
     table = found.table()
@@ -69,7 +69,7 @@ def test_centre_of_percussion_and_masses_felt():
     assert beyond[0] < 0.0 < beyond[1]
     double = SCENES["double-pendulum"]
     assert double.target.at_rest.mass == approx(7.0 / 24.0, rel=1e-12)
-    links = solvers.solve(double).links
+    links = solvers.solve(double, method="rigid").links
     assert links["upper"]["final_velocity"][0] < 0.0 < links["lower"]["final_velocity"][0]
     # the piston with crank and rod, of which the rod is square to the crank
     assert SCENES["slider-crank"].target.at_rest.mass > SCENES["slider-crank"].target.links[2].mass

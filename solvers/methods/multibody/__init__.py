@@ -1,0 +1,1 @@
+"""Mechanisms that go on moving after an impact."""

@@ -1,0 +1,150 @@
+"""What the integrator has recorded of a mechanism, as a motion."""
+
+from typing import Any
+
+import numpy as np
+
+from ...bodies import Mechanism
+from ...numerics.multibody.bouncing import Course
+from ...scene import Scene
+from ...solution.sampled_motion import SampledMotion
+from ...solution.solution import ContactPeriod
+from .linkage import ANGLE, LINE, PIN_X, PIN_Y, Rows
+
+
+class MovingMotion(SampledMotion):
+    """A mechanism of rigid links that moves on, and the mass that strikes it, between impacts without duration.
+
+    Histories are along the normal of the first impact, which does not turn with the links; straight between instants.
+    `impulses` holds times [s] and impulses [N s] of the impacts.
+    """
+
+    def __init__(self, scene: Scene, course: Course, rows: Rows, directions: np.ndarray):
+        self.scene, self.course, self._rows = scene, course, rows
+        self.mechanism = scene.target.known_as(Mechanism)
+        self._directions = directions  # of the lines among the constraints, in the frames of their first links
+        system, normal = self.mechanism.system, np.array(self.mechanism.struck.normal)
+        self._number = [link.name for link in self.mechanism.links].index(self.mechanism.struck.link)
+        struck, rate = self._point(self.mechanism.contact_point)
+        masses = np.array([link.mass for link in system.links])
+        swift = course.rates.reshape(course.time.size, -1, 3)
+        given = np.diff(course.impulse)
+        self._struck_rows = np.flatnonzero(given != 0.0)
+        sudden = self._struck_rows[course.time[self._struck_rows + 1] == course.time[self._struck_rows]]
+        self.impulses = course.time[sudden], given[sudden]
+        super().__init__(
+            time=course.time,
+            force=np.zeros(course.time.size),
+            impulse=course.impulse,
+            impactor_position=(course.place - course.place[0]) @ normal,
+            impactor_velocity=course.speed @ normal,
+            end_position=(struck - struck[0]) @ normal,
+            end_velocity=rate @ normal,
+            rigid_velocity=masses @ (swift[:, :, :2] @ normal).T / masses.sum(),
+            energies=self._energies(),
+        )
+
+    def _energies(self) -> dict[str, np.ndarray]:
+        """Parts [J]; "drives" is what the drives have taken up, "weight" what has gone into height."""
+        course, system = self.course, self.mechanism.system
+        inertia = np.concatenate([(link.mass, link.mass, link.inertia) for link in system.links])
+        load = np.concatenate([(*(link.mass * system.gravity), 0.0) for link in system.links])
+        mass, nothing = self.scene.impactor.mass, np.zeros(course.time.size)
+        weight = -(course.coordinates - course.coordinates[0]) @ load
+        weight -= mass * (course.place - course.place[0]) @ system.gravity
+        return {
+            "impactor": 0.5 * mass * (course.speed**2).sum(axis=1),
+            "target_rigid": 0.5 * (course.rates**2 @ inertia),
+            "target_vibration": nothing,
+            "local": nothing,
+            "dissipated": course.lost,
+            "drives": course.reactions @ self._rows.rate,
+            "weight": weight,
+        }
+
+    def _point(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Of the struck link: places and velocities (time, 2) of the point that is at `at` (2,) to begin with."""
+        course, start = self.course, 3 * self._number
+        q, v = course.coordinates[:, start : start + 3], course.rates[:, start : start + 3]
+        arm = at - q[0, :2]
+        turned = q[:, 2] - q[0, 2]
+        x = np.cos(turned) * arm[0] - np.sin(turned) * arm[1]
+        y = np.sin(turned) * arm[0] + np.cos(turned) * arm[1]
+        return q[:, :2] + np.stack((x, y), 1), v[:, :2] + v[:, 2:] * np.stack((-y, x), 1)
+
+    def contacts(self) -> list[ContactPeriod]:
+        """Impacts without duration, and stretches in which the mass rests on the link."""
+        found, time, given = [], self.time, np.diff(self.course.impulse)
+        for row in self._struck_rows.tolist():
+            start, end, impulse = float(time[row]), float(time[row + 1]), float(given[row])
+            if found and end > start and start <= found[-1].end:  # it still rests, or begins to
+                before = found.pop()
+                found.append(ContactPeriod(before.start, end, before.impulse + impulse, None))
+            else:
+                found.append(ContactPeriod(start, end, impulse, None))
+        return found
+
+    def coordinates(self, time) -> np.ndarray:
+        """Places of the centres and angles of the links, (time, 3 links)."""
+        time = np.atleast_1d(np.asarray(time, float))
+        return np.stack([np.interp(time, self.time, values) for values in self.course.coordinates.T], axis=1)
+
+    def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
+        """Where the links are, by name: (time, parts + 1, 2) [m], at even distances along each."""
+        q, found = self.coordinates(time), {}
+        for number, link in enumerate(self.mechanism.links):
+            x, y, angle = q[:, 3 * number : 3 * number + 3].T
+            along = np.linspace(-0.5, 0.5, parts + 1) * link.length
+            found[link.name] = np.stack(
+                (
+                    x[:, None] + np.multiply.outer(np.cos(angle), along),
+                    y[:, None] + np.multiply.outer(np.sin(angle), along),
+                ),
+                axis=2,
+            )
+        return found
+
+    def link_rates(self, time: float) -> dict[str, dict[str, Any]]:
+        """By link: velocity of its centre, and spin."""
+        row = int(np.clip(np.searchsorted(self.time, time, "right") - 1, 0, self.time.size - 1))
+        rates = self.course.rates[row].reshape(-1, 3)
+        return {
+            link.name: {"final_velocity": own[:2].tolist(), "final_spin": float(own[2])}
+            for link, own in zip(self.mechanism.links, rates, strict=True)
+        }
+
+    def reactions(self, until: float) -> list[dict[str, Any]]:
+        """Sudden impulses of every joint on its second link in all impacts up to a time [s]."""
+        found = np.zeros((len(self.mechanism.joints), 3))
+        sudden = self.course.time[self._struck_rows + 1] == self.course.time[self._struck_rows]
+        for row in self._struck_rows[sudden & (self.course.time[self._struck_rows] <= until)]:
+            found += self._by_joint(self.course.reactions[row + 1] - self.course.reactions[row], row)
+        return [{"impulse": row[:2].tolist(), "moment_impulse": float(row[2])} for row in found]
+
+    def reaction_forces(self, time) -> np.ndarray:
+        """What the first link of each joint does to the second, averaged over the step about each instant and without
+        the impacts: force along x and y [N] and moment [N m], (time, joints, 3)."""
+        found = []
+        for instant in np.atleast_1d(np.asarray(time, float)):
+            row = int(np.clip(np.searchsorted(self.time, instant, "right") - 1, 1, self.time.size - 2))
+            lasts = self.time[row + 1] - self.time[row]
+            pushed = self.course.reactions[row + 1] - self.course.reactions[row]
+            found.append(self._by_joint(pushed / lasts, row) if lasts > 0.0 else np.full_like(found[-1], np.nan))
+        return np.array(found)
+
+    def _by_joint(self, reactions: np.ndarray, row: int) -> np.ndarray:
+        """Impulse and moment on the second link of each joint, (joints, 3), from those of the constraints."""
+        found, rows = np.zeros((len(self.mechanism.joints), 3)), self._rows
+        for value, joint, kind, number in zip(reactions, rows.joint, rows.kind, rows.number, strict=True):
+            if kind in (PIN_X, PIN_Y):
+                found[joint, int(kind == PIN_Y)] -= value
+            elif kind == ANGLE:
+                found[joint, 2] -= value
+            else:
+                assert kind == LINE
+                first = self.mechanism.system.joints[joint].first
+                angle = 0.0 if first < 0 else self.course.coordinates[row, 3 * first + 2]
+                x, y = self._directions[number]
+                cosine, sine = np.cos(angle), np.sin(angle)
+                found[joint, :2] -= value * np.array([cosine * x - sine * y, sine * x + cosine * y])
+        return found

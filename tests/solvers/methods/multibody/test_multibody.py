@@ -1,0 +1,107 @@
+"""The method `multibody`: impacts and the motion between them, against closed forms and against the frozen impact."""
+
+import numpy as np
+import pytest
+from pytest import approx
+from scipy.special import ellipk
+
+import solvers
+from solvers import RigidImpulse, Scene, SceneError, SceneNotSupported
+from solvers.methods.multibody.method import Multibody
+from tests.catalog import SCENES
+from tests.solvers.bodies.linkage.mechanisms import four_bar
+
+
+@pytest.mark.parametrize("initial", [False, True])
+def test_the_first_impact_is_that_of_the_frozen_mechanism(initial):
+    scene = four_bar(0, initial)
+    still, moving = RigidImpulse().solve(scene), Multibody().solve(scene, 0.01)
+    assert moving.contacts[0].impulse == approx(still.impulse, rel=1e-11)
+    for one, other in zip(still.reactions, moving.reactions, strict=True):
+        assert other["impulse"] == approx(one["impulse"], abs=1e-10)
+        assert other["moment_impulse"] == approx(one["moment_impulse"], abs=1e-10)
+    after = moving.motion.link_rates(0.0)
+    for name, link in still.links.items():
+        assert after[name]["final_spin"] == approx(link["final_spin"], abs=1e-10)
+        assert after[name]["final_velocity"] == approx(link["final_velocity"], abs=1e-10)
+
+
+def test_a_pendulum_swings_with_its_exact_period():
+    """Struck so that it swings to 2 rad: T = 4 sqrt(I / m g d) K(sin 1)."""
+    scene = SCENES["compound-pendulum"]
+    inertia, weight = 1.5 * 0.36 / 3.0, 1.5 * 9.81 * 0.3
+    spin = 2.0 * np.sin(1.0) * np.sqrt(weight / inertia)
+    impulse = inertia * spin / 0.4
+    felt = inertia / 0.16
+    scene = scene.replace({"impactor.velocity": impulse / 1.8 * (1.0 / 0.2 + 1.0 / felt)})
+    period = 4.0 * np.sqrt(inertia / weight) * ellipk(np.sin(1.0) ** 2)
+    found = Multibody(restitution=0.8, steps=400).solve(scene, period)
+    angles = found.motion.coordinates(found.motion.time)[:, 2] + 0.5 * np.pi
+    assert len(found.contacts) == 1  # the mass has fallen below the bar when that comes back
+    assert np.abs(angles).max() == approx(2.0, rel=1e-4)
+    assert angles[-1] == approx(0.0, abs=2e-8)
+    assert found.diagnostics["energy_drift"] < 1e-9
+
+
+def test_a_ball_bounces_on_what_stands_still_as_on_a_floor():
+    """On a driven crank at rest: flights of 2 v / g, each slower by the restitution."""
+    table = {
+        "impactor": {"kind": "mass", "mass": 1.0, "velocity": 2.0},
+        "target": {
+            "kind": "mechanism",
+            "gravity": [0.0, -10.0],
+            "links": [{"name": "bar", "from": [-1.0, 0.0], "to": [1.0, 0.0], "mass": 1.0}],
+            "joints": [{"links": ["ground", "bar"], "at": [0.0, 0.0]}],
+            "drives": [{"joint": 0, "speed": 0.0}],
+            "struck": {"link": "bar", "at": 0.75, "normal": [0.0, -1.0]},
+        },
+    }
+    found = Multibody(restitution=0.5).solve(Scene.from_table(table), 0.36)
+    assert [contact.start for contact in found.contacts] == approx([0.0, 0.2, 0.3, 0.35], abs=1e-13)
+    assert [contact.impulse for contact in found.contacts] == approx([3.0, 1.5, 0.75, 0.375], rel=1e-12)
+    assert found.energy["dissipated"] == approx(2.0 * (1.0 - 0.25**4), rel=1e-12)
+    assert found.reactions[0]["impulse"] == approx([0.0, 5.625], abs=1e-12)
+    assert found.reactions[0]["moment_impulse"] == approx(0.5 * 5.625, rel=1e-12)
+    # they come to an end at 0.4 s, and the ball rests on the bar
+    endless = Multibody(restitution=0.5, steps=1000).solve(Scene.from_table(table), 1.0)
+    assert endless.contacts[-1].start == approx(0.4, abs=1e-3) and endless.contacts[-1].end == approx(1.0)
+    assert endless.impulse == approx(2.0 + 10.0, rel=1e-6)
+    assert abs(endless.impactor_velocity) < 1e-12 and abs(endless.diagnostics["energy_error"]) < 1e-12
+
+
+def test_what_passes_beside_a_link_does_not_strike_it():
+    scene = SCENES["compound-pendulum"].replace({"target.struck.at": 1.0, "target.gravity": [0.0, 0.0]})
+    found = Multibody(restitution=1.0).solve(scene.replace({"impactor.mass": 5.0}), 4.0)
+    assert len(found.contacts) == 1  # slower than the tip, it meets the line of the bar beyond its end
+
+
+def test_a_ball_on_a_driven_piston():
+    found = solvers.solve(SCENES["bouncing-on-piston"])
+    assert len(found.contacts) > 5
+    assert found.diagnostics["constraint_error"] < 1e-13  # its angle is some 80 rad
+    assert found.diagnostics["energy_drift"] < 1e-7
+    times, impulses = found.motion.impulses
+    before = found.motion.end_velocity(times, after=False)
+    assert np.all(impulses > 0.0) and np.ptp(before) > 0.1  # met in another phase each time
+    flights = found.motion.link_points(np.array([0.0, 1.0]), 2)["rod"]
+    assert np.hypot(*(flights[:, 0] - flights[:, -1]).T) == approx(np.full(2, 0.06), rel=1e-6)
+
+
+def test_reactions_over_time_are_the_weight_at_rest():
+    scene = SCENES["compound-pendulum"].replace({"impactor.velocity": 1e-6})
+    found = Multibody().solve(scene, 0.5)
+    assert found.motion.reaction_forces(np.array([0.2]))[0, 0] == approx([0.0, 1.5 * 9.81, 0.0], abs=1e-4)
+
+
+def test_what_it_cannot_follow_is_refused():
+    rod = {"kind": "rod", "length": 0.3, "section": {"area": 1e-4}, "material": "steel", "velocity": 0.0}
+    for scene, code in (
+        (four_bar(3), "flexible-links"),
+        (SCENES["fixed-rod"], "no-mechanism"),
+        (four_bar(impactor=rod), "mass-on-mechanism"),
+    ):  # fmt: skip
+        with pytest.raises(SceneNotSupported) as refused:
+            solvers.solve(scene, method="multibody")
+        assert refused.value.reason.code == f"refusals.{code}"
+    with pytest.raises(SceneError):
+        solvers.solve(four_bar(), method="multibody", restitution=2.0)
