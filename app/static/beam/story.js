@@ -131,6 +131,7 @@ export class BeamStory {
       this.energy,
       main.energy,
       parts.map((part) => [part, names[part]]),
+      Boolean(main.energy.drives),
     );
   }
   /**

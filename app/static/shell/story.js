@@ -1,5 +1,5 @@
 // What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
-import { percent } from '../text/format.js';
+import { figures, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { columnHead, make } from './dom.js';
 
@@ -74,8 +74,9 @@ export class Warnings {
  * @param {HTMLElement} root
  * @param {Energies} energy
  * @param {[key: string, name: string][]} names
+ * @param {boolean} [joules]  instead of shares of the energy at first: where more is fed in
  */
-export function showEnergy(root, energy, names) {
+export function showEnergy(root, energy, names, joules = false) {
   const bar = make('div', { className: 'bar' });
   const parts = [];
   for (const [key, name] of names) {
@@ -85,7 +86,9 @@ export function showEnergy(root, energy, names) {
     piece.style.flexGrow = String(Math.max(share, 0));
     bar.append(piece);
     const chip = make('i', { className: `chip ${key}` });
-    parts.push(make('span', { className: 'key' }, chip, `${name} ${percent(share)}`));
+    parts.push(
+      make('span', { className: 'key' }, chip, `${name} ${joules ? `${figures(energy[key])} J` : percent(share)}`),
+    );
   }
   root.replaceChildren(bar, make('p', {}, ...parts));
 }
