@@ -66,7 +66,8 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
         wanted["mass_ratio"] = float(f"{scene.mass_ratio:.12g}")
     method = dict(scene.method)
     wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
-    wanted["method"] = method.get("name") or solvers.usual_method(scene)
+    named = method.get("name")  # which may be one that the page does not have
+    wanted["method"] = named if named in METHODS else solvers.usual_method(scene)
     if bends_alone(scene):
         wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
     if on_mechanism(scene):
