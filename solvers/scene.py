@@ -10,6 +10,7 @@ import numpy as np
 from . import validation
 from .bodies import (
     AnyBody,
+    Balls,
     Beam,
     Bending,
     Body,
@@ -51,7 +52,7 @@ class Scene:
     impactor: AnyBody
     target: AnyBody
     contact: Law
-    joint_laws: tuple[Law | None, ...] = ()  # of the joints of a chain of rods; None where the joint is bonded
+    joint_laws: tuple[Law | None, ...] = ()  # of the joints of a chain of rods, None where bonded; between balls
     title: str = ""
     source: str = ""
     method: Mapping[str, Any] = field(default_factory=dict)
@@ -86,7 +87,7 @@ class Scene:
             impactor,
             target,
             _read_law("contact", given.get("contact", {"law": "rigid"}), impactor, target, normal is not None),
-            _read_joint_laws(impactor, target),
+            _read_joint_laws(impactor, target, given.get("contact", {"law": "rigid"})),
             validation.text("title", given.get("title", "")),
             validation.text("source", given.get("source", "")),
             dict(method),
@@ -130,6 +131,8 @@ class Scene:
         for name in {"restitution", "nominal_restitution"} & set(self.given.get("contact", ())):
             del contact["damping"]  # as given: it says more, and stays with the impact when its speed is changed
             contact[name] = self.given["contact"][name]
+        if isinstance(self.target, Balls) and "contact" in self.given:
+            contact = dict(self.given["contact"])  # as given: from it every pair of neighbours has its own constants
         if self.normal is not None:
             contact["normal"] = list(self.normal)
         if self.friction is not None:
@@ -308,8 +311,17 @@ def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spati
         raise refused if name == refused.key else SceneError(f"{key}.{name}", refused.value, refused.reason) from None
 
 
-def _read_joint_laws(impactor: AnyBody, target: AnyBody) -> tuple[Law | None, ...]:
-    """Of a chain; where a law's constants depend on the speed of approach, that of the impact is taken."""
+def _read_joint_laws(impactor: AnyBody, target: AnyBody, contact: object) -> tuple[Law | None, ...]:
+    """Of a chain; where a law's constants depend on the speed of approach, that of the impact is taken.
+
+    Between balls it is that of the contact, with constants of their own where they follow from radii and materials.
+    """
+    if isinstance(target, Balls):
+        coming = [replace(ball, velocity=impactor.velocity) for ball in target.balls]
+        return tuple(
+            _read_law("contact", contact, front, behind)
+            for front, behind in zip(coming[:-1], target.balls[1:], strict=True)
+        )
     if not isinstance(target, Rods):
         return ()
     coming = [replace(rod, velocity=impactor.velocity) for rod in target.rods]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from solvers import ContactPeriod, Rod, Scene, Solution, Waveguide
-from solvers.bodies import FlexiblePendulum
+from solvers.bodies import Balls, FlexiblePendulum
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal.method import ModalMotion
@@ -87,7 +87,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "step": steps,
         "exact": _figures(exact) | ({"name": "converged"} if by_modes(exact) else {}),
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
-        "prediction": None if scene.prescribed_force else rigid_prediction(scene, request.restitution),
+        "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
@@ -95,6 +95,11 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "leastRestitution": LEAST_RESTITUTION,
     }
     return packed(header, arrays)
+
+
+def in_row(scene: Scene) -> bool:
+    """Whether what is struck is a row of balls, of which no rigid-body theory of two bodies says anything."""
+    return isinstance(scene.target, Balls)
 
 
 def _units(scene: Scene) -> tuple[float, float]:

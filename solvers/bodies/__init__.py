@@ -7,6 +7,7 @@ may ask of it, and name it in IMPACTORS or TARGETS.
 from collections.abc import Mapping
 
 from .. import validation
+from .balls import Balls
 from .beams import Beam, Bending
 from .drop import fallen
 from .linkage import Mechanism
@@ -39,6 +40,7 @@ TARGETS: dict[str, type[AnyBody]] = {
     "stop": Wall,
     "half-space": Wall,
     "body": Body,
+    "balls": Balls,
     "mechanism": Mechanism,
 }
 
@@ -47,6 +49,7 @@ __all__ = [
     "MATERIALS",
     "TARGETS",
     "AnyBody",
+    "Balls",
     "Beam",
     "Bending",
     "Body",

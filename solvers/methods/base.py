@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar, Self
 
 from .. import validation
+from ..bodies import Balls
 from ..contact.protocol import Damped
 from ..provenance import compiled
 from ..scene import Scene
@@ -45,6 +46,7 @@ class Method(ABC):
     PULSES: ClassVar[bool] = False  # whether it knows a prescribed force, beside bodies that strike
     BEAMS: ClassVar[bool] = False  # whether it knows beams struck across, beside rods
     MOVES: ClassVar[bool] = False  # whether it follows a mechanism as it moves, not its impact alone
+    ROWS: ClassVar[bool] = False  # whether it knows a row of balls, beside one body
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
     # options that make it finer, the first that a scene allows; none: one answer
@@ -72,6 +74,8 @@ class Method(ABC):
             return Note("refusals.in-space", Severity.REFUSAL)
         if scene.prescribed_force and not self.PULSES:
             return Note("refusals.prescribed-force", Severity.REFUSAL)
+        if isinstance(scene.target, Balls) and not self.ROWS:
+            return Note("refusals.row-of-balls", Severity.REFUSAL)
         if not self.BEAMS and scene.bends:
             return Note("refusals.beam", Severity.REFUSAL)
         if not self.DAMPED and any(body.damping for body in bodies_that_bend(scene)):

@@ -107,6 +107,7 @@ class Solution:
     impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
     target_spin: tuple[float, float, float] | None = None
     sliding: list[Sliding] | None = None  # of bodies in space that rub
+    ball_velocities: list[float] | None = None  # of each of a row of balls at the end [m/s]
     models: dict[str, dict[str, Any]] | None = None  # what each model of restitution gives for them
     joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
 
@@ -198,6 +199,9 @@ class Solution:
         turned = {
             body: {"final_spin": swing.spin, "effective_mass": swing.felt_mass} for body, swing in self.swings.items()
         }
+        balls = {}
+        if self.ball_velocities is not None:
+            balls = {"balls": [{"final_velocity": velocity} for velocity in self.ball_velocities]}
         rubbed = {}
         if self.sliding is not None:
             rubbed = {"sliding": [asdict(each) for each in self.sliding], "models": self.models}
@@ -216,6 +220,7 @@ class Solution:
             "impactor": final(self.impactor_velocity, self.impactor_spin) | turned.get("impactor", {}),
             "target": final(self.target_velocity, self.target_spin) | turned.get("target", {}),
             **self.scene.target.figures(),
+            **balls,
             "restitution": self.restitution,
             "energy": self.energy,
             **rubbed,

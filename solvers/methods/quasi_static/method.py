@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...bodies import Bending, Rod, Wall, Waveguide
+from ...bodies import Balls, Bending, Rod, Wall, Waveguide
 from ...contact import Hertz, Linear, Power
 from ...contact.duration import contact_time, exponent_of
 from ...numerics.collisions import Collision, damped_collision, path_collision, power_collision, sine_collision
@@ -19,6 +19,8 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..options import option, word
 from ..validity import STILL_TOUCHING
+from .balls import solve_balls
+from .balls import why_not as why_not_balls
 from .springs import is_spring, spring_of
 from .validity import beam_notes, equal_rods, rod_notes, waves_left_out
 
@@ -37,6 +39,7 @@ class QuasiStatic(Method):
     under its own weight; "structural-printed" starts them as the thesis prints it.
     "local": both bodies move as a whole, rods too, and the contact law is all that gives way; any law, closed form for
     powers of the indentation, work integrals for laws with memory, a differential equation for laws with damping.
+    A row of balls is followed as one differential equation, by "local" whatever is asked for.
     "hertz-sine": the half sine that approximates it.
     "auto": structural if the contact is rigid; with a law, structural for a fixed rod lighter than the impactor or a
     beam whose equivalent mass is, and local for anything else (thesis 3.5). The two are never put in series, as the
@@ -51,13 +54,15 @@ class QuasiStatic(Method):
 
     NAME = "quasi-static"
     WAVES = False
-    BEAMS = True
+    BEAMS = ROWS = True
 
     def why_not(self, scene: Scene) -> Note | None:
         model = self._model(scene)
         target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
         if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
             return Note("refusals.no-finite-body", Severity.REFUSAL)
+        if isinstance(target, Balls):
+            return why_not_balls(scene)
         if not model.startswith("structural"):
             return self._why_not_local(scene, model)
         if equal_rods(scene):
@@ -93,6 +98,8 @@ class QuasiStatic(Method):
         return "structural" if light else "local"
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
+        if isinstance(scene.target, Balls):
+            return solve_balls(scene, self.table(), duration)
         begun = clock()
         model = self._model(scene)
         if not model.startswith("structural"):
