@@ -36,6 +36,7 @@ from .studies.bounces import Bounce, Bounces, bounces
 from .studies.contact_times import ContactTimes, compare_with_half_space, contact_times
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
+from .studies.scattering import JointScattering, joint_scattering
 from .studies.sweep import Figures, solve_many, sweep
 from .validation import SceneError
 
@@ -56,6 +57,7 @@ __all__ = [
     "FeModal",
     "FeNodal",
     "Figures",
+    "JointScattering",
     "Material",
     "Mechanism",
     "Method",
@@ -87,6 +89,7 @@ __all__ = [
     "contact_times",
     "convergence",
     "ensemble",
+    "joint_scattering",
     "load",
     "plan",
     "read_method",

@@ -96,6 +96,7 @@ def _parser() -> argparse.ArgumentParser:
     _record_command(commands)
     _stability_command(commands)
     _plan_command(commands)
+    _joints_command(commands)
 
     scenes = commands.add_parser("scenes", help=text("help.scenes"))
     scenes.set_defaults(run=_scenes)
@@ -220,6 +221,15 @@ def _plan_command(commands: Any) -> None:
     _scene_arguments(parser)
     add_arguments(parser)
     parser.set_defaults(run=lambda options: print_plan(_scene(options), options))
+
+
+def _joints_command(commands: Any) -> None:
+    from .joints import add_arguments, print_joints
+
+    parser = commands.add_parser("joints", help=text("help.joints.about"))
+    _scene_arguments(parser)
+    add_arguments(parser)
+    parser.set_defaults(run=lambda options: print_joints(_scene(options), options))
 
 
 def _scene_arguments(parser: argparse.ArgumentParser, option: bool = False) -> None:
