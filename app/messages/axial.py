@@ -23,7 +23,7 @@ from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
 from .parts import parts_told
 from .pendulum import pendulum_told, striker_arrays, waves_of_force
-from .rotating import rotation_told, turning_fields, turning_rod, turns
+from .rotating import bent_shapes, rotation_told, turning_fields, turning_rod, turns
 from .solutions import by_modes
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
@@ -49,6 +49,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         if solution is exact or not carried:
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
+    arrays |= bent_shapes(exact, even, length_unit)
     if turns(scene.target):
         rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, length_unit)
     arrays |= cycle(exact) | _balances(other, trip, force_unit)

@@ -9,6 +9,7 @@ from solvers.bodies import AnyBody, RotatingRod
 
 INSTANTS, PLACES = 160, 31  # of the fields, which no waves of one speed give
 LISTED = 3  # frequencies
+BAR_PLACES = 25  # of one that bends, as many as of a pendulum
 
 
 def turns(body: AnyBody) -> TypeGuard[RotatingRod]:
@@ -33,6 +34,15 @@ def turning_fields(solution: Solution, stress_unit: float, length_unit: float) -
     }
 
 
+def bent_shapes(solution: Solution, time: np.ndarray, length_unit: float) -> dict[str, np.ndarray]:
+    """Displacements along a rod that turns and is struck across, from its axis on; nothing of other bodies."""
+    rod = solution.scene.target
+    if not isinstance(rod, RotatingRod) or not rod.across:
+        return {}
+    places = np.linspace(0.0, rod.length, BAR_PLACES)
+    return {"turningBar": solution.known_motion.displacement(time, places) / length_unit}
+
+
 def rotation_told(body: AnyBody) -> dict[str, Any]:
     """What the rotation does to a rod, along it and across; nothing of other bodies."""
     if not isinstance(body, RotatingRod):
@@ -40,6 +50,7 @@ def rotation_told(body: AnyBody) -> dict[str, Any]:
     found = body.figures()
     across = {name: found[name]["frequencies"][:LISTED] if name in found else [] for name in ("bending", "simplified")}
     told = {
+        "at": body.at,
         "speed": body.speed,
         "critical": body.critical_speed,
         "stretch": body.steady_stretch,

@@ -90,6 +90,9 @@ AXIAL: Fields = {
             "otherBar": Field("(motion, bar places)", "likewise [v T]"),
             "balanceTime": Field("(balances)", "[T]"),
             "balanceForce": Field("(balances)", "impulse over the step [Z v]"),
+            "turningBar": Field(
+                "(motion, bar places)", "of a rod that turns and is struck across, from its axis on [v T]"
+            ),
             "exactStress": Field("(exact instants, exact places)", "of a rod that turns [v sqrt(E rho)]"),
             "exactVelocity": Field("(exact instants, exact places)", "[v]"),
             "exactDisplacement": Field("(exact instants, exact places)", "[v T]"),
@@ -273,6 +276,7 @@ RECORDS: dict[str, Fields] = {
         "rotation": Field("Rotation", "of a rod that turns", optional=True),
     },
     "Rotation": {
+        "at": Field("number", "where it is struck, of its length from the axis"),
         "speed": Field("number", "[rad/s]"),
         "critical": Field("number", "speed at which its stretch has no end [rad/s]"),
         "stretch": Field("number", "of its end, steadily [m]"),

@@ -1,7 +1,8 @@
 // A pendulum that strikes: it hangs from its pivot, and a bar that bends is drawn by the shapes in the message.
 import { COLORS } from '../charts/styles.js';
+import { axis } from './bodies.js';
 
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame, Numbers } from '../shell/message.js' */
 
 const THICK = 15; // of the bar [px]
 const TOP = 22; // of the pivot, from the edge of the picture [px]
@@ -11,7 +12,26 @@ const PARTS = 24; // of the bar as it is drawn
 /** @typedef {(part: number) => number} Shape  displacement [v T] along the bar, from its pivot (0) to its end (1) */
 
 /**
- * How the bar lies: bent, or straight through the place where it strikes.
+ * How a bar lies by samples (instants, places).
+ * @param {Numbers} bar
+ * @param {number[]} shape  of the samples
+ * @param {number} part  of the whole time
+ * @returns {Shape}
+ */
+function sampled(bar, [instants, places], part) {
+  const when = Math.min(Math.max(part, 0), 1) * (instants - 1);
+  const row = Math.min(Math.floor(when), instants - 2);
+  const value = (/** @type {number} */ k, /** @type {number} */ i) => bar[k * places + i];
+  return (along) => {
+    const place = Math.min(Math.max(along, 0), 1) * (places - 1);
+    const i = Math.min(Math.floor(place), places - 2);
+    const [early, late] = [row, row + 1].map((k) => value(k, i) + (place - i) * (value(k, i + 1) - value(k, i)));
+    return early + (when - row) * (late - early);
+  };
+}
+
+/**
+ * How the pendulum lies: bent, or straight through the place where it strikes.
  * @param {AxialFrame} frame
  * @param {'exact' | 'other'} solution
  * @param {number} t
@@ -20,20 +40,31 @@ const PARTS = 24; // of the bar as it is drawn
  */
 export function shapeOf(frame, solution, t, face) {
   const { impactor, shapes, duration } = frame;
+  const struck = /** @type {number} */ (impactor.place) / /** @type {number} */ (impactor.length);
   const name = solution === 'exact' ? 'exactBar' : 'otherBar';
   const bar = frame[name];
-  const struck = /** @type {number} */ (impactor.place) / /** @type {number} */ (impactor.length);
-  const [instants, places] = shapes[name] ?? [];
-  if (!bar) return (part) => (face * part) / struck;
-  const when = Math.min(Math.max(t / duration, 0), 1) * (instants - 1);
-  const row = Math.min(Math.floor(when), instants - 2);
-  const value = (/** @type {number} */ k, /** @type {number} */ i) => bar[k * places + i];
-  return (part) => {
-    const place = Math.min(Math.max(part, 0), 1) * (places - 1);
-    const i = Math.min(Math.floor(place), places - 2);
-    const [early, late] = [row, row + 1].map((k) => value(k, i) + (place - i) * (value(k, i + 1) - value(k, i)));
-    return early + (when - row) * (late - early);
-  };
+  return bar ? sampled(bar, shapes[name], t / duration) : (part) => (face * part) / struck;
+}
+
+/**
+ * A rod that turns about an axis at its root and is struck across, bent as it is.
+ * @param {CanvasRenderingContext2D} c
+ * @param {AxialFrame} frame
+ * @param {number} t
+ * @param {{ rest: number, middle: number, scale: number, height: number }} place  struck face at rest, px per v T
+ */
+export function turningBar(c, frame, t, { rest, middle, scale, height }) {
+  const { duration, shapes, target, turningBar: bar } = frame;
+  if (!bar || !target.rotation) return;
+  const shape = sampled(bar, shapes.turningBar, t / duration);
+  const long = Math.min((middle - TOP) / target.rotation.at, height - TOP - 8);
+  const centre = rest + THICK / 2;
+  c.strokeStyle = '#8fb4d6';
+  c.lineWidth = THICK;
+  c.beginPath();
+  for (let k = 0; k <= PARTS; k++) c.lineTo(centre + shape(k / PARTS) * scale, TOP + (k / PARTS) * long);
+  c.stroke();
+  axis(c, centre, TOP, 2 * THICK);
 }
 
 /**

@@ -7,7 +7,7 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { axis, endMass, onward, push, striker, struckBody, wall } from './bodies.js';
-import { pendulum, shapeOf, WIDTH } from './pendulum.js';
+import { pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
 /** @import { Striker } from '../shell/striker.js' */
@@ -123,7 +123,8 @@ export class Stage {
     const face = rest + field.end(t) * this.scale;
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
-    if (!rods.length)
+    if (frame.turningBar) turningBar(c, frame, t, { rest, middle, scale: this.scale, height });
+    else if (!rods.length)
       struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
     if (impactor.kind === 'pulse') {

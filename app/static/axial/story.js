@@ -50,7 +50,8 @@ function turning({ speed, critical, stretch, strain, axial, bending, simplified 
  */
 function unitsOf({ exactBar, impactor, rods, target, trip }) {
   const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
-  const alone = exactBar ? 'pendulum' : 'contact';
+  const bent = target.rotation ? 'turning' : 'contact';
+  const alone = exactBar ? 'pendulum' : bent;
   const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : 'one';
   const units = text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
   const { mass: felt, ownMass: own } = impactor;

@@ -124,6 +124,7 @@
 /**
  * What its rotation does to a rod.
  * @typedef {object} Rotation
+ * @property {number} at  where it is struck, of its length from the axis
  * @property {number} speed  [rad/s]
  * @property {number} critical  speed at which its stretch has no end [rad/s]
  * @property {number} stretch  of its end, steadily [m]
@@ -178,6 +179,7 @@
  * @property {Numbers} [otherBar]
  * @property {Numbers} [balanceTime]
  * @property {Numbers} [balanceForce]
+ * @property {Numbers} [turningBar]  (motion, bar places), flat: of a rod that turns and is struck across
  * @property {Numbers} [exactStress]  (instant, place), flat: of a rod that turns
  * @property {Numbers} [exactVelocity]
  * @property {Numbers} [exactDisplacement]

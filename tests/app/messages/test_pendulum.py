@@ -62,3 +62,16 @@ def test_modes_of_a_pendulum_on_a_stop_are_chosen():
     assert Request.of(own_choices("figure-9.11") | {"modes": 12}).scene.impactor.count == 5
     moments = [read_header(solve_frame(chosen | {"modes": n}))["other"]["diagnostics"]["pivot_moment"] for n in (3, 10)]
     assert moments == [approx(31.61, rel=1e-3), approx(0.805, rel=1e-2)]
+
+
+def test_rods_that_turn_are_drawn():
+    """Along it by fields of many modes, in the place of waves; across it by its own shapes; with what rotation does."""
+    along, across = (read_header(solve_frame(own_choices(f"figure-5.{k}"))) for k in (24, 22))
+    assert {array[0] for array in along["arrays"]} >= {"exactStress", "exactVelocity", "exactDisplacement"}
+    assert along["rods"][0]["to"] == 0.3
+    assert along["exact"]["name"] == across["exact"]["name"] == "converged"
+    assert "turningBar" in {array[0] for array in across["arrays"]}
+    rotation = along["target"]["rotation"]
+    assert rotation["axial"] == approx([23379.0, 79854.4, 134302.0], rel=1e-5)
+    assert rotation["stretch"] == approx(0.0819718, rel=1e-5)
+    assert rotation["simplified"][:2] == [None, None]
