@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import METHODS, Bending, Method, Modal, Scene, SceneError, Solution
+from solvers import METHODS, Bending, Method, Modal, RigidImpulse, Scene, SceneError, Solution
 from solvers.accuracy.reference import MODES_BESIDE, modes_beside
 from solvers.methods.modal.method import ModalMotion
 from solvers.numerics.beams.dispersion import dispersion
@@ -50,11 +50,13 @@ CYCLE_SAMPLES = 700
 
 
 def chosen_method(request: Request) -> tuple[Method, Note | None]:
-    """The chosen method, or modes where that one cannot solve the scene, with the note why."""
+    """The chosen method, or modes where that one cannot solve the scene, or one impulse; with the note why."""
     method = METHODS[request.method].read(method_options(request.method, request))
     reason = method.refusal(request.scene)
     if reason:
         method = Modal(modes=request.modes)
+        if method.refusal(request.scene):  # nothing bends, nothing gives way
+            method = RigidImpulse(restitution=request.restitution)
     if isinstance(method, Modal):
         method = replace(method, estimate=False)  # another number of modes is shown beside it
     return method, reason

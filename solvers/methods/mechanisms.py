@@ -116,12 +116,9 @@ class MechanismMotion:
         link, spin = frozen.system.links[frozen.link], frozen.system.spin(frozen.link, frozen.rates)
         start = frozen.system.offsets[frozen.link]
         own = slice(start, start + link.size)
-        places = link.origin + np.multiply.outer(x, link.axes[0])
-        speeds = np.array([frozen.normal @ link.point(at) @ frozen.rates[own] for at in places])
-        accelerations = [
-            frozen.normal @ (link.point(at) @ frozen.accelerations[own] + link.centripetal(at, spin)) for at in places
-        ]
-        return speeds, np.array(accelerations) * self._followed
+        rows = frozen.normal @ link.points(x)
+        accelerations = rows @ frozen.accelerations[own] - spin**2 * x * (link.axes[0] @ frozen.normal)
+        return rows @ frozen.rates[own], accelerations * self._followed
 
     # --- all coordinates
 

@@ -71,7 +71,7 @@ export class BeamStory {
       const numbers = { contacts: reference.contacts, found: main.contacts };
       notes.push(text('beam.note.other-contacts', { ...names, ...numbers }));
     }
-    if (refused) notes.push(text('beam.note.refused', { method: METHODS[chosen.method], note: refused }));
+    if (refused) notes.push(text('beam.note.refused', { method: METHODS[chosen.method], note: refused, instead: main.name }));
     const known = main.notes.map(said);
     const own = reference?.notes.filter((note) => !known.includes(said(note))) ?? [];
     const method = reference && called(reference);

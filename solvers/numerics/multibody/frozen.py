@@ -181,8 +181,7 @@ class Frozen:
 
         def moved(motion: np.ndarray, x: np.ndarray) -> np.ndarray:
             """Along the normal, of motions (size, n): (n, x)."""
-            places = link.origin + np.multiply.outer(np.atleast_1d(np.asarray(x, float)), link.axes[0])
-            return np.array([self.normal @ link.point(at) @ motion[own] for at in places]).T
+            return (self.normal @ link.points(x) @ motion[own]).T
 
         def carried(name: str):
             return lambda x: motions[own][3:].T @ link.shapes.carried(name, x)

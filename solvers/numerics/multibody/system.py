@@ -48,6 +48,14 @@ class Link(NamedTuple):
         found[:, 3:] = (self.shapes.displacements(x)[:, 0] @ self.axes).T
         return found
 
+    def points(self, x: np.ndarray) -> np.ndarray:
+        """The same of the points at x (x,) [m] along it, (x, 2, size)."""
+        x = np.clip(np.atleast_1d(np.asarray(x, float)), 0.0, self.length)
+        arms, found = np.multiply.outer(x, self.axes[0]), np.zeros((x.size, 2, self.size))
+        found[:, :, :2], found[:, 0, 2], found[:, 1, 2] = np.eye(2), -arms[:, 1], arms[:, 0]
+        found[:, :, 3:] = (self.shapes.displacements(x) @ self.axes).transpose(1, 2, 0)
+        return found
+
     def turn(self, at: np.ndarray) -> np.ndarray:
         """Angular velocity of the section at `at` per unit of each rate, (size,)."""
         x = np.array([np.clip(self.axes[0] @ (at - self.origin), 0.0, self.length)])

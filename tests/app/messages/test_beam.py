@@ -12,12 +12,12 @@ import solvers
 from app.choices.choices import Choices
 from app.choices.request import Request
 from app.choices.scene_of import choices_of, chosen_scene
-from app.messages.beam import MS, PLACES, chosen_method, instants, struck_velocity
-from app.messages.encoding import read_header
+from app.messages.beam import MS, PLACES, chosen_method, struck_velocity
+from app.messages.encoding import instants, read_header
 from app.messages.solve import solve_frame
 from app.page.picker import scene_groups
 from app.views.trust import convergence_data, trust_data
-from solvers import SceneError
+from solvers import METHODS, SceneError
 
 from .test_axial import arrays
 
@@ -166,3 +166,13 @@ def test_the_studies_are_plain_data():
     assert study["counts"] == [3, 5, 10, 20, 40]
     assert len(study["values"]["support_shear"]) == 5
     assert "error" in json.loads(trust_data(choices("figure-8.25", place=0.0)))
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("scene", ["slider-crank", "four-bar"])
+def test_a_mechanism_is_answered_whatever_the_method(scene, method):
+    asked = Choices(**({"scene": scene} | choices_of(scene) | {"method": method})).chosen()
+    header = read_header(solve_frame(asked))
+    assert header["main"]["name"] == method or header["refused"]
+    assert len(header["main"]["joints"]) == len(header["mechanism"]["joints"])
+    assert (header["reference"] is None) == (scene == "slider-crank")
