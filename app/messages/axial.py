@@ -14,6 +14,7 @@ from solvers.bodies import Balls, FlexiblePendulum
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal.method import ModalMotion
+from solvers.methods.theory_limits import OF_THEORY
 from solvers.methods.validity import TWICE
 from solvers.solution.motion import Balances, SendsWaves
 from solvers.solution.restitution import common_velocity
@@ -257,8 +258,8 @@ def _figures(solution: Solution) -> dict[str, Any]:
 
 
 def _once(other: Solution) -> list[Note]:
-    """Without what the exact solution says of damping, with more figures."""
-    return [note for note in other.notes if note.code != TWICE]
+    """Without what the exact solution says of damping and of the bodies, with more figures."""
+    return [note for note in other.notes if note.code not in (TWICE, *OF_THEORY)]
 
 
 def _cut_off(solution: Solution, contact: ContactPeriod) -> bool:

@@ -13,6 +13,7 @@ from ..solution.motion import Bends, SendsWaves
 from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note, Severity
 
+OF_THEORY = ("stress-beyond-yield", "strain-large", "rod-buckles", "pulse-short")  # codes of its notes
 LARGE_STRAIN = 1e-3  # reported where no yield strength is given: most metals yield between it and some 5e-3
 MAX_SPEED_ERROR = 0.05  # of waves as long as the pulse; less is not reported
 LAST_SPEED_ERROR = 0.3  # beyond which the correction itself is no longer known

@@ -60,7 +60,7 @@ class Tolerance extends Panel {
     this.mayBeWaves = make('label', { className: 'part' }, this.waves, text('tolerance.waves'));
     this.shows = make('input', { type: 'checkbox', onchange: () => this.ask('auto_follows', this.shows.checked) });
     this.said = make('p', { className: 'verdict', role: 'status' });
-    this.scale = make('div', { className: 'proof', role: 'img' });
+    this.scale = make('div', { className: 'proof', role: 'img', hidden: true });
     this.why = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods' });
     this.judged = make('span');

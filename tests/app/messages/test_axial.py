@@ -135,3 +135,10 @@ def test_every_scene_is_drawn_and_reported_as_it_says(name):
         shown = next((c for c in columns if c["name"] == solution.method["name"]), columns[0])
         # the page gives modes a step of its own
         assert shown["final"] == pytest.approx(solution.impactor_velocity / scene.speed, abs=1e-4)
+
+
+def test_what_rod_theory_leaves_out_is_said_of_the_exact_solution_alone():
+    chosen = Choices().chosen() | choices_of("fixed-rod") | {"speed": 8.0, "mass_ratio": 30.0}
+    frame = read_header(solve_frame(chosen))
+    codes = [[note["code"] for note in frame[name]["notes"]] for name in ("exact", "other")]
+    assert {"strain-large", "pulse-short"} <= {*codes[0]} and not {"strain-large", "pulse-short"} & {*codes[1]}
