@@ -71,7 +71,8 @@ export class BeamStory {
       const numbers = { contacts: reference.contacts, found: main.contacts };
       notes.push(text('beam.note.other-contacts', { ...names, ...numbers }));
     }
-    if (refused) notes.push(text('beam.note.refused', { method: METHODS[chosen.method], note: refused, instead: main.name }));
+    const values = { method: METHODS[chosen.method], note: refused, instead: main.name };
+    if (refused) notes.push(text('beam.note.refused', values));
     const known = main.notes.map(said);
     const own = reference?.notes.filter((note) => !known.includes(said(note))) ?? [];
     const method = reference && called(reference);
