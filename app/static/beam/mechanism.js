@@ -311,8 +311,9 @@ export class Mechanism {
    * @param {Context} c
    * @param {number} x
    * @param {number} y
+   * @param {boolean} narrow
    */
-  words(c, x, y) {
+  words(c, x, y, narrow) {
     c.font = letters(11);
     c.fillStyle = COLORS.faint;
     c.textBaseline = 'bottom';
@@ -331,7 +332,8 @@ export class Mechanism {
     c.textAlign = 'left';
     c.fillStyle = COLORS.halfSpace;
     const most = `${figures(this.largest * factor, 2)} ${prefix}N${this.sudden ? ' s' : ''}`;
-    c.fillText(text('beam.stage.reactions', { sudden: this.sudden, most }), x, y);
+    const code = narrow ? 'beam.stage.reactions-short' : 'beam.stage.reactions';
+    c.fillText(text(code, { sudden: this.sudden, most }), x, y);
   }
 }
 

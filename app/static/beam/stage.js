@@ -148,7 +148,7 @@ export class BeamStage {
     mechanism.joints(c);
     mechanism.striker(c, between(frame.time, frame.impactorPath, t), this.touching(t));
     mechanism.reactions(c, t);
-    mechanism.words(c, 12, 36);
+    mechanism.words(c, 12, 36, this.narrow);
     this.striker?.draw(c, mechanism.held);
   }
   /** @param {number} j */
