@@ -88,6 +88,18 @@ def _jointed(solution: Solution) -> list[str]:
     for number, joint in enumerate(solution.reactions or []):
         gives = text("solve.joint-gives", impulse=_vector(joint["impulse"]), moment=joint["moment_impulse"])
         lines.append(f"  {text('solve.joint', number=number):21}{gives}")
+    return lines + _changed(solution)
+
+
+def _changed(solution: Solution) -> list[str]:
+    """Velocities of the nodes across a link, by every projection from one set of modes to another."""
+    change = solution.mode_change
+    if change is None:
+        return []
+    lines = ["", "  " + text("solve.mode-change")]
+    for name, velocities in change.items():
+        values = "".join(f"{value:14.7g}" for value in velocities["across"])
+        lines.append(f"    {named('projection', name):26}{values}")
     return lines
 
 

@@ -16,7 +16,7 @@ METHODS = {
 }
 
 # The first that can solve the scene is its usual method: exact ones first, rigid bodies where nothing else is left.
-RINGING = ("waves", "modal", "fe-modal", "rigid")
+RINGING = ("waves", "modal", "fe-modal", "balance", "rigid")
 COMPACT = ("quasi-static", "modal")  # only the contact gives way: closed forms, and modes for a mass on a spring
 UNYIELDING = (
     "rigid",

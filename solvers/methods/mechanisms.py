@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..bodies import Mechanism
+from ..numerics.multibody.mesh import ModeChange, change_of_modes, frame_mesh
 from ..scene import Scene
 from ..solution.motion import Balances, KnowsModes, Motion, MovesFace, ResolvesForce, TargetState
 from ..solution.solution import Later, Solution
@@ -13,6 +14,7 @@ from ..text.notes import Note, Severity
 
 # Share by which velocities along the normal are off as the configuration turns; with more the figures are uncertain.
 MAX_TURNING_ERROR = 0.01
+NODE_DISTANCE = 1e-6  # of the length: so near to a node a link is struck on it
 
 
 class MechanismMotion:
@@ -226,6 +228,19 @@ class MechanismMotion:
     def _swings(self) -> bool:
         """Whether the links vibrate in this motion."""
         return isinstance(self.relative, KnowsModes) and self.frozen.modes.frequencies.size > 0
+
+    def mode_change(self) -> ModeChange | None:
+        """What becomes of the velocities of the nodes where the mass joins a link of finite elements, from the modes of
+        the link to those of both: thesis 6.4.4; None where the struck link has no node there, or none at all."""
+        link = self.mechanism.struck_link
+        place = self.mechanism.struck.at * link.length
+        near = np.flatnonzero(np.abs(np.array(link.nodes) - place) < NODE_DISTANCE * link.length)
+        if not near.size:
+            return None
+        given = self.frozen.system.links[self.frozen.link]
+        mesh = frame_mesh(link.line, link.wave_speed, np.array(link.nodes))
+        approach = self.scene.speed * float(given.axes[1] @ self.frozen.normal)
+        return change_of_modes(mesh, self.scene.impactor.mass, int(near[0]), link.modes, approach)
 
     # --- energy
 

@@ -100,6 +100,13 @@ class Joined(Protocol):
 
 
 @runtime_checkable
+class ChangesModes(Protocol):
+    """Knows what becomes of the nodes of a link where its modes change to those of the link and the mass."""
+
+    def mode_change(self) -> Any: ...
+
+
+@runtime_checkable
 class Balances(Protocol):
     """Is made of impulses without duration: (2, balances), times [s] and impulses [N s]."""
 

@@ -11,7 +11,7 @@ from ..bodies import AnyBody, Pivoted, Swing
 from ..scene import Scene
 from ..text.notes import Note, coded
 from ..validation import SceneError, allowed
-from .motion import Joined, Motion, Pushes
+from .motion import ChangesModes, Joined, Motion, Pushes
 from .restitution import restitution
 
 
@@ -134,6 +134,19 @@ class Solution:
         return float(np.dot(self.impulse, self.scene.normal)) if isinstance(self.impulse, tuple) else self.impulse
 
     @property
+    def mode_change(self) -> dict[str, dict[str, list[float]]] | None:
+        """Of a link of finite elements struck on a node, thesis 6.4.4: by projection, velocities of nodes `along` and
+        `across` [m/s] and of `turn` [rad/s] just after an impact without restitution."""
+        change = self.motion.mode_change() if isinstance(self.motion, ChangesModes) else None
+        if change is None:
+            return None
+        names = ("before", "by_mass", "by_stiffness", "in_single_precision", "by_mass_of_bar")
+        parts = {"along": 0, "across": 1, "turn": 2}
+        return {
+            name: {part: getattr(change, name)[start::3].tolist() for part, start in parts.items()} for name in names
+        }
+
+    @property
     def known_motion(self) -> Motion:
         """The motion. Raises SceneError for bodies in space, which have no history."""
         if self.motion is None:
@@ -206,11 +219,13 @@ class Solution:
         if self.sliding is not None:
             rubbed = {"sliding": [asdict(each) for each in self.sliding], "models": self.models}
         impulse = list(self.impulse) if isinstance(self.impulse, tuple) else self.impulse
+        changed = self.mode_change
         return {
             "scene": self.scene.table(),
             "method": self.method,
             "contacts": [asdict(contact) for contact in self.contacts],
             **({"links": links} if links else {}),
+            **({"mode_change": changed} if changed else {}),
             **({"joints": joints} if joints else {}),
             "impulse": impulse,
             **effective_mass,

@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ Point = tuple[float, float]
 GROUND = "ground"
 FARTHEST = 1e6  # [m], of a point from the origin
 INERTIA_RANGE = (1e-24, 1e24)  # kg m2
+NEAREST_NODES = 1e-6  # of the length
 MOST_MODES = 200  # of a link, of either kind
 LONGEST_NAME = 40  # characters
 
@@ -45,9 +47,23 @@ class Link:
     axial: int = 0
     shapes: str = "clamped-free"
     theory: str = "euler-bernoulli"
+    nodes: tuple[float, ...] = ()  # of finite elements, whose lowest `modes` of either kind are the shapes [m]
     own_inertia: bool = False  # whether it is not that of a uniform bar
 
-    KEYS = ("name", "from", "to", "mass", "inertia", "section", "material", "modes", "axial", "shapes", "theory")
+    KEYS = (
+        "name",
+        "from",
+        "to",
+        "mass",
+        "inertia",
+        "section",
+        "material",
+        "modes",
+        "axial",
+        "shapes",
+        "theory",
+        "nodes",
+    )
 
     @classmethod
     def read(cls, key: str, given: object) -> "Link":
@@ -90,6 +106,7 @@ class Link:
             axial,
             validation.choice(f"{key}.shapes", given.get("shapes", "clamped-free"), shapes.SUPPORTS),
             validation.choice(f"{key}.theory", given.get("theory", "euler-bernoulli"), THEORIES),
+            _read_nodes(key, given, length, modes),
             "inertia" in given,
         )
 
@@ -132,14 +149,19 @@ class Link:
             shear_stiffness=rigidity if shears else math.inf,
         )
 
+    @property
+    def wave_speed(self) -> float:
+        """Along it, sqrt(E / rho) [m/s]."""
+        assert self.section is not None and self.material is not None
+        return math.sqrt(self.material.young * self.section.area * self.length / self.mass)
+
     def in_frame(self, second_pin: float, struck: float | None) -> system.Link:
         """As the numerics take it: pinned for the second time at `second_pin` [m], struck at `struck` [m] of it."""
         inertia, found = self.inertia, shapes.no_shapes()
         if self.flexible:
-            assert self.section is not None and self.material is not None
-            density = self.mass / (self.section.area * self.length)
-            speed = math.sqrt(self.material.young / density)
-            bar = shapes.Flexible(self.line, speed, self.shapes, self.modes, self.axial, second_pin)
+            bar = shapes.Flexible(
+                self.line, self.wave_speed, self.shapes, self.modes, self.axial, second_pin, self.nodes
+            )
             found = shapes.link_shapes(bar, struck)
             inertia += self.line.rotary_inertia * self.length
         angle = math.atan2(self.along[1], self.along[0])
@@ -155,6 +177,8 @@ class Link:
                 written[name] = value.table()
         if self.flexible:
             written |= {"modes": self.modes, "axial": self.axial, "shapes": self.shapes, "theory": self.theory}
+        if self.nodes:
+            written["nodes"] = list(self.nodes)
         return written
 
 
@@ -175,6 +199,25 @@ def _read_mass(
     if section is None or material is None or not length:
         raise SceneError(f"{key}.mass", None, allowed("link-mass", link=name))
     return material.density * section.area * length
+
+
+def _read_nodes(key: str, given: Mapping[str, Any], length: float, modes: int) -> tuple[float, ...]:
+    """`nodes` of finite elements along the link, the last at its end; modes along it are among the lowest `modes`."""
+    if "nodes" not in given:
+        return ()
+    found = given["nodes"]
+    if not isinstance(found, (list, tuple)) or not 1 <= len(found) <= MOST_MODES:
+        raise SceneError(f"{key}.nodes", found, allowed("list", low=1, high=MOST_MODES, of="numbers"))
+    places = [validation.number(f"{key}.nodes[{i}]", each, 0.0, length, "m") for i, each in enumerate(found)]
+    ordered = all(later - before > NEAREST_NODES * length for before, later in pairwise([0.0, *places]))
+    if not ordered or abs(places[-1] - length) > NEAREST_NODES * length:
+        raise SceneError(f"{key}.nodes", list(found), allowed("nodes", length=length))
+    if given.get("shapes", "clamped-free") != "clamped-free" or given.get("axial"):
+        reason = allowed("only-with", key="shapes", value=["clamped-free"])
+        raise SceneError(f"{key}.nodes", list(found), reason)
+    if not 1 <= modes <= 3 * len(places):
+        raise SceneError(f"{key}.modes", modes, allowed("whole-number", low=1, high=3 * len(places)))
+    return tuple(places)
 
 
 def _check_flexible(

@@ -122,7 +122,7 @@ def beam_mesh(line: BeamLine, support: str, place: float, elements: int, end_mas
     weights, stiffness = banded.times(mass, translation), line.bending_stiffness
 
     def field(shape: Callable, scale: float = 1.0) -> Callable:
-        return lambda x: scale * _spread(nodes, chain, shape, x)[kept]
+        return lambda x: scale * spread(nodes, chain, shape, x)[kept]
 
     def inertial(number: int) -> Callable:
         return field(lambda here, part: here.inertial(part, line.mass_per_length, line.rotary_inertia)[number])
@@ -178,7 +178,7 @@ def _assembled(parts: np.ndarray) -> np.ndarray:
     return found
 
 
-def _spread(nodes: np.ndarray, chain: Element, shape: Callable, x: np.ndarray) -> np.ndarray:
+def spread(nodes: np.ndarray, chain: Element, shape: Callable, x: np.ndarray) -> np.ndarray:
     """A field of all unknowns, (2 nodes, x)."""
     x = np.asarray(x, float)
     cell = np.clip(np.searchsorted(nodes, x, "right") - 1, 0, nodes.size - 2)

@@ -11,8 +11,9 @@ import numpy as np
 
 from ..beams.dispersion import BeamLine
 from ..beams.modes import beam_modes, overhanging_modes
-from ..modes import Modes
+from ..modes import Modes, as_a_whole
 from ..rods import rod_modes
+from .mesh import mesh_fields
 
 SUPPORTS = {
     "clamped-free": "cantilever",
@@ -33,6 +34,7 @@ class Flexible(NamedTuple):
     bending: int
     axial: int
     second_pin: float  # of a frame pinned twice [m]: the length, unless the bar overhangs
+    nodes: tuple[float, ...] = ()  # of finite elements, whose lowest `bending` modes of either kind are taken [m]
 
 
 @dataclass(frozen=True)
@@ -83,8 +85,8 @@ def link_shapes(bar: Flexible, place: float | None = None) -> Shapes:
     """
     length = bar.line.length
     at = 0.5 * length if place is None else place
-    bending, axial = _bending(bar, at), _axial(bar, at)
-    x, weights = _panels(np.unique([0.0, bar.second_pin, length]), max(bar.bending, bar.axial))
+    bending, axial = mesh_shapes(bar, at) if bar.nodes else (_bending(bar, at), _axial(bar, at))
+    x, weights = _panels(np.unique([0.0, bar.second_pin, length, *bar.nodes]), max(bar.bending, bar.axial))
     weights = weights * bar.line.mass_per_length
     across, along = bending.shapes(x), axial.shapes(x)
     angular = across @ (weights * x)
@@ -151,3 +153,25 @@ def _axial(bar: Flexible, place: float) -> Modes:
     whole = length**2 / (line.mass * bar.wave_speed**2) * (part if fixed else 1.0 / 3.0 - part + part**2)
     left_out = max(whole - float(np.sum((at_place / rod.frequencies) ** 2)), 0.0)
     return replace(rod, shapes=outwards, slopes=slopes, at_contact=at_place, residual_compliance=left_out)
+
+
+def mesh_shapes(bar: Flexible, place: float) -> tuple[Modes, Modes]:
+    """Of finite elements: those of bending, and those along the bar."""
+    found = []
+    for fields in mesh_fields(bar.line, bar.wave_speed, np.array(bar.nodes), bar.bending, place):
+        shapes, slopes, turns, moments, shears = fields.fields
+        found.append(
+            Modes(
+                frequencies=fields.frequencies,
+                at_contact=shapes(np.array([place]))[:, 0],
+                rigid_mass=np.inf,
+                residual_compliance=fields.left_out,
+                shapes=shapes,
+                slopes=slopes,
+                rigid_shape=as_a_whole,
+                turns=turns,
+                moments=moments,
+                shears=shears,
+            )
+        )
+    return found[0], found[1]

@@ -271,3 +271,15 @@ def test_links_that_are_held_to_be_rigid_are_so_quasi_statically():
     bending, stiff = (QuasiStatic().solve(four_bar(modes, contact=HERTZ)) for modes in (5, 0))
     assert bending.impactor_velocity == stiff.impactor_velocity
     assert bending.peak_force == stiff.peak_force
+
+
+def test_a_rigid_link_on_flexible_ones_is_struck_by_balances():
+    """Nothing gives way at once where it is struck, so that no modes of a rigid contact can begin; found as a crash."""
+    crank = {"name": "crank", "from": [0.0, 0.0], "to": [0.0, 0.3], "mass": 2.133, "section": FLAT, "material": STEEL}
+    scene = four_bar(0)
+    links = [crank | {"modes": 4}, *scene.table()["target"]["links"][1:]]
+    scene = scene.replace({"target.links": links})
+    assert Modal().refusal(scene).code == "refusals.nothing-gives-way"
+    found = solvers.solve(scene)
+    assert found.method["name"] == "balance" and abs(found.diagnostics["energy_error"]) < 1e-10
+    assert Modal().refusal(scene.replace({"contact": HERTZ})) is None

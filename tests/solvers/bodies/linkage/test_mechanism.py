@@ -69,6 +69,8 @@ def test_an_impactor_may_stand_still_or_run_away_from_what_overtakes_it():
         ("target.struck.link", "rod", "target.struck.link", "choice"),
         ("target.struck.at", 1.1, "target.struck.at", "number"),
         ("target.gravity", 9.81, "target.gravity", "point"),
+        ("target.links.2.nodes", [0.4, 0.3, 0.8], "target.links[2].nodes", "nodes"),
+        ("target.links.2.nodes", [0.4, 0.7], "target.links[2].nodes", "nodes"),
         ("impactor.kind", "pulse", "impactor", None),
     ],
 )
