@@ -8,7 +8,7 @@ import numpy as np
 
 import solvers
 from solvers import LAWS, METHODS, Body, Scene
-from solvers.bodies import AnyBody, FlexiblePendulum
+from solvers.bodies import AnyBody, Balls, FlexiblePendulum
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
 
@@ -136,7 +136,8 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
         names += mechanism_values(base)
     elif on_beam(base):
         names += BEAM_CHOICES
-    if kind_of(base) != "beam" or "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid"):
+    restored = "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid")
+    if restored or not (kind_of(base) == "beam" or isinstance(base.target, Balls)):
         names.append("restitution")
     if base.impactor.free_mass and np.isfinite(base.mass_ratio):
         names.append("mass_ratio")

@@ -76,7 +76,12 @@ def _leaving(solution: Solution) -> list[str]:
         share = text("solve.of-its-speed", share=solution.impactor_velocity / before) if before else ""
         impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s"
         impactor += f"   ({share})" if share else ""
-    return [impactor, f"  {text('solve.target-moves'):21}{target}", *_swinging(solution), *_jointed(solution)]
+    balls = [
+        f"    {text('solve.ball', number=number):19}{velocity:+.8g} m/s"
+        for number, velocity in enumerate(solution.ball_velocities or [], 1)
+    ]
+    moves = f"  {text('solve.target-moves'):21}{target}"
+    return [impactor, moves, *balls, *_swinging(solution), *_jointed(solution)]
 
 
 def _jointed(solution: Solution) -> list[str]:

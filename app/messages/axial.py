@@ -14,6 +14,7 @@ from solvers.bodies import Balls, FlexiblePendulum
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal.method import ModalMotion
+from solvers.methods.quasi_static.balls import RowMotion
 from solvers.methods.theory_limits import OF_THEORY
 from solvers.methods.validity import TWICE
 from solvers.solution.motion import Balances, SendsWaves
@@ -47,6 +48,9 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
             continue
         arrays |= striker_arrays(name, solution, even, length_unit)
         arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
+        if solution is exact and isinstance(solution.motion, RowMotion):
+            before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])
+            arrays["exactRow"] = (solution.motion.ball_positions(even) + before) / length_unit
         if solution is exact or not carried:
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
@@ -150,6 +154,7 @@ def _target(scene: Scene) -> dict[str, Any]:
         "support": target.support if isinstance(target, Waveguide) or turns(target) else None,
         "held": target.held,
         "endMass": target.rods[-1].end_mass if target.rods else 0.0,
+        **({"row": [ball.radius for ball in target.balls]} if isinstance(target, Balls) else {}),
     } | rotation_told(target)
 
 

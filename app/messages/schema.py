@@ -73,6 +73,7 @@ AXIAL: Fields = {
     "leastRestitution": Field("number", "that a damping law delivers"),
     "exactMass": Field("(motion)", "displacement of the impactor, evenly in time [v T]"),
     "exactEnd": Field("(motion)", "and of the struck end [v T]"),
+    "exactRow": Field("(motion, balls)", "displacement of every ball of a row, gaps before it included [v T]", True),
     "exactTime": Field("(exact force)", "at a jump twice [T]"),
     "exactForce": Field("(exact force)", "[Z v]"),
     **_optional(
@@ -186,7 +187,9 @@ BODIES: Fields = {
     "impulse": Field("number", "its size [N s]"),
     "push": Field("Vector", "the impulse on the target [N s]"),
     "friction": Field("number"),
-    "sliding": Field("SlidingTold[]", "how the contact slides, up to which normal impulse; none without friction"),
+    "sliding": Field(
+        "{ kind: 'slip' | 'stick' | 'reversal', until: number }[]", "of the contact; none without friction [N s]"
+    ),
     "bodies": Field("{ impactor: BodyTold, target: BodyTold }"),
     "figures": Field("FigureTold[]", "beside the picture: name, number or vector, unit"),
     "notes": Field("Note[]"),
@@ -274,6 +277,7 @@ RECORDS: dict[str, Fields] = {
         "held": Field("boolean"),
         "endMass": Field("number", "[kg]"),
         "rotation": Field("Rotation", "of a rod that turns", optional=True),
+        "row": Field("number[]", "radii of a row of balls, from the struck one on [m]", optional=True),
     },
     "Rotation": {
         "at": Field("number", "where it is struck, of its length from the axis"),

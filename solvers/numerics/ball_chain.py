@@ -74,6 +74,7 @@ def follow(
         states.append(dense(instants).T)
         periods.add(float(solver.t_old), instants, states[-2][-1], states[-1], dense)
         parted = until is None and _parted(states[-1][-1] * scale, mass.size, pressing, moving, speed)
+    parted = parted or _parted(states[-1][-1] * scale, mass.size, pressing, moving, speed)
     time, state = np.concatenate(times), np.concatenate(states) * scale
     position, impulse = state[:, : mass.size], state[:, mass.size :]
     indentation = position[:, :-1] - position[:, 1:] - gaps

@@ -4,9 +4,10 @@ import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
+import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
-import { axis, endMass, onward, push, striker, struckBody, wall } from './bodies.js';
+import { axis, endMass, onward, push, row, striker, struckBody, wall } from './bodies.js';
 import { pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
@@ -20,6 +21,7 @@ const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
 const FACE = 0.45; // of the picture: where a body without length is struck
+const ROW = [0.24, 0.6]; // of it: where a row of balls is struck, and how much of it that and the striker may take
 
 export class Stage {
   /** @type {AxialFrame} */ frame;
@@ -57,6 +59,7 @@ export class Stage {
       reach = Math.max(reach, Math.abs(field.mass(t)), Math.abs(field.end(t)));
       pressed = Math.max(pressed, field.mass(t) - field.end(t));
     }
+    for (const moved of frame.exactRow ?? []) reach = Math.max(reach, Math.abs(moved));
     this.span = field.to - field.from;
     this.reach = reach * frame.speed * frame.trip;
     this.pressed = ['rod', 'pulse'].includes(frame.impactor.kind) ? 0 : pressed * frame.speed * frame.trip;
@@ -93,6 +96,12 @@ export class Stage {
   #sizes(width, height) {
     const { impactor, target } = this.frame;
     const most = Math.min(0.16 * width, 0.62 * height);
+    if (target.row) {
+      const radii = [impactor.radius ?? target.row[0], ...target.row];
+      const sum = radii.reduce((a, b) => a + b);
+      const unit = Math.min(most / Math.max(...radii), (ROW[1] * width) / sum);
+      return [unit * radii[0], unit * radii[1]];
+    }
     if (target.shape === 'ball' && target.radius && impactor.kind === 'sphere' && impactor.radius) {
       const larger = Math.max(impactor.radius, target.radius);
       return [(most * impactor.radius) / larger, (most * target.radius) / larger];
@@ -119,11 +128,13 @@ export class Stage {
     this.#fit(right - left, size);
     const meeting = field.mass(t) > field.end(t);
     if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
-    const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : FACE * width;
+    const struckAt = (frame.target.row ? ROW[0] : FACE) * width;
+    const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : struckAt;
     const face = rest + field.end(t) * this.scale;
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
     if (frame.turningBar) turningBar(c, frame, t, { rest, middle, scale: this.scale, height });
+    else if (frame.target.row) row(c, this.#balls(frame.target.row, t, rest, struck), middle, meet);
     else if (!rods.length)
       struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
@@ -161,6 +172,27 @@ export class Stage {
     if (target.support === 'anechoic') onward(c, right, middle, thick);
     if (target.endMass) endMass(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
     return rest;
+  }
+  /**
+   * Where the balls of a row are.
+   * @param {number[]} radii
+   * @param {number} t
+   * @param {number} rest  of the first face
+   * @param {number} struck  size of the first
+   */
+  #balls(radii, t, rest, struck) {
+    const { frame, scale } = this;
+    const moved = given(frame.exactRow, 'row');
+    const count = radii.length;
+    const place = Math.min(Math.max(t / frame.duration, 0), 1) * (moved.length / count - 1);
+    const k = Math.min(Math.floor(place), moved.length / count - 2);
+    let left = rest;
+    return radii.map((radius, i) => {
+      const size = (struck * radius) / radii[0];
+      const now = moved[k * count + i] + (place - k) * (moved[(k + 1) * count + i] - moved[k * count + i]);
+      left += size;
+      return { left: left - size + now * scale, size };
+    });
   }
   /**
    * A rod that strikes: where it presses, and what can be taken hold of.

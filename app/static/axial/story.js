@@ -148,7 +148,8 @@ export class Story {
   }
   // Which restitution would have matched, and what it would have left out.
   #match() {
-    const { chosen, exact, prediction, match } = this.frame;
+    const { chosen, exact, prediction, match, target } = this.frame;
+    if (target.row) return [text('axial.match.row')];
     if (!prediction) return [text('axial.match.nothing-strikes')];
     const says = text('axial.match.says', {
       restitution: Number(chosen.restitution),

@@ -119,8 +119,8 @@
  * @property {boolean} held
  * @property {number} endMass
  * @property {Rotation} [rotation]  of a rod that turns
+ * @property {number[]} [row]  radii of a row of balls [m]
  */
-
 /**
  * What its rotation does to a rod.
  * @typedef {object} Rotation
@@ -168,6 +168,7 @@
  * @property {number} leastRestitution
  * @property {Numbers} exactMass
  * @property {Numbers} exactEnd
+ * @property {Numbers} [exactRow]  of every ball of a row, (instant, ball), flat
  * @property {Numbers} exactTime
  * @property {Numbers} exactForce
  * @property {Numbers} [otherMass]
@@ -317,7 +318,6 @@
  * @property {Moving} before
  * @property {Moving} after
  */
-/** @typedef {{ kind: 'slip' | 'stick' | 'reversal', until: number }} SlidingTold */
 /**
  * One impulse between bodies in space, SI units; places from the point of impact, times from -1 to 1 in durations.
  * @typedef {object} SpaceOnly
@@ -330,7 +330,7 @@
  * @property {number} impulse
  * @property {Vector} push  the impulse on the target
  * @property {number} friction
- * @property {SlidingTold[]} sliding  none without friction
+ * @property {{ kind: 'slip' | 'stick' | 'reversal', until: number }[]} sliding  none without friction
  * @property {{ impactor: BodyTold, target: BodyTold }} bodies
  * @property {FigureTold[]} figures
  * @property {Note[]} notes

@@ -13,9 +13,22 @@ from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod, Solution, summary
 from ...text.notes import Note, Severity
+from ..base import AFTERGLOW
 from ..validity import STILL_TOUCHING
 
 SLIGHT = 1e-9  # of the impulse of the impact: contacts of less are the wake of the wave, and are not listed
+
+
+class RowMotion(SampledMotion):
+    """The motion of an impact on a row of balls, with that of every ball."""
+
+    def __init__(self, positions: np.ndarray, **histories: Any):
+        super().__init__(**histories)
+        self._positions = positions
+
+    def ball_positions(self, time: np.ndarray) -> np.ndarray:
+        """(time, balls), from where each was at first [m]."""
+        return np.column_stack([self._at(time, each) for each in self._positions.T])
 
 
 def why_not(scene: Scene) -> Note | None:
@@ -39,6 +52,8 @@ def solve_balls(scene: Scene, method: dict[str, Any], duration: float | None) ->
     course = follow(
         mass, velocity, np.array([0.0, *row.gaps]), laws, contact_time(laws[0], first, scene.speed), duration
     )
+    if duration is None and course.parted:
+        course = _flown_on(course, AFTERGLOW * scene.time_unit)
     total = float(course.impulse[-1].max())
     periods = [
         [_period(course, contact, start, end) for start, end in found] for contact, found in enumerate(course.contacts)
@@ -75,6 +90,25 @@ def solve_balls(scene: Scene, method: dict[str, Any], duration: float | None) ->
     )
 
 
+def _flown_on(course: Course, time: float) -> Course:
+    """With a free flight of this time [s] after the last parting."""
+    later = course.time[-1] + time
+    position = course.position[-1] + course.velocity[-1] * time
+    apart = course.indentation[-1] - np.diff(course.velocity[-1]) * time
+
+    def on(values: np.ndarray, last: np.ndarray) -> np.ndarray:
+        return np.vstack((values, last))
+
+    return course._replace(
+        time=np.append(course.time, later),
+        position=on(course.position, position),
+        velocity=on(course.velocity, course.velocity[-1]),
+        indentation=on(course.indentation, apart),
+        force=on(course.force, np.zeros(apart.size)),
+        impulse=on(course.impulse, course.impulse[-1]),
+    )
+
+
 def _period(course: Course, contact: int, start: float, end: float) -> ContactPeriod:
     within = (course.time >= start) & (course.time <= end)
     impulse = np.interp([start, end], course.time, course.impulse[:, contact])
@@ -82,7 +116,7 @@ def _period(course: Course, contact: int, start: float, end: float) -> ContactPe
     return ContactPeriod(float(start), float(end), float(impulse[1] - impulse[0]), peak)
 
 
-def _motion(scene: Scene, mass: np.ndarray, laws: list[Law], course: Course) -> SampledMotion:
+def _motion(scene: Scene, mass: np.ndarray, laws: list[Law], course: Course) -> RowMotion:
     """The first contact is the local one; what the balls hold among themselves counts as vibration of the row."""
     rows = course.indentation.clip(min=0.0).tolist()
     stored = np.array([[law.stored(a, a) for law, a in zip(laws, row, strict=True)] for row in rows])
@@ -96,7 +130,8 @@ def _motion(scene: Scene, mass: np.ndarray, laws: list[Law], course: Course) -> 
         "local": stored[:, 0],
         "dissipated": np.zeros_like(mean),
     }
-    return SampledMotion(
+    return RowMotion(
+        course.position[:, 1:],
         time=course.time,
         force=course.force[:, 0],
         impulse=course.impulse[:, 0],

@@ -47,3 +47,10 @@ def test_a_dropped_scene_says_its_height(capsys):
     found = json.loads(answer(capsys, "solve", "drop-test", "--json"))
     assert found["scene"]["impactor"]["height"] == 0.5 and "velocity" not in found["scene"]["impactor"]
     assert found["energy"]["initial"] == approx(found["scene"]["impactor"]["mass"] * 9.80665 * 0.5, rel=1e-14)
+
+
+def test_the_report_has_every_ball_of_a_row(capsys):
+    lines = answer(capsys, "solve", "newtons-cradle").splitlines()
+    balls = [line.split() for line in lines if line.strip().startswith("ball ")]
+    known = solvers.solve(solvers.load("newtons-cradle")).ball_velocities
+    assert [float(words[2]) for words in balls] == approx(known, rel=1e-6)
