@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Body, RigidImpulse, Scene, Solution
+from solvers import Body, RigidImpulse, Scene, Solution, Wall
 from solvers.bodies import in_space
 from solvers.contact.friction import MODELS
 from solvers.numerics.rigid.friction import sliding_path
-from solvers.numerics.rigid.impulses import principal
+from solvers.numerics.rigid.impulses import principal, strike
 from solvers.numerics.rigid.rotation import rotations
 
 from ..choices.request import Request
@@ -119,12 +119,24 @@ def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str,
     }
 
 
+def _masses(scene: Scene) -> list[list[Any]]:
+    """Of each body, and what of it is felt where it is struck: of a rod, on its end, a quarter."""
+    normal, wall, rows = np.array(scene.normal), in_space(Wall("stop")), []
+    for name in ("impactor", "target"):
+        body = getattr(scene, name)
+        if isinstance(body, Body):
+            felt = strike(in_space(body), wall, normal, 1.0).effective_mass
+            rows += [[f"{name}-mass", body.mass, "kg"], [f"{name}-felt-mass", float(felt), "kg"]]
+    return rows
+
+
 def figures(solution: Solution) -> list[list[Any]]:
     """The numbers beside the picture: code of the name (`space.row`), a number or a vector, unit."""
     found, scene = solution.diagnostics, solution.scene
     rows: list[list[Any]] = [
         ["approach", solution.scene.speed, "m/s"],
         ["effective-mass", solution.effective_mass, "kg"],
+        *_masses(scene),
         ["impulse", solution.impulse if scene.friction is None else list(solution.impulse), "N s"],
         ["restitution", solution.method["restitution"], ""],
         ["energy-before", solution.energy["initial"], "J"],

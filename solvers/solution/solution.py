@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..bodies import AnyBody, Pivoted, Swing
+from ..bodies import AnyBody, Mechanism, Pivoted, Swing
 from ..scene import Scene
 from ..text.notes import Note, coded
 from ..validation import SceneError, allowed
@@ -203,10 +203,17 @@ class Solution:
         effective_mass = {} if self.effective_mass is None else {"effective_mass": self.effective_mass}
         joints: list[Any] = [[asdict(contact) for contact in joint] for joint in self.joints]
         joints += self.reactions or []
-        joints += [{"impulse": [swing.pivot_impulse, 0.0], "moment_impulse": 0.0} for swing in self.swings.values()]
+        x, y = self.scene.target.struck.normal if isinstance(self.scene.target, Mechanism) else (1.0, 0.0)
+        joints += [
+            {"impulse": [swing.pivot_impulse * x, swing.pivot_impulse * y], "moment_impulse": 0.0}
+            for swing in self.swings.values()
+        ]
         names = dict(zip(self.swings, ("pendulum", "struck pendulum"), strict=False))
         links = {
-            names[body]: {"final_velocity": [swing.centre_velocity, 0.0], "final_spin": swing.spin}
+            names[body]: {
+                "final_velocity": [swing.centre_velocity * x, swing.centre_velocity * y],
+                "final_spin": swing.spin,
+            }
             for body, swing in self.swings.items()
         } | (self.links or {})
         turned = {

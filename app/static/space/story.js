@@ -6,6 +6,9 @@ import { said, text } from '../text/catalogue.js';
 import { noteOf } from '../text/words.js';
 import { dot } from './vectors.js';
 
+const BODIES = ['impactor', 'target'];
+const ALIKE = 1e-9; // difference of two masses that are one
+
 /** @import { SpaceFrame } from '../shell/message.js' */
 
 /** @param {number | number[] | null} value */
@@ -28,6 +31,19 @@ function touchOf({ friction, impulse, normal, push, sliding }) {
   return text('space.touch-and-rub', { friction: pretty(friction), impulse: pretty(impulse), slides });
 }
 
+/**
+ * What is felt of the bodies where they touch, of those that turn.
+ * @param {SpaceFrame} frame
+ */
+function feltOf({ figures }) {
+  const known = new Map(figures.map(([name, value]) => [name, value]));
+  return BODIES.flatMap((body) => {
+    const [mass, felt] = [known.get(`${body}-mass`), known.get(`${body}-felt-mass`)].map(Number);
+    const turns = felt < mass * (1 - ALIKE);
+    return turns ? [text('space.felt', { body, mass, felt, share: felt / mass })] : [];
+  }).join(' ');
+}
+
 export class SpaceStory {
   constructor() {
     this.units = make('p', { className: 'symbols' });
@@ -48,8 +64,9 @@ export class SpaceStory {
   /** @param {SpaceFrame} frame */
   load(frame) {
     const { figures, notes, source, title } = frame;
-    this.units.textContent = touchOf(frame);
-    this.events.load([[0, this.units.textContent]]);
+    const touch = touchOf(frame);
+    this.units.textContent = `${touch} ${feltOf(frame)}`;
+    this.events.load([[0, touch]]);
     const rows = figures.map(([name, value, unit]) => rowOf([text(`space.row.${name}`), written(value), unit]));
     this.figures.replaceChildren(make('tbody', {}, ...rows));
     this.warnings.load(notes.map(said));

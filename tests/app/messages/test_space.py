@@ -64,6 +64,8 @@ def test_the_movement_is_that_of_the_solution():
     assert impactor[0] == approx([3.0 * duration, 0.0, 0.0], rel=1e-6)
     figures = {name: value for name, value, _ in header["figures"]}
     assert figures["effective-mass"] == solution.effective_mass
+    assert figures["target-felt-mass"] == approx(0.25 * figures["target-mass"], rel=1e-12)  # a rod, on its end
+    assert figures["impactor-felt-mass"] == approx(figures["impactor-mass"], rel=1e-12)  # a point
     assert figures["target-spin-after"] == list(solution.target_spin)
     assert figures["energy-lost"] == solution.energy["dissipated"]
 

@@ -188,3 +188,34 @@ def test_fields_turn_about_the_pivot():
     for field in (found.motion.displacement, found.motion.velocity):
         assert np.abs(field(time, x)[:, 0]).max() < 1e-12
     assert found.motion.velocity(time[:1], x)[0] == approx(-x * 1.93 / 0.19, abs=1e-12)
+
+
+def test_a_pendulum_strikes_a_mechanism():
+    """As its mass does; its own vectors lie along the normal of the struck point."""
+    bar = {"name": "bar", "from": [0.0, 0.0], "to": [0.25, 0.0], "mass": 0.5}
+    hinged = {
+        "kind": "mechanism",
+        "links": [bar],
+        "joints": [{"kind": "revolute", "links": ["ground", "bar"], "at": [0.0, 0.0]}],
+        "struck": {"link": "bar", "at": 1.0, "normal": [0.0, -1.0]},
+    }
+    pendulum, mass = (solvers.solve(struck(impactor, hinged, HERTZ)).table() for impactor in (RIGID, MASS))
+    assert pendulum["links"]["bar"]["final_spin"] == approx(mass["links"]["bar"]["final_spin"], rel=1e-9)
+    spin = pendulum["impactor"]["final_spin"]
+    assert pendulum["links"]["pendulum"]["final_velocity"] == [approx(0.0, abs=1e-15), approx(-0.125 * spin)]
+    assert pendulum["joints"][-1]["impulse"][0] == approx(0.0, abs=1e-15)
+
+
+def test_restitution_depends_on_one_number():
+    """Thesis 10.3 on a stop: e = e(Pi), Pi = K_h L^3 sqrt(v L^2 / c_t) / (E I), whatever each of them is."""
+    usual = BAR | {"modes": 5}
+    thick = usual | {"section": {"area": 1.92e-4, "second_moment": 4.0 * 4.096e-9}, "spin": 2.0 * BAR["spin"]}
+    # c_t is doubled, so is v: sqrt(v L^2 / c_t) stays, and K_h must grow with E I
+    stiff = {"law": "hertz", "stiffness": 4.0 * BRONZE_STIFFNESS}
+    stop = {"kind": "stop"}
+    found = [
+        solvers.solve(struck(bar, stop, law, name="modal", residual=False)).restitution["newton"]
+        for bar, law in ((usual, HERTZ), (thick, stiff), (thick, HERTZ))
+    ]
+    assert found[1] == approx(found[0], rel=1e-6)
+    assert abs(found[2] - found[0]) > 0.05

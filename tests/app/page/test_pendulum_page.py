@@ -1,0 +1,43 @@
+"""Pendulums and rods that turn on the page, in a real browser."""
+
+import pytest
+from playwright.sync_api import expect
+
+from .test_page import drag, settled
+
+DRAWN = "() => strikewave.page.axial.stage.canvas.toDataURL()"
+AT = "t => strikewave.page.player.seek(t)"
+
+
+def test_a_pendulum_bends_by_as_many_modes_as_are_chosen(open_page):
+    page = open_page("?scene=figure-10.12")
+    expect(page.tab.locator("p.symbols:visible")).to_contain_text("0.1968 kg is felt at the contact as 0.1136 kg")
+    expect(page.tab.locator("ol.events")).to_contain_text("The pendulum touches the stop")
+    page.evaluate(AT, 0.1)
+    bent = page.evaluate(DRAWN)
+    page.answered(lambda: drag(page, "Modes", 0.7))
+    settled(page)
+    page.evaluate(AT, 0.1)
+    assert page.evaluate(DRAWN) != bent
+    page.turn_to("Numbers")
+    expect(page.tab.get_by_text("moment at the pivot, N m")).to_be_visible()
+
+
+@pytest.mark.parametrize("scene, words", [("figure-5.24", "27000 rad/s are critical"), ("figure-5.22", "(5.56)")])
+def test_a_rod_turns(open_page, scene, words):
+    page = open_page(f"?scene={scene}")
+    expect(page.tab.locator("p.symbols:visible")).to_contain_text(words)
+    page.evaluate(AT, 0.05)
+    early = page.evaluate(DRAWN)
+    page.evaluate(AT, 0.3)
+    assert page.evaluate(DRAWN) != early
+
+
+def test_what_is_felt_of_a_rod_on_its_end(open_page):
+    """A quarter; nearer to the middle more, and no more is said where it no longer turns."""
+    page = open_page("?scene=note-rod")
+    said = page.tab.locator("p.symbols:visible")
+    expect(said).to_contain_text("the target of 2 kg gives way as 0.5 kg would, 0.25 of it")
+    page.answered(lambda: page.tab.get_by_role("button", name="Hit it in the centre").click())
+    settled(page)
+    expect(said).not_to_contain_text("gives way")
