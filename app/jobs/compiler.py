@@ -138,6 +138,8 @@ def usual() -> Iterator[Piece]:
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
     for scene in (START, beam):
         yield from _pieces(scene, begun)
+    rubs = next(name for name, scene in SCENES.items() if scene.friction)
+    yield from _pieces(rubs, [])
     laws = [law for law in Choices.param.law.objects if law != Choices().law]
     asked = [solve_frame, *(work for view in VIEWS if view.every_law for work in view.compiled)]
     for work in asked:
