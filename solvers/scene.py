@@ -247,6 +247,8 @@ def _read_impactor(given: object, target: AnyBody) -> AnyBody:
     """What strikes; a mechanism may also run into what stands still, or overtake it: any velocity along its normal."""
     if not isinstance(target, Mechanism) or not isinstance(given, Mapping):
         return read_body("impactor", given)
+    if given.get("kind") in (Body.kind, Pulse.kind):
+        raise SceneError("impactor.kind", given["kind"], allowed("strikes-mechanism"))
     fastest, known = SPEED_RANGE[1], "velocity" in given
     found: Any = read_body("impactor", {**given, "velocity": fastest} if known else given)
     if not isinstance(found, (RigidMass, Rod, Beam, Pivoted)):

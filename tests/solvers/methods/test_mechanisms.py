@@ -283,3 +283,26 @@ def test_a_rigid_link_on_flexible_ones_is_struck_by_balances():
     found = solvers.solve(scene)
     assert found.method["name"] == "balance" and abs(found.diagnostics["energy_error"]) < 1e-10
     assert Modal().refusal(scene.replace({"contact": HERTZ})) is None
+
+
+@pytest.mark.parametrize(
+    "impactor",
+    [
+        {
+            "kind": "rod",
+            "length": 0.2,
+            "section": {"width": 0.03, "height": 0.03},
+            "material": "steel",
+            "velocity": -1.5,
+        },
+        {"kind": "pendulum", "mass": 1.0, "inertia": 0.1, "pivot_distance": 0.4, "centre": 0.2, "spin": 1.0},
+        {"kind": "sphere", "radius": 0.03, "velocity": 0.0},
+    ],
+    ids=lambda table: table["kind"],
+)
+def test_whatever_strikes_it_energy_and_momentum_are_kept(impactor):
+    for method, law in ((Balance(estimate=False), {"law": "rigid"}), (Modal(estimate=False), HERTZ)):
+        tables = four_bar(5).table() | {"impactor": impactor, "contact": law}
+        found = method.solve(Scene.from_table(tables))
+        assert abs(found.diagnostics["energy_error"]) < 1e-10
+        assert abs(found.diagnostics["momentum_error"]) < 1e-11
