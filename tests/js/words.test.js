@@ -54,8 +54,15 @@ test('a text or a value that is not there is an error', () => {
 });
 
 test('a scene that sets keys without a control says which', () => {
-  assert.match(noteOf({ note: '', unshown: ['method.status'] }), /method\.status.*impact solve --set KEY=VALUE/);
-  assert.equal(noteOf({ note: 'of a rod', unshown: [] }), 'of a rod');
+  /** @type {any} */
+  const plain = { chosen: { bodies: '' }, parts: [], unshown: [] };
+  assert.match(
+    noteOf({ ...plain, note: '', unshown: ['method.status'] }),
+    /method\.status.*impact solve --set KEY=VALUE/,
+  );
+  assert.equal(noteOf({ ...plain, note: 'of a rod' }), 'of a rod');
+  const changed = { ...plain, note: 'of a rod', chosen: { bodies: 'target.length=0.5 impactor.material=bronze' } };
+  assert.match(noteOf(changed), /Length 500 mm \(body 2\), Material Bronze \(body 1\).* of a rod$/);
 });
 
 test('every choice has a title', () => {

@@ -25,8 +25,9 @@ export class Bodies {
   made = ''; // for which bodies the fields are
   /** @type {Map<string, Field>} */ fields = new Map(); // by key
   /** @type {Map<string, (part: PartTold) => void>} */ heads = new Map();
-  /** @type {Map<string, string>} */ waiting = new Map(); // by key: what is to be asked
+  /** @type {Map<string, string | number | undefined>} */ waiting = new Map(); // by key: the value to be asked for
   asked = ''; // the key that is being answered
+  /** @type {string | number | undefined} */ value; // that is asked for it
 
   /** @param {Page} page */
   constructor(page) {
@@ -68,20 +69,25 @@ export class Bodies {
    * @param {string | number} [value]
    */
   set(key, value) {
-    this.waiting.set(key, value === undefined ? key : `${key}=${value}`);
+    this.waiting.set(key, value);
     this.#ask();
+  }
+  /** Keys and values that have no answer yet. */
+  get unanswered() {
+    return [...(this.asked ? [[this.asked, this.value]] : []), ...this.waiting];
   }
   /** One at a time: each is answered by what the bodies are then. */
   #ask() {
     const { changes, model, player } = this.page;
     const [next] = this.waiting;
     if (!next || this.asked || changes.server.lost()) return;
-    const [key, wanted] = next;
+    const [key, value] = next;
     this.waiting.delete(key);
     this.asked = key;
+    this.value = value;
     player.rest();
     changes.leave();
-    model.body_value = wanted;
+    model.body_value = value === undefined ? key : `${key}=${value}`;
   }
   /** @param {PartTold[]} parts */
   #make(parts) {

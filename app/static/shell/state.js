@@ -4,7 +4,7 @@
 
 /** @param {Page} page */
 export function stateOf(page) {
-  const { controls, frame, layout, model, names, player, waiting } = page;
+  const { bodies, controls, frame, layout, model, names, player, waiting } = page;
   const unanswered = names.filter((name) => frame && model[name] !== frame.chosen[name]);
   return {
     search: window.location.search,
@@ -15,6 +15,7 @@ export function stateOf(page) {
     range: page.range(),
     tab: layout.tabs.selected,
     colour: page.view.what ?? null,
+    values: bodies.unanswered,
     wanted: { ...Object.fromEntries(unanswered.map((name) => [name, model[name]])), ...waiting },
     scrolled: controls.root.parentElement?.parentElement?.scrollTop ?? 0,
   };
@@ -26,7 +27,7 @@ export function stateOf(page) {
  * @param {Record<string, any>} state
  */
 export function goOn(page, state) {
-  const { layout, model, player, view } = page;
+  const { bodies, layout, model, player, view } = page;
   if (state.search !== window.location.search) return; // another page of the same browser
   player.looping = state.looping;
   player.pace.value = state.pace;
@@ -36,5 +37,6 @@ export function goOn(page, state) {
   if (view.axis && (start > view.axis.whole[0] || end < view.axis.whole[1])) view.axis.show([start, end]);
   player.go(state.t);
   if (state.playing) player.toggle();
+  for (const [key, value] of state.values ?? []) bodies.set(key, value ?? undefined);
   for (const [name, value] of Object.entries(state.wanted)) if (name in model.spec) page.choose(name, value);
 }

@@ -1,4 +1,5 @@
 // What choices and their values are called on the page.
+import { wordsOf } from '../shell/body_values.js';
 import { family, named, text } from './catalogue.js';
 
 /** @param {string} name */
@@ -42,8 +43,13 @@ export const LABELS = Object.fromEntries(Object.keys(family('control')).map((nam
 export const METHODS = family('name.method-choice');
 
 /**
- * What a scene says of itself, and which of its keys have no control here.
- * @param {{ note: string, unshown: string[] }} scene
+ * What a scene says of itself, what of its bodies is changed, and which of its keys have no control here.
+ * @param {import('../shell/message.js').Frame} frame
  */
-export const noteOf = ({ note, unshown }) =>
-  [note, unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : ''].filter(Boolean).join(' ');
+export function noteOf(frame) {
+  const { note, unshown } = frame;
+  const what = wordsOf(frame);
+  const changed = what && text('story.changed', { what });
+  const keys = unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : '';
+  return [changed, note, keys].filter(Boolean).join(' ');
+}

@@ -48,6 +48,8 @@ def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
     page.answered(lambda: field(page, "Material").select_option("aluminium"))
     page.wait("() => location.search === '?target.length=0.6&target.material=aluminium'")
     page.tab.wait_for_timeout(AT_REST)
+    said = "Here with Length 600 mm (body 2), Material Aluminium (body 2)"
+    expect(page.tab.locator(".of-numbers")).to_contain_text(said)
     page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
     expect(field(page, "Material")).to_have_value("steel")
     page.answered(lambda: page.evaluate("() => strikewave.page.history.redo()"))
@@ -135,3 +137,20 @@ def test_all_bodies_of_a_chain_are_reached_in_every_window(open_page):
         page.laid_out()
         expect(field(page, "Length", 4)).to_be_visible()
         assert whole(page) and page.evaluate(OUTSIDE) == []
+
+
+def test_a_value_that_has_no_answer_yet_comes_back_with_the_page(open_page):
+    page = open_page()
+    page.evaluate(
+        """() => {
+          const { bodies, connection } = strikewave.page;
+          Object.defineProperty(strikewave.page.model, 'body_value', { set() {}, get: () => '' });  // nothing is sent
+          bodies.set('target.length', 0.6);
+          bodies.set('impactor.mass', 0.5);
+          connection.keep();
+        }"""
+    )
+    page.tab.reload()
+    page.laid_out()
+    page.wait("() => strikewave.page.frame.chosen.bodies === 'target.length=0.6'")
+    expect(field(page, "Mass, kg", 1)).to_have_value("0.5")
