@@ -67,12 +67,13 @@ def follow(
     periods = _Periods(contacts, lambda state: pressing(state[: mass.size] * scale[: mass.size]))
     parted = False
     while solver.status == "running" and not parted:
+        begun = float(solver.t)
         solver.step()
         dense = solver.dense_output()
-        instants = np.linspace(solver.t_old, solver.t, SAMPLES + 1)[1:]
+        instants = np.linspace(begun, float(solver.t), SAMPLES + 1)[1:]
         times.append(instants)
         states.append(dense(instants).T)
-        periods.add(float(solver.t_old), instants, states[-2][-1], states[-1], dense)
+        periods.add(begun, instants, states[-2][-1], states[-1], dense)
         parted = until is None and _parted(states[-1][-1] * scale, mass.size, pressing, moving, speed)
     parted = parted or _parted(states[-1][-1] * scale, mass.size, pressing, moving, speed)
     time, state = np.concatenate(times), np.concatenate(states) * scale
