@@ -1,6 +1,6 @@
 """Joints between links, and the drives that set them going, as scene files give them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,7 @@ from .links import GROUND, Link, Point, read_point
 KINDS = (system.REVOLUTE, system.PRISMATIC, system.FIXED)
 # Of the length of a link: farther from it is no joint of it. Points of scene files have four digits or so.
 OFF_LINK = 2e-3
+STIFFNESS_RANGE = (1e-12, 1e15)
 FASTEST = 1e6  # [rad/s] or [m/s]
 
 
@@ -81,11 +82,7 @@ class Drive:
     def read(cls, key: str, given: object, joints: Sequence[Joint]) -> "Drive":
         """From a table of `target.drives`. Raises SceneError naming the key."""
         given = validation.table(key, given, cls.KEYS)
-        most = len(joints) - 1
-        what = allowed("whole-number", low=0, high=most)
-        joint = validation.whole_number(f"{key}.joint", validation.required(key, given, "joint", what), 0, most)
-        if joints[joint].kind == system.FIXED:
-            raise SceneError(f"{key}.joint", joint, allowed("moving-joint"))
+        joint = _read_joint(key, given, joints)
         initial = given.get("initial", False)
         if not isinstance(initial, bool):
             raise SceneError(f"{key}.initial", initial, allowed("flag"))
@@ -99,6 +96,38 @@ class Drive:
     def table(self) -> dict[str, Any]:
         """As in a scene file."""
         return {"joint": self.joint, "speed": self.speed} | ({"initial": True} if self.initial else {})
+
+
+@dataclass(frozen=True)
+class Spring:
+    """Between both links of a joint, without a force in the first configuration: torsion, or along a prismatic axis."""
+
+    joint: int
+    stiffness: float  # [N m/rad], or [N/m] of a prismatic joint
+
+    KEYS = ("joint", "stiffness")
+
+    @classmethod
+    def read(cls, key: str, given: object, joints: Sequence[Joint]) -> "Spring":
+        """From a table of `target.springs`. Raises SceneError naming the key."""
+        given = validation.table(key, given, cls.KEYS)
+        joint = _read_joint(key, given, joints)
+        unit = "N/m" if joints[joint].kind == system.PRISMATIC else "N m/rad"
+        return cls(joint, validation.required_number(key, given, "stiffness", *STIFFNESS_RANGE, unit))
+
+    def table(self) -> dict[str, Any]:
+        """As in a scene file."""
+        return {"joint": self.joint, "stiffness": self.stiffness}
+
+
+def _read_joint(key: str, given: Mapping[str, Any], joints: Sequence[Joint]) -> int:
+    """The number of a joint that can move."""
+    most = len(joints) - 1
+    what = allowed("whole-number", low=0, high=most)
+    joint = validation.whole_number(f"{key}.joint", validation.required(key, given, "joint", what), 0, most)
+    if joints[joint].kind == system.FIXED:
+        raise SceneError(f"{key}.joint", joint, allowed("moving-joint"))
+    return joint
 
 
 def read_direction(key: str, given: object) -> Point:

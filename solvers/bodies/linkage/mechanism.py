@@ -14,7 +14,7 @@ from ...text.notes import Note
 from ...validation import SceneError, allowed
 from ..material import Material, read_radius
 from ..protocol import AnyBody
-from .joints import Drive, Joint, read_direction
+from .joints import Drive, Joint, Spring, read_direction
 from .links import GROUND, Link, Point, read_point
 from .mobility import check_mobility
 from .struck import StruckMechanism
@@ -66,8 +66,9 @@ class Mechanism(AnyBody):
     struck: Struck
     gravity: Point = NO_GRAVITY  # [m/s2]
     radius: float | None = None  # of curvature where it is struck [m]
+    springs: tuple[Spring, ...] = ()  # which give nothing in the first configuration, and so nothing in an impact there
 
-    KEYS = ("kind", "links", "joints", "drives", "struck", "gravity", "radius")
+    KEYS = ("kind", "links", "joints", "drives", "springs", "struck", "gravity", "radius")
     kind = "mechanism"
 
     @classmethod
@@ -91,7 +92,12 @@ class Mechanism(AnyBody):
         )
         struck = Struck.read(f"{key}.struck", validation.required(key, given, "struck", allowed("struck")), links)
         gravity = read_point(f"{key}.gravity", given.get("gravity", NO_GRAVITY), STRONGEST_GRAVITY)
-        found = cls(links, joints, drives, struck, gravity, read_radius(f"{key}.radius", given.get("radius")))
+        springs = tuple(
+            Spring.read(f"{key}.springs[{i}]", each, joints)
+            for i, each in enumerate(_listed(key, given, "springs", 0, len(joints)))
+        )
+        radius = read_radius(f"{key}.radius", given.get("radius"))
+        found = cls(links, joints, drives, struck, gravity, radius, springs)
         check_mobility(found.system, joints, drives, size)
         return found
 
@@ -204,7 +210,7 @@ class Mechanism(AnyBody):
 
     def table(self) -> dict[str, Any]:
         written: dict[str, Any] = {"kind": "mechanism", "links": [link.table() for link in self.links]}
-        for name, parts in (("joints", self.joints), ("drives", self.drives)):
+        for name, parts in (("joints", self.joints), ("drives", self.drives), ("springs", self.springs)):
             if parts:
                 written[name] = [part.table() for part in parts]
         written["struck"] = self.struck.table()

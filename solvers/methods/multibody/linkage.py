@@ -6,7 +6,7 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.bouncing import Contact
-from ...numerics.multibody.moving import Angles, Lines, Linkage, Pins
+from ...numerics.multibody.moving import Angles, Lines, Linkage, Pins, Springs
 from ...numerics.multibody.system import FIXED, PRISMATIC, Joint, System
 
 
@@ -48,12 +48,23 @@ def rigid_linkage(mechanism: Mechanism) -> tuple[Linkage, Rows]:
         else:
             angles.append((joint.first, joint.second, _angle(system, joint), drive.rate))
             rows[ANGLE].append((drive.joint, drive.rate))
+    coils, turns, springs = [], [], {True: [], False: []}
+    for spring in mechanism.springs:
+        joint = system.joints[spring.joint]
+        slides = joint.kind == PRISMATIC
+        springs[slides].append(spring.stiffness)
+        if slides:
+            coils.append((*_pair(system, joint), _in_frame(system, joint.first, joint.axis), 0.0))
+        else:
+            turns.append((joint.first, joint.second, _angle(system, joint), 0.0))
+    held = Springs(Lines(*_columns(coils, "iivvvf")), np.array(springs[True], float),
+                   Angles(*_columns(turns, "iiff")), np.array(springs[False], float))  # fmt: skip
     masses = np.concatenate([(link.mass, link.mass, link.inertia) for link in system.links])
     load = np.concatenate([(*(link.mass * system.gravity), 0.0) for link in system.links])
     points = np.array([point for link in mechanism.links for point in (link.start, link.end)])
     size = float(np.ptp(points, axis=0).max()) or 1.0
     found = Linkage(1.0 / masses, load, Pins(*_columns(pins, "iivv")), Lines(*_columns(lines, "iivvvf")),
-                    Angles(*_columns(angles, "iiff")), size)  # fmt: skip
+                    Angles(*_columns(angles, "iiff")), held, size)  # fmt: skip
     return found, _rows(rows)
 
 

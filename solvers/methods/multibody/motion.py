@@ -6,10 +6,11 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.bouncing import Course
+from ...numerics.multibody.moving import forces
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod
-from .linkage import ANGLE, LINE, PIN_X, PIN_Y, Rows
+from .linkage import ANGLE, LINE, PIN_X, PIN_Y, Rows, rigid_linkage
 
 
 class MovingMotion(SampledMotion):
@@ -60,7 +61,14 @@ class MovingMotion(SampledMotion):
             "dissipated": course.lost,
             "drives": course.reactions @ self._rows.rate,
             "weight": weight,
+            **({"springs": self._stretched()} if self.mechanism.springs else {}),
         }
+
+    def _stretched(self) -> np.ndarray:
+        """Energy in the springs at every instant [J]."""
+        linkage, _ = rigid_linkage(self.mechanism)
+        room = np.empty(self.course.coordinates.shape[1])
+        return np.array([forces(linkage, q, room) for q in self.course.coordinates])
 
     def _point(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Of the struck link: places and velocities (time, 2) of the point that is at `at` (2,) to begin with."""

@@ -60,6 +60,16 @@ class Angles(NamedTuple):
     rate: np.ndarray
 
 
+class Springs(NamedTuple):
+    """Springs between links, without a force where they begin: on distances as of `Lines` [N/m], and on angles as of
+    `Angles` [N m/rad]. The rates count for nothing."""
+
+    lines: Lines
+    line_stiffness: np.ndarray
+    angles: Angles
+    angle_stiffness: np.ndarray
+
+
 class Linkage(NamedTuple):
     """Links by inverse masses (3 links,), of the angles the inverse inertia; load (3 links,) [N, N m] that do not
     change; what joins them, in the order of the constraints; size [m]."""
@@ -69,6 +79,7 @@ class Linkage(NamedTuple):
     pins: Pins
     lines: Lines
     angles: Angles
+    springs: Springs
     size: float
 
 
@@ -93,7 +104,7 @@ def place_of(q, link, own):
 
 
 @kernel
-def _add_point(row, q, link, own, along_x, along_y, sign):
+def add_point(row, q, link, own, along_x, along_y, sign):
     """The velocity of a point in a direction, to a row of the Jacobian."""
     if link >= 0:
         x, y = arm_of(q, link, own)
@@ -119,8 +130,8 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
         gap[row], gap[row + 1] = x2 - x1, y2 - y1
         for axis in range(2):
             along_x, along_y = 1.0 - axis, 1.0 * axis
-            _add_point(jacobian[row + axis], q, second, pins.on_second[k], along_x, along_y, 1.0)
-            _add_point(jacobian[row + axis], q, first, pins.on_first[k], along_x, along_y, -1.0)
+            add_point(jacobian[row + axis], q, second, pins.on_second[k], along_x, along_y, 1.0)
+            add_point(jacobian[row + axis], q, first, pins.on_first[k], along_x, along_y, -1.0)
         row += 2
     for k in range(lines.first.size):
         first, second = lines.first[k], lines.second[k]
@@ -128,8 +139,8 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
         x1, y1 = place_of(q, first, lines.on_first[k])
         x2, y2 = place_of(q, second, lines.on_second[k])
         gap[row] = along_x * (x2 - x1) + along_y * (y2 - y1) - lines.rate[k] * time
-        _add_point(jacobian[row], q, second, lines.on_second[k], along_x, along_y, 1.0)
-        _add_point(jacobian[row], q, first, lines.on_first[k], along_x, along_y, -1.0)
+        add_point(jacobian[row], q, second, lines.on_second[k], along_x, along_y, 1.0)
+        add_point(jacobian[row], q, first, lines.on_first[k], along_x, along_y, -1.0)
         if first >= 0:  # the direction turns with it
             jacobian[row, 3 * first + 2] += along_x * (y2 - y1) - along_y * (x2 - x1)
         moving[row] = lines.rate[k]
@@ -202,6 +213,7 @@ class Work(NamedTuple):
     response: np.ndarray
     half: np.ndarray
     moved: np.ndarray
+    force_now: np.ndarray
 
 
 @allocating_kernel
@@ -216,7 +228,38 @@ def work(count, size):
         np.empty((count, count)),
         np.empty(size),
         np.empty(size),
+        np.empty(size),
     )
+
+
+@kernel
+def forces(linkage, q, found):
+    """Writes the forces on all coordinates, (3 links,); returns the energy in the springs [J]."""
+    lines, angles, energy = linkage.springs.lines, linkage.springs.angles, 0.0
+    for k in range(q.size):
+        found[k] = linkage.load[k]
+    for k in range(lines.first.size):
+        first, second, stiffness = lines.first[k], lines.second[k], linkage.springs.line_stiffness[k]
+        along_x, along_y = arm_of(q, first, lines.direction[k])
+        x1, y1 = place_of(q, first, lines.on_first[k])
+        x2, y2 = place_of(q, second, lines.on_second[k])
+        stretch = along_x * (x2 - x1) + along_y * (y2 - y1)
+        energy += 0.5 * stiffness * stretch**2
+        add_point(found, q, second, lines.on_second[k], along_x, along_y, -stiffness * stretch)
+        add_point(found, q, first, lines.on_first[k], along_x, along_y, stiffness * stretch)
+        if first >= 0:
+            found[3 * first + 2] -= stiffness * stretch * (along_x * (y2 - y1) - along_y * (x2 - x1))
+    for k in range(angles.first.size):
+        first, second, stiffness = angles.first[k], angles.second[k], linkage.springs.angle_stiffness[k]
+        turned = -angles.offset[k]
+        turned += q[3 * second + 2] if second >= 0 else 0.0
+        turned -= q[3 * first + 2] if first >= 0 else 0.0
+        energy += 0.5 * stiffness * turned**2
+        if second >= 0:
+            found[3 * second + 2] -= stiffness * turned
+        if first >= 0:
+            found[3 * first + 2] += stiffness * turned
+    return energy
 
 
 @kernel
@@ -226,8 +269,9 @@ def _rattle(linkage, w, q, v, time, step, reactions):
         return
     count, size = reactions.size, q.size
     joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
+    forces(linkage, q, w.force_now)
     for k in range(size):
-        w.half[k] = v[k] + 0.5 * step * linkage.mobility[k] * linkage.load[k]
+        w.half[k] = v[k] + 0.5 * step * linkage.mobility[k] * w.force_now[k]
     last = np.inf
     for _ in range(MAX_ITERATIONS):  # push them so that all joints are closed at the end
         for k in range(size):
@@ -245,9 +289,10 @@ def _rattle(linkage, w, q, v, time, step, reactions):
         push_rates(linkage, w.jacobian, w.given, w.half)
         for i in range(count):
             reactions[i] += w.given[i]
+    forces(linkage, w.moved, w.force_now)
     for k in range(size):
         q[k] = w.moved[k]
-        v[k] = w.half[k] + 0.5 * step * linkage.mobility[k] * linkage.load[k]
+        v[k] = w.half[k] + 0.5 * step * linkage.mobility[k] * w.force_now[k]
     _close_rates(linkage, w, q, v, time + step, reactions)
 
 

@@ -105,3 +105,32 @@ def test_what_it_cannot_follow_is_refused():
         assert refused.value.reason.code == f"refusals.{code}"
     with pytest.raises(SceneError):
         solvers.solve(four_bar(), method="multibody", restitution=2.0)
+
+
+def test_links_on_springs_swing_as_oscillators_do():
+    """A bar on a torsion spring, and a bar on a spring along its guide: struck, each comes back after half a period."""
+    bar = {"name": "bar", "from": [0.0, 0.0], "to": [0.3, 0.0], "mass": 1.2}
+    turning = {
+        "kind": "mechanism",
+        "links": [bar],
+        "joints": [{"links": ["ground", "bar"], "at": [0.0, 0.0]}],
+        "springs": [{"joint": 0, "stiffness": 5.0}],
+        "struck": {"link": "bar", "at": 1.0, "normal": [0.0, 1.0]},
+    }
+    sliding = turning | {
+        "joints": [{"kind": "prismatic", "links": ["ground", "bar"], "at": [0.0, 0.0], "axis": [0.0, 1.0]}],
+        "springs": [{"joint": 0, "stiffness": 200.0}],
+    }
+    for target, frequency, place in (
+        (turning, np.sqrt(5.0 / (1.2 * 0.09 / 3.0)), 2),
+        (sliding, np.sqrt(200.0 / 1.2), 1),
+    ):
+        scene = Scene.from_table({"impactor": {"mass": 0.05, "velocity": 1.0}, "target": target})
+        assert Scene.from_table(scene.table()).target == scene.target
+        found = Multibody(steps=200).solve(scene, 0.75 * 2.0 * np.pi / frequency)
+        after = found.motion.course.rates[1, place]
+        times = found.motion.time[2:]
+        moved = found.motion.coordinates(times)[:, place] - found.motion.coordinates(np.zeros(1))[0, place]
+        expected = after / frequency * np.sin(frequency * times)
+        assert moved == approx(expected, abs=1e-9 * np.abs(expected).max())
+        assert found.diagnostics["energy_drift"] < 1e-9 and found.energy["springs"] > 0.0
