@@ -84,6 +84,11 @@ class AnyBody(ABC):
         return self
 
     @property
+    def gives_way(self) -> bool:
+        """Whether it lets a rigid contact begin, as more rings in it than the modes that are kept."""
+        return self.time_unit is not None
+
+    @property
     def kinetic_energy(self) -> float:
         """Before the impact [J]."""
         return 0.5 * self.mass * self.velocity**2 if self.velocity else 0.0

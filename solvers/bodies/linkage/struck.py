@@ -74,6 +74,11 @@ class StruckMechanism(AnyBody):
         moved = self.modes(0).excited().frequencies
         return 2.0 * math.pi / float(moved[0]) if moved.size else None
 
+    @property
+    def gives_way(self) -> bool:
+        """Only where the struck link itself is flexible, and not all of it is in its modes."""
+        return self.time_unit is not None and self.frozen.modes.residual_compliance > 0.0
+
     @cached_property
     def softness(self) -> float:
         modes = self.modes(0)

@@ -80,7 +80,7 @@ class Modal(Method):
         for body in (target, impactor):
             if body.no_modes is not None:
                 return body.no_modes
-        if scene.rigid_contact and not (impactor.time_unit or _gives_way(target)):
+        if scene.rigid_contact and not (impactor.gives_way or target.gives_way):
             kinds = {"impactor": impactor.kind, "target": target.kind}
             return Note("refusals.nothing-gives-way", Severity.REFUSAL, **kinds)
         pinned = isinstance(target, Beam) and target.swings and self.frame == "attached"
@@ -246,11 +246,6 @@ class Modal(Method):
             count = min(max(10, math.ceil(duration / step)), MAX_STEPS)
             step = duration / count
         return _follow(scene, pair, step, count)
-
-
-def _gives_way(target: AnyBody) -> bool:
-    """Whether a target lets a rigid contact begin: something rings in it, and more of that than the modes it keeps."""
-    return target.time_unit is not None and not (target.own_modes and target.modes(0).residual_compliance == 0.0)
 
 
 def _fading_time(scene: Scene) -> float:
