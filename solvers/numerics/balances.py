@@ -296,7 +296,9 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
             count += 1
             if not parted:
                 break
-        longest = min(end - time, patience if _apart(bank, p, time) else np.inf)
+        # what accelerates by itself may never come, though it does not part for good
+        free = bank.fall == 0.0 and bank.surge == 0.0 and not _apart(bank, p, time)
+        longest = min(end - time, np.inf if free else patience)
         elapsed = _fly(bank, turn, step, q, p, q1, p1, time, longest)
         if elapsed < 0.0:
             break

@@ -186,3 +186,13 @@ def test_bodies_that_stick_while_they_accelerate_obey_newton():
     phase = np.arctan2(speed / omega, -rest)  # x = rest + amplitude cos(omega t - phase)
     leaves = np.arccos(-gravity / (amplitude * omega**2))
     assert found.time[1] == approx((leaves + phase) / omega, rel=1e-9)
+
+
+def test_bodies_that_accelerate_away_from_each_other_are_not_awaited_for_ever():
+    """They still approach after the balance, by rounding or by a spring, and yet never meet; found as a hang."""
+    bank = Bank(np.array([0.0, 1.0]), np.array([1.0, -1.0]), -1, -1e3)
+    q, p, found = np.zeros(2), np.array([1e-3, 0.0]), balances.events(50, 2)
+    count, reached = balances.event_located(
+        bank, balances.joined(bank), exact_turn(bank.frequencies, 1e-4), 1e-4, 0.0, 1e-9, 1e9, 10.0, q, p, found
+    )
+    assert count >= 1 and reached < 100.0
