@@ -25,19 +25,21 @@ def check_mobility(system: System, joints: Sequence[Joint], drives: Sequence[Dri
         upto = int(np.count_nonzero(system.joint_of[: system.joint_rows] <= number))
         if _rank(rows[:upto]) < upto:
             lost, anywhere = upto - _rank(rows[:upto]), _rank(elsewhere[:upto]) < upto or upto >= freedoms
-            code = "joint-redundant" if anywhere else "joint-singular"
-            raise SceneError(
-                f"target.joints[{number}]", joint.table(), allowed(code, links=list(joint.links), lost=lost)
+            names = list(joint.links)
+            redundant, singular = (
+                allowed("joint-redundant", links=names, lost=lost),
+                allowed("joint-singular", links=names),
             )
+            raise SceneError(f"target.joints[{number}]", joint.table(), redundant if anywhere else singular)
         if upto == freedoms:
             raise SceneError(f"target.joints[{number}]", joint.table(), allowed("joint-locks", links=list(joint.links)))
         reached = upto
     for number, drive in enumerate(drives):
         upto = reached + number + 1
         if _rank(rows[:upto]) < upto:
-            code = "drive-redundant" if upto > freedoms else "drive-singular"
             links = list(joints[drive.joint].links)
-            raise SceneError(f"target.drives[{number}]", drive.table(), allowed(code, links=links))
+            redundant, singular = allowed("drive-redundant", links=links), allowed("drive-singular", links=links)
+            raise SceneError(f"target.drives[{number}]", drive.table(), redundant if upto > freedoms else singular)
 
 
 def _rows(system: System, size: float) -> np.ndarray:
