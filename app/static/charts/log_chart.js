@@ -1,5 +1,6 @@
 // Charts whose two axes are logarithmic, with their names.
 import { decade } from '../text/format.js';
+import { scale } from './canvas.js';
 import { FONT, Plot } from './plot.js';
 import { decades, logPlace } from './scale.js';
 import { COLORS } from './styles.js';
@@ -7,7 +8,7 @@ import { COLORS } from './styles.js';
 const GRID = 'rgba(120,140,160,.22)';
 
 export class LogChart extends Plot {
-  margin = { left: 64, right: 12, top: 8, bottom: 40 };
+  margin = { left: 64 * scale, right: 12 * scale, top: 8, bottom: 40 * scale };
   gap = 0; // pixels beside the box for what has no place on a logarithmic axis
 
   /**
@@ -52,7 +53,7 @@ export class LogChart extends Plot {
     c.textAlign = 'right';
     c.textBaseline = 'middle';
     c.beginPath();
-    for (const power of decades(this.y, h / 26)) {
+    for (const power of decades(this.y, h / (26 * scale))) {
       const y = Math.round(this.py(10 ** power)) + 0.5;
       c.moveTo(left, y);
       c.lineTo(left + w, y);
@@ -60,7 +61,7 @@ export class LogChart extends Plot {
     }
     c.textAlign = 'center';
     c.textBaseline = 'top';
-    for (const power of decades(this.x, w / 54)) {
+    for (const power of decades(this.x, w / (54 * scale))) {
       const x = Math.round(this.px(10 ** power)) + 0.5;
       c.moveTo(x, top);
       c.lineTo(x, top + h);
@@ -76,9 +77,9 @@ export class LogChart extends Plot {
   #names(c) {
     const { x, y, w, h } = this.frame;
     c.fillStyle = COLORS.ink;
-    c.fillText(this.named[0], x + w / 2, y + h + 22);
+    c.fillText(this.named[0], x + w / 2, y + h + 22 * scale);
     c.save();
-    c.translate(11, y + h / 2);
+    c.translate(11 * scale, y + h / 2);
     c.rotate(-Math.PI / 2);
     c.textBaseline = 'middle';
     c.fillText(this.named[1], 0, 0);

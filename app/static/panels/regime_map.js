@@ -1,5 +1,5 @@
 // The map of where cheap models hold, over contact time and mass ratio; the scene is a dot on it.
-import { contextOf, letters } from '../charts/canvas.js';
+import { contextOf, letters, scale } from '../charts/canvas.js';
 import { LogChart } from '../charts/log_chart.js';
 import { within } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
@@ -32,7 +32,7 @@ const LEVELS = [
 ];
 const GRADES = ['#d6ead0', '#fdf3cf', '#fbdcb6', '#f3cfc6']; // up to each of them, and beyond
 const FINE = [220, 160];
-const STRIP = 26; // pixels of rigid contacts, which have no place on a logarithmic axis
+const STRIP = 26 * scale; // pixels of rigid contacts, which have no place on a logarithmic axis
 const TRAIL = 40;
 const AIM = 10 ** 0.1; // a step of the arrow keys
 /** @type {Record<string, [across: number, up: number]>} */
@@ -172,7 +172,7 @@ export class RegimeMap {
     chart.x = [map.time[rigid ? 1 : 0], map.time[map.time.length - 1]];
     chart.y = [map.ratio[0], map.ratio[map.ratio.length - 1]];
     chart.gap = rigid ? STRIP : 0;
-    chart.margin.left = 52 + chart.gap;
+    chart.margin.left = 52 * scale + chart.gap;
     chart.named[0] = text('map.across-of', { beam });
     const press = (/** @type {string} */ kind) => {
       this.shown = kind;

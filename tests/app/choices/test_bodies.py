@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import solvers
-from app.choices.bodies import LONGEST, RANGES, read_values, with_values, written
+from app.choices.bodies import LONGEST, RANGES, parts_of, read_values, split, with_values, written
 from app.choices.body_value import with_body_value
 from app.choices.choices import SCENES, accepts, refusal
 from app.choices.scene_of import acting_choices, body_keys, chosen_scene, own_choices
@@ -169,6 +169,21 @@ def test_no_value_breaks_anything(scene, number, value):
     else:
         assert read_values(written(read_values(chosen["bodies"]))) == read_values(chosen["bodies"])
         chosen_scene(chosen)
+
+
+def test_every_value_of_every_kind_of_body_can_be_changed_and_set_back():
+    kinds = {(scene.impactor.kind, scene.target.kind): name for name, scene in SCENES.items()}
+    for name in kinds.values():
+        own = own_choices(name)
+        values = {f"{part.key}.{quantity}": part.value(quantity)
+                  for part in parts_of(SCENES[name]) for quantity in part.quantities}  # fmt: skip
+        for key in body_keys(name):
+            wanted = "bronze" if key.endswith(".material") else 0.93 * (values[key] or 3e8)
+            chosen = own | with_body_value(own | {"body_value": f"{key}={wanted}"})
+            part, quantity = split(key)
+            found = next(each for each in parts_of(chosen_scene(chosen)) if each.key == part).value(quantity)
+            assert found == (wanted if isinstance(wanted, str) else pytest.approx(wanted, rel=1e-11)), (name, key)
+            assert chosen | with_body_value(chosen | {"body_value": key}) == own, (name, key)
 
 
 def test_every_scene_has_bodies_and_every_value_of_them_is_within_its_bounds():
