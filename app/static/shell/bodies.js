@@ -10,6 +10,8 @@ const NAMES = family('body.value');
 const DERIVED = family('body.derived');
 const MATERIALS = family('name.material');
 const KINDS = family('bodies.kind');
+const PATIENCE = 3000; // ms without an answer, after which a value is asked for again
+const MAX_TRIES = 4;
 const MANY = 2; // bodies, beyond which they are opened one by one
 let made = 0;
 
@@ -26,6 +28,8 @@ export class Bodies {
   /** @type {Map<string, Field>} */ fields = new Map(); // by key
   /** @type {Map<string, (part: PartTold) => void>} */ heads = new Map();
   /** @type {Map<string, string | number | undefined>} */ waiting = new Map(); // by key: the value to be asked for
+  tries = 0; // of the value that is asked for
+  /** @type {number | undefined} */ patience;
   asked = ''; // the key that is being answered
   /** @type {string | number | undefined} */ value; // that is asked for it
 
@@ -36,9 +40,7 @@ export class Bodies {
     this.root = make('section', { className: 'bodies', hidden: true });
     this.root.append(make('h2', { textContent: text('bodies.title') }), this.list);
     page.model.on('body_value', () => {
-      if (page.model.body_value) return;
-      this.asked = '';
-      this.#ask();
+      if (!page.model.body_value) this.#answered();
     });
   }
   /** @param {Frame} frame */
@@ -70,6 +72,22 @@ export class Bodies {
    */
   set(key, value) {
     this.waiting.set(key, value);
+    this.tries = 0;
+    this.#ask();
+  }
+  #answered() {
+    clearTimeout(this.patience);
+    this.asked = '';
+    this.#ask();
+  }
+  /** What a server says before the page is drawn may be lost: the same is asked again. */
+  #again() {
+    const { asked, page, value } = this;
+    if (!asked) return;
+    this.tries += 1;
+    if (this.tries < MAX_TRIES && !this.waiting.has(asked)) this.waiting = new Map([[asked, value], ...this.waiting]);
+    this.asked = '';
+    page.model.body_value = ''; // of which the page is told, as of any change
     this.#ask();
   }
   /** Keys and values that have no answer yet. */
@@ -87,6 +105,7 @@ export class Bodies {
     this.value = value;
     player.rest();
     changes.leave();
+    this.patience = window.setTimeout(() => this.#again(), PATIENCE);
     model.body_value = value === undefined ? key : `${key}=${value}`;
   }
   /** @param {PartTold[]} parts */

@@ -154,3 +154,20 @@ def test_a_value_that_has_no_answer_yet_comes_back_with_the_page(open_page):
     page.laid_out()
     page.wait("() => strikewave.page.frame.chosen.bodies === 'target.length=0.6'")
     expect(field(page, "Mass, kg", 1)).to_have_value("0.5")
+
+
+def test_a_value_whose_answer_is_lost_is_asked_for_again(open_page):
+    page = open_page()
+    page.evaluate(
+        """() => {
+          const { model } = strikewave.page;
+          window.lost = 0;
+          strikewave.page.model = new Proxy(model, { set(all, name, value) {
+            if (name === 'body_value' && value && !window.lost++) return true;  // on its way to the server
+            return Reflect.set(all, name, value);
+          } });
+        }"""
+    )
+    typed(page, "Length", "600")
+    page.wait("() => strikewave.page.frame.chosen.bodies === 'target.length=0.6' && !strikewave.page.bodies.asked")
+    assert page.evaluate("() => window.lost") >= 2
