@@ -16,7 +16,7 @@ BEAM_CHOICES = {  # name: how it is read from a beam
 
 def on_beam(scene: Scene) -> bool:
     """Whether what is struck is a beam."""
-    return scene.target.bends
+    return isinstance(scene.target, Bending)
 
 
 def free_place(support: str, place: float) -> float:

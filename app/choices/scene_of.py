@@ -214,7 +214,7 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         changes = _of_velocity("impactor", base.impactor, faster * base.impactor.velocity)
         changes |= _of_velocity("target", base.target, faster * base.target.velocity)
     own = choices_of(chosen["scene"], chosen["bodies"])
-    if on_beam(base) and not on_mechanism(base):
+    if on_beam(base):
         base = other_beam(
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         )

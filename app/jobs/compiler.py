@@ -138,6 +138,7 @@ def usual() -> Iterator[Piece]:
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
     for scene in (START, beam):
         yield from _pieces(scene, begun)
+    yield with_body_value.__name__, Choices().chosen() | {"body_value": "impactor"}
     rubs = next(name for name, scene in SCENES.items() if scene.friction)
     yield from _pieces(rubs, [])
     laws = [law for law in Choices.param.law.objects if law != Choices().law]

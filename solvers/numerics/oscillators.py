@@ -151,6 +151,17 @@ def march(law, residual, mass, rigid_mass, fall, surge, step, bank, displacement
     copy_to(velocity, p)
 
 
+@kernel
+def _check_in(bank, record, row, stride, force, q, p):
+    """Keep the oscillators at a checkpoint, and take from them what the steps up to it have added in excess."""
+    for i in range(q.size):
+        correction = -0.5 * stride * bank.excess[i]
+        q[i] += correction * q[i]
+        p[i] += correction * p[i]
+        record.checkpoint_displacement[row, i] = q[i] + bank.kick_displacement[i] * force
+        record.checkpoint_velocity[row, i] = p[i] + bank.kick_velocity[i] * force
+
+
 @summing_kernel
 def _march(
     law, residual, mass, rigid_mass, fall, surge, step, bank,
@@ -193,13 +204,7 @@ def _march(
         until_checkpoint -= 1
         if until_checkpoint == 0:
             until_checkpoint = stride
-            row = (k + 1) // stride
-            for i in range(modes):
-                correction = -0.5 * stride * bank.excess[i]
-                q[i] += correction * q[i]
-                p[i] += correction * p[i]
-                record.checkpoint_displacement[row, i] = q[i] + bank.kick_displacement[i] * force
-                record.checkpoint_velocity[row, i] = p[i] + bank.kick_velocity[i] * force
+            _check_in(bank, record, (k + 1) // stride, stride, force, q, p)
         bending = 0.0
         if force != 0.0:
             for i in range(modes):

@@ -22,7 +22,8 @@ def mechanism_candidates(scene: Scene, question: int) -> tuple[list[Candidate], 
     mechanism = scene.target.known_as(Mechanism)
     finest = min(max(2 * mechanism.most_modes, LEAST_REFERENCE), MOST_REFERENCE)
     links = tuple(
-        replace(link, modes=finest * bool(link.modes), axial=finest * bool(link.axial)) for link in mechanism.links
+        link if link.nodes else replace(link, modes=finest * bool(link.modes), axial=finest * bool(link.axial))
+        for link in mechanism.links  # a mesh has no more modes than it is given
     )
     fine = replace(scene, target=replace(mechanism, links=links))
     true = figures(Modal(modes=finest, estimate=False).solve(fine), question == STRESSES)

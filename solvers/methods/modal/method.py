@@ -17,7 +17,7 @@ from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
 from ..options import flag, option, whole, word
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
 from .frames import frame_figures, pivot_figures
-from .motion import ModalMotion
+from .motion import ModalMotion, last_touch
 from .pair import Pair
 
 # Of the highest mode kept. Its motion is exact at any step: with fewer the contact force is, within a step, of a lower
@@ -343,7 +343,7 @@ def _follow(scene: Scene, pair: Pair, step: float, count: int | None) -> ModalMo
             if len(slowest) == 2 and record.rigid_position[done] - record.position[done] < bulge:
                 continue
             parted = True
-            last = int(np.flatnonzero(record.contact_force[:done])[-1]) + 1
+            last = last_touch(scene, record.contact_force[:done])
             done = min(done, last + math.ceil(AFTERGLOW * scene.time_unit / step))
             break
     return ModalMotion(scene, pair, step, stride, _cut(record, done, stride), parted)

@@ -9,6 +9,7 @@ from ...scene import Scene
 from ...solution.motion import TargetState
 from ...solution.sampled_motion import given_up, growth, run_out
 from ...solution.solution import ContactPeriod
+from ...validation import SceneError, allowed
 from .pair import Pair
 
 # Of what the modes left out give way under the peak force: who opens by less may still be touching. Measured on exact
@@ -382,3 +383,11 @@ def _upward_zero(before: float, x: float, y: float) -> float:
         if place <= 1.0:
             return float(place)
     return float(min(-x / (y - x), 1.0)) if y > 0.0 else 1.0
+
+
+def last_touch(scene: Scene, force: np.ndarray) -> int:
+    """Steps up to the end of the last with a force. Raises SceneError if the target moves away before there is any."""
+    touching = np.flatnonzero(force)
+    if not touching.size:
+        raise SceneError("impactor.velocity", scene.impactor.velocity, allowed("touch-before-away"))
+    return int(touching[-1]) + 1

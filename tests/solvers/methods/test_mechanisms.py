@@ -5,7 +5,8 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import METHODS, Balance, Modal, QuasiStatic, RigidImpulse, Scene
+from solvers import METHODS, Balance, Modal, QuasiStatic, RigidImpulse, Scene, SceneError
+from solvers.methods.modal.motion import last_touch
 from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, four_bar, rotating_bar
 
 HERTZ = {"law": "hertz", "stiffness": 1e9}
@@ -306,3 +307,9 @@ def test_whatever_strikes_it_energy_and_momentum_are_kept(impactor):
         found = method.solve(Scene.from_table(tables))
         assert abs(found.diagnostics["energy_error"]) < 1e-10
         assert abs(found.diagnostics["momentum_error"]) < 1e-11
+
+
+def test_what_is_drawn_away_before_any_force_acts_is_refused():
+    with pytest.raises(SceneError, match="drawn away before any force acts"):
+        last_touch(rotating_bar(3), np.zeros(5))
+    assert last_touch(rotating_bar(3), np.array([0.0, 2.0, 0.0])) == 2
