@@ -132,7 +132,7 @@ class SocketClient:
             if kind == "PATCH-DOC" and any(e.get("attr") == "frame" for e in content.get("events", [])):
                 self.last_frame = content["buffers"][-1]
                 name, value = self._set
-                if not name or read_header(self.last_frame)["chosen"][name] == value:
+                if read_header(self.last_frame)["chosen"].get(name, value) == value:
                     return
 
     def close(self) -> None:
