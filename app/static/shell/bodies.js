@@ -10,8 +10,8 @@ const NAMES = family('body.value');
 const DERIVED = family('body.derived');
 const MATERIALS = family('name.material');
 const KINDS = family('bodies.kind');
-const PATIENCE = 3000; // ms without an answer, after which a value is asked for again
-const MAX_TRIES = 4;
+const PATIENCE = 3000; // ms without an answer, after which a value is asked for again; then twice as many
+const MAX_TRIES = 5;
 const MANY = 2; // bodies, beyond which they are opened one by one
 let made = 0;
 
@@ -77,6 +77,7 @@ export class Bodies {
   }
   #answered() {
     clearTimeout(this.patience);
+    if (this.asked) this.tries = 0; // else it is asked for again
     this.asked = '';
     this.#ask();
   }
@@ -105,7 +106,7 @@ export class Bodies {
     this.value = value;
     player.rest();
     changes.leave();
-    this.patience = window.setTimeout(() => this.#again(), PATIENCE);
+    this.patience = window.setTimeout(() => this.#again(), PATIENCE * 2 ** this.tries);
     model.body_value = value === undefined ? key : `${key}=${value}`;
   }
   /** @param {PartTold[]} parts */
