@@ -258,8 +258,8 @@ export class Page {
     if (!data || !data.byteLength) return;
     const frame = decode(data);
     this.changes.take(frame, data);
+    if (this.changes.answers(frame)) this.settle(); // what waits is solved while this is drawn
     if (this.changes.quiet) {
-      if (this.changes.answers(frame)) this.settle();
       this.changes.arrived(frame); // it is kept, not shown
       return;
     }
@@ -274,7 +274,6 @@ export class Page {
     this.player.load(this.frame);
     if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();
-    if (this.changes.answers(frame)) this.settle();
     this.changes.arrived(this.frame);
     this.tell();
     const { strikewave } = /** @type {any} */ (window); // for tests and benches

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect, sync_playwright
 
+MEDIA = ("reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
 PATIENCE = 60_000  # ms, for a machine that does much else beside
 expect.set_options(timeout=PATIENCE)
 
@@ -71,23 +72,75 @@ def browser():
         launched.close()
 
 
-class Page:
-    """The page in the browser, with what it said and sent."""
+class Windows:
+    """Windows of a browser, used again: a page where another has been costs a third of one in a new window."""
 
-    def __init__(self, browser, address: str, query: str = "", size=(1440, 900), drawn: bool = True, **context):
-        still = {"reduced_motion": "reduce"} | context  # nothing moves by itself, unless that is what is tested
-        self.context = browser.new_context(viewport={"width": size[0], "height": size[1]}, **still)
-        self.tab = self.context.new_page()
+    def __init__(self, browser):
+        self.browser = browser
+        self.free: dict[str, list] = {}  # windows that nobody uses, by their options
+
+    def take(self, size, options: dict):
+        """A tab of this size in a context of these options."""
+        viewport = {"width": size[0], "height": size[1]}
+        free = self.free.get(repr(options))
+        if not free:
+            return self.browser.new_context(viewport=viewport, **options).new_page()
+        tab = free.pop()
+        tab.set_viewport_size(viewport)
+        return tab
+
+    def give(self, tab, address: str, options: dict) -> None:
+        """Take away what a page has left behind, and keep the window."""
+        tab.emulate_media(**{medium: options.get(medium, "null") for medium in MEDIA})
+        tab.mouse.move(0, 0)
+        tab.goto(f"http://{address}/liveness")  # of the same site, which keeps the process
+        tab.evaluate("() => { localStorage.clear(); sessionStorage.clear(); }")
+        session = tab.context.new_cdp_session(tab)
+        session.send("Page.resetNavigationHistory")
+        session.detach()
+        self.free.setdefault(repr(options), []).append(tab)
+
+
+class Page:
+    """The page in the browser, with what it said and sent; in a window of its own unless there are windows to take."""
+
+    def __init__(
+        self,
+        browser,
+        address: str,
+        query: str = "",
+        size=(1440, 900),
+        drawn: bool = True,
+        windows: Windows | None = None,
+        **options,
+    ):
+        self.options = {"reduced_motion": "reduce"} | options  # nothing moves by itself, unless that is what is tested
+        self.windows = windows
+        self.address = address
+        self.tab = (windows or Windows(browser)).take(size, self.options)
+        self.context = self.tab.context
         self.errors: list[str] = []
         self.foreign: list[str] = []
         self.frames = {"sent": 0, "received": 0, "bytes": 0}
-        self.tab.on("pageerror", lambda error: self.errors.append(str(error)))
-        self.tab.on("console", lambda line: line.type == "error" and self.errors.append(line.text))
-        self.tab.on("request", lambda request: self._request(request.url, address))
-        self.tab.on("websocket", self._socket)
+        self.listeners = {
+            "pageerror": lambda error: self.errors.append(str(error)),
+            "console": lambda line: line.type == "error" and self.errors.append(line.text),
+            "request": lambda request: self._request(request.url, address),
+            "websocket": self._socket,
+        }
+        for name, listener in self.listeners.items():
+            self.tab.on(name, listener)
         self.tab.goto(f"http://{address}/{query}")
         if drawn:
             self.laid_out()
+
+    def close(self) -> None:
+        for name, listener in self.listeners.items():
+            self.tab.remove_listener(name, listener)
+        if self.windows:
+            self.windows.give(self.tab, self.address, self.options)
+        else:
+            self.context.close()
 
     def _request(self, url: str, address: str) -> None:
         if address not in url and not url.startswith(("data:", "blob:")):
@@ -177,17 +230,25 @@ class Page:
         )
 
 
+@pytest.fixture(scope="session")
+def windows(browser):
+    return Windows(browser)
+
+
 @pytest.fixture
-def open_page(browser, server):
-    """Open the page; at the end it must have shown no error and asked nobody else for anything."""
+def open_page(browser, server, windows):
+    """Open the page; at the end it must have shown no error and asked nobody else for anything.
+
+    `own`: in a window of its own, which has fetched nothing yet and takes whatever the test puts into it.
+    """
     opened: list[Page] = []
 
-    def open_one(query: str = "", **options) -> Page:
-        opened.append(Page(browser, server, query, **options))
+    def open_one(query: str = "", own: bool = False, **options) -> Page:
+        opened.append(Page(browser, server, query, windows=None if own else windows, **options))
         return opened[-1]
 
     yield open_one
     for page in opened:
-        page.context.close()
+        page.close()
         assert [error for error in page.errors if "GL Driver" not in error] == []
         assert page.foreign == []

@@ -112,7 +112,7 @@ def test_docks_are_moved_and_folded_and_the_browser_remembers(open_page):
 
 
 def test_a_browser_that_keeps_nothing_shows_the_page_all_the_same(open_page):
-    page = open_page(drawn=False)
+    page = open_page(drawn=False, own=True)
     page.tab.add_init_script(
         """for (const name of ['localStorage', 'sessionStorage'])
              Object.defineProperty(window, name, { get() { throw new DOMException('no', 'SecurityError'); } });"""
