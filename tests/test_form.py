@@ -16,6 +16,7 @@ def test_ruff(arguments):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.slow
 def test_types():
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable]
     done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=300)

@@ -110,6 +110,14 @@ def ran(code: str, cache: Path, **more: str) -> subprocess.CompletedProcess:
     return done
 
 
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory):
+    """A cache with the kernels of a call."""
+    cache = tmp_path_factory.mktemp("filled")
+    assert ran(FOUND, cache).stderr == ""
+    return cache
+
+
 def cut(path: Path) -> None:
     path.write_bytes(path.read_bytes()[:40])
 
@@ -132,8 +140,8 @@ def flipped(path: Path) -> None:
     ],
     ids=["index of garbage", "index cut", "kernel empty", "kernel cut", "kernel changed"],
 )
-def test_a_damaged_kernel_is_put_aside_with_one_line_and_compiled_again(tmp_path, ending, damage):
-    assert ran(FOUND, tmp_path).stderr == ""
+def test_a_damaged_kernel_is_put_aside_with_one_line_and_compiled_again(tmp_path, filled, ending, damage):
+    shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
     for path in tmp_path.rglob(f"*.{ending}"):
         damage(path)
     found = ran(FOUND, tmp_path)
@@ -155,9 +163,9 @@ print(jit._usable(Path({cache!r})))
 
 
 @pytest.mark.slow
-def test_a_full_disk_is_seen_before_anything_is_kept_there(tmp_path):
+def test_a_full_disk_is_seen_before_anything_is_kept_there(tmp_path, filled):
     """What is in the cache is taken along to where there is room; if there is none, it is read where it is."""
-    ran(FOUND, tmp_path)
+    shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
     kept = len(list(tmp_path.rglob("*.nbc")))
     counted = "\nprint(len(list(Path(jit._usable(Path({cache!r}))).rglob('*.nbc'))))"
     found = ran((NOWHERE + counted).format(more="", cache=str(tmp_path)), tmp_path / "other")

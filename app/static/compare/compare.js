@@ -17,6 +17,7 @@ import { Told } from './told.js';
 /** @import { Question } from './questions.js' */
 
 const PATIENCE = 30_000; // ms for a solution of a link
+const REMEMBERED = 16; // runs that undo may bring back as they were; others are solved again
 const LONGEST = 5; // times the impact that is shown, to which a longer one stretches the axis of time
 
 export class Compare {
@@ -24,6 +25,7 @@ export class Compare {
   /** @type {Run | null} */ beside = null; // in the picture
   /** @type {ArrayBuffer} */ bytes; // of the frame that is shown
   due = false; // it is to be kept once it is no draft any more
+  /** @type {Map<string, Run>} */ known = new Map(); // that are or were kept, by what an entry of the history says
 
   /** @param {Page} page */
   constructor(page) {
@@ -33,6 +35,13 @@ export class Compare {
     this.told = new Told();
     this.second = new Beside();
     this.tag = make('span', { className: 'tag own', textContent: text('compare.now'), hidden: true });
+  }
+  /**
+   * What is kept, as it can be asked for again.
+   * @returns {Wanted[]}
+   */
+  get wanted() {
+    return this.runs.map(({ frame, letter }) => ({ letter, settings: frame.chosen }));
   }
   get locked() {
     return this.scales.locked;
@@ -124,9 +133,10 @@ export class Compare {
    */
   async restore(wanted) {
     const { page } = this;
-    const { changes } = page;
+    const { changes, history } = page;
     const { chosen } = page.frame;
     const lost = [];
+    history.going = true; // to where it was kept: that is no step
     changes.quiet = page.root.inert = true;
     page.waiter.soon('kept', text('compare.restoring'));
     for (const { letter, settings } of wanted)
@@ -136,12 +146,28 @@ export class Compare {
     changes.quiet = page.root.inert = false;
     page.waiter.over('kept');
     if (lost.length) page.complain(text('compare.lost', { names: lost }));
+    this.runs.sort((a, b) => a.letter.localeCompare(b.letter));
     this.#changed();
+    history.going = false;
+  }
+  /**
+   * Have these kept and no others, as undo and redo ask.
+   * @param {Wanted[]} wanted
+   */
+  async recall(wanted) {
+    const known = wanted.map((each) => this.known.get(JSON.stringify(each)));
+    this.runs = known.filter((run) => run !== undefined);
+    if (this.beside && !this.runs.includes(this.beside)) this.beside = null;
+    const missing = wanted.filter((_, place) => !known[place]);
+    if (missing.length) await this.restore(missing);
+    else this.#changed();
   }
   /** What is kept, or how it is shown, has changed. */
   #changed() {
     const { page } = this;
     if (!page.frame) return;
+    this.wanted.forEach((each, place) => this.known.set(JSON.stringify(each), this.runs[place]));
+    for (const oldest of [...this.known.keys()].slice(0, -REMEMBERED)) this.known.delete(oldest);
     layOver(page.view, page.frame, this.runs);
     const { axis } = page.view;
     const zoomed = axis?.zoomed && axis.view;

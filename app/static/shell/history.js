@@ -1,18 +1,25 @@
-// Undo and redo: every change of the choices is an entry of the browser's history, a drag is one. Back undoes, and does
-// not leave the page before all is undone.
+// Undo and redo: every change of the choices is an entry of the browser's history, a drag is one, and so is whatever is
+// kept or kept no more. Back undoes, and does not leave the page before all is undone.
 import { make } from './dom.js';
 import { addressOf, choicesText, queryOf } from './address.js';
 import { text } from '../text/catalogue.js';
 import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Wanted } from './kept.js' */
 /** @import { Chosen } from './message.js' */
 
 const PAUSE = 700; // ms without a change, after which the next is a step of its own
 const REST = 250; // ms after which the address follows what is seen
 const TOP = 'history'; // under which the last entry is kept while the page reloads
 
-/** @typedef {{ strikewave: number, chosen: Chosen, choices: string }} Entry  its number; what is chosen, and as text */
+/**
+ * @typedef {object} Entry
+ * @property {number} strikewave  its number
+ * @property {Chosen} chosen
+ * @property {string} choices  what is chosen, as text
+ * @property {Wanted[]} kept  solutions beside it
+ */
 
 export class History {
   top = 0; // number of the last entry
@@ -64,17 +71,20 @@ export class History {
     const { page, entry } = this;
     if (!page.frame || page.changes.quiet) return;
     const choices = choicesText(page);
+    const { wanted } = page.compare;
     const { chosen } = page.frame;
     const now = performance.now();
     const address = addressOf(queryOf(page));
-    if (!entry || choices === entry.choices || this.going || now - this.changed < PAUSE) {
-      if (entry && choices !== entry.choices) this.changed = now;
-      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, chosen, choices }, address);
+    const moved = entry && choices !== entry.choices;
+    const others = entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []);
+    if (!entry || this.going || !(moved || others) || (!others && now - this.changed < PAUSE)) {
+      if (moved) this.changed = now;
+      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, chosen, choices, kept: wanted }, address);
     } else {
-      this.changed = now;
+      if (moved) this.changed = now;
       this.top = entry.strikewave + 1;
       keep(TOP, this.top, true);
-      this.#put('pushState', { strikewave: this.top, chosen, choices }, address);
+      this.#put('pushState', { strikewave: this.top, chosen, choices, kept: wanted }, address);
     }
     this.#enable();
   }
@@ -101,12 +111,13 @@ export class History {
     this.undoing.disabled = at === 0;
     this.redoing.disabled = at >= this.top;
   }
-  /** The browser has gone to an entry: its choices are chosen again. */
+  /** The browser has gone to an entry: its choices are chosen again, and what was kept is there again. */
   #arrive() {
     const { entry, page } = this;
     if (!entry || !page.frame) return;
     this.going = true;
-    page.goTo(entry.chosen, () => {
+    page.goTo(entry.chosen, async () => {
+      await page.compare.recall(entry.kept ?? []);
       this.going = false;
       this.write();
     });

@@ -66,9 +66,11 @@ def test_a_frame_is_the_same_as_solved_here():
 
 @pytest.mark.slow
 def test_a_long_solve_moves_out_of_the_way_and_others_are_answered_meanwhile():
+    levels = (LEVELS[QUICK], LEVELS[SLOW]._replace(seconds=0.5), LEVELS[LONG])
+
     async def test(workers):
         await workers.start(works.double, 0).answer
-        long = [workers.start(works.compute, 5.0, visitor=number) for number in range(4)]
+        long = [workers.start(works.compute, 1.5, visitor=number) for number in range(4)]
         while any(job.level == QUICK for job in long):  # each goes on until it has had its share of computing
             assert await asyncio.wait_for(workers.start(works.double, 21, visitor="quick").answer, 60.0) == 42
         assert not any(job.answer.done() for job in long)
@@ -76,9 +78,9 @@ def test_a_long_solve_moves_out_of_the_way_and_others_are_answered_meanwhile():
             assert await asyncio.wait_for(workers.start(works.double, number).answer, 60.0) == 2 * number
         for job in long[1:]:
             job.answer.cancel()
-        assert await long[0].answer == 5.0
+        assert await long[0].answer == 1.5
 
-    with_workers(test)
+    with_workers(test, levels)
 
 
 def test_what_is_long_yields_the_processors():

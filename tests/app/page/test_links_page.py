@@ -113,6 +113,41 @@ def test_a_change_after_undo_forgets_what_was_undone(open_page):
     assert chosen(page, "speed") == [2]
 
 
+def test_what_is_kept_and_removed_is_undone_as_it_was(open_page):
+    page = open_page()
+    undo, redo = ("() => strikewave.page.history." + name + "()" for name in ("undo", "redo"))
+    kept = "letters => strikewave.page.compare.runs.map(({ letter }) => letter).join('') === letters"
+    page.tab.wait_for_timeout(AT_REST)
+    page.evaluate(KEEP)
+    step(page, mass_ratio=2)
+    page.evaluate(KEEP)
+    page.evaluate("() => strikewave.page.compare.remove(strikewave.page.compare.runs[0])")
+    page.wait(kept, "B")
+    asked = page.quiet()["sent"]
+    page.evaluate(undo)
+    page.wait(kept, "AB")
+    assert page.quiet()["sent"] == asked  # nothing is solved for it
+    assert page.evaluate("() => strikewave.page.compare.runs.map(({ frame }) => frame.chosen.mass_ratio)") == [1, 2]
+    page.evaluate(undo)
+    page.wait(kept, "A")
+    page.answered(lambda: page.evaluate(undo))
+    assert chosen(page, "mass_ratio") == [1]
+    page.evaluate(undo)
+    page.wait(kept, "")
+    assert "kept=" not in page.evaluate("() => location.search")
+    expect(page.tab.get_by_role("button", name="Undo (Ctrl+Z)")).to_be_disabled()
+    for letters in ("A", "A", "AB", "B"):
+        page.evaluate(redo)
+        page.wait(kept, letters)
+        page.quiet()
+    expect(page.tab.get_by_role("button", name="Redo (Ctrl+Shift+Z)")).to_be_disabled()
+    page.tab.reload()  # what the browser remembers of the history is there, the solutions are not
+    page.wait(RESTORED)
+    page.evaluate(undo)
+    page.wait(kept, "AB")
+    assert page.evaluate("() => strikewave.page.compare.runs.map(({ frame }) => frame.chosen.mass_ratio)") == [1, 2]
+
+
 STATE = """() => { const { page } = strikewave, { compare, layout, player } = page;
   return { t: player.t, playing: player.playing, pace: player.pace.value, tab: layout.tabs.selected, view: page.range(),
     what: page.axial.what, kept: compare.runs.map(({ letter, frame }) => [letter, frame.chosen]),

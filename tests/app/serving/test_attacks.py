@@ -114,6 +114,7 @@ def test_a_token_opens_one_socket(server):
     run(attack())
 
 
+@pytest.mark.slow
 def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(server):
     """Also with analyses open: their figures are the browser's own, so that the document stays as small as it is."""
 
@@ -209,6 +210,7 @@ def test_headers_name_no_version_and_no_frame_of_others(server):
 # --- floods -----------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_socket_that_floods_is_slowed_and_closed_and_the_page_says_why(server):
     async def attack():
         client = await SocketClient(server).open()
@@ -235,6 +237,7 @@ def test_a_socket_that_floods_is_slowed_and_closed_and_the_page_says_why(server)
     run(attack(), 120)
 
 
+@pytest.mark.slow
 def test_a_page_that_sends_as_soon_as_it_is_answered_is_never_slowed(server):
     async def drag():
         client = await SocketClient(server).open()
@@ -249,6 +252,7 @@ def test_a_page_that_sends_as_soon_as_it_is_answered_is_never_slowed(server):
     run(drag())
 
 
+@pytest.mark.slow
 def test_refusals_without_end_close_the_socket_and_just_fewer_do_not(server):
     async def attack(count):
         client = await SocketClient(server).open()
@@ -349,6 +353,7 @@ def own_server(tmp_path):
     assert "Traceback" not in log.read_text(), log.read_text()
 
 
+@pytest.mark.slow
 def test_two_visitors_on_the_costliest_choices_leave_the_others_their_answers(own_server):
     process, address = own_server
 
@@ -384,6 +389,7 @@ def test_two_visitors_on_the_costliest_choices_leave_the_others_their_answers(ow
     assert time.monotonic() - begun < 8.0  # it waited for the solves, 13 s; measured 1 s
 
 
+@pytest.mark.slow
 def test_nothing_goes_on_for_who_has_left(own_server):
     process, address = own_server
 

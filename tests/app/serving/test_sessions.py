@@ -5,6 +5,7 @@ import gc
 import threading
 
 import panel as pn
+import pytest
 from bokeh.document import Document
 
 from app.serving import server as page_server
@@ -24,6 +25,7 @@ def watchers() -> int:
     return sum(len(watching) for kinds in pn.state.param.watchers.values() for watching in kinds.values())
 
 
+@pytest.mark.slow
 def test_fifteen_visits_leave_no_document_behind():
     port, ready, stop, watching = free_port(), threading.Event(), {}, []
 

@@ -36,6 +36,7 @@ def wrong_values():
                 yield name, value
 
 
+@pytest.mark.slow
 def test_every_value_out_of_bounds_is_refused_and_set_back(server):
     async def attack():
         client = await opened(server)
@@ -171,6 +172,7 @@ def test_a_page_of_another_site_cannot_connect(server):
     run(attack())
 
 
+@pytest.mark.slow
 def test_many_changes_at_once_end_with_the_newest(server):
     async def hurry():
         client = await opened(server)

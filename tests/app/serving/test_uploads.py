@@ -137,6 +137,7 @@ def test_other_pages_may_not_send_records(server, origin):
     assert status == 403 and "this page" in answer["error"]
 
 
+@pytest.mark.slow
 def test_only_so_many_at_once_and_who_leaves_makes_room(server):
     host, port = server.split(":")
     head = f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nContent-Length: 1000\r\n\r\n"

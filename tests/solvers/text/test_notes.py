@@ -20,15 +20,16 @@ MAKERS = {"allowed": "allowed.", "_remark": ""}  # functions that make a note of
 
 def called(tree: ast.AST) -> list[tuple[str, set[str] | None]]:
     """Codes and names of values of all notes in a module; None: the values are not written there."""
+    nodes = list(ast.walk(tree))
     constants = {
         target.id: node.value.value
-        for node in ast.walk(tree)
+        for node in nodes
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant)
         for target in node.targets
         if isinstance(target, ast.Name)
     }
     found = []
-    for node in ast.walk(tree):
+    for node in nodes:
         name = getattr(node, "func", None)
         name = getattr(name, "id", getattr(name, "attr", ""))
         if not isinstance(node, ast.Call) or name not in ("Note", *MAKERS) or not node.args:
@@ -42,7 +43,10 @@ def called(tree: ast.AST) -> list[tuple[str, set[str] | None]]:
     return found
 
 
-USED = [use for path in SOURCES for use in called(ast.parse(path.read_text(encoding="utf-8")))]
+TEXTS = (path.read_text(encoding="utf-8") for path in SOURCES)
+USED = [
+    use for text in TEXTS if any(f"{name}(" in text for name in ("Note", *MAKERS)) for use in called(ast.parse(text))
+]
 CODES = {code for code in library().texts if not code.startswith("terms.")}
 
 
