@@ -1,6 +1,6 @@
 """Geometry and materials of bodies as choices: what of a scene can be set, and the scene with other values.
 
-A value has the key that it has in a scene file, rods of a chain by their number: `target.length`,
+A value has the key that it has in a scene file, rods of a chain, links and joints by their number: `target.length`,
 `target.rods.2.material`. All that are changed are one choice, as text: "target.length=0.5 target.material=bronze".
 """
 
@@ -8,90 +8,48 @@ import math
 import re
 from collections.abc import Mapping
 from copy import deepcopy
-from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import param
 
-from solvers import Material, Scene
-from solvers.bodies import MATERIALS, AnyBody, read_material
+from solvers import Scene, SceneError
+from solvers.bodies import MATERIALS, AnyBody, Mechanism, read_material
 from solvers.bodies.pendulum import Pivoted
 
 from ..text.catalogues import page
+from .mechanism import PLACED, mechanism_parts, move, on_mechanism
+from .part import QUANTITIES, RANGES, Part, in_table
 
 Values = dict[str, float | str]  # by key
-RANGES = {  # of quantities, in SI units and in the order of the page; within what scene files may say
-    "mass": (1e-9, 1e9),
-    "length": (1e-5, 1e4),
-    "section.width": (1e-6, 1e2),
-    "section.height": (1e-6, 1e2),
-    "section.radius": (1e-6, 1e2),
-    "section.area": (1e-12, 1e4),
-    "section.second_moment": (1e-26, 1e8),
-    "radius": (1e-6, 1e4),
-    "end_mass": (1e-9, 1e9),
-    "stiffness": (1e-3, 1e15),
-    "gap": (0.0, 1.0),
-    "material.young": (1e5, 1e13),
-    "material.density": (1.0, 1e5),
-    "material.poisson": (-0.99, 0.499),
-    "material.yield": (1e3, 1e12),
-}
-QUANTITIES = ("material", *RANGES)
-_KEY = re.compile(rf"(impactor|target(?:\.rods\.(?:[1-9]|1[0-2]))?)\.({'|'.join(map(re.escape, QUANTITIES))})")
+_PART = r"impactor|target(?:\.rods\.(?:[1-9]|1[0-2])|\.(?:links|joints)\.[1-9]\d?)?"
+_KEY = re.compile(rf"({_PART})\.({'|'.join(map(re.escape, QUANTITIES))})")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 _HARMLESS = re.compile(r"[\w.+-]{1,24}", re.ASCII)  # a word or a number, which may be repeated to who has written it
 LONGEST = 800  # letters of all changed values together
 SAME = 1e-9  # relative difference of two numbers that are the same but for rounding
 
 
-class Part(NamedTuple):
-    """A body, or a rod of a chain, with its table in the scene file."""
-
-    key: str
-    body: AnyBody
-    table: Mapping[str, Any]
-
-    @property
-    def quantities(self) -> list[str]:
-        """What of it can be set."""
-        return [quantity for quantity in QUANTITIES if self._has(quantity)]
-
-    def _has(self, quantity: str) -> bool:
-        group, _, name = quantity.partition(".")
-        if group == "material":
-            weighs = self.body.length > 0.0 or (self.body.free_mass and "mass" not in self.table)
-            return self.body.material is not None and "material" in self.table and (name != "density" or weighs)
-        if group == "section":
-            return name in self.table.get("section", {})
-        if isinstance(self.body, Pivoted) and quantity == "mass":
-            return False  # felt at the contact is another one, which the mass ratio sets
-        return quantity in self.table or (quantity == "mass" and self.body.free_mass)
-
-    def value(self, quantity: str) -> float | str | None:
-        """In SI units; of its material the name, empty where it has none, and None for a strength that is not known."""
-        group, _, name = quantity.partition(".")
-        if quantity == "mass":
-            return self.body.mass
-        if group == "material" and (material := self.body.material) is not None:
-            return material.table().get(name) if name else _name_of(material)
-        return self.table[group][name] if name else self.table[quantity]
-
-
-def _name_of(material: Material) -> str:
-    """Of the known one with the same elasticity and density, which says little of strength; or nothing."""
-    own = replace(material, yield_strength=None)
-    return next((name for name, known in MATERIALS.items() if replace(known, yield_strength=None) == own), "")
-
-
 def parts_of(scene: Scene) -> list[Part]:
-    """Its bodies, the rods of a chain one by one."""
+    """Its bodies, the rods of a chain one by one, and links and joints of a mechanism."""
     given: Mapping[str, Any] = scene.given or scene.table()
-    parts = [Part(name, getattr(scene, name), given[name]) for name in ("impactor", "target")]
+    parts = [_part(name, getattr(scene, name), given[name]) for name in ("impactor", "target")]
     if isinstance(chain := given["target"].get("rods"), list):
         rods = zip(scene.target.rods, chain, strict=True)
-        parts += [Part(f"target.rods.{number}", rod, table) for number, (rod, table) in enumerate(rods, 1)]
+        parts += [_part(f"target.rods.{number}", rod, table) for number, (rod, table) in enumerate(rods, 1)]
+    if on_mechanism(scene):
+        parts += mechanism_parts(scene, given["target"])
     return parts
+
+
+def _part(key: str, body: AnyBody, table: Mapping[str, Any]) -> Part:
+    own = {*in_table(table, body.length > 0.0 or (body.free_mass and "mass" not in table))}
+    if body.material is None:
+        own -= {quantity for quantity in own if quantity.startswith("material")}
+    if isinstance(body, Pivoted):
+        own -= {"mass"}  # felt is another one, which the mass ratio sets
+    elif body.free_mass:
+        own |= {"mass"}
+    return Part(key, body, table, [quantity for quantity in QUANTITIES if quantity in own])
 
 
 def is_key(key: str) -> bool:
@@ -114,8 +72,10 @@ def _repeated(text: str) -> str:
 def title_of_value(key: str) -> str:
     """What the page calls it."""
     part, quantity = split(key)
+    body, *place = part.split(".")
+    kind, number = place or ("none", "")
     name = page().text(f"body.value.{quantity}")
-    return page().text("refused.body-value", name=name, part=part.partition(".")[0], rod=part.rpartition(".")[2])
+    return page().text("refused.body-value", name=name, body=body, kind=kind, number=number)
 
 
 def read_value(key: str, text: str) -> float | str:
@@ -173,13 +133,26 @@ def with_values(base: Scene, values: Values) -> Scene:
         name, quantity = split(key)
         if name not in known or quantity not in known[name].quantities:
             raise ValueError(page().text("refused.no-such-value", value=title_of_value(key)))
-        chain = name.split(".")
-        _set(tables[chain[0]]["rods"][int(chain[2]) - 1] if len(chain) > 1 else tables[name], quantity, value)
+        body, *place = name.split(".")
+        if on_mechanism(base) and quantity in PLACED and isinstance(value, float):
+            move(tables[body], known[name].key, quantity, value)
+        else:
+            _set(tables[body][place[0]][int(place[1]) - 1] if place else tables[body], quantity, value)
+    if on_mechanism(base):  # where it is struck it may move otherwise, and is approached as before
+        tables["impactor"]["velocity"] = _linkage(tables["target"]).velocity + base.speed
     changed = base.replace(tables)
     if "duration" not in base.method:
         return changed
     duration = base.method["duration"] * changed.time_unit / base.time_unit
     return changed.replace({"method": dict(base.method) | {"duration": duration}})
+
+
+def _linkage(table: dict[str, Any]) -> Mechanism:
+    """Raises ValueError with a sentence for the visitor where it cannot be put together, or moves otherwise."""
+    try:
+        return Mechanism.read("target", table)
+    except SceneError as refusal:
+        raise ValueError(page().text("refused.linkage", allowed=refusal.allowed)) from None
 
 
 def _set(table: dict[str, Any], quantity: str, value: Any) -> None:

@@ -7,16 +7,19 @@ import numpy as np
 
 from solvers import Bending, Body, SpringMass, Waveguide
 from solvers.bodies import AnyBody, Pulse
+from solvers.bodies.linkage.joints import Joint
+from solvers.bodies.linkage.links import Link
 from solvers.bodies.pendulum import Pivoted
 
-from ..choices.bodies import RANGES, Part, parts_of
+from ..choices.bodies import parts_of
 from ..choices.choices import SCENES
+from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
 
 
 def parts_told(request: Request | None) -> list[dict[str, Any]]:
-    """Every body, and every rod of a chain, as in `schema.RECORDS`."""
+    """Every body, every rod of a chain, every link and joint of a mechanism, as in `schema.RECORDS`."""
     if request is None:
         return []
     own = {part.key: part for part in parts_of(SCENES[request.chosen["scene"]])}
@@ -35,8 +38,20 @@ def _told(part: Part, own: Part) -> dict[str, Any]:
         for quantity in own.quantities
     ]
     given = {value["quantity"] for value in values}
-    derived = [[name, value] for name, value in _derived(part.body) if name not in given and math.isfinite(value)]
-    return {"key": part.key, "kind": part.body.kind, "values": values, "derived": derived}
+    follows = _derived_of_part(part.body) if part.name else _derived(part.body)
+    derived = [[name, value] for name, value in follows if name not in given and math.isfinite(value)]
+    kind = "link" if isinstance(part.body, Link) else part.body.kind
+    return {"key": part.key, "name": part.name, "kind": kind, "values": values, "derived": derived}
+
+
+def _derived_of_part(part: Link | Joint) -> list[tuple[str, float]]:
+    """The same of a link; of a joint nothing."""
+    if isinstance(part, Joint):
+        return []
+    found = [("length", part.length), ("mass", part.mass)]
+    if part.section is not None and part.section.second_moment is not None:
+        found += [("area", part.section.area), ("second_moment", part.section.second_moment)]
+    return found + ([("wave_speed", part.wave_speed)] if part.flexible else [])
 
 
 def _derived(body: AnyBody) -> list[tuple[str, float]]:

@@ -37,7 +37,7 @@ COMMON: Fields = {
     "title": Field("string"),
     "source": Field("string"),
     "note": Field("string"),
-    "parts": Field("PartTold[]", "bodies, and rods of a chain one by one"),
+    "parts": Field("PartTold[]", "bodies, and rods, links and joints one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
     "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
 }
@@ -238,6 +238,7 @@ RECORDS: dict[str, Fields] = {
     },
     "PartTold": {
         "key": Field("string", "of its table: impactor, target, target.rods.2"),
+        "name": Field("string", "of a link or joint; else empty"),
         "kind": Field("string"),
         "values": Field("ValueTold[]", "that can be set"),
         "derived": Field("[name: string, value: number][]", "what follows from them, SI units"),

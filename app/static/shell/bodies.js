@@ -1,6 +1,6 @@
 // The bodies: what each is and what follows from it, with a field for every value that can be set.
 import { family, named, text } from '../text/catalogue.js';
-import { inUnit, read, unitOf, written } from './body_values.js';
+import { inUnit, placeOf, read, unitOf, written } from './body_values.js';
 import { make } from './dom.js';
 
 /** @import { Page } from '../page.js' */
@@ -113,19 +113,16 @@ export class Bodies {
   #make(parts) {
     this.fields.clear();
     this.heads.clear();
-    const rods = parts.filter(({ key }) => key.includes('.')).length;
-    this.list.replaceChildren(...parts.map((part) => this.#part(part, rods, parts.length <= MANY)));
+    this.list.replaceChildren(...parts.map((part) => this.#part(part, parts)));
   }
   /**
    * @param {PartTold} part
-   * @param {number} rods  of the chain, if it is one
-   * @param {boolean} open
+   * @param {PartTold[]} parts  all of them
    */
-  #part({ key, kind, values }, rods, open) {
-    const [first, , rod] = key.split('.');
-    const name = rod
-      ? text('bodies.head.rod', { rod, rods })
-      : text(`bodies.head.${first}`, { kind: KINDS[kind] ?? kind });
+  #part({ key, kind, values }, parts) {
+    const [first, group = first] = key.split('.');
+    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), kind: KINDS[kind] ?? kind });
+    const open = parts.length <= MANY;
     const facts = make('span', { className: 'facts' });
     const derived = make('dl', { className: 'derived' });
     const title = text('bodies.reset-about', { name });

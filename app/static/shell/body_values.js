@@ -2,12 +2,13 @@
 import { family, named, text } from '../text/catalogue.js';
 import { engineering, figures, localised } from '../text/format.js';
 
-/** @import { Frame } from './message.js' */
+/** @import { Frame, PartTold } from './message.js' */
 /** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
 
-const PART = /^(impactor|target(?:\.rods\.\d+)?)\.(.+)$/;
+const PART = /^(impactor|target(?:\.(?:rods|links|joints)\.\d+)?)\.(.+)$/;
 const GIVEN = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(\S*)$/i;
 const DIGITS = 6; // of a value in its field
+const COORDINATES = ['x', 'y']; // of which 0 is no small length
 const SI = family('body.unit');
 /** @type {Record<string, [sign: string, factor: number, from: number][]>} */
 const SHOWN = {
@@ -76,7 +77,8 @@ export const isBodyKey = (key) => PART.test(key);
  */
 export function unitOf(quantity, size) {
   const si = SI[quantity] ?? '';
-  const [sign, factor] = (SHOWN[si] ?? []).findLast(([, , from]) => Math.abs(size) >= from * (1 - 1e-9)) ?? [si, 1];
+  const least = Math.abs(size || (COORDINATES.includes(quantity) ? 1e-3 : 0));
+  const [sign, factor] = (SHOWN[si] ?? []).findLast(([, , from]) => least >= from * (1 - 1e-9)) ?? [si, 1];
   return { sign, factor };
 }
 
@@ -127,6 +129,17 @@ function unitsOf(quantity) {
 }
 
 /**
+ * Which part of a body this is, of a chain or a mechanism.
+ * @param {string} key
+ * @param {PartTold[]} parts
+ */
+export function placeOf(key, parts) {
+  const [, kind = 'none', number = ''] = key.split('.');
+  const count = parts.filter((each) => each.key.includes(`.${kind}.`)).length;
+  return { kind, number, count, part: parts.find((each) => each.key === key)?.name ?? number };
+}
+
+/**
  * What is changed, in words: "Length 600 mm (body 2)".
  * @param {Frame} frame
  */
@@ -135,9 +148,7 @@ export const wordsOf = ({ chosen, parts }) =>
     .map(([key, value]) => {
       const { part, quantity } = partsOfKey(key);
       const shown = quantity === 'material' ? named('material', value) : written(quantity, Number(value));
-      const rods = parts.filter((each) => each.key.includes('.')).length;
-      const rod = part.includes('.') ? Number(part.split('.')[2]) : 0;
       const name = text(`body.value.${quantity}`);
-      return text('bodies.changed', { name, shown, body: part === 'impactor' ? 1 : 2, rod, rods });
+      return text('bodies.changed', { name, shown, body: part === 'impactor' ? 1 : 2, ...placeOf(part, parts) });
     })
     .join(', ');

@@ -18,14 +18,15 @@
  * @property {string} title
  * @property {string} source
  * @property {string} note
- * @property {PartTold[]} parts  bodies, and rods of a chain one by one
+ * @property {PartTold[]} parts  bodies, and rods, links and joints one by one
  * @property {string[]} unshown  keys that the scene sets and that have no control
  * @property {number} duration  axial: in round trips; beam: in milliseconds; bodies: seconds on either side of it
  */
 /**
- * A body, or a rod of a chain.
+ * A body, or a rod of a chain, a link or a joint.
  * @typedef {object} PartTold
  * @property {string} key  of its table: impactor, target, target.rods.2
+ * @property {string} name  of a link or joint; else empty
  * @property {string} kind
  * @property {ValueTold[]} values  that can be set
  * @property {[name: string, value: number][]} derived  what follows from them, SI units
@@ -39,10 +40,7 @@
  * @property {number | null} low  that it may be; null of a material
  * @property {number | null} high
  */
-/**
- * Energies [J]; `initial` is what the others are shares of.
- * @typedef {{ initial: number, [part: string]: number }} Energies
- */
+/** @typedef {{ initial: number, [part: string]: number }} Energies  [J]; `initial` is what the others are shares of */
 /** @typedef {{ newton: number | null, poisson: number | null, newton_at_contact: number | null }} Restitution */
 
 /**

@@ -105,6 +105,51 @@ def test_a_time_asked_for_is_so_many_round_trips_of_the_longer_rod():
     assert after.target.rods[0].length == 3.0
 
 
+def links(scene: str, *values: str) -> dict[str, tuple]:
+    """Both ends of every link, and where the joints are."""
+    target = chosen_scene(changed(scene, *values)).target
+    return {link.name: (link.start, link.end) for link in target.links} | {
+        "joints": tuple(joint.at for joint in target.joints)
+    }
+
+
+def test_a_joint_is_moved_with_all_that_meets_there_and_the_impact_comes_as_before():
+    found = links("four-bar", "target.joints.2.y=0.35")
+    assert found["crank"] == ((0.0, 0.0), (0.0, 0.35)) and found["coupler"] == ((0.0, 0.35), (0.4, 0.5))
+    assert found["joints"][1] == (0.0, 0.35) and found["bar"] == links("four-bar")["bar"]
+    before, after = (chosen_scene(changed("four-bar", *values)) for values in ((), ("target.joints.2.y=0.35",)))
+    assert after.speed == pytest.approx(before.speed, rel=1e-12)
+    assert after.target.velocity != pytest.approx(before.target.velocity, rel=1e-3)
+
+
+def test_a_free_end_of_a_link_stays_on_its_line_and_as_far_from_the_next_joint():
+    (start, end), joint = links("four-bar", "target.joints.4.x=0.5")["bar"], (0.4, 0.5)
+    assert start == (0.5, 0.0) and math.dist(end, joint) == pytest.approx(0.3, rel=1e-12)
+    assert math.dist(start, end) == pytest.approx(math.dist(start, joint) + 0.3, rel=1e-12)
+    piston = links("slider-crank", "target.joints.3.x=0.09")["piston"]
+    assert piston[0] == (0.09, 0.0) and piston[1] == pytest.approx((0.11, 0.0), rel=1e-12)
+    table = links("bouncing-on-piston", "target.joints.3.y=0.06")["piston"]  # both of whose ends are free
+    assert [*table[0], *table[1]] == pytest.approx([-0.02, 0.06, 0.02, 0.06], rel=1e-12)
+
+
+def test_a_longer_link_of_a_mechanism_is_one_written_in_a_file():
+    table = solvers.load("rotating-bar").target.table()
+    table["links"][0] |= {"to": [0.45, 0.0]}
+    other = solvers.load("rotating-bar").replace({"target": table})
+    found = chosen_scene(changed("rotating-bar", "target.links.1.length=0.45"))
+    assert found.target == other.target
+    assert found.impactor.velocity == pytest.approx(solvers.load("rotating-bar").speed - 3.142 * 0.45, rel=1e-9)
+    assert "length" not in {quantity for part in parts_of(solvers.load("four-bar")) for quantity in part.quantities
+                            if part.name in ("crank", "coupler")}  # whose ends are joints  # fmt: skip
+
+
+def test_a_mechanism_that_cannot_be_is_refused_in_a_sentence():
+    with pytest.raises(ValueError, match=r"^The mechanism cannot be like that. Allowed: "):
+        changed("four-bar", "target.joints.2.x=0.4", "target.joints.2.y=0.5")  # the coupler has no length
+    with pytest.raises(ValueError, match=r"Place x of body 2, joint 9: the bodies of this scene have no such value\."):
+        changed("four-bar", "target.joints.9.x=1")
+
+
 def test_a_heavier_body_in_space_is_as_large_as_before():
     before, after = (told(changed("brick-off-centre", *values)) for values in ((), ("target.mass=7",)))
     assert after["mass"] == 7.0 and after["longest_side"] == pytest.approx(before["longest_side"], rel=1e-12)
@@ -156,7 +201,7 @@ def test_an_address_names_values_as_a_scene_file_does():
 
 
 @given(
-    st.sampled_from(["fixed-rod", "two-balls", "split-hopkinson"]),
+    st.sampled_from(["fixed-rod", "two-balls", "split-hopkinson", "four-bar", "slider-crank"]),
     st.integers(0, 100),
     st.one_of(st.floats(1e-3, 1e3), st.sampled_from(["steel", "x", "1e999", "-0", "=", ";"])),
 )
@@ -179,6 +224,7 @@ def test_every_value_of_every_kind_of_body_can_be_changed_and_set_back():
                   for part in parts_of(SCENES[name]) for quantity in part.quantities}  # fmt: skip
         for key in body_keys(name):
             wanted = "bronze" if key.endswith(".material") else 0.93 * (values[key] or 3e8)
+            wanted = values[key] + 1e-3 if key.endswith((".x", ".y")) else wanted
             chosen = own | with_body_value(own | {"body_value": f"{key}={wanted}"})
             part, quantity = split(key)
             found = next(each for each in parts_of(chosen_scene(chosen)) if each.key == part).value(quantity)

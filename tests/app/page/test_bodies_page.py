@@ -139,6 +139,28 @@ def test_all_bodies_of_a_chain_are_reached_in_every_window(open_page):
         assert whole(page) and page.evaluate(OUTSIDE) == []
 
 
+def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
+    page = open_page("?scene=four-bar")
+    heads = page.tab.locator(".body summary b").all_inner_texts()
+    assert heads[2:5] == ["Link: crank", "Link: coupler", "Link: bar"]
+    joints = ["ground – crank", "crank – coupler", "coupler – bar", "ground – bar"]
+    assert heads[5:] == [f"Joint: {names}" for names in joints]
+    lengths = page.tab.locator(".body .facts").nth(2)
+    expect(lengths).to_contain_text("300 mm")
+    body(page, 7).locator("summary").click()
+    typed(page, "Place y", "35 cm", 7)
+    page.wait("() => location.search === '?scene=four-bar&target.joints.2.y=0.35'")
+    expect(lengths).to_contain_text("350 mm")
+    page.evaluate(KEEP)
+    typed(page, "Place y", "", 7)
+    expect(page.tab.locator(".of-story")).to_contain_text("Place y 350 mm (body 2, joint crank – coupler)")
+    typed(page, "Place y", "500 mm", 7)
+    field(page, "Place x", 7).fill("400 mm")  # where the coupler ends: it would have no length
+    field(page, "Place x", 7).press("Enter")
+    expect(page.tab.locator(".wrong:visible")).to_contain_text("The mechanism cannot be like that. Allowed: ")
+    expect(field(page, "Place x", 7)).to_have_value("0")
+
+
 def test_a_value_that_has_no_answer_yet_comes_back_with_the_page(open_page):
     page = open_page()
     page.evaluate(
