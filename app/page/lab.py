@@ -210,6 +210,14 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
             self.param.update(**choices_of(self.scene))
         self._begin()
 
+    def _server_change(self, doc: Any, ref: str, subpath: str | None, attr: str, old: Any, new: Any) -> None:
+        """Take what the browser may set, of all that has changed in the model.
+
+        Of the rest, which is written here, Panel would wait 50 ms for more, and with it for what the browser sets then.
+        """
+        if attr in self.CHOSEN or attr in self.ASKED:
+            super()._server_change(doc, ref, subpath, attr, old, new)
+
     def _process_events(self, events: dict[str, Any]) -> None:
         """Take each change that a client sends on its own; what is out of bounds is refused and set back."""
         with of_loop(Turnstile).pay(self.visitor):

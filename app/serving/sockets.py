@@ -74,6 +74,7 @@ class Socket(WSHandler):
             return
         self.session_id = get_session_id(self._token)
         self._door.enter(self)
+        self.set_nodelay(True)  # an answer is several frames, of which none waits until another is acknowledged
         super().open(*arguments, **options)
 
     @property
