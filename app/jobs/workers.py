@@ -33,6 +33,9 @@ WALL_FACTOR = 10.0  # times its seconds of computing, in which work leaves a lev
 MAX_WALL = 12.0  # times its seconds, after which work is taken to hang: not running, it uses up no computing time
 COMPILE_SECONDS = 60.0  # of computing besides, where kernels may have to be compiled first
 SETTLED = 0.6  # share of a level's seconds below which work comes back to it: else it would be moved down in turns
+# Times the seconds of its level for the first work of a process, which loads kernels and scenes for up to 0.1 s besides.
+# Without it what takes 20 ms was moved down with each new process, none of which was there for long enough to have them.
+FIRST = 3.0
 MAX_FORK_PAUSE = 5.0  # [s] before another is forked in place of one that ended by itself
 IDLE_SECONDS = 10.0  # after which a process that is not among the quick, and has nothing to do, is ended
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
@@ -194,8 +197,12 @@ class Workers:
             worker.connection.send(job.task)
         self._watch(worker, job)
 
+    def _seconds(self, worker: "_Worker") -> float:
+        """Of computing that its work may take where it is."""
+        return self._levels[worker.level].seconds * (1.0 if worker.answered else FIRST)
+
     def _watch(self, worker: "_Worker", job: Job) -> None:
-        seconds = self._levels[worker.level].seconds
+        seconds = self._seconds(worker)
         if math.isinf(seconds):
             worker.watch(self._loop.call_later(MAX_WALL * job.task.seconds, self._hangs, worker))
         else:
@@ -203,7 +210,7 @@ class Workers:
 
     def _look(self, worker: "_Worker") -> None:
         """Whether work has had the computing that its level allows; on a busy machine that takes longer than that."""
-        seconds = self._levels[worker.level].seconds
+        seconds = self._seconds(worker)
         left = seconds - worker.computed
         if left <= 0.0 or time.monotonic() - worker.job.begun > WALL_FACTOR * seconds:
             self._move_down(worker)
@@ -251,6 +258,7 @@ class Workers:
                 job.report(value)
             return
         self._charge(job)
+        worker.answered = True
         job.worker = worker.job = None
         if not job.answer.done():
             _settle(job, kind, value)
@@ -302,6 +310,7 @@ class _Worker:
         ours, theirs = forks().Pipe()
         self.connection, self.level = ours, level
         self.job: Job | Any = None
+        self.answered = False  # whether it has done any work
         self._timer: asyncio.TimerHandle | None = None
         self._since = 0.0
         self._process = forks().Process(target=serve, args=(theirs,), daemon=True)

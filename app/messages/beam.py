@@ -5,7 +5,6 @@ same forces; for other methods it gets fields at (instant, place), closer togeth
 """
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -57,8 +56,8 @@ def chosen_method(request: Request) -> tuple[Method, Note | None]:
         method = Modal(modes=request.modes)
         if method.refusal(request.scene):  # nothing bends, nothing gives way
             method = RigidImpulse(restitution=request.restitution)
-    if isinstance(method, Modal):
-        method = replace(method, estimate=False)  # another number of modes is shown beside it
+    if isinstance(method, Modal) or request.draft:  # another number of modes is shown beside it; a hand moves on
+        method = method.without_estimate()
     return method, reason
 
 

@@ -83,6 +83,20 @@ def test_a_long_solve_moves_out_of_the_way_and_others_are_answered_meanwhile():
     with_workers(test, levels)
 
 
+def test_the_first_work_of_a_process_may_take_longer_and_keeps_the_process_among_the_quick():
+    levels = (Level(1, 0.3, 0), Level(1, float("inf"), 0))
+
+    async def test(workers):
+        ended = []
+        for seconds in (0.5, 0.1, 0.5):
+            job = workers.start(works.compute, seconds)
+            assert await job.answer == seconds
+            ended.append(job.level)
+        assert ended == [QUICK, QUICK, SLOW]
+
+    with_workers(test, levels)
+
+
 def test_what_is_long_yields_the_processors():
     async def test(workers):
         nice = [(await workers.start(works.process, 0, level=level).answer)[1] for level in (QUICK, SLOW, LONG)]
