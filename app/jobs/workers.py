@@ -33,8 +33,8 @@ WALL_FACTOR = 10.0  # times its seconds of computing, in which work leaves a lev
 MAX_WALL = 12.0  # times its seconds, after which work is taken to hang: not running, it uses up no computing time
 COMPILE_SECONDS = 60.0  # of computing besides, where kernels may have to be compiled first
 SETTLED = 0.6  # share of a level's seconds below which work comes back to it: else it would be moved down in turns
-# Times the seconds of its level for the first work of a process, which loads kernels and scenes for up to 0.1 s besides.
-# Without it what takes 20 ms was moved down with each new process, none of which was there for long enough to have them.
+# Times the seconds of its level for the first work of a process, which loads kernels and scenes for up to 0.1 s too.
+# Without it what takes 20 ms was moved down with each new process, none of which was there long enough to have them.
 FIRST = 3.0
 MAX_FORK_PAUSE = 5.0  # [s] before another is forked in place of one that ended by itself
 IDLE_SECONDS = 10.0  # after which a process that is not among the quick, and has nothing to do, is ended
