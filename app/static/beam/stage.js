@@ -23,6 +23,7 @@ const ENDS = {
   deflection: WAYS,
 }; // of the scale of colours
 const SMALL = letters(11);
+const LEAST_FOR_DIAGRAMS = 180; // pixels of height, below which their words would lie on each other
 
 export class BeamStage {
   /** @type {BeamFrame} */ frame;
@@ -38,6 +39,7 @@ export class BeamStage {
   // places of the picture, in pixels
   width = 0;
   narrow = false;
+  low = false;
   left = 0;
   long = 0;
   middle = 0;
@@ -93,9 +95,9 @@ export class BeamStage {
     this.mechanism?.magnify(this.reach);
     this.factor = roundBelow((0.13 * this.frame.beam.length) / this.reach);
   }
-  /** Whether there are forces within the beam to draw. */
+  /** Whether there are forces within the beam to draw, and room for them. */
   get diagrams() {
-    return this.mechanism ? this.mechanism.bends && !this.narrow : true;
+    return this.mechanism ? this.mechanism.bends && !this.narrow : this.narrow || !this.low;
   }
   /** @param {number} t */
   draw(t) {
@@ -107,10 +109,11 @@ export class BeamStage {
     const narrow = width < 560;
     this.width = width;
     this.narrow = narrow;
+    this.low = height < LEAST_FOR_DIAGRAMS;
     const margin = narrow ? 30 : 64;
     const beside = this.mechanism && !narrow; // the diagrams, as a mechanism is about as high as wide
     const room = beside && this.diagrams ? 0.54 * width : width;
-    const top = this.mechanism ? height : 0.56 * height;
+    const top = this.mechanism || !this.diagrams ? height : 0.56 * height;
     this.left = beside ? room + margin : margin;
     this.long = width - this.left - (beside ? 20 : margin);
     this.middle = 0.62 * top;

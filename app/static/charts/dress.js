@@ -2,7 +2,7 @@
 
 const SIZE = 12 / 14; // of the letters around
 const NARROW = 480; // pixels of a plot whose legend has two columns
-const ENTRY = 150; // pixels of an entry of a legend, else
+const ENTRY = 180; // pixels of an entry of a legend, else
 
 /**
  * @param {any} plot
@@ -37,4 +37,12 @@ export function dress(plot, place) {
   for (const part of plot.center) if ('grid_line_color' in part.properties) part.setv({ grid_line_color: line });
 }
 
-const LEGEND = { border_line_color: null, padding: 0, margin: 4, spacing: 2, label_height: 16, glyph_height: 18 };
+const LEGEND = {
+  location: [-50, 0], // from the left of the frame: below the numbers of the axis, too
+  border_line_color: null,
+  padding: 0,
+  margin: 4,
+  spacing: 2,
+  label_height: 16,
+  glyph_height: 18,
+};
