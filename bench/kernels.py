@@ -101,8 +101,10 @@ def _waves() -> list:
     wave, total = np.empty(500), np.empty(500)
 
     def exact():
-        found = rigid_waves.strike(1.0, 1.0, 3.0, 400, 40, 400)
-        rigid_waves.sample(times / trip, True, 2.0, *found[2:6], wave, total)
+        sent = rigid_waves.Pieces.of(400, 40, 400)
+        _, count, contacts = rigid_waves.strike(1.0, 1.0, 3.0, sent)
+        *pieces, _ = sent.first(count, contacts)
+        rigid_waves.sample(times / trip, True, 2.0, *pieces, wave, total)
 
     return [
         row(

@@ -3,7 +3,7 @@
 import numpy as np
 
 import solvers
-from solvers.jit import kernel
+from solvers.jit import allocating_kernel
 from solvers.numerics.waves import stepped as stepped_waves
 from solvers.studies.mass_ratios import mass_ratio_sweep
 from solvers.studies.sweep import spaced, sweep
@@ -14,7 +14,7 @@ MANY = 100_000
 PER_TRIP, LIMIT = 128, 64 * 128  # 52 round trips are needed at 1/1000
 
 
-@kernel
+@allocating_kernel
 def stepped(ratios):
     """Contacts and rebound of every impact by steps."""
     count, rebound = np.zeros(ratios.size, np.int64), np.zeros(ratios.size)

@@ -1,0 +1,12 @@
+"""Parts of the bench that call kernels by themselves: a changed kernel is noticed here, not by who measures next."""
+
+import pytest
+
+from bench import kernels, sweep, waves
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("measure", [kernels._waves, sweep.measure, waves.measure], ids=lambda each: each.__module__)
+def test_a_part_runs(measure):
+    rows = dict(measure())
+    assert rows and all(row["value"] == row["value"] for row in rows.values())
