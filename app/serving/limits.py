@@ -16,10 +16,8 @@ MAX_REFUSED = 200  # messages of one socket that are not allowed, before it is c
 MAX_WAITING = 64  # messages of one socket that wait; an honest page sends none before the last is answered
 MAX_PAGES_WAITING = 300  # requests for the page, and messages, that wait for the event loop
 MAX_SESSIONS = 150  # 0.3 MB each, and a document; more than a class
-SESSIONS_RATE, SESSIONS_BURST = (
-    10.0,
-    120.0,
-)  # new ones a second, and at once: a class of 50 that opens a link and reloads
+SESSIONS_RATE = 10.0  # new ones a second
+SESSIONS_BURST = 120.0  # and at once: a class of 50 that opens a link and reloads
 REOPEN_PAUSE, MAX_REOPEN_PAUSE = 2.0, 2.0  # s between two new sessions for each lately turned out at their address
 MAX_REOPEN_WAIT = 60.0  # s that a new session may have to wait for that; who comes then is refused
 IDLE_SECONDS = 900.0  # after which a session that does nothing makes room, if the server is full

@@ -14,6 +14,7 @@ const DIAGRAMS = [
   ['moment', text('beam.stage.moment'), 'N m'],
 ];
 const SMALL = letters(11);
+const LEAST_FOR_PLACE = 260; // pixels of length, below which the place of the largest value is left out
 
 /**
  * Both, one below the other.
@@ -74,7 +75,8 @@ function diagram(c, stage, t, name, label, unit, top, height) {
   c.fillStyle = COLORS.cursor;
   const place = figures(peak / (values.length - 1), 2);
   const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;
-  c.fillText(text('beam.stage.peak', { value, place }), left + long, top + 3);
+  const room = long >= LEAST_FOR_PLACE || narrow; // else it would lie on the label
+  c.fillText(room ? text('beam.stage.peak', { value, place }) : value, left + long, top + 3);
 }
 
 /**

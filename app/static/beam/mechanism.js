@@ -311,7 +311,7 @@ export class Mechanism {
    * @param {Context} c
    * @param {number} x
    * @param {number} y
-   * @param {boolean} narrow
+   * @param {boolean} narrow  there is room for few words
    */
   words(c, x, y, narrow) {
     c.font = letters(11);

@@ -23,6 +23,7 @@ const ENDS = {
   deflection: WAYS,
 }; // of the scale of colours
 const SMALL = letters(11);
+const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
 const LEAST_FOR_DIAGRAMS = 180; // pixels of height, below which their words would lie on each other
 
 export class BeamStage {
@@ -151,7 +152,7 @@ export class BeamStage {
     mechanism.joints(c);
     mechanism.striker(c, between(frame.time, frame.impactorPath, t), this.touching(t));
     mechanism.reactions(c, t);
-    mechanism.words(c, 12, 36, this.narrow);
+    mechanism.words(c, 12, 36, width < LEAST_FOR_REACTIONS);
     this.striker?.draw(c, mechanism.held);
   }
   /** @param {number} j */

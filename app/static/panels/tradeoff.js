@@ -54,10 +54,11 @@ const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 /** @param {number} seconds */
 const ms = (seconds) => `${figures(1e3 * seconds, 3)} ms`;
 /** @param {number | null} error */
-const signed = (error) =>
-  error === null || error === 0
-    ? text('tradeoff.no-error', { known: error === 0 })
-    : `${error < 0 ? '−' : ''}${share(Math.abs(error))}`;
+function signed(error) {
+  if (error === null || error === 0) return text('tradeoff.no-error', { known: error === 0 });
+  const size = share(Math.abs(error));
+  return error < 0 && !/^[<>]/.test(size) ? `−${size}` : size; // what is beyond a bound has no sign
+}
 /** @param {Row} row */
 const contactsOf = (row) => text('panel.found-of', { found: row.true_contacts_found, all: row.true_contacts });
 /** @param {string} quantity */
