@@ -61,15 +61,6 @@ class Body(AnyBody):
     def is_point(self) -> bool:
         return not np.any(self.inertia)
 
-    @property
-    def is_possible(self) -> bool:
-        """Whether no principal moment exceeds the sum of the other two; a plate reaches it, nothing can pass it.
-
-        Such a tensor is not refused: who computes in a plane may know but the one moment that counts there.
-        """
-        low, middle, high = np.linalg.eigvalsh(np.array(self.inertia)).tolist()
-        return low + middle >= high * (1.0 - FOUR_DIGITS)
-
     def table(self) -> dict[str, Any]:
         vectors = {name: list(getattr(self, name)) for name in ("centre", "velocity", "spin")}
         return {"kind": "body", "mass": self.mass, "inertia": [list(row) for row in self.inertia]} | vectors
@@ -147,7 +138,10 @@ def _read_axes(key: str, given: object) -> np.ndarray:
 
 
 def _check_moments(key: str, given: object, tensor: np.ndarray) -> None:
+    """No principal moment is negative, or exceeds the sum of the other two: a plate reaches that, no body passes it."""
     low, middle, high = np.linalg.eigvalsh(tensor).tolist()
+    found = f"(here {low:.6g}, {middle:.6g} and {high:.6g})"
     if low < -MAX_ASYMMETRY * max(high, -low):
-        found = f"(here {low:.6g}, {middle:.6g} and {high:.6g})"
         raise SceneError(key, given, allowed("positive-moments", moments=found))
+    if low + middle < high * (1.0 - FOUR_DIGITS):
+        raise SceneError(key, given, allowed("moments-of-a-body", moments=found))

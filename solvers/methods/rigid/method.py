@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ...bodies import AnyBody, Body, in_space
+from ...bodies import AnyBody, in_space
 from ...contact.friction import MODELS
 from ...numerics.rigid.friction import Rubbed
 from ...numerics.rigid.impulses import Bodies, Strike, gained, kinetic_energy, strike
@@ -186,13 +186,10 @@ def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> lis
     notes = [] if approached else [Note("no-impact", Severity.REMARK)]
     if _rings(scene):
         notes.append(Note("waves-ignored", Severity.WARNING, beam=scene.bends))
-    bodies = {"impactor": scene.impactor, "target": scene.target}
-    for (name, given), body in zip(bodies.items(), before, strict=True):
+    for name, body in zip(("impactor", "target"), before, strict=True):
         beside = np.linalg.norm(np.cross(body.centre, scene.normal or ALONG)) > 0.0
         if beside and not np.any(body.inertia):
             notes.append(Note("no-inertia", Severity.WARNING, body=name))
-        if isinstance(given, Body) and not given.is_possible:
-            notes.append(Note("impossible-inertia", Severity.WARNING, body=name))
     return notes
 
 

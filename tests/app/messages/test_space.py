@@ -26,7 +26,7 @@ MEETINGS = {name: solvers.load(name) for name in NAMES} | {
     "against a stop": NOTE.replace(
         {"impactor": NOTE.target.table() | {"velocity": [-1.0, 0, 0]}, "target": {"kind": "stop"}}
     ),
-    "in a plane": NOTE.replace({"target.inertia": [0.0, 0.0, 0.24]}),
+    "a plate": NOTE.replace({"target.inertia": [0.12, 0.12, 0.24]}),
     "points": NOTE.replace({"target": {"kind": "body", "mass": 1.0}}),
     "tiny": NOTE.replace({"impactor.mass": 1e-9, "target.mass": 1e-9, "target.inertia": [1e-30, 0, 1e-30]}),
 }

@@ -442,6 +442,9 @@ TILTED = [[0.24, 0.1, 0.0], [0.0, 0.24, 0.0], [0.0, 0.0, 0.24]]
         ("target.inertia", [1.0, 1.0], "target.inertia", "three principal moments"),
         ("target.inertia", [-0.1, 0.2, 0.2], "target.inertia", "not negative"),
         ("target.inertia", [-0.1, -0.1, -0.1], "target.inertia", "not negative"),
+        ("target.inertia", [0.0, 0.0, 0.24], "target.inertia", "(here 0, 0 and 0.24) exceeds the sum"),
+        ("target.inertia", [0.1, 0.1, 0.201], "target.inertia", "exceeds the sum"),
+        ("impactor.inertia", [[0.2, 0.1, 0.0], [0.1, 0.2, 0.0], [0.0, 0.0, 0.01]], "impactor.inertia", "exceeds"),
         ("target.inertia", [0.24, math.nan, 0.24], "target.inertia[1]", "kg m2"),
         ("target.inertia", TILTED, "target.inertia", "symmetric"),
         ("target.inertia", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], 1.0], "target.inertia[2]", "three numbers"),
@@ -497,13 +500,13 @@ def test_missing_keys(name):
     assert refused.value.key == f"impactor.{name}"
 
 
-def test_moments_that_no_body_has_get_a_note():
-    """In a plane only one of them counts, so they are not refused; a plate in four digits is not doubted."""
-    plane = solvers.solve(Scene.from_table(with_value("target.inertia", [0.0, 0.0, 0.24])))
-    assert plane.effective_mass == approx(0.25, rel=1e-15)
-    assert len(plane.notes) == 1 and "sum of the other two" in str(plane.notes[0])
+def test_a_plate_in_four_digits_is_a_body():
+    """Its moments reach the triangle inequality; so do those of a thin rod, in any axes."""
     plate = Scene.from_table(with_value("target.inertia", [0.3333, 0.3333, 0.6667]))
     assert plate.target == Body(
         2.0, (0.0, 0.0, 0.0), ((0.3333, 0.0, 0.0), (0.0, 0.3333, 0.0), (0.0, 0.0, 0.6667)), (0.0, -0.6, 0.0)
     )
     assert solvers.solve(plate).notes == []
+    axes = rotations(np.random.default_rng(5), 20)
+    for rod in in_world(np.array([0.0, 0.24, 0.24]), axes):
+        Scene.from_table(with_value("target", NOTE["target"] | {"inertia": rod.tolist(), "centre": [0.0, 0.0, 0.0]}))
