@@ -201,9 +201,20 @@ class Scene:
     def speed(self) -> float:
         """Of approach, v1 - v2 [m/s]; of bodies in space that of the touching points along the normal."""
         if self.normal is not None:
-            moving = (impulses.point_velocity(in_space(body)) for body in (self.impactor, self.target))
-            return float(np.dot(self.normal, np.subtract(*moving)))
+            return float(np.dot(self.normal, self._meeting_velocity))
         return self.impactor.velocity - (0.0 if self.prescribed_force else self.target.velocity)
+
+    @property
+    def meeting_speed(self) -> float:
+        """The same, and of bodies in space that do not approach how fast they slide or part; never negative [m/s]."""
+        if self.normal is None or self.speed > 0.0:
+            return self.speed
+        return float(np.linalg.norm(self._meeting_velocity))
+
+    @property
+    def _meeting_velocity(self) -> np.ndarray:
+        """Of the impactor less that of the target where bodies in space touch, (3,) [m/s]."""
+        return np.subtract(*(impulses.point_velocity(in_space(body)) for body in (self.impactor, self.target)))
 
     @property
     def reduced_mass(self) -> float:

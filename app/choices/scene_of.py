@@ -125,7 +125,7 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     base = base_of(chosen["scene"], chosen["bodies"])
     first = ["scene", "bodies"] if body_keys(chosen["scene"]) else ["scene"]
     if in_space(base):
-        names = [*first, "speed", "restitution", "friction", "tilt"]
+        names = [*first, *(["speed"] if base.speed > 0.0 else []), "restitution", "friction", "tilt"]
         further = (("restitution_model", chosen["friction"]), ("tilt_way", chosen["tilt"]))
         names += [name for name, acts in further if acts]
         return names + (["place"] if has_length(base) else [])
@@ -190,7 +190,7 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     """The scene that these choices describe. Raises ValueError with a sentence for the visitor if there is none."""
     base = base_of(chosen["scene"], chosen["bodies"])
     if in_space(base):
-        faster = chosen["speed"] / base.speed
+        faster = chosen["speed"] / base.speed if base.speed > 0.0 else 1.0
         scene = base.replace(
             {
                 f"{name}.{key}": [faster * v for v in getattr(getattr(base, name), key)]

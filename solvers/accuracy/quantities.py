@@ -82,7 +82,7 @@ class Reference:
         true = self.metrics
         lasted, truly = apparent_time(found.contacts), apparent_time(true.contacts)
         errors = {
-            "rebound": _difference(found.velocity, true.velocity) / self.scene.speed,
+            "rebound": _difference(found.velocity, true.velocity) / (self.scene.meeting_speed or 1.0),
             "impulse": (found.impulse - true.impulse) / abs(true.impulse) if true.impulse else None,
             "peak-force": _relative(found.peak_force, true.peak_force),
             "force-history": self._force_error(found, found.force),

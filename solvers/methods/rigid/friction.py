@@ -6,7 +6,7 @@ import numpy as np
 
 from ...bodies import in_space
 from ...contact.friction import MODELS, SLIDING
-from ...numerics.rigid.friction import Rubbed, rub
+from ...numerics.rigid.friction import Rubbed, jamming_friction, rub
 from ...numerics.rigid.impulses import point_velocity
 from ...numerics.rigid.sliding import STICK
 from ...scene import Scene
@@ -27,13 +27,14 @@ def rubbed(scene: Scene, restitution: float) -> dict[str, Rubbed]:
 def restored(scene: Scene, found: Rubbed) -> dict[str, float | None]:
     """Restitution by velocities of the centres of mass and of the touching points, by impulses and by work.
 
-    They agree where nothing slides, or friction and the normal do not feel each other; None without an impact.
+    They agree where nothing slides, or friction and the normal do not feel each other; None without an impact, and of
+    velocities without an approach.
     """
     names = ("newton", "poisson", "newton_at_contact", "energetic")
-    if not found.approach > 0.0:
-        return dict.fromkeys(names)
     normal = np.array(scene.normal)
     impulse = float(found.impulse @ normal)
+    if not impulse > 0.0:
+        return dict.fromkeys(names)
     closing = float(normal @ (in_space(scene.impactor).velocity - in_space(scene.target).velocity))
     parting = float(normal @ (found.second.velocity - found.first.velocity))
     at_contact = float(normal @ (point_velocity(found.second) - point_velocity(found.first)))
@@ -41,7 +42,7 @@ def restored(scene: Scene, found: Rubbed) -> dict[str, float | None]:
     return {
         "newton": parting / closing if closing > 0.0 else None,
         "poisson": impulse / float(found.compression) - 1.0 if by_course else None,
-        "newton_at_contact": at_contact / float(found.approach),
+        "newton_at_contact": at_contact / float(found.approach) if found.approach > 0.0 else None,
         "energetic": float(np.sqrt(found.restored / found.compressed)) if by_course else None,
     }
 
@@ -49,7 +50,7 @@ def restored(scene: Scene, found: Rubbed) -> dict[str, float | None]:
 def sliding(scene: Scene, found: Rubbed) -> list[Sliding]:
     """How the bodies slide, up to which normal impulse [N s]."""
     impulse, stopped = float(found.impulse @ np.array(scene.normal)), float(found.stopped)
-    if not found.approach > 0.0:
+    if not impulse > 0.0:
         return []
     if 0.0 < stopped < impulse:
         return [Sliding("slip", stopped), Sliding(SLIDING[int(found.follows)], impulse)]
@@ -80,4 +81,16 @@ def rubbing_notes(scene: Scene, by_model: dict[str, Rubbed], model: str) -> list
             severity = Severity.WARNING if name == model else Severity.REMARK
             share, chosen = made / scene.initial_energy, name == model
             notes.append(Note("friction-makes-energy", severity, model=name, energy=made, share=share, chosen=chosen))
-    return notes + ([Note("friction-jams", Severity.REMARK)] if by_model[model].jams else [])
+    return notes + _jamming_notes(scene, by_model[model])
+
+
+def _jamming_notes(scene: Scene, found: Rubbed) -> list[Note]:
+    """Above which friction it jams, and what that makes of bodies that do not approach."""
+    least = float(jamming_friction(in_space(scene.impactor), in_space(scene.target), np.array(scene.normal)))
+    if found.approach > 0.0:
+        return [Note("friction-jams", Severity.REMARK)] if found.jams else []
+    if found.approach < 0.0:
+        return []
+    if found.impulse.any():
+        return [Note("impact-without-approach", Severity.WARNING, friction=least)]
+    return [Note("slides-on", Severity.REMARK, friction=least)] if float(scene.friction or 0.0) < least < np.inf else []

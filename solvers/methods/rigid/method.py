@@ -65,12 +65,12 @@ class RigidImpulse(Method):
             pushed = found.impulse
         wall_time = clock() - begun
         duration = AFTERGLOW * scene.time_unit if duration is None else duration
-        impulse, approached = float(pushed @ normal), bool(found.approach > 0.0)
-        energy, force = _energy(scene, before, found), None if approached else 0.0
+        impulse = float(pushed @ normal)
+        energy, force = _energy(scene, before, found), None if impulse else 0.0
         figures = {
             "impulse": impulse,
             "restitution": self._restitution(scene, before, found, normal),
-            "notes": _notes(scene, before, approached),
+            "notes": _notes(scene, before, found, impulse),
         }
         if isinstance(found, Rubbed):
             figures["notes"] += rubbing_notes(scene, by_model, self.model)
@@ -83,7 +83,7 @@ class RigidImpulse(Method):
         return Solution(
             scene=scene,
             method=method,
-            contacts=[ContactPeriod(0.0, 0.0, impulse, force)] if approached else [],
+            contacts=[ContactPeriod(0.0, 0.0, impulse, force)] if impulse else [],
             duration=duration,
             motion=_motion(scene, before, found, impulse, duration) if scene.normal is None else None,
             peak_force=force,
@@ -182,8 +182,8 @@ def _rings(scene: Scene) -> bool:
     return any(body.time_unit is not None for body in (scene.impactor, scene.target))
 
 
-def _notes(scene: Scene, before: tuple[Bodies, Bodies], approached: bool) -> list[Note]:
-    notes = [] if approached else [Note("no-impact", Severity.REMARK)]
+def _notes(scene: Scene, before: tuple[Bodies, Bodies], found: Strike | Rubbed, impulse: float) -> list[Note]:
+    notes = [] if impulse else [Note("no-impact", Severity.REMARK, parts=bool(found.approach < 0.0))]
     if _rings(scene):
         notes.append(Note("waves-ignored", Severity.WARNING, beam=scene.bends))
     for name, body in zip(("impactor", "target"), before, strict=True):

@@ -13,14 +13,16 @@ import numpy as np
 
 from ...jit import kernel
 from .impulses import Bodies, arm, inverse_inertia, point_velocity
-from .sliding import COMPRESSED, COMPRESSION, FOLLOWS, FOUND, ORDER, ROWS, STOPPED, STRONGE, Felt, clamp, slide
+from .sliding import COMPRESSED, COMPRESSION, FOLLOWS, FOUND, ORDER, ROWS, STOPPED, STRONGE, Felt, clamp, slide, starts
 
 NEWTON = 2  # beside STRONGE and POISSON, which `slide` knows
 NO_PATH = np.zeros((0, 4))
+NO_APPROACH = 1e-14  # of the speeds that it is the difference of: a slower approach is rounding
 
 
 class Rubbed(NamedTuple):
-    """What an impulse with friction did to every pair; nothing where the bodies were not approaching."""
+    """What an impulse with friction did to every pair; nothing where the bodies were not approaching, unless they slide
+    and friction jams."""
 
     impulse: np.ndarray  # (..., 3), on the second body, its opposite on the first [N s]
     effective_mass: np.ndarray  # along the normal, as without friction [kg]
@@ -58,6 +60,8 @@ def rub(
 ) -> Rubbed:
     """One impulse per pair with Coulomb friction; `law` of restitution: STRONGE, POISSON or NEWTON.
 
+    Points that slide without approaching have an impact, too, where friction exceeds `jamming_friction`: the limit of
+    ever slower approach.
     Error: some 1e-12 of the impulse, beside rounding times the ratio of the eigenvalues of W.
     Raises ValueError where neither body of a pair can move.
     """
@@ -70,6 +74,18 @@ def rub(
     after = _pushed(first, inverses[0], -impulse), _pushed(second, inverses[1], impulse)
     columns = [found[..., column] for column in range(COMPRESSION, FOUND)]
     return Rubbed._make([impulse, 1.0 / contact.felt[..., 0], -contact.velocity[..., 0], *columns, *after])
+
+
+def jamming_friction(first: Bodies, second: Bodies, normal: np.ndarray) -> np.ndarray:
+    """The friction above which sliding, as it begins, presses the bodies closer: n W n / (n W s), or infinite.
+
+    Source: Painlevé (1895), for his rod (1 + 3 cos^2 a) / (3 sin a cos a).
+    """
+    contact = _contact(first, second, (inverse_inertia(first), inverse_inertia(second)), normal)
+    slides, coupled = contact.velocity[..., 1:], np.vecdot(contact.felt[..., 1:3], contact.velocity[..., 1:])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = contact.felt[..., 0] * np.sqrt(np.vecdot(slides, slides)) / coupled
+    return np.where(coupled > 0.0, found, np.inf)
 
 
 def sliding_path(
@@ -110,7 +126,16 @@ def _contact(first: Bodies, second: Bodies, inverses: tuple[np.ndarray, np.ndarr
     pairs = ((normal, normal), (normal, along), (normal, across), (along, along), (across, across))
     felt = np.stack([_between(left, matrix, right) for left, right in pairs], axis=-1)
     frame = np.stack(np.broadcast_arrays(normal, along, across), axis=-2)
-    return _Contact(frame, felt, np.vecdot(frame, parting[..., None, :]))
+    velocity = np.vecdot(frame, parting[..., None, :])
+    rounding = NO_APPROACH * sum(_speed(body) for body in (first, second))
+    velocity[..., 0] = np.where(np.abs(velocity[..., 0]) <= rounding, 0.0, velocity[..., 0])
+    return _Contact(frame, felt, velocity)
+
+
+def _speed(body: Bodies) -> np.ndarray:
+    """Of the centre, and about it where the body is touched [m/s]."""
+    size = np.linalg.norm
+    return size(body.velocity, axis=-1) + size(arm(body), axis=-1) * size(body.spin, axis=-1)
 
 
 def _between(left: np.ndarray, matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -137,10 +162,10 @@ def _rub(felt, velocity, friction, restitution, series, law, path, found):
     for i in range(len(felt)):
         k, w = felt[i, 0], velocity[i]
         size = math.sqrt(w[0] ** 2 + w[1] ** 2 + w[2] ** 2)
-        if not w[0] < 0.0:
+        scaled = Felt(felt[i, 1] / k, felt[i, 2] / k, felt[i, 3] / k, felt[i, 4] / k, friction[i], restitution[i], law)
+        if not starts(scaled, w):
             found[i, STOPPED] = math.inf
             continue
-        scaled = Felt(felt[i, 1] / k, felt[i, 2] / k, felt[i, 3] / k, felt[i, 4] / k, friction[i], restitution[i], law)
         for j in range(3):
             w[j] /= size
         points = 0

@@ -51,8 +51,20 @@ class Felt(NamedTuple):
 
 
 @inner_kernel
+def starts(felt, velocity):
+    """Whether there is an impact: the points approach, or they only slide and friction presses them closer, f < 0.
+
+    The latter is Painlevé's impact without approach: a force as small as may be brings them closer, and so grows.
+    """
+    if velocity[0] != 0.0:
+        return velocity[0] < 0.0
+    speed = math.hypot(velocity[1], velocity[2])
+    return speed > 0.0 and _rates(felt, velocity[1] / speed, velocity[2] / speed, SLIP)[0] < 0.0
+
+
+@inner_kernel
 def slide(felt, velocity, series, path, found):
-    """One impact, from the velocity (3,) of parting until it is over; the normal component starts negative.
+    """One impact that `starts`, from the velocity (3,) of parting until it is over.
 
     series (ROWS, ORDER + 1): room for the steps. path (points, 4): takes p and w along the way, as far as it goes.
     found (FOUND,): takes what its columns are named for, works positive as a rule; where sliding first ends is infinite

@@ -63,3 +63,15 @@ def test_a_hand_turns_the_picture_leans_the_normal_and_moves_the_contact(open_pa
     point = page.evaluate("() => [strikewave.page.space.stage.x, strikewave.page.space.stage.y]")
     page.answered(lambda: drag(page, point, (20, 15)))
     page.wait("() => strikewave.page.frame.chosen.place > 0.05")
+
+
+def test_a_rod_that_only_slides_is_thrown_up_where_friction_jams(open_page):
+    """No speed of approach to set; below 4/3 it slides on, and the page says why."""
+    page = open_page("?scene=painleve-sliding")
+    assert "speed" not in page.header("acting") and "friction" in page.header("acting")
+    assert [each["kind"] for each in page.header("sliding")] == ["slip", "stick"]
+    assert page.header("bodies")["impactor"]["after"]["velocity"][1] == approx(0.554046, abs=1e-6)
+    assert any(page.evaluate(SLIDES))
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 1.3)"))
+    assert page.header("sliding") == [] and page.evaluate(SLIDES) == [False, False]
+    assert [note["code"] for note in page.header("notes")] == ["no-impact", "slides-on"]

@@ -301,7 +301,7 @@ def test_a_question_that_does_not_exist_is_refused():
 
 def test_a_scene_that_no_method_can_solve_says_why_each_cannot(monkeypatch):
     for method in METHODS.values():
-        monkeypatch.setattr(method, "refusal", lambda self, scene: Note("no-impact", Severity.REFUSAL))
+        monkeypatch.setattr(method, "refusal", lambda self, scene: Note("no-impact", Severity.REFUSAL, parts=True))
     with pytest.raises(SceneNotSupported, match="'waves': The bodies move apart"):
         tradeoff(struck_rod(1.0))
 

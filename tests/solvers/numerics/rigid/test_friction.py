@@ -8,7 +8,7 @@ from pytest import approx
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from solvers.numerics.rigid.friction import NEWTON, Rubbed, felt_inverse, rub, sliding_path
+from solvers.numerics.rigid.friction import NEWTON, Rubbed, felt_inverse, jamming_friction, rub, sliding_path
 from solvers.numerics.rigid.impulses import Bodies, gained, inverse_inertia, kinetic_energy, point_velocity, strike
 from solvers.numerics.rigid.sliding import POISSON, REVERSAL, SLIP, STICK, STRONGE
 from tests.solvers.numerics.rigid.test_impulses import held, in_world, random_pairs, rotations
@@ -123,17 +123,73 @@ def test_in_a_plane_it_is_the_piecewise_linear_solution(place, velocity, frictio
     assert found.stopped == approx(stops if stops < p else np.inf, rel=1e-12)
 
 
+def painleves_rod(angle: float, falls: float) -> Bodies:
+    """A thin rod, 1 kg and 1 m, its lower end sliding to the left at 1 m/s."""
+    along = np.array([np.cos(angle), np.sin(angle), 0.0])
+    inertia = (np.eye(3) - np.outer(along, along)) / 12.0
+    return Bodies(np.array(1.0), inertia, 0.5 * along, np.array([-1.0, -falls, 0.0]), np.zeros(3))
+
+
 def test_a_rod_jams_where_painleve_says():
     """A thin rod at tan a = 2: friction above (1 + 3 cos^2 a) / (3 sin a cos a) = 4/3 presses the sliding end down."""
-    along = np.array([1.0, 2.0, 0.0]) / np.sqrt(5.0)
-    inertia = (np.eye(3) - np.outer(along, along)) / 12.0
-    rod = Bodies(np.array(1.0), inertia, 0.5 * along, np.array([-1.0, -0.5, 0.0]), np.zeros(3))
-    friction = np.array([1.333, 1.334])
+    rod, friction = painleves_rod(np.arctan(2.0), 0.5), np.array([1.333, 1.334])
+    assert jamming_friction(rod, WALL, -UP) == approx(4.0 / 3.0, rel=1e-14)
     found = rub(rod, WALL, -UP, friction, 0.5)
     assert list(found.jams) == [False, True]
     assert found.stopped == approx(
         1.0 / (friction * 3.4 - 1.2), rel=1e-10
     )  # t W t = 1 + 3 sin^2 a, n W t = 3 sin a cos a
+
+
+@pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
+@pytest.mark.parametrize("angle", [0.6, np.arctan(2.0), 1.4])
+def test_a_rod_that_only_slides_is_thrown_up_where_it_jams(angle, e):
+    """Painlevé's impact without approach, in closed form; without a jam nothing happens.
+
+    Up to p_s, where sliding stops, the end is pressed down at f < 0; then it sticks and comes up at f'. The work
+    until it is deepest is f p_s^2 / 2 - (f p_s)^2 / (2 f'), of which e^2 is given back.
+    """
+    rod, s, c = painleves_rod(angle, 0.0), np.sin(angle), np.cos(angle)
+    normal, coupled, across = 1.0 + 3.0 * c * c, 3.0 * s * c, 1.0 + 3.0 * s * s  # n W n, n W t, t W t of a thin rod
+    least = normal / coupled
+    assert jamming_friction(rod, WALL, -UP) == approx(least, rel=1e-14)
+    found = rub(rod, WALL, -UP, np.array([0.0, 0.999 * least]), e)
+    assert not found.impulse.any() and not found.jams.any()
+    friction = 1.2 * least
+    f, sticks = normal - friction * coupled, normal - coupled**2 / across
+    stops = 1.0 / (friction * across - coupled)
+    deepest = stops - f * stops / sticks
+    work = 0.5 * (f * stops) ** 2 / sticks - 0.5 * f * stops**2
+    ends = {STRONGE: deepest + e * np.sqrt(2.0 * work / sticks), POISSON: (1.0 + e) * deepest}
+    for law, end in ends.items():
+        found = rub(rod, WALL, -UP, friction, e, law)
+        assert found.jams and found.follows == STICK
+        assert (found.stopped, found.compression, -found.impulse[1]) == approx((stops, deepest, end), rel=1e-12)
+        assert found.impulse[0] == approx(-friction * stops - coupled / across * (end - stops), rel=1e-12)
+        assert found.compressed == approx(work, rel=1e-12)
+        assert created((rod, WALL), found) < 0.0
+        if law == STRONGE:
+            assert found.restored == approx(e * e * work, rel=1e-12, abs=1e-16)
+    clamped = rub(rod, WALL, -UP, friction, e, NEWTON)  # knows no course: it sticks, and does not part
+    assert np.abs(point_velocity(clamped.first)).max() < 1e-14 and created((rod, WALL), clamped) < 0.0
+
+
+def test_an_impact_without_approach_is_the_limit_of_slow_ones():
+    """First order in the approach; and it is found in axes in which the approach is a rounding error."""
+    friction, limit = 1.6, rub(painleves_rod(np.arctan(2.0), 0.0), WALL, -UP, 1.6, 0.5)
+    errors = [
+        np.linalg.norm(rub(painleves_rod(np.arctan(2.0), falls), WALL, -UP, friction, 0.5).impulse - limit.impulse)
+        for falls in (1e-3, 1e-4, 1e-5)
+    ]
+    assert np.diff(np.log10(errors)) == approx([-1.0, -1.0], abs=0.01)
+    rod = painleves_rod(np.arctan(2.0), 0.0)
+    for turn in rotations(np.random.default_rng(51), 30):
+        drift = turn @ np.array([7.0, 0.0, 3.0])  # of both bodies: the floor moves along
+        turned = rod._replace(
+            inertia=turn @ rod.inertia @ turn.T, centre=turn @ rod.centre, velocity=turn @ rod.velocity + drift
+        )
+        found = rub(turned, WALL._replace(velocity=drift), -turn @ UP, friction, 0.5)
+        assert turn.T @ found.impulse == approx(limit.impulse, rel=1e-10, abs=1e-12)
 
 
 # --- in space, against a tight integration ----------------------------------------------------------------------------
@@ -203,6 +259,28 @@ def test_against_a_tight_integration(law):
         assert np.linalg.norm(found.impulse[k] - expected) <= 1e-8 * np.linalg.norm(expected)
 
 
+@pytest.mark.parametrize("law", [STRONGE, POISSON])
+def test_sliding_in_space_that_jams_against_a_tight_integration(law):
+    """Pairs whose approach is taken away: above the friction of `jamming_friction` they have an impact all the same."""
+    first, second, normal, _ = random_pairs(13, 60)
+    approach = np.vecdot(normal, point_velocity(first) - point_velocity(second))
+    first = first._replace(velocity=first.velocity - approach[:, None] * normal)
+    least = jamming_friction(first, second, normal)
+    jams = np.flatnonzero(least < 10.0)[:5]
+    below, found = (rub(first, second, normal, times * np.minimum(least, 10.0), 0.5, law) for times in (0.999, 1.3))
+    assert not below.impulse.any() and len(jams) == 5
+    assert np.all((found.steps > 0) == (1.3 * np.minimum(least, 10.0) > least))
+    assert created((first, second), found).max() <= 1e-12
+    for k in jams:
+        pair = [Bodies(*(part[k] for part in bodies)) for bodies in (first, second)]
+        matrix = sum(felt_inverse(body, inverse_inertia(body)) for body in pair)
+        frame = np.linalg.svd(normal[k][None])[2] * np.sign(normal[k] @ np.linalg.svd(normal[k][None])[2][0])
+        velocity = frame @ (point_velocity(pair[1]) - point_velocity(pair[0]))
+        velocity[0] = -1e-9  # what the integration needs to set out
+        expected = integrated(frame @ matrix @ frame.T, velocity, 1.3 * least[k], 0.5, law) @ frame
+        assert np.linalg.norm(found.impulse[k] - expected) <= 1e-7 * np.linalg.norm(expected)
+
+
 # --- work, energy, cone -----------------------------------------------------------------------------------------------
 
 
@@ -253,10 +331,16 @@ def test_restitution_of_energy_makes_none(seed, friction, restitution):
     random = np.random.default_rng(seed)
     first, second = extreme_bodies(random, 50), extreme_bodies(random, 50)
     normal = rotations(random, 50)[:, 0]
+    approach = np.vecdot(normal, point_velocity(first) - point_velocity(second))
+    approach[25:] = 0.0  # the others only slide
+    for each in (first, second):
+        each.velocity[25:] -= np.vecdot(normal, point_velocity(each))[25:, None] * normal[25:]
     found = rub(first, second, normal, friction, restitution)
     assert created((first, second), found).max() <= 1e-12
     assert np.all(found.steps >= 0) and np.isfinite(found.impulse).all()
-    assert np.all((found.steps == 0) == (found.approach <= 0.0))
+    assert np.all(found.approach[25:] == 0.0)
+    starts = np.where(np.arange(50) < 25, approach > 0.0, friction > jamming_friction(first, second, normal))
+    assert np.all((found.steps > 0) == starts)
 
 
 def test_rest_starts_and_ends():
