@@ -5,6 +5,7 @@ several threads. `parallel=True` is never used: concurrent parallel regions abor
 """
 
 import atexit
+import gc
 import logging
 import os
 import pickle
@@ -181,18 +182,31 @@ def compiled_only() -> Iterator[None]:
         _thread.only_compiled = False
 
 
-class _Refusal(event.Listener):
-    """Called by Numba for every kernel that it is about to compile."""
+class _Compiling(event.Listener):
+    """Called by Numba for every kernel that it is about to compile, and has compiled.
+
+    Meanwhile no garbage is collected: among the many objects of a compiler, looking for some takes a twelfth of it.
+    """
+
+    def __init__(self):
+        self._depth = 0  # kernels under way: one may wait for those that it calls; under Numba's lock
+        self._collecting = True
 
     def on_start(self, compilation):
-        if getattr(_thread, "only_compiled", False):
+        if not self._depth:
+            self._collecting = gc.isenabled()
+            gc.disable()
+        self._depth += 1
+        if getattr(_thread, "only_compiled", False):  # then too the end is told
             raise NotCompiled(compilation.data["dispatcher"].py_func.__qualname__)
 
     def on_end(self, compilation):
-        pass
+        self._depth -= 1
+        if not self._depth and self._collecting:
+            gc.enable()
 
 
-event.register("numba:compile", _Refusal())
+event.register("numba:compile", _Compiling())
 
 
 # A kernel works in the arrays that it is given, and returns none. So arrays need no counting of references, which for

@@ -37,6 +37,11 @@ def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
 
 def own_choices(name: str, bodies: str = "") -> dict[str, Any]:
     """A value for every choice, as the page opens a built-in scene; an address says only what differs from these."""
+    return dict(_all_choices(name, bodies))
+
+
+@lru_cache(maxsize=1024)
+def _all_choices(name: str, bodies: str) -> dict[str, Any]:
     return Choices(scene=name, **choices_of(name, bodies)).chosen()
 
 

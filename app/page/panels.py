@@ -93,19 +93,19 @@ class Panels(Questions):
         """
         changed = {event.name for event in events}
         for view in VIEWS:
-            asked = self._asked_of(view)
-            depends_on = self._depends_on(view, asked)
             concerned = not events or changed & {view.opener, *view.sent}
-            if depends_on is not None and concerned and view.work:
+            if not (concerned and view.work and self._shows(view)):
+                continue
+            asked = self._asked_of(view)
+            if (depends_on := view.depends_on(asked)) is not None:
                 self._want(view, asked, depends_on)
 
     def _asked_of(self, view: View) -> dict[str, Any]:
         return self.chosen() | {name: getattr(self, name) for name in view.sent}
 
-    def _depends_on(self, view: View, asked: dict[str, Any]) -> Hashable:
-        """What of this the answer depends on; None if the view is closed, or not for this scene."""
-        there = getattr(self, view.opener) and kind_of(SCENES[self.scene]) in view.kinds
-        return view.depends_on(asked) if there else None
+    def _shows(self, view: View) -> bool:
+        """Whether a view is open, and for this scene."""
+        return getattr(self, view.opener) and kind_of(SCENES[self.scene]) in view.kinds
 
     def _want(self, view: View, asked: dict[str, Any], depends_on: Hashable) -> None:
         """Ask, unless the same, as far as it matters, was asked last, or the visitor has a long run answer it."""

@@ -1,15 +1,18 @@
 """The socket of one visitor: what comes is checked, the newest of each choice is kept, and all take turns."""
 
 import asyncio
+import json
 import logging
 import random
 import time
 from collections import deque
+from contextlib import suppress
 from typing import Any
 
 from bokeh.protocol.message import Message
 from bokeh.util.token import get_session_id
 from panel.io.server import WSHandler
+from tornado.iostream import StreamClosedError
 from tornado.websocket import WebSocketClosedError
 
 from ..choices.choices import Choices
@@ -236,6 +239,26 @@ class Socket(WSHandler):
         if reply is not None:
             await self._answer(reply)
 
+    async def send_message(self, message: Message) -> None:
+        """As Bokeh does, but all parts of a message in one go: five calls of the system take 1 ms of each answer."""
+        parts: list[tuple[str | bytes, bool]] = [
+            (part, False) for part in (message.header_json, message.metadata_json, message.content_json)
+        ]
+        for buffer in message.buffers:
+            parts += [(json.dumps(buffer.ref), False), (buffer.to_bytes(), True)]
+        with await self.write_lock.acquire():
+            protocol = self.ws_connection
+            if protocol is None or protocol.is_closing():
+                return
+            stream, protocol.stream = protocol.stream, (frames := Frames())
+            try:
+                for part, binary in parts:
+                    protocol.write_message(part, binary)
+            finally:
+                protocol.stream = stream
+            with suppress(StreamClosedError):
+                await stream.write(b"".join(frames))
+
     async def _answer(self, reply: Message) -> None:
         if reply.msgtype == "ERROR":
             reply.content["traceback"] = None
@@ -277,6 +300,16 @@ class Socket(WSHandler):
         if (lab := self._lab) is not None:
             lab.leave()
         super().on_close()
+
+
+class Frames(list[bytes]):
+    """In the place of a stream: keeps what is written, to be sent at once."""
+
+    def write(self, frame: bytes) -> asyncio.Future:
+        self.append(frame)
+        done = asyncio.get_running_loop().create_future()
+        done.set_result(None)
+        return done
 
 
 def _seen(task: asyncio.Future) -> None:
