@@ -10,7 +10,6 @@ BEAM_CHOICES = {  # name: how it is read from a beam
     "support": lambda beam: beam.support,
     "theory": lambda beam: beam.theory,
     "slenderness": lambda beam: float(f"{beam.slenderness:.12g}"),
-    "damping": lambda beam: beam.damping,
 }
 
 

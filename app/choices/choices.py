@@ -1,6 +1,6 @@
 """What a visitor has chosen: bounded values, no widget. The same bounds guard sliders, address and socket."""
 
-from typing import Any
+from typing import Any, ClassVar
 
 import param
 
@@ -48,6 +48,7 @@ class Choices(param.Parameterized):
     elements = param.Integer(default=50, bounds=(1, 200))
     method = param.Selector(default="waves", objects=list(METHODS))
 
+    KEYS: ClassVar = {"damping": "target.damping"}  # of choices that stand in scene files as they are
     CHOSEN = tuple(name for name, each in dict(locals()).items() if isinstance(each, param.Parameter))
 
     def chosen(self) -> dict[str, Any]:

@@ -73,6 +73,7 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
     named = method.get("name")  # which may be one that the page does not have
     wanted["method"] = named if named in METHODS else solvers.usual_method(scene)
+    wanted |= keyed(scene)
     if bends_alone(scene):
         wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
     if on_mechanism(scene):
@@ -82,6 +83,16 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     if not in_space(scene):
         wanted |= {"law": scene.contact.NAME} | _constants(scene)
     return {name: value for name, value in wanted.items() if accepts(name, value)}
+
+
+def keyed(scene: Scene) -> dict[str, Any]:
+    """The choices that are a value in the table of one of its bodies, and this value."""
+    found = {}
+    for name, key in Choices.KEYS.items():
+        body, _, quantity = key.partition(".")
+        if quantity in getattr(scene, body).KEYS:
+            found[name] = getattr(getattr(scene, body), quantity)
+    return found
 
 
 def _at_end(place: float) -> float:
@@ -136,7 +147,7 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
         return names + (["place"] if has_length(base) else [])
     if base.prescribed_force:
         return first
-    names = [*first, "method", "speed", "law", *law_choices(chosen["law"])]
+    names = [*first, "method", "speed", "law", *law_choices(chosen["law"]), *keyed(base)]
     if on_mechanism(base):
         names += mechanism_values(base)
     elif on_beam(base):
@@ -223,6 +234,7 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         base = other_beam(
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         )
+    changes |= {Choices.KEYS[name]: chosen[name] for name in keyed(base) if chosen[name] != own.get(name, chosen[name])}
     if "mass_ratio" in acting_choices(chosen):
         mass = base.target.mass / chosen["mass_ratio"]
         changes |= {f"impactor.{key}": value for key, value in base.impactor.of_mass(mass).items()}
