@@ -7,13 +7,17 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
 PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
 
-.PHONY: serve check test docs bench peers screenshot clean chromium
+.PHONY: serve check coverage test docs bench peers screenshot clean chromium
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
 
 check: $(VENV)/.installed-test
 	$(PYTEST) -m "not browser and not slow"
+
+# Which lines and branches `make check` runs through; kernels and other processes are not seen.
+coverage: $(VENV)/.installed-test
+	$(PYTEST) -m "not browser and not slow" --cov --cov-report=term
 
 test: $(VENV)/.installed-test chromium node_modules/.installed
 	$(BIN)/impact warm  # else each of the servers that tests start would compile the same

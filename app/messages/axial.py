@@ -22,7 +22,7 @@ from solvers.solution.restitution import common_velocity
 from solvers.text.notes import Note
 
 from ..choices.request import Request
-from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown
+from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown, whole_numbers
 from .parts import parts_told
 from .pendulum import pendulum_told, striker_arrays, waves_of_force
 from .rotating import bent_shapes, rotation_told, turning_fields, turning_rod, turns
@@ -220,7 +220,7 @@ def _balances(other: Solution | None, trip: float, force_unit: float) -> dict[st
     return {"balanceTime": time / trip, "balanceForce": impulse / step / force_unit}
 
 
-def _sampled_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, np.ndarray]:
+def _sampled_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, Any]:
     """Fields at (instant, place) for methods whose fields the browser cannot rebuild."""
     scene, motion = solution.scene, solution.known_motion
     start = -scene.impactor.length if scene.impactor.rods else 0.0
@@ -228,9 +228,9 @@ def _sampled_fields(solution: Solution, stress_unit: float, length_unit: float) 
         return {}
     time, x = np.linspace(0.0, solution.duration, INSTANTS), np.linspace(start, scene.target.length, PLACES)
     return {
-        "fieldStress": motion.stress(time, x) / stress_unit,
-        "fieldVelocity": motion.velocity(time, x) / scene.speed,
-        "fieldDisplacement": motion.displacement(time, x) / length_unit,
+        "fieldStress": whole_numbers(motion.stress(time, x) / stress_unit),
+        "fieldVelocity": whole_numbers(motion.velocity(time, x) / scene.speed),
+        "fieldDisplacement": whole_numbers(motion.displacement(time, x) / length_unit),
     }
 
 

@@ -100,7 +100,7 @@ def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:
             parts.append(values.astype("<f4").tobytes())
     if CHECKED:
         check(header, {name: tuple(shape) for name, shape, *_ in entries})
-    text = json.dumps(header | {"arrays": entries}, allow_nan=False).encode()
+    text = json.dumps(header | {"arrays": entries}, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return len(text).to_bytes(4, "little") + text + b"".join(parts)
 

@@ -18,8 +18,8 @@ from .encoding import instants, whole_numbers
 
 RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that of its method
 PARTS = 10  # straight pieces of a link that bends
-INSTANTS = 100
-REACTIONS = 300  # instants
+INSTANTS = 75
+REACTIONS = 200  # instants
 
 
 def mechanism_of(scene: Scene) -> Mechanism | None:

@@ -1,5 +1,7 @@
 """What the browser needs of a pendulum that strikes: where it hangs, how it bends, the waves that its force sends."""
 
+from typing import Any
+
 import numpy as np
 
 from solvers import Solution, Waves
@@ -7,6 +9,8 @@ from solvers.bodies import AnyBody, FlexiblePendulum, Pendulum, Pivoted
 from solvers.methods.finite_elements.motion import ElementMotion
 from solvers.methods.modal.method import ModalMotion
 from solvers.solution.motion import Motion
+
+from .encoding import whole_numbers
 
 PLACES = 25  # along a bar that bends
 FORCE_POINTS = 600  # of the force whose waves are drawn
@@ -23,7 +27,7 @@ def pendulum_told(body: AnyBody) -> dict[str, float]:
     return {"length": max(length, body.pivot_distance), "place": body.pivot_distance, "ownMass": body.own_mass}
 
 
-def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit: float) -> dict[str, np.ndarray]:
+def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit: float) -> dict[str, Any]:
     """Displacements of the face that strikes, and of a bar that bends from its pivot on, where the method knows them.
 
     Of such a bar the face is not where its turning as a whole has it.
@@ -32,7 +36,7 @@ def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit:
     if isinstance(body, FlexiblePendulum) and isinstance(motion, ModalMotion):
         x = np.append(np.linspace(NO_PLACE, body.length, PLACES), body.place)
         moved = motion.displacement(time, -x) / length_unit
-        return {f"{name}Mass": moved[:, -1], f"{name}Bar": moved[:, :-1]}
+        return {f"{name}Mass": moved[:, -1], f"{name}Bar": whole_numbers(moved[:, :-1])}
     face = motion.impactor_position(time)
     if isinstance(body, FlexiblePendulum) and isinstance(motion, ElementMotion):
         face = motion.end_position(time) + np.interp(time, motion.time, motion.course.indentation)

@@ -7,6 +7,8 @@ import numpy as np
 from solvers import Solution
 from solvers.bodies import AnyBody, RotatingRod
 
+from .encoding import whole_numbers
+
 INSTANTS, PLACES = 160, 31  # of the fields, which no waves of one speed give
 LISTED = 3  # frequencies
 BAR_PLACES = 25  # of one that bends, as many as of a pendulum
@@ -23,24 +25,24 @@ def turning_rod(rod: RotatingRod) -> list[dict[str, Any]]:
     return [place | {"joint": None, "mirror": 1}]
 
 
-def turning_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, np.ndarray]:
+def turning_fields(solution: Solution, stress_unit: float, length_unit: float) -> dict[str, Any]:
     """Fields at (instant, place), displacements from the steady stretch."""
     rod, motion = solution.scene.target, solution.known_motion
     time, x = np.linspace(0.0, solution.duration, INSTANTS), np.linspace(0.0, rod.length, PLACES)
     return {
-        "exactStress": motion.stress(time, x) / stress_unit,
-        "exactVelocity": motion.velocity(time, x) / solution.scene.speed,
-        "exactDisplacement": motion.displacement(time, x) / length_unit,
+        "exactStress": whole_numbers(motion.stress(time, x) / stress_unit),
+        "exactVelocity": whole_numbers(motion.velocity(time, x) / solution.scene.speed),
+        "exactDisplacement": whole_numbers(motion.displacement(time, x) / length_unit),
     }
 
 
-def bent_shapes(solution: Solution, time: np.ndarray, length_unit: float) -> dict[str, np.ndarray]:
+def bent_shapes(solution: Solution, time: np.ndarray, length_unit: float) -> dict[str, Any]:
     """Displacements along a rod that turns and is struck across, from its axis on; nothing of other bodies."""
     rod = solution.scene.target
     if not isinstance(rod, RotatingRod) or not rod.across:
         return {}
     places = np.linspace(0.0, rod.length, BAR_PLACES)
-    return {"turningBar": solution.known_motion.displacement(time, places) / length_unit}
+    return {"turningBar": whole_numbers(solution.known_motion.displacement(time, places) / length_unit)}
 
 
 def rotation_told(body: AnyBody) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from tests.app.messages.test_axial import arrays
 
 TYPES = (Path(app.__file__).parent / "static/shell/message.js").read_text()
 OF_THE_BROWSER = {"record", "shapes"}  # which no message holds
+LARGEST = 100_000  # bytes of a message
 FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "bodies": "SpaceFrame"}
 
 
@@ -63,6 +64,7 @@ def test_every_scene_by_every_method_is_packed_as_said(name):
     refusals = read_header(solve_frame(own))["refusals"]
     for method in (method for method, reason in refusals.items() if reason is None):
         message = solve_frame(own | {"method": method})
+        assert len(message) <= LARGEST
         header = read_header(message)
         shapes = {key: values.shape for key, values in arrays(message).items()}
         check({key: value for key, value in header.items() if key != "arrays"}, shapes)
