@@ -29,7 +29,7 @@ from solvers.jit import all_compiled
 from ..choices.beam import on_beam
 from ..choices.body_value import with_body_value
 from ..choices.choices import SCENES, START, Choices
-from ..choices.scene_of import choices_of, kind_of
+from ..choices.scene_of import kind_of, own_choices
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
 
@@ -134,11 +134,14 @@ Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is
 
 def usual() -> Iterator[Piece]:
     """What visitors usually ask for, what most of them ask for first."""
-    begun, late = [view for view in VIEWS if not view.late], [view for view in VIEWS if view.late]
+    begun, late = [view for view in VIEWS if not (view.late or view.scene)], [view for view in VIEWS if view.late]
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
     for scene in (START, beam):
         yield from _pieces(scene, begun)
     yield with_body_value.__name__, Choices().chosen() | {"body_value": "impactor"}
+    for view in VIEWS:
+        if view.scene:
+            yield from _asked(view.scene, [view])
     rubs = next(name for name, scene in SCENES.items() if scene.friction)
     yield from _pieces(rubs, [])
     laws = [law for law in Choices.param.law.objects if law != Choices().law]
@@ -153,11 +156,14 @@ def usual() -> Iterator[Piece]:
 
 def _pieces(scene: str, views: list[View]) -> Iterator[Piece]:
     """A scene as it says itself, and all that these views make of it."""
-    chosen = Choices(**choices_of(scene) | {"scene": scene}).chosen()
-    yield solve_frame.__name__, chosen
+    yield solve_frame.__name__, own_choices(scene)
+    yield from _asked(scene, [view for view in views if kind_of(SCENES[scene]) in view.compiled_kinds])
+
+
+def _asked(scene: str, views: list[View]) -> Iterator[Piece]:
+    chosen = own_choices(scene)
     for view in views:
-        if kind_of(SCENES[scene]) in view.compiled_kinds:
-            yield from ((work.__name__, chosen | view.examples) for work in view.compiled)
+        yield from ((work.__name__, chosen | view.examples) for work in view.compiled)
 
 
 def compile_usual(between: Callable[[], None] = lambda: None) -> None:

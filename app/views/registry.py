@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from ..choices.questions import Question
-from . import plan, stability, tolerance
+from . import bounces, plan, stability, tolerance
 from .energy import energy_data, energy_figure
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
@@ -50,6 +50,7 @@ class View:
     stoppable: bool = False  # whether `work` takes `cancelled`, and the visitor may stop it
     every_law: bool = False  # whether it is compiled ahead for every contact law
     late: bool = False  # whether few ask for it, so that it is compiled after all others
+    scene: str = ""  # with which it is compiled, where it is not for the first of its kinds
 
     @property
     def opener(self) -> str:
@@ -107,6 +108,8 @@ VIEWS = (  # in the order in which an address names them
     View("methods", methods_table, kinds=AXIAL, rests=True, every_law=True),
     View("stability", run=stability.stability_data, kernels=stability.stability_kernels, kept=True,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
+    View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
+         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scene="bouncing-ball"),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [

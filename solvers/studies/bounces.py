@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from .. import validation
+from ..bodies import Mechanism
 from ..bodies.drop import GRAVITY_RANGE, HEIGHT_RANGE, STANDARD_GRAVITY, height_and_gravity
 from ..bodies.lumped import SPEED_RANGE
 from ..methods.base import Method, SceneNotSupported, never
@@ -68,11 +69,15 @@ def bounces(
     A scene with a velocity is taken as dropped from v^2 / (2 g). Bounces come ever faster and never end (Zeno): below
     the height `cut`, as a part of the first, they are summed up with the last restitution e, 2 v / (g (1 - e)) in
     time and v^2 / (g (1 - e^2)) in way, v being the last rebound. It ends before that where a contact outlasts the
-    flight to it, since weight then has a say in it; where the body stays; or after `count` impacts.
-    Assumes: the struck body has come to rest by the next impact; no weight during contact; no air.
-    Raises SceneError for an impactor that is no mass, a target that is not held, values out of range.
+    flight to it, since weight then has a say in it; where the body stays; or after `count` impacts. Each is solved
+    until the bodies part for good, whatever duration the scene names.
+    Assumes: the struck body has come to rest by the next impact, and has not yielded where that falls; no weight during
+    contact; no air.
+    Raises SceneError for an impactor that is no mass, a target that is not held, or a mechanism, which moves on (see
+    `Multibody`); and for values out of range.
     """
-    if not scene.impactor.free_mass or not scene.target.held or scene.normal is not None:
+    moves = isinstance(scene.target, Mechanism) or not scene.target.held
+    if not scene.impactor.free_mass or moves or scene.normal is not None:
         raise SceneNotSupported("target.kind", scene.target.kind, allowed("bouncing"))
     cut = validation.number("cut", cut, 1e-15, 1.0)
     count = validation.whole_number("bounces", count, 1, MAX_BOUNCES)
@@ -82,8 +87,9 @@ def bounces(
         height = 0.5 * scene.impactor.velocity**2 / gravity
     time, speed = math.sqrt(2.0 * height / gravity), math.sqrt(2.0 * gravity * height)
     found, ended, used = [], "count", {}
-    while len(found) < count and not cancelled():
-        solution = solve(scene.replace({"impactor.velocity": speed}), method)
+    undated = {"method": {name: value for name, value in scene.method.items() if name != "duration"}}
+    while not found or (len(found) < count and not cancelled()):
+        solution = solve(scene.replace({"impactor.velocity": speed} | undated), method)
         used, rebound = solution.method, -float(solution.impactor_velocity)
         lasted = apparent_time(solution.contacts)
         rises = 0.5 * max(rebound, 0.0) ** 2 / gravity
@@ -125,6 +131,8 @@ def _notes(scene: Scene, found: list[Bounce], ended: str) -> list[Note]:
     notes = []
     if scene.target.time_unit is not None and len(found) > 1:
         notes.append(Note("bounces-on-rest", Severity.WARNING))
+    if scene.contact.PLASTIC and len(found) > 1:
+        notes.append(Note("bounces-on-fresh-spots", Severity.WARNING))
     if ended == "contact":
         last = found[-1]
         notes.append(Note("contact-outlasts-flight", Severity.REMARK, contact=last.contact_time, bounces=len(found)))

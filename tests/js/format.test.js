@@ -86,6 +86,7 @@ test('units get the prefix that suits their size', () => {
   assert.deepEqual(format.prefixed(0.2), [1e3, 'm']);
   assert.deepEqual(format.prefixed(0), [1, '']);
   assert.deepEqual(format.scaled(7.8e4, 'N'), [1e-3, 'kN']);
+  assert.deepEqual(format.scaled(1.5, 'm'), [1, 'm']);
   assert.deepEqual(format.scaled(0.01, 'm'), [1e3, 'mm']);
   assert.deepEqual(format.scaled(2e-5, 'm'), [1e6, 'µm']);
   assert.deepEqual(format.scaled(1e-9, 'm'), [1e9, 'nm']);

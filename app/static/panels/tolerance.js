@@ -3,6 +3,7 @@ import { headOf, make, rowOf } from '../shell/dom.js';
 import { figures, percentDecade, share } from '../text/format.js';
 import { described, family, said, text } from '../text/catalogue.js';
 import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
+import { Stopper } from './stopper.js';
 import { msField, percentField } from './unit_field.js';
 
 /** @import { Page } from '../page.js' */
@@ -29,7 +30,6 @@ import { msField, percentField } from './unit_field.js';
 const LOWEST = 1e-12; // error at the left end of the scale
 const EARLY = 1e-9; // below which a mark is written to its right
 const QUICK = 0.25; // s of a solve that a slider can wait for
-const LATE = 500; // ms of a search before it can be cancelled
 const WITHIN = family('tolerance.within');
 const ASKED = ['auto_within', 'auto_quantity', 'auto_tolerance', 'auto_budget', 'auto_waves'];
 
@@ -39,10 +39,6 @@ const optionsOf = (names) =>
 
 class Tolerance extends Panel {
   static beside = true; // has room in the dock; the charts stay
-  left = false; // the visitor has cancelled the search
-  running = false;
-  /** @type {number | undefined} */ appearing; // of the button that cancels
-
   /** @param {Page} page */
   constructor(page) {
     super(page, 'auto', text('tolerance.button'), text('tolerance.title'), text('tolerance.heading'), ASKED);
@@ -54,8 +50,8 @@ class Tolerance extends Panel {
     const bound = text('tolerance.bound');
     this.tolerance = percentField(bound, 1e-6, 0.5, (value) => this.ask('auto_tolerance', value), complain);
     this.budget = msField(bound, 1e-4, 6, (value) => this.ask('auto_budget', value), complain);
-    this.stop = make('button', { type: 'button', className: 'whole', onclick: () => this.cancel() });
-    for (const name of ['auto_running', 'auto_follows']) page.model.on(name, () => this.fill());
+    this.stopper = new Stopper(page.model, 'auto_running', () => this.fill());
+    page.model.on('auto_follows', () => this.fill());
     this.waves = make('input', { type: 'checkbox', onchange: () => this.ask('auto_waves', this.waves.checked) });
     this.mayBeWaves = make('label', { className: 'part' }, this.waves, text('tolerance.waves'));
     this.shows = make('input', { type: 'checkbox', onchange: () => this.ask('auto_follows', this.shows.checked) });
@@ -73,17 +69,10 @@ class Tolerance extends Panel {
       make('label', { className: 'part' }, this.judged, this.quantity),
       this.mayBeWaves,
       make('label', { className: 'part' }, this.shows, text('tolerance.follow')),
-      this.stop,
+      this.stopper.root,
     );
     this.root.append(form, this.said, this.scale, this.why, make('div', { className: 'scroll' }, this.table));
     this.choice();
-  }
-  // Stop the search, or take it up again.
-  cancel() {
-    const { model } = this.page;
-    this.left = model.auto_running;
-    model.auto_running = !this.left;
-    this.fill();
   }
   // Whether the page shows what is chosen.
   get follows() {
@@ -145,9 +134,9 @@ class Tolerance extends Panel {
     this.shows.checked = this.follows;
     this.named();
     this.root.ariaBusy = String(!fresh);
-    this.late(model.auto_running, fresh && found ? found.cancelled : this.left);
+    this.stopper.show(fresh && found ? found.cancelled : this.stopper.left);
     if (!found || !fresh) {
-      if (this.left) this.said.textContent = text('tolerance.cancelled');
+      if (this.stopper.left) this.said.textContent = text('tolerance.cancelled');
       else if (!found) this.said.textContent = text('tolerance.idle');
       return;
     }
@@ -164,24 +153,6 @@ class Tolerance extends Panel {
     this.tried(found);
     const method = methodOf(found);
     if (this.follows && found.cost <= QUICK && method && !shown(this.page, method)) showMethod(this.page, method);
-  }
-  /**
-   * An answer that comes soon needs no button to stop it; one that was stopped may be asked for again.
-   * @param {boolean} running
-   * @param {boolean} left
-   */
-  late(running, left) {
-    this.stop.textContent = running ? text('panel.cancel') : text('panel.work-out');
-    if (running !== this.running) {
-      clearTimeout(this.appearing);
-      this.stop.hidden = true;
-      if (running) {
-        this.left = false;
-        this.appearing = window.setTimeout(() => (this.stop.hidden = false), LATE);
-      }
-    }
-    this.running = running;
-    if (!running) this.stop.hidden = !left;
   }
   /** @param {Found} found */
   verdict(found) {

@@ -28,7 +28,7 @@ const NUMBER = /^\d*\.?\d+(e[+-]?\d+)?$/i;
  * @param {(sentence: string) => void} complain
  * @returns {UnitField}
  */
-function unitField(label, { sign, many, times }, low, high, send, complain) {
+export function unitField(label, { sign, many, times }, low, high, send, complain) {
   const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 12 });
   input.autocomplete = 'off';
   input.ariaLabel = text('panel.field', { label, unit: many });

@@ -109,12 +109,13 @@ export const prefixed = (size) =>
   size >= 2e6 ? [1e-6, 'M'] : size >= 2e3 ? [1e-3, 'k'] : size < 0.5 && size > 0 ? [1e3, 'm'] : [1, ''];
 
 /**
- * The same for a unit: factor and name. Lengths [m] are small here.
+ * The same for a unit: factor and name. Most lengths [m] are small here.
  * @param {number} size
  * @param {string} unit
  * @returns {[factor: number, name: string]}
  */
 export function scaled(size, unit) {
+  if (unit === 'm' && size >= 1) return [1, 'm'];
   if (unit === 'm') return size > 3e-3 ? [1e3, 'mm'] : size > 3e-7 || size === 0 ? [1e6, 'µm'] : [1e9, 'nm'];
   const [factor, prefix] = PREFIXED.has(unit) ? prefixed(size) : [1, ''];
   return [factor, `${prefix}${unit}`];

@@ -105,6 +105,25 @@ def test_steel_that_yields_gives_back_more_the_slower_it_is_struck():
     json.dumps(found.table(), allow_nan=False)
 
 
+def test_a_dent_of_the_bounce_before_is_left_out_and_said():
+    assert [note.code for note in solvers.bounces(DROP, count=2).notes] == ["bounces-on-fresh-spots", "bounces-go-on"]
+    assert solvers.bounces(DROP, count=1).notes[0].code == "bounces-go-on"
+
+
+def test_a_duration_of_the_scene_cuts_no_bounce_short():
+    """Of a rod of the same mass, fixed at its end: e = 0.69888 (4.37), once the bodies have parted."""
+    rod = solvers.load("fixed-rod")
+    short = rod.replace({"method.duration": 0.2 * rod.time_unit})
+    assert solvers.solve(short).impactor_velocity > 0.0  # by then they still touch
+    found, whole = (solvers.bounces(scene, count=3) for scene in (short, rod))
+    assert found.bounces == whole.bounces
+    assert [bounce.restitution for bounce in found.bounces] == approx([0.6988755819961637] * 3, rel=1e-9)
+
+
+def test_one_impact_is_solved_whenever_it_is_cancelled():
+    assert len(solvers.bounces(BALL, cancelled=lambda: True).bounces) == 1
+
+
 def test_it_ends_where_a_contact_outlasts_the_flight():
     """A soft ball: by then its weight presses it in as far as it bounces."""
     soft = Scene.from_table(
@@ -134,7 +153,7 @@ def test_what_still_vibrates_is_left_out_and_said():
     assert [note.code for note in found.notes] == ["bounces-on-rest", "bounces-go-on"]
 
 
-@pytest.mark.parametrize("name", ["free-rod", "note-rod", "two-equal-rods", "pressure-bar"])
+@pytest.mark.parametrize("name", ["free-rod", "note-rod", "two-equal-rods", "pressure-bar", "slider-crank"])
 def test_what_does_not_bounce_is_refused(name):
     with pytest.raises(SceneError, match="strikes what is held"):
         solvers.bounces(solvers.load(name))

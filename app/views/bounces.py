@@ -1,0 +1,97 @@
+"""A dropped body that bounces to rest, for the page: every bounce, and its height over time."""
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+import param
+
+from solvers import METHODS, Bounces, bounces
+from solvers.accuracy.reference import exact_solution
+from solvers.bodies import Mechanism
+from solvers.bodies.drop import STANDARD_GRAVITY
+from solvers.methods.base import Method, SceneNotSupported, never
+from solvers.provenance import clock
+
+from ..choices.questions import Question
+from ..choices.request import Request
+from ..choices.scene_of import base_of
+from ..messages.beam import chosen_method
+from ..text.catalogues import page
+
+CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
+BUDGET_SECONDS = 8.0  # after which no other impact is begun
+FINE, INSTANTS = 20, (33, 9)  # flights that are drawn finely; instants of these, and of later ones
+QUESTIONS = {
+    "bounce_gravity": Question(
+        param.Number(default=STANDARD_GRAVITY, bounds=(0.01, 1e3), doc="under which it falls [m/s2]"), "gravity"
+    )
+}
+
+
+def one_body_falls(asked: dict[str, Any]) -> tuple | None:
+    """All that was asked, if what is struck is no mechanism, which would move on; else None."""
+    try:
+        target = base_of(asked["scene"], asked["bodies"]).target
+    except ValueError:  # which the visitor sees where it is solved
+        return None
+    return None if isinstance(target, Mechanism) else tuple(asked.items())
+
+
+def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
+    """The bounces as JSON: `chosen`, which is all that was asked, the table of `solvers.bounces`, `path_time` [s] and
+    `path_height` [m] of the flights, `stopped`: it was cancelled, or took too long; or `error`, a sentence.
+    """
+    answer: dict[str, Any] = {"chosen": asked}
+    latest = clock() + BUDGET_SECONDS
+    stopped = False
+
+    def enough() -> bool:
+        nonlocal stopped
+        stopped = cancelled() or clock() > latest
+        return stopped
+
+    try:
+        request = Request.of(asked)
+        found = bounces(request.scene, method_of(request), CUT, MOST, asked["bounce_gravity"], enough)
+        time, height = flights(found)
+        answer |= {name: getattr(found, name) for name in ("height", "gravity", "cut", "ended", "rest_time", "path")}
+        answer |= {"bounces": [asdict(bounce) for bounce in found.bounces], "stopped": stopped}
+        answer |= {"path_time": _listed(time), "path_height": _listed(height)}
+        answer |= {"method": found.method["name"], "notes": [note.table() for note in found.notes]}
+    except ValueError as refusal:  # SceneError
+        held = isinstance(refusal, SceneNotSupported) and refusal.key == "target.kind"
+        answer["error"] = page().text("bounces.refused") if held else str(refusal)
+    return json.dumps(answer, allow_nan=False)
+
+
+def method_of(request: Request) -> Method:
+    """By which the page shows the impact: the exact one on an axis, the chosen one of a beam."""
+    if request.kind == "beam":
+        return chosen_method(request)[0].without_estimate()
+    options = dict(exact_solution(request.scene, request.restitution).method)
+    return METHODS[options.pop("name")].read(options).without_estimate()
+
+
+def flights(found: Bounces) -> tuple[np.ndarray, np.ndarray]:
+    """Times since the release [s] and heights [m], parabola by parabola, at nought while it touches and after rest."""
+    fall = np.linspace(0.0, found.bounces[0].time, INSTANTS[0])
+    times, heights = [fall], [found.height - 0.5 * found.gravity * fall**2]
+    heights[0][-1] = 0.0  # to rounding
+    for number, bounce in enumerate(found.bounces):
+        if bounce.rebound <= 0.0:
+            break
+        shares = np.linspace(0.0, 1.0, INSTANTS[number >= FINE])
+        begin = bounce.time + (bounce.contact_time or 0.0)
+        times.append(begin + 2.0 * bounce.rebound / found.gravity * shares)
+        heights.append(4.0 * bounce.height * shares * (1.0 - shares))
+    if found.rest_time is not None and found.rest_time > times[-1][-1]:
+        times.append(np.array([found.rest_time]))
+        heights.append(np.zeros(1))
+    return np.concatenate(times), np.concatenate(heights)
+
+
+def _listed(values: np.ndarray) -> list[float]:
+    return [float(f"{value:.6g}") for value in values.tolist()]

@@ -1,0 +1,39 @@
+"""Bounces on the page: drawn, followed by sliders, dropped from another height, under other gravity, and linked."""
+
+from playwright.sync_api import expect
+from pytest import approx
+
+from .test_page import settled
+
+PANEL = "strikewave.page.analyses.bounces"
+FRESH = f"() => {PANEL}.answer && {PANEL}.root.ariaBusy === 'false'"
+
+
+def test_a_ball_is_dropped_from_any_height_under_any_gravity(open_page):
+    page = open_page("?scene=bouncing-ball&panel=bounces&gravity=1.62")
+    page.wait(FRESH)
+    expect(page.tab.get_by_text("infinitely many bounces in a finite time")).to_be_visible()
+    expect(page.tab.get_by_label("Gravity, in metres per second squared")).to_have_value("1.62")
+    assert page.evaluate(f"() => {PANEL}.answer.height") == approx(9.80665 / 1.62)
+    page.evaluate("() => strikewave.page.model.bounce_gravity = 9.81")
+    page.wait(f"() => {PANEL}.answer.gravity === 9.81 && {PANEL}.root.ariaBusy === 'false'")
+    height = page.tab.get_by_label("Drop height, in metres")
+    page.answered(lambda: (height.fill("2"), height.press("Enter")))
+    page.wait(FRESH)
+    assert page.header("chosen")["speed"] == approx((2 * 9.81 * 2) ** 0.5)
+    assert page.evaluate(f"() => {PANEL}.answer.height") == approx(2.0)
+    rows = page.tab.locator(".bounces table.methods tbody tr")
+    expect(rows.first).to_contain_text("64")  # % of the energy, after a restitution of 0.8
+    assert rows.count() == 13 and "gravity=9.81" in page.evaluate("() => location.search")
+    settled(page)
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("free-rod"))
+    expect(page.tab.get_by_text("Only a mass that strikes what is held bounces")).to_be_visible()
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("slider-crank"))
+    expect(page.tab.get_by_role("button", name="Bounces", exact=True)).to_be_hidden()
+
+
+def test_bounces_fit_on_a_phone(open_page):
+    page = open_page("?scene=drop-test&panel=bounces", size=(390, 844))
+    page.wait(FRESH)
+    page.fits(390)
+    expect(page.tab.get_by_role("heading", name="Height over time")).to_be_visible()
