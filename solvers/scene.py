@@ -189,6 +189,11 @@ class Scene:
         return self if mechanism is self.target else replace(self, target=mechanism)
 
     @property
+    def refined(self) -> "Scene":
+        """The scene with more modes of each link of a mechanism, by which the error of fewer is measured."""
+        return replace(self, target=self.target.known_as(Mechanism).refined, given={})
+
+    @property
     def at_contact(self) -> "Scene":
         """The impact alone: of a mechanism, seen from its struck point; else the scene itself."""
         if not isinstance(self.target, Mechanism):

@@ -47,6 +47,7 @@ class Auto(Method):
     cancelled: Callable[[], bool] = field(default=never, repr=False)  # asked between two solves: enough of it?
 
     NAME = "auto"
+    MOVES = True  # what it chooses sees a mechanism as it needs
 
     @property
     def allowed_error(self) -> float | None:

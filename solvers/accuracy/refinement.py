@@ -3,10 +3,12 @@
 from dataclasses import dataclass, fields
 from typing import Any
 
+from ..bodies import Mechanism
 from ..methods import METHODS
 from ..methods.base import Method
 from ..scene import Scene
-from ..text.notes import Note, Severity
+from ..solution.solution import Solution
+from ..text.notes import Note
 from ..validation import SceneError
 
 LEVELS: dict[str, tuple[float, ...]] = {  # values of each resolution, coarse to fine
@@ -16,6 +18,7 @@ LEVELS: dict[str, tuple[float, ...]] = {  # values of each resolution, coarse to
     "tolerance": (1e-2, 1e-3, 1e-5, 1e-7, 1e-9),
 }
 SPATIAL = ("modes", "elements")  # no resolutions where no body rings
+LINK_MODES = (1, 2, 3, 5, 8, 12, 20, 30, 45, 60)  # of each link of a mechanism: an impact moves but the lowest
 VARIANTS: dict[str, tuple[dict[str, Any], ...]] = {  # of a method, each with a ladder of its own; else the usual one
     "fe-nodal": ({}, {"scheme": "central-difference"}),
     "balance": ({"restitution": 0.0}, {}),
@@ -31,6 +34,13 @@ class Ladder:
 
     resolution: str | Any  # None: nothing makes it finer
     levels: tuple[Method, ...]
+    refined: Scene | None = None  # of a mechanism with more modes, for levels that have more than the scene
+
+    def solve(self, level: int, scene: Scene, duration: float | None = None) -> Solution:
+        """One level; where it has more modes than the links of the scene, of links that have as many."""
+        if self.refined is not None and self.size(level) > scene.target.known_as(Mechanism).most_modes:
+            scene = self.refined
+        return self.levels[level].solve(scene, duration)
 
     @property
     def name(self) -> str:
@@ -58,17 +68,23 @@ class Ladder:
 
 
 def ladders(scene: Scene) -> list[Ladder]:
-    """One for each method and variant that can solve the scene, closed forms first; empty if none can, or if the target
-    itself says how many modes it has, so that no method can be refined."""
+    """One for each method and variant that can solve the scene, closed forms first; empty if none can."""
     found: list[Ladder] = []
-    if scene.target.own_modes:
-        return found
     for name, method in METHODS.items():
-        for options in VARIANTS.get(name, ({},)):
+        for options in _variants(name, scene):
             if "restitution" in options and not _rings(scene) and not scene.rigid_contact:
                 continue  # bodies that neither ring nor bounce would stay together, which no contact law has them do
             found += _of(method.read(options), scene)
     return sorted(found, key=lambda ladder: len(ladder.levels))
+
+
+def _variants(name: str, scene: Scene) -> tuple[dict[str, Any], ...]:
+    """Options of a method, each with a ladder of its own; where nothing gives way, the restitution that is given."""
+    given = scene.method.get("restitution")
+    gives_way = _rings(scene) or not scene.rigid_contact or scene.target.half_swing is not None
+    if given is None or gives_way or name not in ("balance", "rigid"):
+        return VARIANTS.get(name, ({},))
+    return ({"restitution": given},)
 
 
 def ranked(found: list[Ladder]) -> list[Ladder]:
@@ -79,8 +95,7 @@ def ranked(found: list[Ladder]) -> list[Ladder]:
 
 def refusals(scene: Scene) -> dict[str, Note]:
     """Why the methods that cannot solve the scene cannot: a note for each."""
-    fixed = Note("refusals.own-modes", Severity.REFUSAL) if scene.target.own_modes else None
-    given = {name: method.read({}).refusal(scene) or fixed for name, method in METHODS.items()}
+    given = {name: method.read({}).refusal(scene) for name, method in METHODS.items()}
     able = {ladder.levels[0].NAME for ladder in ladders(scene)}
     return {name: reason for name, reason in given.items() if reason is not None and name not in able}
 
@@ -90,6 +105,10 @@ def _of(method: Method, scene: Scene) -> list[Ladder]:
     for resolution in method.RESOLUTIONS:
         if resolution in SPATIAL and not _rings(scene):
             continue
+        if isinstance(scene.target, Mechanism) and resolution in SPATIAL:
+            if resolution == "modes" and method.refusal(scene) is None:
+                return [_of_links(method, scene)]
+            continue
         levels = [_allowed(method, resolution, size) for size in LEVELS[resolution]]
         kept = tuple(level for level in levels if level is not None and level.refusal(scene) is None)
         if kept:
@@ -97,6 +116,15 @@ def _of(method: Method, scene: Scene) -> list[Ladder]:
             closed = [Ladder(None, (method,))] if exact and method.refusal(scene) is None else []
             return [*closed, Ladder(resolution, kept)]
     return [Ladder(None, (method,))] if method.refusal(scene) is None else []
+
+
+def _of_links(method: Method, scene: Scene) -> Ladder:
+    """By the modes of each link, up to more than the links of the scene have."""
+    refined = scene.refined
+    own, most = (each.target.known_as(Mechanism).most_modes for each in (scene, refined))
+    sizes = sorted({own, *(size for size in LINK_MODES if size <= most)})
+    levels = (_allowed(method, "modes", size) for size in sizes)
+    return Ladder("modes", tuple(level for level in levels if level is not None), refined)
 
 
 def _rings(scene: Scene) -> bool:

@@ -280,7 +280,7 @@ class Search:
             if known.ladder is ladder and known.level == level:
                 return known
         begun = clock()
-        solution = ladder.levels[level].solve(self.scene, self._duration)
+        solution = ladder.solve(level, self.scene, self._duration)
         reference = Reference.of(solution, self.goal.quantity in HISTORIES)
         self.trials.append(Trial(ladder, level, solution, reference, clock() - begun))
         return self.trials[-1]

@@ -8,7 +8,8 @@ from statistics import median
 from typing import Any
 
 from .. import validation
-from ..methods.base import Method, SceneNotSupported, no_method
+from ..bodies import Mechanism
+from ..methods.base import SceneNotSupported, no_method
 from ..provenance import machine, version
 from ..scene import Scene
 from ..solution.solution import Solution
@@ -118,7 +119,7 @@ class Survey:
         converging = [ladder for ladder in best if ladder.converges]
         if converging:
             return "converged", converging[0]
-        self._reference = Reference.of(best[0].levels[0].solve(self.scene))
+        self._reference = Reference.of(best[0].solve(0, self.scene))
         return "closed form", None
 
     def points(self, cancel: Callable[[], bool] | None) -> Iterator[None]:
@@ -159,16 +160,15 @@ class Survey:
 
     def _solve(self, ladder: Ladder, level: int) -> bool:
         """Solve and time one level; whether a finer one may differ from it."""
-        method = ladder.levels[level]
         begun = time.perf_counter()
         try:
-            solution = method.solve(self.scene)
+            solution = ladder.solve(level, self.scene)
         except SceneError as refusal:
-            self._remark("refused-point", method=label(method.table()), refusal=str(refusal))
+            self._remark("refused-point", method=label(ladder.levels[level].table()), refusal=str(refusal))
             return False
         first = time.perf_counter() - begun
         coarser = [point for point in self._solved if point.ladder is ladder]
-        times = self._timed(method, [first] if coarser else [])  # what a coarser one needed is compiled
+        times = self._timed(ladder, level, [first] if coarser else [])  # what a coarser one needed is compiled
         self._compiling += max(0.0, first - 2.0 * median(times))
         metrics = Metrics.of(solution)
         if coarser and metrics.same(coarser[-1].metrics):
@@ -185,11 +185,11 @@ class Survey:
     def _remark(self, code: str, **values: Any) -> None:
         self._remarks.append(Note(code, Severity.REMARK, **values))
 
-    def _timed(self, method: Method, times: list[float]) -> list[float]:
+    def _timed(self, ladder: Ladder, level: int, times: list[float]) -> list[float]:
         """Wall times of warm solves; but one if it is long."""
         while len(times) < REPEATS and (sum(times) < TIMED or not times):
             begun = time.perf_counter()
-            method.solve(self.scene)
+            ladder.solve(level, self.scene)
             times.append(time.perf_counter() - begun)
         return times
 
@@ -215,7 +215,7 @@ class Survey:
             own = [self._point(solved) for solved in self._solved if solved.ladder is ladder]
             shown = own[:-1] if ladder is self._main and len(own) > 1 else own  # its finest is the reference itself
             points += shown
-            remarks += _stagnant(ladder, shown)
+            remarks += _stagnant(ladder, shown) + _refined(ladder, shown, self.scene)
         return TradeOff(
             scene=self.scene.table(),
             quantities=dict(QUANTITIES),
@@ -317,3 +317,10 @@ def _stagnant(ladder: Ladder, points: list[Point]) -> list[Note]:
                 )
             )
     return found
+
+
+def _refined(ladder: Ladder, points: list[Point], scene: Scene) -> list[Note]:
+    """Points of links with more modes than the scene gives them."""
+    own = ladder.refined and scene.target.known_as(Mechanism).most_modes
+    finer = own and any(point.size and point.size > own for point in points)
+    return [Note("links-refined", Severity.REMARK, modes=own)] if finer else []

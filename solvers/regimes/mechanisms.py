@@ -10,25 +10,19 @@ from .candidate import Candidate
 from .models import errors, figures
 
 COUNTS = (1, 2, 3, 5, 8, 12, 20, 40)  # modes of each link that bends
-LEAST_REFERENCE, MOST_REFERENCE = 20, 60  # and of the answer by which errors are measured
 STRESSES = 3  # number of that question
 
 
 def mechanism_candidates(scene: Scene, question: int) -> tuple[list[Candidate], int]:
     """Models from the smallest up, with the error of each in the answer to a question, and the modes of the reference.
 
-    The reference has twice as many modes of each link as the scene gives it.
+    The reference is `scene.refined`.
     """
-    mechanism = scene.target.known_as(Mechanism)
-    finest = min(max(2 * mechanism.most_modes, LEAST_REFERENCE), MOST_REFERENCE)
-    links = tuple(
-        link if link.nodes else replace(link, modes=finest * bool(link.modes), axial=finest * bool(link.axial))
-        for link in mechanism.links  # a mesh has no more modes than it is given
-    )
-    fine = replace(scene, target=replace(mechanism, links=links))
+    fine = scene.refined
+    finest = fine.target.known_as(Mechanism).most_modes
     true = figures(Modal(modes=finest, estimate=False).solve(fine), question == STRESSES)
     found: list[Candidate] = []
-    for name, table, modes in _models(scene, mechanism.most_modes):
+    for name, table, modes in _models(scene, scene.target.known_as(Mechanism).most_modes):
         method = METHODS[table["name"]].read({key: value for key, value in table.items() if key != "name"})
         missed = errors(figures(method.without_estimate().solve(scene), question == STRESSES), true)
         found.append(Candidate(name, {"method": table}, float(missed[question]), modes=modes))

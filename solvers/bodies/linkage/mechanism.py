@@ -22,6 +22,7 @@ from .struck import StruckMechanism
 MOST_LINKS = 50
 STRONGEST_GRAVITY = 1e6  # m/s2
 NO_GRAVITY = (0.0, 0.0)
+LEAST_FINE, MOST_FINE = 20, 60  # modes of a link, by which the error of fewer is measured
 
 
 @dataclass(frozen=True)
@@ -156,8 +157,25 @@ class Mechanism(AnyBody):
         """With so many modes of bending, and as many of stretching, of each link, where it has more."""
         if self.most_modes <= most:
             return self
-        fewer = (replace(link, modes=min(link.modes, most), axial=min(link.axial, most)) for link in self.links)
-        return replace(self, links=tuple(fewer))
+        if most not in self._coarser:
+            fewer = (replace(link, modes=min(link.modes, most), axial=min(link.axial, most)) for link in self.links)
+            self._coarser[most] = replace(self, links=tuple(fewer))
+        return self._coarser[most]
+
+    @cached_property
+    def _coarser(self) -> dict[int, "Mechanism"]:
+        """With fewer modes, by their number: what is worked out of it once serves every solve."""
+        return {}
+
+    @cached_property
+    def refined(self) -> "Mechanism":
+        """With twice as many modes of each link that has any, at least LEAST_FINE; a mesh has no more than it has."""
+        most = max(min(max(2 * self.most_modes, LEAST_FINE), MOST_FINE), self.most_modes)
+        links = (
+            link if link.nodes else replace(link, modes=most * bool(link.modes), axial=most * bool(link.axial))
+            for link in self.links
+        )
+        return replace(self, links=tuple(links))
 
     @property
     def flexible(self) -> bool:
