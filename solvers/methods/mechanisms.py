@@ -12,8 +12,10 @@ from ..solution.motion import Balances, KnowsModes, Motion, MovesFace, ResolvesF
 from ..solution.solution import Later, Solution
 from ..text.notes import Note, Severity
 
-# Share by which velocities along the normal are off as the configuration turns; with more the figures are uncertain.
-MAX_TURNING_ERROR = 0.01
+# Share by which velocities along the normal are off as the configuration turns, or for springs that are left out; with
+# more the figures are uncertain.
+MAX_LEFT_OUT = 0.01
+SPRING_INSTANTS = 400  # of an impact, at which springs are looked at: their impulse to second order, 1e-5
 NODE_DISTANCE = 1e-6  # of the length: so near to a node a link is struck on it
 
 
@@ -325,6 +327,28 @@ def in_laboratory(solution: Solution, scene: Scene) -> Solution:
 
 
 def _notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
+    """What is left out, and by how much velocities are off for it."""
+    return _turning_notes(solution, motion) + _spring_notes(solution, motion)
+
+
+def _spring_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
+    """What springs would have given: of first order in their stiffness, by the motion without them. After a contact of a
+    linear law that is (1/4 - 1/pi^2) (w t)^2 of the speed at which the struck point leaves, w being the frequency on the
+    springs; with them the point leaves some tenth less off."""
+    frozen, springs = motion.frozen, motion.mechanism.springs
+    lasts = solution.contacts[-1].end if solution.contacts else 0.0
+    if not springs or not lasts or np.isinf(frozen.rigid_mass):
+        return []
+    instants = np.linspace(0.0, lasts, SPRING_INSTANTS)
+    rows = np.array([frozen.system.opening(spring.joint) for spring in springs])
+    stretch = np.trapezoid(motion.coordinates(instants) @ rows.T, instants, axis=0)
+    pulls = np.array([spring.stiffness for spring in springs]) * stretch
+    error = abs(float(pulls @ rows @ frozen.whole)) / frozen.rigid_mass / solution.scene.speed
+    grave = Severity.REMARK if error <= MAX_LEFT_OUT else Severity.WARNING
+    return [Note("springs-left-out", grave, springs=len(springs), error=100.0 * error)]
+
+
+def _turning_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
     """By how much the configuration turns meanwhile."""
     lasts = solution.contacts[-1].end - solution.contacts[0].start if solution.contacts else 0.0
     spins = {name: abs(motion.frozen.system.spin(i, motion.frozen.rates)) for i, name in enumerate(motion.names)}
@@ -332,6 +356,6 @@ def _notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
     angle = spins[fastest] * lasts
     if not angle:
         return []
-    grave = Severity.REMARK if 0.5 * angle**2 <= MAX_TURNING_ERROR else Severity.WARNING
+    grave = Severity.REMARK if 0.5 * angle**2 <= MAX_LEFT_OUT else Severity.WARNING
     values = {"link": fastest, "angle": float(np.degrees(angle)), "error": 50.0 * angle**2}
     return [Note("configuration-frozen", grave, **values)]

@@ -201,13 +201,17 @@ class System:
                 found.append((turned, number, np.eye(3)[2]))
         for drive in self.drives:
             joint = self.joints[drive.joint]
-            if joint.kind == PRISMATIC:
-                apart = self.point(joint.second, joint.at) - self.point(joint.first, joint.at)
-                found.append((joint.axis @ apart, drive.joint, np.append(joint.axis, 0.0)))
-            else:
-                turned = self.turn(joint.second, joint.at) - self.turn(joint.first, joint.at)
-                found.append((turned, drive.joint, np.eye(3)[2]))
+            effect = np.append(joint.axis, 0.0) if joint.kind == PRISMATIC else np.eye(3)[2]
+            found.append((self.opening(drive.joint), drive.joint, effect))
         return found
+
+    def opening(self, number: int) -> np.ndarray:
+        """Rate at which a joint that can move does so, of its second link against the first, per unit of each rate:
+        angular velocity, or along a prismatic axis, (size,)."""
+        joint = self.joints[number]
+        if joint.kind == PRISMATIC:
+            return joint.axis @ (self.point(joint.second, joint.at) - self.point(joint.first, joint.at))
+        return self.turn(joint.second, joint.at) - self.turn(joint.first, joint.at)
 
     @cached_property
     def jacobian(self) -> np.ndarray:

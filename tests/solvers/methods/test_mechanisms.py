@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from pytest import approx
+from scipy.integrate import solve_ivp
 
 import solvers
 from solvers import METHODS, Balance, Modal, QuasiStatic, RigidImpulse, Scene, SceneError
@@ -307,6 +308,63 @@ def test_whatever_strikes_it_energy_and_momentum_are_kept(impactor):
         found = method.solve(Scene.from_table(tables))
         assert abs(found.diagnostics["energy_error"]) < 1e-10
         assert abs(found.diagnostics["momentum_error"]) < 1e-11
+
+
+def on_spring(swings: float, kind: str) -> tuple[Scene, float, float]:
+    """A bar that a mass strikes by a linear law, joined to the ground by a spring on which it swings by so many radians
+    [rad] in the time of contact; what is felt of it where it is struck [kg], and the stiffness there [N/m]."""
+    bar = {"name": "bar", "from": [0.0, 0.0], "to": [0.6, 0.0], "mass": 1.5}
+    felt, arm = (1.5 * 0.36 / 3.0 / 0.16, 0.4) if kind == "revolute" else (1.5, 1.0)
+    lasts = np.pi * np.sqrt(1.0 / (1.0 / 0.5 + 1.0 / felt) / 1e6)
+    stiffness = felt * (swings / lasts) ** 2
+    joint = {"kind": kind, "links": ["ground", "bar"], "at": [0.0, 0.0]}
+    target = {
+        "kind": "mechanism",
+        "links": [bar],
+        "joints": [joint | ({"axis": [0.0, 1.0]} if kind == "prismatic" else {})],
+        "springs": [{"joint": 0, "stiffness": stiffness * arm**2}],
+        "struck": {"link": "bar", "at": 0.4 / 0.6, "normal": [0.0, 1.0]},
+    }
+    given = {
+        "impactor": {"mass": 0.5, "velocity": 2.0},
+        "target": target,
+        "contact": {"law": "linear", "stiffness": 1e6},
+    }
+    return Scene.from_table(given), felt, stiffness
+
+
+@pytest.mark.parametrize("kind", ["revolute", "prismatic"])
+def test_what_springs_would_change_is_said_and_is_as_much(kind):
+    """Against both bodies with the spring, integrated: the velocity of the struck point is off by what the note says,
+    to first order in the stiffness, which goes with (w t)^2; the contact makes a tenth of it good."""
+    said, found = [], []
+    for swings in (0.05, 0.1, 0.2):
+        scene, felt, stiffness = on_spring(swings, kind)
+        solution = Modal(estimate=False).solve(scene)
+        (note,) = [note for note in solution.notes if note.code == "springs-left-out"]
+        end = solution.contacts[-1].end
+
+        def rates(_, state, felt=felt, stiffness=stiffness):
+            x, y, v, w = state
+            push = 1e6 * max(x - y, 0.0)
+            return [v, w, -push / 0.5, (push - stiffness * y) / felt]
+
+        state = solve_ivp(rates, (0.0, end), [0.0, 0.0, 2.0, 0.0], rtol=1e-11, atol=1e-14).y[:, -1]
+        struck = float(solution.motion.end_velocity(np.array([end]))[0])
+        said.append(note.values["error"] / 100.0)
+        found.append((struck - state[3]) / scene.speed)
+        assert note.severity == ("remark" if said[-1] <= 0.01 else "warning")
+        assert said[-1] == approx((0.25 - 1.0 / np.pi**2) * swings**2 * struck / scene.speed, rel=1e-3)
+    assert np.diff(np.log2(said)) == approx([2.0, 2.0], abs=0.01)
+    assert np.all(np.array(found) < said) and found == approx(said, rel=0.12)
+
+
+def test_springs_that_are_held_or_not_there_are_no_note():
+    scene = on_spring(0.1, "revolute")[0]
+    for changes in ({"target.springs": []}, {"target.drives": [{"joint": 0, "speed": 0.0}]}):
+        found = Modal(estimate=False).solve(scene.replace(changes))
+        assert not [note for note in found.notes if note.code == "springs-left-out"]
+    assert not [note for note in RigidImpulse().solve(scene).notes if note.code == "springs-left-out"]
 
 
 def test_what_is_drawn_away_before_any_force_acts_is_refused():
