@@ -332,9 +332,11 @@ def _notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
 
 
 def _spring_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
-    """What springs would have given: of first order in their stiffness, by the motion without them. After a contact of a
-    linear law that is (1/4 - 1/pi^2) (w t)^2 of the speed at which the struck point leaves, w being the frequency on the
-    springs; with them the point leaves some tenth less off."""
+    """What springs would have given: of first order in their stiffness, by the motion without them.
+
+    After a contact of a linear law (1/4 - 1/pi^2) (w t)^2 of the speed at which the struck point leaves, w being the
+    frequency on the springs; with them it leaves some tenth less off.
+    """
     frozen, springs = motion.frozen, motion.mechanism.springs
     lasts = solution.contacts[-1].end if solution.contacts else 0.0
     if not springs or not lasts or np.isinf(frozen.rigid_mass):
