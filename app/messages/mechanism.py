@@ -43,10 +43,11 @@ def mechanism_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, Any]
     if motion.mechanism.joints:
         fine = instants(solution.duration, REACTIONS)
         arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
-    return {"mechanism": _described(motion.mechanism)}, arrays
+    return {"mechanism": described(motion.mechanism)}, arrays
 
 
-def _described(mechanism: Mechanism) -> dict[str, Any]:
+def described(mechanism: Mechanism) -> dict[str, Any]:
+    """Links, joints and where it is struck, as the browser draws them."""
     driven = {drive.joint for drive in mechanism.drives}
     names = [link.name for link in mechanism.links]
     return {
@@ -107,7 +108,13 @@ def rigid_answer(solution: Solution) -> Solution | None:
     mechanism = mechanism_of(solution.scene)
     if mechanism is None or not mechanism.flexible:
         return None
-    links = tuple(replace(link, modes=0, axial=0) for link in mechanism.links)
-    scene = replace(solution.scene, target=replace(mechanism, links=links))
+    scene = with_rigid_links(solution.scene)
     method = Modal(estimate=False) if not scene.rigid_contact else RigidImpulse()
     return method.solve(scene, solution.duration)
+
+
+def with_rigid_links(scene: Scene) -> Scene:
+    """The scene with a mechanism of which no link bends."""
+    mechanism = scene.target.known_as(Mechanism)
+    links = tuple(replace(link, modes=0, axial=0) for link in mechanism.links)
+    return replace(scene, target=replace(mechanism, links=links))

@@ -11,6 +11,7 @@ import { Controls } from './shell/controls.js';
 import { make } from './shell/dom.js';
 import { First } from './shell/first.js';
 import { History } from './shell/history.js';
+import { hasUndo, taken } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
 import { decode } from './shell/message.js';
@@ -35,18 +36,14 @@ const SHEETS = [
   'compare/compare.css',
   'space/stage.css',
   'beam/beam.css',
-  ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
+  ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust', 'motion'].map(
+    (name) => `panels/${name}.css`,
+  ),
 ];
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
 const LONG_CAPTION = 130; // letters, beyond which it is written smaller
 const TOAST = 8000; // ms for which a complaint is shown
-const TAKE_LETTERS = ['INPUT', 'SELECT', 'TEXTAREA']; // what keys mean something else in
-const HAVE_UNDO = ['INPUT', 'TEXTAREA']; // of their own
-const TAKE_SPACE = [...TAKE_LETTERS, 'BUTTON', 'SUMMARY'];
-
-/** @param {Element | undefined} element */
-const isRange = (element) => element?.getAttribute('type') === 'range';
 
 export class Page {
   /** @type {Frame} */ frame; // that is shown
@@ -184,14 +181,12 @@ export class Page {
       });
     watchScrolling(this.root);
     const key = (/** @type {KeyboardEvent} */ event) => {
-      const from = /** @type {Element | undefined} */ (event.composedPath()[0]);
-      const tag = from?.tagName ?? '';
       if (event.altKey || event.defaultPrevented) return;
       if (event.ctrlKey || event.metaKey) {
-        if (!HAVE_UNDO.includes(tag) || isRange(from)) if (this.history.key(event)) event.preventDefault();
+        if (!hasUndo(event) && this.history.key(event)) event.preventDefault();
         return;
       }
-      if (event.key === ' ' ? TAKE_SPACE.includes(tag) : TAKE_LETTERS.includes(tag) && !isRange(from)) return;
+      if (taken(event)) return;
       if (this.player.key(event) || this.compare.key(event)) event.preventDefault();
     };
     document.addEventListener('keydown', key);

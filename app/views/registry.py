@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from ..choices.questions import Question
-from . import bounces, plan, stability, tolerance
+from . import bounces, motion, plan, stability, tolerance
 from .energy import energy_data, energy_figure
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
@@ -110,6 +110,8 @@ VIEWS = (  # in the order in which an address names them
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
          depends_on=bounces.one_body_falls, rests=True, stoppable=True, scene="bouncing-ball"),
+    View("motion", motion.motion_data, asked=motion.QUESTIONS, kinds=BEAMS, depends_on=motion.of_mechanisms, rests=True,
+         scene="slider-crank"),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [

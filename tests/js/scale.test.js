@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import {
   averaged,
   between,
+  boxOf,
   decades,
   even,
   extremes,
@@ -17,6 +18,10 @@ import {
 
 const near = (found, expected, error = 1e-12) =>
   assert.ok(Math.abs(found - expected) <= error, `${found} is not ${expected}`);
+
+test('a box holds all places', () => {
+  assert.deepEqual(boxOf([1, 5, -2, 7, 0, 6]), [-2, 1, 5, 7]);
+});
 
 test('ticks are round, within the range, and as many as fit', () => {
   assert.deepEqual(ticks(0, 1, 5), { found: [0, 0.2, 0.4, 0.6000000000000001, 0.8, 1], digits: 1 });

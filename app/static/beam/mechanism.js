@@ -1,6 +1,6 @@
 // A struck mechanism on the stage: links that move and bend, their joints, and what the joints bear.
 import { letters } from '../charts/canvas.js';
-import { roundBelow } from '../charts/scale.js';
+import { boxOf, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
@@ -11,6 +11,11 @@ import { figures, prefixed } from '../text/format.js';
 
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {[x: number, y: number]} Point */
+/**
+ * What is drawn of a message: where links are at first, how they move, and what their joints bear.
+ * @typedef {Pick<BeamFrame, 'impactor' | 'linkMoves' | 'linkPoints' | 'linkTime' | 'mechanism' | 'reactions'
+ *   | 'reactionTime' | 'shapes'> & { main: Partial<Pick<BeamFrame['main'], 'joints'>> }} Linkage
+ */
 
 const SHOWN_MOVE = 0.12; // of the mechanism, that the largest movement is drawn as
 const ROOM = 46; // pixels about the mechanism, at most
@@ -18,6 +23,7 @@ const SHARE_OF_ROOM = 0.2; // of the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
 const PIN = 4.5; // pixels
+const LINE = 12; // of words
 const GROUND = 'ground';
 
 export class Mechanism {
@@ -30,7 +36,7 @@ export class Mechanism {
   /** @type {Drawn | null} */ held = null; // where the striker is
 
   /**
-   * @param {BeamFrame} frame
+   * @param {Linkage} frame
    * @param {number} reach  of the impactor while it touches [m]
    */
   constructor(frame, reach) {
@@ -41,8 +47,7 @@ export class Mechanism {
     this.moves = given(frame.linkMoves, 'linkMoves');
     this.times = given(frame.linkTime, 'linkTime');
     this.places = frame.shapes.linkPoints[1];
-    const [x, y] = [0, 1].map((k) => Array.from(this.points).filter((_, i) => i % 2 === k));
-    this.box = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)];
+    this.box = boxOf(this.points);
     this.size = Math.max(this.box[1] - this.box[0], this.box[3] - this.box[2]);
     let most = reach;
     for (const move of this.moves) most = Math.max(most, Math.abs(move));
@@ -56,6 +61,14 @@ export class Mechanism {
   /** @param {number} reach  the largest movement that is to be drawn [m] */
   magnify(reach) {
     this.factor = Math.max(roundBelow((SHOWN_MOVE * this.size) / reach), 1);
+  }
+  /**
+   * Draw all movement as large as it is, and all of the places in the picture.
+   * @param {ArrayLike<number>} places  x and y in turn [m]
+   */
+  roam(places) {
+    this.factor = 1;
+    this.box = boxOf(places);
   }
   /**
    * @param {number} width
@@ -126,15 +139,23 @@ export class Mechanism {
    * @param {boolean} touching
    */
   striker(c, moved, touching) {
-    const { impactor } = this.frame;
-    const [wx, wy] = this.way;
-    const size = Math.min(Math.max(36 * (impactor.mass / this.told.mass) ** (1 / 6), 18), 48);
     const [nx, ny] = this.told.normal;
+    const [x, y] = this.told.contact;
+    this.striking(c, [x + this.factor * moved * nx, y + this.factor * moved * ny], [nx, ny], touching);
+  }
+  /**
+   * The same anywhere, beside the link that it strikes.
+   * @param {Context} c
+   * @param {Point} place  of the mass, which is a point on the middle line of the link as it strikes [m]
+   * @param {Point} normal  into the link
+   * @param {boolean} touching
+   */
+  striking(c, place, [nx, ny], touching) {
+    const { impactor } = this.frame;
+    const [wx, wy] = [nx, -ny];
+    const size = Math.min(Math.max(36 * (impactor.mass / this.told.mass) ** (1 / 6), 18), 48);
     const aside = 0.5 * this.thick(this.told.struck) + 1;
-    const [x, y] = this.pixel(
-      this.told.contact[0] + this.factor * moved * nx,
-      this.told.contact[1] + this.factor * moved * ny,
-    );
+    const [x, y] = this.pixel(...place);
     const [a, b] = [x - (aside + size / 2) * wx, y - (aside + size / 2) * wy];
     c.save();
     c.translate(a, b);
@@ -149,7 +170,7 @@ export class Mechanism {
       c.fillRect(size / 2 - 1.5, -size / 2 - 4, 3, size + 8);
     }
     c.restore();
-    this.held = { x: a, y: b, width: size, height: size, way: this.way, sized: true };
+    this.held = { x: a, y: b, width: size, height: size, way: [wx, wy], sized: true };
   }
   /** @param {number} n */
   thick(n) {
@@ -318,14 +339,21 @@ export class Mechanism {
     c.fillStyle = COLORS.faint;
     c.textBaseline = 'bottom';
     c.textAlign = 'center';
+    /** @type {[x: number, y: number, half: number][]} */
+    const written = [];
     this.told.links.forEach(({ name }, n) => {
       const [a, b] = this.along(n, n === this.told.struck ? 0.28 : 0.5);
       const [[fx, fy], [lx, ly]] = [this.placed[n][0], this.placed[n][this.places - 1]];
       const length = Math.hypot(lx - fx, ly - fy) || 1;
-      const aside = 0.5 * this.thick(n) + 12;
-      const [dx, dy] = [(-(ly - fy) / length) * aside, ((lx - fx) / length) * aside];
+      const half = 0.5 * c.measureText(name).width;
+      const [ax, ay] = [-(ly - fy) / length, (lx - fx) / length];
+      const aside = 0.5 * this.thick(n) + 12 + Math.max(half - 6, 0) * Math.abs(ax);
+      const [dx, dy] = [ax * aside, ay * aside];
       const away = dx * this.way[0] + dy * this.way[1] < 0 ? -1 : 1; // the striker comes from the other side
-      c.fillText(name, a + away * dx, b + away * dy + 6);
+      const [x1, y1] = [a + away * dx, b + away * dy + 6];
+      if (written.some(([x2, y2, other]) => Math.abs(x1 - x2) < half + other && Math.abs(y1 - y2) < LINE)) return;
+      written.push([x1, y1, half]);
+      c.fillText(name, x1, y1);
     });
     if (!this.largest) return;
     const [factor, prefix] = prefixed(this.largest);

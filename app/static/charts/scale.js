@@ -199,3 +199,17 @@ export function rangeOf(series, view, { zoomed, zero = false, pad }) {
   }
   return [low - pad[0] * (high - low), high + pad[1] * (high - low)];
 }
+
+/**
+ * The ends of x and of y.
+ * @param {ArrayLike<number>} places  x and y in turn
+ */
+export function boxOf(places) {
+  const box = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let i = 0; i < places.length; i++) {
+    const k = 2 * (i % 2);
+    box[k] = Math.min(box[k], places[i]);
+    box[k + 1] = Math.max(box[k + 1], places[i]);
+  }
+  return box;
+}

@@ -4,7 +4,7 @@ import { signed } from '../text/format.js';
 import { make } from './dom.js';
 import { PaceMenu } from './pace.js';
 
-/** @import { BeamFrame, Frame } from './message.js' */
+/** @import { AxialFrame, BeamFrame, Frame, SpaceFrame } from './message.js' */
 /** @import { Event } from './story.js' */
 
 const SECONDS_PER_TRIP = 3;
@@ -20,9 +20,16 @@ const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means
 
 /**
  * Where an impact on a beam is shown at first: as on rods, in the first contact, once waves have set out.
- * @param {BeamFrame} frame
+ * @param {Pick<BeamFrame, 'contacts'>} frame
  */
 const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
+
+/**
+ * What the clock needs of a message.
+ * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen'>
+ *   | Pick<SpaceFrame, 'kind' | 'duration' | 'chosen'>
+ *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts'>} Clocked
+ */
 
 /**
  * What the clock asks of the page. Times as those that `show` is given.
@@ -112,8 +119,11 @@ export class Player {
     button.setAttribute('aria-keyshortcuts', key);
     return button;
   }
-  /** @param {Frame} frame */
-  load(frame) {
+  /**
+   * @param {Clocked} frame
+   * @param {number} seconds  that an impact on a beam takes at normal speed
+   */
+  load(frame, seconds = SECONDS_PER_BEAM) {
     const first = !this.duration;
     // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
     this.start = frame.kind === 'bodies' ? -1 : 0;
@@ -123,7 +133,7 @@ export class Player {
     this.inTrips = frame.kind === 'axial';
     this.clock.dataset.term = this.inTrips ? 'T' : '';
     this.perSecond =
-      frame.kind === 'beam' ? this.duration / SECONDS_PER_BEAM : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
+      frame.kind === 'beam' ? this.duration / seconds : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
     this.usual = this.perSecond;
     this.until = Infinity;
     if (first) this.t = Math.min(0.36, 0.4 * this.duration);

@@ -1,0 +1,142 @@
+"""A mechanism that moves on after the impact, for the page: where its links go, through as many impacts as come."""
+
+import json
+from typing import Any
+
+import numpy as np
+import param
+
+from solvers import Scene, Solution
+from solvers.methods.multibody.method import Multibody
+from solvers.methods.multibody.motion import MovingMotion
+from solvers.text.notes import Note
+
+from ..choices.mechanism import on_mechanism
+from ..choices.questions import Question
+from ..choices.request import Request
+from ..choices.scene_of import base_of
+from ..messages.mechanism import described, mechanism_of, with_rigid_links
+
+LONGEST = 20.0  # [s] that can be asked for
+INSTANTS, HISTORY = 361, 301  # of the picture, besides impacts; of reactions and energies
+IMPACTS = 100  # told one by one
+QUESTIONS = {
+    "motion_seconds": Question(
+        param.Number(default=0.0, bounds=(0.0, LONGEST), doc="for which it is followed; 0: as the scene says"),
+        "seconds",
+    )
+}
+
+
+def of_mechanisms(asked: dict[str, Any]) -> tuple | None:
+    """All that was asked, if a mechanism is struck; else None."""
+    try:
+        return tuple(asked.items()) if on_mechanism(base_of(asked["scene"], asked["bodies"])) else None
+    except ValueError:  # which the visitor sees where it is solved
+        return None
+
+
+def motion_data(asked: dict[str, Any]) -> str:
+    """The motion as JSON: `chosen`, which is all that was asked, picture, impacts, histories and figures; or `error`.
+
+    `rigid`: why links that bend are followed as rigid ones, or None. Times in ms, else SI units.
+    """
+    answer: dict[str, Any] = {"chosen": asked}
+    try:
+        solution, rigid = followed(asked)
+        answer |= {"rigid": rigid and rigid.table()} | _told(solution)
+    except ValueError as refusal:  # SceneError
+        answer["error"] = str(refusal)
+    return json.dumps(answer, allow_nan=False)
+
+
+def followed(asked: dict[str, Any]) -> tuple[Solution, Note | None]:
+    """The motion for so many seconds, and why its links are taken as rigid where they are not."""
+    request = Request.of(asked)
+    scene, method = request.scene, Multibody(restitution=restitution_of(request))
+    mechanism, refusal = mechanism_of(scene), method.refusal(scene)
+    bends = mechanism is not None and mechanism.flexible
+    if refusal and bends:
+        scene = with_rigid_links(scene)
+    return method.solve(scene, asked["motion_seconds"] or scene.method.get("duration")), refusal
+
+
+def restitution_of(request: Request) -> float:
+    """That of the slider, where the page has it; else nothing is lost."""
+    return request.restitution if "restitution" in request.acting else Multibody.restitution
+
+
+def _told(solution: Solution) -> dict[str, Any]:
+    motion, scene = solution.known_motion, solution.scene
+    assert isinstance(motion, MovingMotion)
+    return {
+        "mechanism": described(motion.mechanism),
+        "impactor": {"kind": scene.impactor.kind, "mass": scene.impactor.mass},
+        "restitution": solution.method["restitution"],
+        "duration": 1e3 * solution.duration,
+        "contacts": len(solution.contacts),
+        "impacts": [[1e3 * c.start, 1e3 * c.end, c.impulse] for c in solution.contacts[:IMPACTS]],
+        "first": {"impulse": solution.contacts[0].impulse, "velocity": _first_parting(solution)},
+        "figures": {
+            name: solution.diagnostics[name] for name in ("energy_drift", "constraint_error", "estimated_error")
+        },
+        "notes": [note.table() for note in solution.notes],
+        **_picture(motion, solution),
+        **_histories(motion, scene),
+    }
+
+
+def _first_parting(solution: Solution) -> float:
+    """Velocity of the mass along the normal just after the first impact [m/s]."""
+    return solution.scene.impactor.velocity - solution.contacts[0].impulse / solution.scene.impactor.mass
+
+
+def _picture(motion: MovingMotion, solution: Solution) -> dict[str, Any]:
+    """`places` (instants, links, ends, x and y) and those of the mass; `normals`, as contacts begin and end."""
+    ends = [edge for contact in solution.contacts[:IMPACTS] for edge in (contact.start, contact.end)]
+    time = np.unique([*np.linspace(0.0, solution.duration, INSTANTS), *ends])
+    links = motion.link_points(time)
+    places = np.stack([links[link.name] for link in motion.mechanism.links], axis=1)
+    return {
+        "time": _listed(1e3 * time),
+        "places": _listed(places.ravel()),
+        "mass_places": _listed(motion.impactor_places(time).ravel()),
+        "normals": {"time": _listed(1e3 * np.array(ends)), "angle": _listed(motion.normals(ends))},
+    }
+
+
+def _histories(motion: MovingMotion, scene: Scene) -> dict[str, Any]:
+    """Reactions (instants, joints, force along x and y and moment), and parts of the energy over time [J].
+
+    What the mass gains as it falls counts to it, as nothing comes of it but its own flight.
+    """
+    time = _amid_steps(motion.time)
+    forces = motion.reaction_forces(time) if motion.mechanism.joints else np.zeros((time.size, 0, 3))
+    energies = motion.energies(time)
+    fallen = (motion.impactor_places(time) - motion.impactor_places(time[:1])) @ motion.mechanism.system.gravity
+    height = -scene.impactor.mass * fallen
+    parts = {
+        "impactor": energies["impactor"] + height,
+        "links": energies["target_rigid"] + energies["target_vibration"],
+        "weight": energies["weight"] - height,
+        "springs": energies.get("springs", np.zeros(time.size)),
+        "drives": energies["drives"],
+        "dissipated": energies["dissipated"],
+    }
+    kept = {name: _listed(values) for name, values in parts.items() if np.abs(values).max() > 0.0}
+    return {
+        "history_time": _listed(1e3 * time),
+        "reactions": _listed(forces.ravel()),
+        "energies": kept,
+    }
+
+
+def _amid_steps(time: np.ndarray) -> np.ndarray:
+    """In the middle of steps, over which reactions are averages: evenly, if there are many."""
+    starts = np.flatnonzero(np.diff(time) > 0.0)
+    chosen = starts[np.unique(np.linspace(0, starts.size - 1, HISTORY).round().astype(int))]
+    return 0.5 * (time[chosen] + time[chosen + 1])
+
+
+def _listed(values: np.ndarray) -> list[float]:
+    return [float(f"{value:.5g}") for value in np.asarray(values).tolist()]
