@@ -15,11 +15,12 @@ from ..choices.mechanism import on_mechanism
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.scene_of import base_of
-from ..messages.mechanism import described, mechanism_of, with_rigid_links
+from ..messages.mechanism import PARTS, described, mechanism_of, with_rigid_links
 
 LONGEST = 20.0  # [s] that can be asked for
 INSTANTS, HISTORY = 361, 301  # of the picture, besides impacts; of reactions and energies
 IMPACTS = 100  # told one by one
+JOLTS = 8  # of these, the first of which it is told what every joint gets
 QUESTIONS = {
     "motion_seconds": Question(
         param.Number(default=0.0, bounds=(0.0, LONGEST), doc="for which it is followed; 0: as the scene says"),
@@ -37,28 +38,32 @@ def of_mechanisms(asked: dict[str, Any]) -> tuple | None:
 
 
 def motion_data(asked: dict[str, Any]) -> str:
-    """The motion as JSON: `chosen`, which is all that was asked, picture, impacts, histories and figures; or `error`.
+    """The motion as JSON: `chosen`, which is all that was asked, picture, impacts, histories and figures; or `error`,
+    a sentence, or `refused`, a note, why there is none.
 
     `rigid`: why links that bend are followed as rigid ones, or None. Times in ms, else SI units.
     """
     answer: dict[str, Any] = {"chosen": asked}
     try:
-        solution, rigid = followed(asked)
-        answer |= {"rigid": rigid and rigid.table()} | _told(solution)
+        solution, note = followed(asked)
+        told = note and note.table()
+        answer |= {"refused": told} if solution is None else {"rigid": told} | _told(solution)
     except ValueError as refusal:  # SceneError
         answer["error"] = str(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
-def followed(asked: dict[str, Any]) -> tuple[Solution, Note | None]:
-    """The motion for so many seconds, and why its links are taken as rigid where they are not."""
+def followed(asked: dict[str, Any]) -> tuple[Solution | None, Note | None]:
+    """The motion for so many seconds, and why its links are taken as rigid where they are not; or why there is none."""
     request = Request.of(asked)
     scene, method = request.scene, Multibody(restitution=restitution_of(request))
-    mechanism, refusal = mechanism_of(scene), method.refusal(scene)
-    bends = mechanism is not None and mechanism.flexible
-    if refusal and bends:
+    mechanism, reason = mechanism_of(scene), method.refusal(scene)
+    if reason and mechanism is not None and mechanism.flexible:
         scene = with_rigid_links(scene)
-    return method.solve(scene, asked["motion_seconds"] or scene.method.get("duration")), refusal
+    refusal = method.refusal(scene)
+    if refusal:
+        return None, refusal
+    return method.solve(scene, asked["motion_seconds"] or scene.method.get("duration")), reason
 
 
 def restitution_of(request: Request) -> float:
@@ -76,6 +81,7 @@ def _told(solution: Solution) -> dict[str, Any]:
         "duration": 1e3 * solution.duration,
         "contacts": len(solution.contacts),
         "impacts": [[1e3 * c.start, 1e3 * c.end, c.impulse] for c in solution.contacts[:IMPACTS]],
+        "jolts": _jolts(motion, solution),
         "first": {"impulse": solution.contacts[0].impulse, "velocity": _first_parting(solution)},
         "figures": {
             name: solution.diagnostics[name] for name in ("energy_drift", "constraint_error", "estimated_error")
@@ -91,11 +97,20 @@ def _first_parting(solution: Solution) -> float:
     return solution.scene.impactor.velocity - solution.contacts[0].impulse / solution.scene.impactor.mass
 
 
+def _jolts(motion: MovingMotion, solution: Solution) -> list[list[float]]:
+    """Size of the impulse at every joint in the first impacts [N s], (impacts, joints)."""
+    ends = [contact.end for contact in solution.contacts[:JOLTS]]
+    sums = [[joint["impulse"] for joint in motion.reactions(end)] for end in ends]
+    each = np.diff(np.array(sums).reshape(len(ends), -1, 2), axis=0, prepend=0.0)
+    return [_listed(row) for row in np.hypot(each[..., 0], each[..., 1])]
+
+
 def _picture(motion: MovingMotion, solution: Solution) -> dict[str, Any]:
-    """`places` (instants, links, ends, x and y) and those of the mass; `normals`, as contacts begin and end."""
+    """`places` (instants, links, points from end to end, x and y), those of the mass, and `normals` as contacts begin
+    and end."""
     ends = [edge for contact in solution.contacts[:IMPACTS] for edge in (contact.start, contact.end)]
     time = np.unique([*np.linspace(0.0, solution.duration, INSTANTS), *ends])
-    links = motion.link_points(time)
+    links = motion.link_points(time, PARTS if motion.mechanism.flexible else 1)
     places = np.stack([links[link.name] for link in motion.mechanism.links], axis=1)
     return {
         "time": _listed(1e3 * time),

@@ -13,9 +13,10 @@ export class Reactions {
   /**
    * @param {Axis} axis
    * @param {(t: number) => void} go
+   * @param {string} [about]  what is to be seen
    */
-  constructor(axis, go) {
-    const [title, about] = [text('beam.chart.reactions'), text('beam.chart.reactions-about')];
+  constructor(axis, go, about = text('beam.chart.reactions-about')) {
+    const title = text('beam.chart.reactions');
     this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'N', zero: true, pad: [0.04, 0.12], go });
   }
   /** @param {BeamFrame} frame */

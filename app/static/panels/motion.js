@@ -22,6 +22,7 @@ import { unitField } from './unit_field.js';
  * @typedef {object} Found  times in ms, else SI units
  * @property {Record<string, any>} chosen
  * @property {string} [error]
+ * @property {Note} [refused]  why it cannot be followed
  * @property {Note | null} rigid  why links that bend are followed as rigid ones
  * @property {MechanismTold} mechanism
  * @property {{ kind: string, mass: number }} impactor
@@ -29,6 +30,7 @@ import { unitField } from './unit_field.js';
  * @property {number} duration
  * @property {number} contacts  how many
  * @property {[start: number, end: number, impulse: number][]} impacts  the first of them
+ * @property {number[][]} jolts  impulses at the joints in the first impacts
  * @property {{ impulse: number, velocity: number }} first
  * @property {{ energy_drift: number, constraint_error: number, estimated_error: number | null }} figures
  * @property {Note[]} notes
@@ -43,7 +45,6 @@ import { unitField } from './unit_field.js';
 
 const LEAST_SECONDS = 8; // of playback; longer motions take the time that they take
 const LONGEST = 20; // s that can be asked for, as app/views/motion.py
-const LISTED = 8; // impacts in the table
 /** @type {Record<string, Series['style']>} */
 const LOOKS = {
   ...{ impactor: 'exact', links: 'other', weight: 'struck', springs: 'record', drives: 'halfSpace' },
@@ -75,7 +76,7 @@ class Motion extends Panel {
       hold: () => {},
     });
     const go = (/** @type {number} */ t) => this.player.seek(t);
-    this.reactions = new Reactions(this.axis, go);
+    this.reactions = new Reactions(this.axis, go, text('motion.chart.reactions-about'));
     this.energy = new Chart({
       ...{ title: text('motion.chart.energy'), about: text('motion.chart.energy-about'), axis: this.axis },
       ...{ xUnit: 'ms', unit: 'J', pad: [0.06, 0.1], go },
@@ -112,9 +113,9 @@ class Motion extends Panel {
     this.restitution.set(Number(frame.chosen.restitution));
     if (!found) this.said.textContent = text('motion.idle');
     if (!found || !fresh) return;
-    this.result.hidden = Boolean(found.error);
-    this.notes.hidden = Boolean(found.error);
-    if (found.error) this.said.textContent = found.error;
+    const why = found.refused ? said(found.refused) : found.error;
+    this.result.hidden = this.notes.hidden = Boolean(why);
+    if (why) this.said.textContent = why;
     else this.#tell(found);
   }
   /** @param {Found} found */
@@ -161,7 +162,7 @@ class Motion extends Panel {
    * The first impact beside what the stage shows of it, and all of them.
    * @param {Found} found
    */
-  #tables({ contacts, first, impacts }) {
+  #tables({ contacts, first, impacts, jolts, mechanism }) {
     const { main, reference } = /** @type {BeamFrame} */ (this.page.frame);
     const rows = family('motion.row');
     const beside = [main, ...(reference ? [reference] : [])];
@@ -174,16 +175,18 @@ class Motion extends Panel {
     const caption = make('caption', { textContent: text('motion.beside') });
     const head = headOf(['', text('motion.first'), ...beside.map(called)]);
     this.beside.replaceChildren(caption, head, make('tbody', {}, ...lines));
-    const columns = family('motion.column');
-    const all = impacts.slice(0, LISTED).map(([start, , impulse], k) => {
+    const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`));
+    const joints = mechanism.joints.map(({ links }) => text('motion.column.joint', { joint: links.join(' – ') }));
+    const all = jolts.map((jolt, k) => {
+      const [start, , impulse] = impacts[k];
       const when = make('button', { type: 'button', className: 'when', textContent: figures(start, 4) });
       when.onclick = () => this.player.seek(start);
-      return rowOf([k + 1, when, figures(impulse, 4)]);
+      return rowOf([k + 1, when, figures(impulse, 4), ...jolt.map((size) => figures(size))]);
     });
     const left = contacts - all.length;
-    const more = make('td', { colSpan: 3, textContent: text('beam.table.more', { count: left }) });
+    const more = make('td', { colSpan: 3 + joints.length, textContent: text('beam.table.more', { count: left }) });
     if (left > 0) all.push(make('tr', {}, more));
-    this.impacts.replaceChildren(headOf(Object.values(columns)), make('tbody', {}, ...all));
+    this.impacts.replaceChildren(headOf([...columns, ...joints]), make('tbody', {}, ...all));
   }
   /** @returns {[t: number, sentence: string][]} */
   #events() {

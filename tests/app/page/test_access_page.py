@@ -19,6 +19,7 @@ ANALYSES = [
     "Cost vs. accuracy",
     "Stability",
     "Energy over time",
+    "Bounces",
     "Compare with measured data",
 ]
 

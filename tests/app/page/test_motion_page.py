@@ -3,6 +3,7 @@
 from playwright.sync_api import expect
 from pytest import approx
 
+from .test_access_page import findings
 from .test_page import settled
 
 PANEL = "strikewave.page.analyses.motion"
@@ -17,6 +18,7 @@ def test_the_mechanism_moves_by_a_clock_of_its_own(open_page):
     expect(page.tab.get_by_text("with a restitution of 0.6")).to_be_visible()
     expect(page.tab.get_by_label("Followed for, in seconds")).to_have_value("0.6")
     expect(page.tab.locator(".motion").get_by_role("heading", name="Reactions at the joints")).to_be_visible()
+    assert findings(page) == []
     before, clock = page.evaluate(TURNED), page.evaluate("() => strikewave.page.player.t")
     second = page.tab.locator(".motion .tables button").nth(1)
     second.focus()
