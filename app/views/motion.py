@@ -21,6 +21,7 @@ LONGEST = 20.0  # [s] that can be asked for
 INSTANTS, HISTORY = 361, 301  # of the picture, besides impacts; of reactions and energies
 IMPACTS = 100  # told one by one
 JOLTS = 8  # of these, the first of which it is told what every joint gets
+LINKS = "flexible", "rigid"  # as which links that bend are followed
 QUESTIONS = {
     "motion_seconds": Question(
         param.Number(default=0.0, bounds=(0.0, LONGEST), doc="for which it is followed; 0: as the scene says"),
@@ -58,7 +59,7 @@ def followed(asked: dict[str, Any]) -> tuple[Solution | None, Note | None]:
     request = Request.of(asked)
     scene, method = request.scene, Multibody(restitution=restitution_of(request))
     mechanism, reason = mechanism_of(scene), method.refusal(scene)
-    if reason and mechanism is not None and mechanism.flexible:
+    if mechanism is not None and mechanism.flexible and (reason or asked["motion_links"] == "rigid"):
         scene = with_rigid_links(scene)
     refusal = method.refusal(scene)
     if refusal:
@@ -110,14 +111,25 @@ def _picture(motion: MovingMotion, solution: Solution) -> dict[str, Any]:
     and end."""
     ends = [edge for contact in solution.contacts[:IMPACTS] for edge in (contact.start, contact.end)]
     time = np.unique([*np.linspace(0.0, solution.duration, INSTANTS), *ends])
-    links = motion.link_points(time, PARTS if motion.mechanism.flexible else 1)
-    places = np.stack([links[link.name] for link in motion.mechanism.links], axis=1)
+    mechanism = motion.mechanism
+    links = motion.link_points(time, PARTS if mechanism.flexible else 1)
+    places = np.stack([links[link.name] for link in mechanism.links], axis=1)
+    turned = _turned(links[mechanism.struck.link], mechanism.struck.at)[np.searchsorted(time, ends)]
+    x, y = mechanism.struck.normal
     return {
         "time": _listed(1e3 * time),
         "places": _listed(places.ravel()),
         "mass_places": _listed(motion.impactor_places(time).ravel()),
-        "normals": {"time": _listed(1e3 * np.array(ends)), "angle": _listed(motion.normals(ends))},
+        "normals": {"time": _listed(1e3 * np.array(ends)), "angle": _listed(np.arctan2(y, x) + turned)},
     }
+
+
+def _turned(places: np.ndarray, at: float) -> np.ndarray:
+    """Turn of a link where it is struck [rad], (instants,), from places along it (instants, places, 2)."""
+    piece = min(int(at * (places.shape[1] - 1)), places.shape[1] - 2)
+    along = places[:, piece + 1] - places[:, piece]
+    angle = np.unwrap(np.arctan2(along[:, 1], along[:, 0]))
+    return angle - angle[0]
 
 
 def _histories(motion: MovingMotion, scene: Scene) -> dict[str, Any]:

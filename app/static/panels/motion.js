@@ -45,6 +45,7 @@ import { unitField } from './unit_field.js';
 
 const LEAST_SECONDS = 8; // of playback; longer motions take the time that they take
 const LONGEST = 20; // s that can be asked for, as app/views/motion.py
+const ASKED = ['motion_seconds', 'motion_links'];
 /** @type {Record<string, Series['style']>} */
 const LOOKS = {
   ...{ impactor: 'exact', links: 'other', weight: 'struck', springs: 'record', drives: 'halfSpace' },
@@ -58,7 +59,7 @@ class Motion extends Panel {
 
   /** @param {Page} page */
   constructor(page) {
-    super(page, 'motion', text('motion.button'), text('motion.title'), text('motion.heading'), ['motion_seconds']);
+    super(page, 'motion', text('motion.button'), text('motion.title'), text('motion.heading'), ASKED);
     const complain = (/** @type {string} */ sentence) => page.complain(sentence);
     const restore = (/** @type {number} */ value) => page.choose('restitution', value);
     const follow = (/** @type {number} */ seconds) => (page.model.motion_seconds = seconds);
@@ -66,7 +67,14 @@ class Motion extends Panel {
     const seconds = { sign: 's', many: text('motion.in-seconds'), times: 1 };
     this.restitution = unitField(text('motion.restitution'), none, 0, 1, restore, complain);
     this.seconds = unitField(text('motion.seconds'), seconds, 1e-6, LONGEST, follow, complain);
-    const form = make('div', { className: 'record-form' }, this.restitution.root, this.seconds.root);
+    const as = Object.entries(family('motion.as')).map(([value, textContent]) =>
+      make('option', { value, textContent }),
+    );
+    this.links = make('select', {}, ...as);
+    this.links.onchange = () => (page.model.motion_links = this.links.value);
+    this.linked = make('label', { className: 'part' }, text('motion.links'), this.links);
+    const fields = [this.restitution.root, this.seconds.root, this.linked];
+    const form = make('div', { className: 'record-form' }, ...fields);
     this.said = make('p', { className: 'verdict', role: 'status' });
     this.notes = make('ul', { className: 'help' });
     this.player = new Player((t) => this.#at(t), {
@@ -111,6 +119,8 @@ class Motion extends Panel {
     this.root.ariaBusy = String(!fresh);
     this.restitution.root.hidden = !frame.acting.includes('restitution');
     this.restitution.set(Number(frame.chosen.restitution));
+    this.linked.hidden = frame.kind !== 'beam' || !frame.mechanism?.links.some(({ flexible }) => flexible);
+    this.links.value = this.page.model.motion_links;
     if (!found) this.said.textContent = text('motion.idle');
     if (!found || !fresh) return;
     const why = found.refused ? said(found.refused) : found.error;

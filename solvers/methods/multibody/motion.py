@@ -116,12 +116,6 @@ class MovingMotion(SampledMotion):
         """Where the mass is, (time, 2) [m]."""
         return np.stack([np.interp(time, self.time, values) for values in self.course.place.T], axis=1)
 
-    def normals(self, time) -> np.ndarray:
-        """Angles to the x axis of the normal of the struck link, which turns with it, (time,) [rad]."""
-        x, y = self.mechanism.struck.normal
-        angle = self.coordinates(time)[:, 3 * self._number + 2]
-        return np.arctan2(y, x) + angle - self.course.coordinates[0, 3 * self._number + 2]
-
     def link_rates(self, time: float) -> dict[str, dict[str, Any]]:
         """By link: velocity of its centre, and spin."""
         row = int(np.clip(np.searchsorted(self.time, time, "right") - 1, 0, self.time.size - 1))

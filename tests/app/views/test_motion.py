@@ -14,7 +14,7 @@ from solvers.bodies import Mechanism
 
 
 def asked(scene: str, seconds: float = 0.0, **changes) -> dict:
-    return own_choices(scene) | changes | {"motion_seconds": seconds}
+    return own_choices(scene) | {"motion_seconds": seconds, "motion_links": "flexible"} | changes
 
 
 def answer(scene: str, seconds: float = 0.0, **changes) -> dict:
@@ -100,6 +100,8 @@ def test_links_that_bend_are_followed_as_far_as_the_method_can():
     assert isinstance(target, Mechanism) and target.flexible == (refused is None)
     assert (found["rigid"] is None) == (refused is None)
     assert found["mechanism"]["links"][0]["flexible"] == target.flexible
+    rigid = answer("rotating-bar", 0.05, motion_links="rigid")
+    assert not rigid["mechanism"]["links"][0]["flexible"] and rigid["contacts"] >= 1
 
 
 def test_restitution_is_that_of_the_slider_where_there_is_one():
