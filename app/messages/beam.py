@@ -64,7 +64,9 @@ def chosen_method(request: Request) -> tuple[Method, Note | None]:
 def main_solution(request: Request) -> tuple[Solution, Note | None]:
     """The impact by `chosen_method`."""
     method, reason = chosen_method(request)
-    return method.solve_in_full(request.scene, request.scene.method.get("duration")), reason
+    own = request.scene.method
+    follows = own.get("name") in (None, *METHODS)  # else it is that of one that moves on
+    return method.solve_in_full(request.scene, own.get("duration") if follows else None), reason
 
 
 def beam_frame(request: Request) -> bytes:

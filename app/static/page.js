@@ -1,6 +1,7 @@
 // The page: wires choices, clock and views together. One message from the server per change; none while playing.
 import { AxialView } from './axial/view.js';
 import { BeamView } from './beam/view.js';
+import { whenResized } from './charts/canvas.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
 import { Analyses } from './panels/panels.js';
@@ -190,7 +191,8 @@ export class Page {
       if (this.player.key(event) || this.compare.key(event)) event.preventDefault();
     };
     document.addEventListener('keydown', key);
-    const resized = new ResizeObserver(() => requestAnimationFrame(() => this.redraw()));
+    const again = () => requestAnimationFrame(() => this.redraw());
+    const [resized, settled] = [new ResizeObserver(again), whenResized(again)];
     for (const { stage, stack } of Object.values(this.views))
       for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
     for (const { axis } of Object.values(this.views)) axis?.watch(() => this.history.later());
@@ -203,6 +205,7 @@ export class Page {
       this.layout.leave();
       this.connection.leave();
       resized.disconnect();
+      settled();
       document.removeEventListener('keydown', key);
     });
   }

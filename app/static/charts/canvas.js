@@ -16,6 +16,17 @@ export const letters = (pixels, weight = '') => `${weight}${pixels * scale}px sy
 const sizes = new WeakMap();
 /** @type {ResizeObserver | undefined} */
 let resized;
+const RESIZED = new EventTarget();
+
+/**
+ * Have something done whenever an element that was drawn on has another size, as when a chart above it is hidden.
+ * @param {() => void} act
+ * @returns {() => void}  what ends it
+ */
+export function whenResized(act) {
+  RESIZED.addEventListener('resize', act);
+  return () => RESIZED.removeEventListener('resize', act);
+}
 
 /**
  * Width and height of an element, read anew only once it has changed: to read them the browser must lay out the page.
@@ -24,7 +35,13 @@ let resized;
  */
 export function sizeOf(root) {
   resized ??= new ResizeObserver((entries) => {
-    for (const { target } of entries) sizes.set(target, null);
+    let drawn = false;
+    for (const { target } of entries) {
+      const [width, height] = sizes.get(target) ?? [0, 0];
+      drawn ||= width > 0 && (width !== target.clientWidth || height !== target.clientHeight);
+      sizes.set(target, null);
+    }
+    if (drawn) RESIZED.dispatchEvent(new Event('resize'));
   });
   if (!sizes.has(root)) resized.observe(root);
   const known = sizes.get(root);

@@ -51,6 +51,25 @@ def test_tabs_stand_in_the_order_of_use(open_page, size, names):
     assert page.tab.get_by_role("tab").all_inner_texts()[: len(names.split())] == names.split()
 
 
+STRETCHED = """() => {
+  const canvases = (root) => [...root.querySelectorAll('*')].flatMap((element) => [
+    ...(element.tagName === 'CANVAS' ? [element] : []),
+    ...(element.shadowRoot ? canvases(element.shadowRoot) : []),
+  ]);
+  const seen = canvases(document).filter((canvas) => canvas.getClientRects().length);
+  return seen.filter((canvas) => {
+    const { width, height } = canvas.getBoundingClientRect();
+    return Math.abs(canvas.height - height) > 2 || Math.abs(canvas.width - width) > 2;
+  }).length;
+}"""
+
+
+def test_no_chart_is_stretched_where_another_scene_hides_some(open_page):
+    page = open_page()
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'bouncing-ball')"))
+    page.wait(f"() => ({STRETCHED})() === 0")
+
+
 @pytest.mark.parametrize("size, open_", [((1440, 900), 3), ((1280, 720), 2)])
 def test_the_charts_share_the_room_that_there_is(open_page, size, open_):
     page = open_page(size=size)
