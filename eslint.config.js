@@ -11,6 +11,8 @@ const BROWSER = [
     'NodeFilter',
     'PointerEvent',
     'Element',
+    'Event',
+    'EventTarget',
     'IntersectionObserver',
     'URL',
     'URLSearchParams',

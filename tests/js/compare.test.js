@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { comparedOf, difference, figuresOf, sentences, shareOf } from '../../app/static/compare/figures.js';
 import { questionsOf } from '../../app/static/compare/questions.js';
 import { differing, kindsOf, lineOf } from '../../app/static/compare/settings.js';
+import { verdictOf } from '../../app/static/compare/verdict.js';
 
 /**
  * As much of a message as is compared.
@@ -82,7 +83,34 @@ test('a share of nothing, or of another sign, is none', () => {
 test('only what acts is asked, and nothing that changes nothing', () => {
   assert.deepEqual(
     questionsOf(rod()).map(({ key }) => key),
-    ['modes', 'law', 'hammer', 'speed', 'support'],
+    ['modes', 'law', 'hammer', 'constant', 'speed', 'support', 'quarter'],
   );
   assert.ok(!questionsOf(rod({ speed: 100 })).some(({ key }) => key === 'speed'));
+});
+
+test('a comparison of one setting says what it teaches', () => {
+  const soft = { ...rod({ speed: 2 }, 2.3e4) };
+  assert.match(verdictOf(soft, rod(), ['speed']), /2\.3 times as much.*power 1\.2/s);
+  assert.match(verdictOf(rod({ speed: 2 }, 2e4), rod(), ['speed']), /proportional/);
+  const heavy = verdictOf(rod({ mass_ratio: 0.25 }, 1.4e4), rod(), ['mass_ratio']);
+  assert.match(heavy, /4 times the mass.*1\.4 times as hard.*1 times as long.*force changes more/s);
+  assert.doesNotMatch(heavy, /no constant/); // restitution is the same
+  assert.equal(verdictOf(rod({ speed: 2, law: 'hertz' }), rod(), ['speed', 'law']), '');
+});
+
+test('of numbers of modes it says how far each is from the exact solution', () => {
+  const [now, kept] = [rod({ modes: 100 }), rod({ modes: 5 })];
+  now.other = { ...now.other, peakForce: 1.02e4 };
+  kept.other = { ...kept.other, peakForce: 0.6e4 };
+  assert.match(verdictOf(now, kept, ['modes']), /10 kN, in one contact: 5 modes miss it by 40\.0 %, 100 by 2\.00 %/);
+});
+
+test('struck on its end a rod is felt as a quarter of its mass', () => {
+  const struck = (/** @type {number} */ felt) => ({
+    ...{ kind: 'bodies', acting: ['place'], chosen: {} },
+    figures: Object.entries({ 'target-mass': 2, 'target-felt-mass': felt }).map(([name, value]) => [name, value, 'kg']),
+  });
+  const [now, kept] = /** @type {any[]} */ ([struck(0.5), struck(2)]);
+  assert.match(verdictOf(now, kept, ['place']), /4 times as easily.*1\/m \+ 3\/m: it is felt as 0\.5 kg/s);
+  assert.equal(verdictOf(kept, now, ['place']), '');
 });

@@ -1,5 +1,5 @@
 // The stage: the bodies themselves, movement exaggerated by a stated factor.
-import { cleared, letters } from '../charts/canvas.js';
+import { cleared, letters, sizeOf } from '../charts/canvas.js';
 import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
@@ -363,8 +363,10 @@ export class Stage {
     c.lineTo(x + 16 * way, y - 3);
     c.stroke();
     c.font = letters(11);
-    c.textAlign = outward ? 'right' : 'left';
-    c.fillText(text('axial.stage.wave', { rigid: this.frame.chosen.law === 'rigid' }), x - 8 * way, y - 4);
+    const name = text('axial.stage.wave', { rigid: this.frame.chosen.law === 'rigid' });
+    const room = outward || x + 8 + c.measureText(name).width < sizeOf(this.root)[0];
+    c.textAlign = outward || !room ? 'right' : 'left';
+    c.fillText(name, room ? x - 8 * way : x - 26, y - 4); // beyond the arrow, where the picture ends behind it
   }
   /**
    * @param {CanvasRenderingContext2D} c

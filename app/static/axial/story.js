@@ -151,6 +151,7 @@ export class Story {
     const { chosen, exact, prediction, match, target } = this.frame;
     if (target.row) return [text('axial.match.row')];
     if (!prediction) return [text('axial.match.nothing-strikes')];
+    if (exact.name === 'rigid') return [text('axial.match.no-waves', { restitution: Number(chosen.restitution) })];
     const says = text('axial.match.says', {
       restitution: Number(chosen.restitution),
       predicted: signed(prediction.impactor),

@@ -1,6 +1,8 @@
 // Bokeh's plots in the type and the colours of the page around them.
 
 const SIZE = 12 / 14; // of the letters around
+const NARROWEST = 335; // pixels of a plot whose legend has smaller letters
+const SMALLER = 0.87;
 const NARROW = 480; // pixels of a plot whose legend has two columns
 const ENTRY = 180; // pixels of an entry of a legend, else
 
@@ -17,9 +19,9 @@ export function dress(plot, place) {
     of('--line', '#dbe3ea'),
     of('--panel', '#fff'),
   ];
-  const type = (/** @type {string} */ what, /** @type {string} */ color) => ({
+  const type = (/** @type {string} */ what, /** @type {string} */ color, share = 1) => ({
     [`${what}_text_font`]: style.fontFamily,
-    [`${what}_text_font_size`]: `${SIZE * parseFloat(style.fontSize)}px`,
+    [`${what}_text_font_size`]: `${share * SIZE * parseFloat(style.fontSize)}px`,
     [`${what}_text_font_style`]: 'normal',
     [`${what}_text_color`]: color,
   });
@@ -30,8 +32,14 @@ export function dress(plot, place) {
       part.setv({ ...type('axis_label', ink), ...type('major_label', faint), axis_label_standoff: 6 });
       part.setv({ axis_line_color: line, major_tick_line_color: line, minor_tick_line_color: null });
     } else if ('label_text_font' in part.properties) {
-      const columns = place.clientWidth < NARROW ? 2 : Math.floor(place.clientWidth / ENTRY);
-      part.setv({ ...type('label', ink), ncols: columns, ...LEGEND, background_fill_color: null });
+      const { clientWidth: wide } = place;
+      const columns = wide < NARROW ? 2 : Math.floor(wide / ENTRY);
+      part.setv({
+        ...type('label', ink, wide < NARROWEST ? SMALLER : 1),
+        ncols: columns,
+        ...LEGEND,
+        background_fill_color: null,
+      });
     }
   }
   for (const part of plot.center) if ('grid_line_color' in part.properties) part.setv({ grid_line_color: line });

@@ -38,6 +38,12 @@ export class Bar {
     this.menu.hidden = !this.menu.hidden;
     this.more.ariaExpanded = String(!this.menu.hidden);
   }
+  /** Open the menu, from elsewhere on the page. */
+  open() {
+    this.more.focus();
+    if (this.menu.hidden) this.#toggle();
+    /** @type {HTMLElement | null} */ (this.menu.querySelector('button'))?.focus();
+  }
   /** @param {boolean} [back]  the focus goes back to the button */
   #close(back = false) {
     if (this.menu.hidden) return;

@@ -119,9 +119,9 @@ export class Compare {
    * A ready-made comparison: both settings are solved, the first is kept.
    * @param {Question} question
    */
-  ask({ first, second }) {
+  ask({ alone, first, second }) {
     const { page } = this;
-    const { chosen } = page.frame;
+    const chosen = alone ? {} : page.frame.chosen;
     page.goTo({ ...chosen, ...first }, (frame) => {
       if (!frame || !this.keep()) return;
       page.goTo({ ...chosen, ...second }, () => page.layout.show('story'));

@@ -191,8 +191,8 @@ const bound = (words) => words.replaceAll(' ', '\u00a0');
  */
 function changeOf(size, share) {
   if (share === null || size === 'count') return '';
-  const ratio = 1 + share;
-  if (ratio >= TIMES) return text('compare.times', { ratio: rounded(ratio) });
+  const ratio = rounded(1 + share);
+  if (ratio >= TIMES) return text('compare.times', { ratio });
   const percents = { percent: rounded(100 * Math.abs(share)) };
   return text(share > 0 ? 'compare.more-percent' : 'compare.less-percent', percents);
 }

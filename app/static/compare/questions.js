@@ -2,11 +2,15 @@
 
 /** @import { Chosen, Frame } from '../shell/message.js' */
 
-/** @typedef {{ key: string, first: Partial<Chosen>, second: Partial<Chosen> }} Question */
+/**
+ * Two settings: other than what is chosen now, or, `alone`, than the scene has them.
+ * @typedef {{ key: string, first: Partial<Chosen>, second: Partial<Chosen>, alone?: boolean }} Question
+ */
 
 const HEAVIER = 4;
 const FASTER = 2;
 const RODS = ['fixed-rod', 'free-rod'];
+const IN_SPACE = 'note-rod'; // a rod that turns as it is struck on its end
 
 /**
  * Those that can be asked of this impact, the most telling first.
@@ -23,16 +27,21 @@ export function questionsOf(frame) {
     ['elements', 'elements', 10, 100],
     ['law', 'law', 'rigid', 'hertz'],
     ['hammer', 'mass_ratio', ratio, Math.max(ratio / HEAVIER, 1e-3)],
+    ['constant', 'mass_ratio', ratio, Math.min(ratio * HEAVIER, 1e3)],
     ['speed', 'speed', speed, Math.min(FASTER * speed, 100)],
     ['theory', 'theory', 'euler-bernoulli', 'timoshenko'],
   ];
   if (kind === 'axial' && !frame.rods.length) all.splice(2, 1); // a rigid contact of rigid bodies takes no time
   if (kind === 'bodies')
     all.push(['restitution', 'restitution', 1, 0], ['off-centre', 'place', 0.5, Number(frame.own.place)]);
+  /** @type {Question[]} */
   const found = all
     .filter(([, name, first, second]) => acting.includes(name) && first !== second)
     .map(([key, name, first, second]) => ({ key, first: { [name]: first }, second: { [name]: second } }));
   if (RODS.includes(String(chosen.scene)))
-    found.push({ key: 'support', first: { scene: RODS[0] }, second: { scene: RODS[1] } });
+    found.push(
+      { key: 'support', first: { scene: RODS[0] }, second: { scene: RODS[1] } },
+      { key: 'quarter', first: { scene: IN_SPACE, place: 0.5 }, second: { scene: IN_SPACE, place: 1 }, alone: true },
+    );
   return found;
 }

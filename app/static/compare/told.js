@@ -5,6 +5,7 @@ import { heading, scrolled } from '../shell/story.js';
 import { text } from '../text/catalogue.js';
 import { comparedOf, difference, figuresOf, sentences, written } from './figures.js';
 import { differing, lineOf } from './settings.js';
+import { verdictOf } from './verdict.js';
 
 /** @import { Frame } from '../shell/message.js' */
 /** @import { Letter, Run } from './run.js' */
@@ -59,6 +60,8 @@ export class Told {
     const which = comparedOf(now, frame);
     const found = sentences(figuresOf(now, which), figuresOf(frame, which));
     if (which === 'other') root.append(make('p', { className: 'help', textContent: text('compare.only-method') }));
+    const verdict = verdictOf(now, frame, names);
+    if (verdict) root.append(make('p', { className: 'teaches', textContent: verdict }));
     const lines = (found.length ? found : [text('compare.alike')]).map((textContent) => make('li', { textContent }));
     root.append(make('ul', {}, ...lines));
     return root;

@@ -1,12 +1,12 @@
 // Which model is enough?: the smallest adequate model for a question, and where the impact lies among all others.
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { family, modelled, named, said, text } from '../text/catalogue.js';
-import { share } from '../text/format.js';
+import { pretty, share } from '../text/format.js';
 import { RegimeMap } from './regime_map.js';
 import { percentField } from './unit_field.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Chosen } from '../shell/message.js' */
+/** @import { Chosen, Frame } from '../shell/message.js' */
 /** @import { Note, Parts } from '../text/catalogue.js' */
 /** @import { Regimes } from './regime_map.js' */
 
@@ -49,6 +49,17 @@ export function choose(page, choices) {
 function aboutMap(map, measured) {
   const struck = named('family', map.family);
   return text('map.about', { struck, hertz: map.law === 'hertz', measured, question: QUESTIONS[map.question] });
+}
+
+/**
+ * From when on a body that rings is as good as rigid, and where this impact lies.
+ * @param {Frame} frame
+ * @param {Plan} found
+ */
+function ruleOf(frame, { groups }) {
+  const beam = frame.kind === 'beam';
+  if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
+  return text('plan.rule', { beam, rigid: groups.contact_time === 0, time: pretty(groups.contact_time) });
 }
 
 class Needs {
@@ -149,7 +160,7 @@ class Needs {
       make('b', { textContent: modelled(best.model) }),
       text('plan.expected', { known, error: share(best.error ?? 0) }),
     );
-    this.reason.textContent = said(found.why);
+    this.reason.textContent = `${said(found.why)} ${ruleOf(this.page.frame, found)}`;
     const rows = candidates.map((candidate, k) => this.row(candidate, k === picked));
     this.table.replaceChildren(headOf([text('plan.model'), text('plan.error'), '']), make('tbody', {}, ...rows));
     this.drawMap(found);

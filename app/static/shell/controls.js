@@ -106,6 +106,7 @@ function axialNote(frame) {
   const { chosen, damps, leastRestitution: least, match, nominal, yields } = frame;
   const method = String(chosen.method);
   const raised = Number(chosen.restitution) < least;
+  if (frame.exact.name === 'rigid') return text('controls.of-contact');
   const acts = damps
     ? text('controls.of-contact-and-prediction', { least, nominal, raised })
     : method === 'balance'

@@ -1,4 +1,5 @@
 // The first minute: what is seen, in one sentence, and three things to try. It can be put away for good.
+import { questionsOf } from '../compare/questions.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { keep, kept } from './store.js';
@@ -59,7 +60,10 @@ export class First {
     };
     const head = make('header', { className: 'panel-head' }, make('h2', { textContent: text('first.title') }), hide);
     this.root = make('section', { className: 'first', hidden: !kept('first', true) });
-    this.root.append(head, this.seen, make('h3', { textContent: text('first.try') }), this.tries);
+    this.compare = make('button', { type: 'button', className: 'when', textContent: text('first.compare') });
+    this.compare.onclick = () => page.compare.bar.open();
+    const questions = make('p', {}, this.compare);
+    this.root.append(head, this.seen, make('h3', { textContent: text('first.try') }), this.tries, questions);
   }
   /** @param {Frame} frame */
   load(frame) {
@@ -70,6 +74,7 @@ export class First {
     if (kind === this.kind) return; // what the buttons do changes with every solve, what they say does not
     this.kind = kind;
     this.seen.textContent = seenIn(frame);
+    this.compare.hidden = !questionsOf(frame).length;
     this.tries.replaceChildren(
       ...tries.map(([textContent], k) => {
         const act = make('button', { type: 'button', className: 'when', textContent });

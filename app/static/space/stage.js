@@ -335,7 +335,8 @@ export class BodiesStage {
       /** @type {Point} */
       const to = [from[0] + vx, from[1] - vy];
       arrow(c, from, to, 2);
-      if (labelled) label(c, `${brief(size(velocity))} m/s`, to, [vx, -vy]);
+      const level = Math.abs(vy) < 0.4 * Math.abs(vx); // below its arrow: ahead lie those of the impulse and the normal
+      if (labelled) label(c, `${brief(size(velocity))} m/s`, to, level ? [0, 1] : [vx, -vy]);
     }
     if (size(spin) > 1e-9 * this.spin) spinOf(c, this, from, spin, labelled);
   }
