@@ -47,7 +47,7 @@ def _part(key: str, body: AnyBody, table: Mapping[str, Any]) -> Part:
         own -= {quantity for quantity in own if quantity.startswith("material")}
     if isinstance(body, Pivoted):
         own -= {"mass"}  # felt is another one, which the mass ratio sets
-    elif body.free_mass:
+    elif body.free_mass and "mass" in body.of_mass(body.mass):
         own |= {"mass"}
     return Part(key, body, table, [quantity for quantity in QUANTITIES if quantity in own])
 

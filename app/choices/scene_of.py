@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 import solvers
-from solvers import LAWS, METHODS, Body, Scene
+from solvers import LAWS, METHODS, Body, Scene, SceneError
 from solvers.bodies import AnyBody, Balls, FlexiblePendulum
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
@@ -73,7 +73,7 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
     named = method.get("name")  # which may be one that the page does not have
     wanted["method"] = named if named in METHODS else solvers.usual_method(scene)
-    wanted |= keyed(scene)
+    wanted |= keyed(name, bodies)
     if bends_alone(scene):
         wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
     if on_mechanism(scene):
@@ -85,14 +85,24 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     return {name: value for name, value in wanted.items() if accepts(name, value)}
 
 
-def keyed(scene: Scene) -> dict[str, Any]:
-    """The choices that are a value in the table of one of its bodies, and this value."""
-    found = {}
-    for name, key in Choices.KEYS.items():
+@lru_cache(maxsize=1024)
+def keyed(name: str, bodies: str) -> dict[str, Any]:
+    """The choices that are a value in the table of one of a scene's bodies, and this value."""
+    scene, found = base_of(name, bodies), {}
+    for choice, key in Choices.KEYS.items():
         body, _, quantity = key.partition(".")
-        if quantity in getattr(scene, body).KEYS:
-            found[name] = getattr(getattr(scene, body), quantity)
+        if quantity in getattr(scene, body).KEYS and _takes(scene, key, Choices.param[choice].bounds[1]):
+            found[choice] = getattr(getattr(scene, body), quantity)
     return found
+
+
+def _takes(scene: Scene, key: str, value: float) -> bool:
+    """Whether a scene may have this value: some keys are only for some supports."""
+    try:
+        scene.replace({key: value})
+    except SceneError:
+        return False
+    return True
 
 
 def _at_end(place: float) -> float:
@@ -147,7 +157,8 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
         return names + (["place"] if has_length(base) else [])
     if base.prescribed_force:
         return first
-    names = [*first, "method", "speed", "law", *law_choices(chosen["law"]), *keyed(base)]
+    names = [*first, "method", "speed", "law", *law_choices(chosen["law"])]
+    names += keyed(chosen["scene"], chosen["bodies"])
     if on_mechanism(base):
         names += mechanism_values(base)
     elif on_beam(base):
@@ -234,7 +245,9 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         base = other_beam(
             base, {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         )
-    changes |= {Choices.KEYS[name]: chosen[name] for name in keyed(base) if chosen[name] != own.get(name, chosen[name])}
+    keys = keyed(chosen["scene"], chosen["bodies"])
+    if set_anew := {Choices.KEYS[name]: chosen[name] for name, value in keys.items() if chosen[name] != value}:
+        base = base.replace(set_anew)  # first: the mass of what is struck may follow from them
     if "mass_ratio" in acting_choices(chosen):
         mass = base.target.mass / chosen["mass_ratio"]
         changes |= {f"impactor.{key}": value for key, value in base.impactor.of_mass(mass).items()}

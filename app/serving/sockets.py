@@ -247,7 +247,7 @@ class Socket(WSHandler):
         for buffer in message.buffers:
             parts += [(json.dumps(buffer.ref), False), (buffer.to_bytes(), True)]
         with await self.write_lock.acquire():
-            protocol = self.ws_connection
+            protocol: Any = self.ws_connection
             if protocol is None or protocol.is_closing():
                 return
             stream, protocol.stream = protocol.stream, (frames := Frames())

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import app
+from app.choices.choices import Choices
 from app.text.catalogues import LANGUAGES, command, page, script
 from solvers.text.catalogue import library
 from solvers.text.messages import engineering, terms_in
@@ -31,6 +32,11 @@ def made(code: str) -> bool:
     """Whether the browser asks for it by a family or by a part of it."""
     families = {f"name.{family}." for family in FAMILIES} | {f"{family}." for family in FAMILIES}
     return code.startswith(tuple(families | BEGINNINGS | {"name."}))
+
+
+def test_every_choice_has_a_title():
+    """One without would leave the whole page undrawn, as a constant of a new law does that is not in the catalogue."""
+    assert {f"control.{name}" for name in Choices.CHOSEN} <= page().texts.keys()
 
 
 def test_what_the_browser_asks_for_is_there():

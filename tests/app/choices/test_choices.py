@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.choices.choices import Choices, accepts, refusal
-from app.choices.scene_of import acting_choices, choices_of
+from app.choices.scene_of import acting_choices, choices_of, chosen_scene, keyed, own_choices
 from app.page.address import from_address
 from app.page.picker import scene_groups
 
@@ -62,3 +62,24 @@ def test_of_a_beam_only_the_resolution_that_the_method_goes_by_is_shown():
     for method, shown in (("balance", ["elements"]), ("fe-nodal", ["elements"]), ("modal", ["modes"]), ("rigid", [])):
         acting = acting_choices(Choices(scene=scene, **choices_of(scene) | {"method": method}).chosen())
         assert [name for name in ("modes", "elements") if name in acting] == shown
+
+
+def test_a_value_of_scene_files_acts_where_a_body_takes_it():
+    chosen = own_choices("figure-5.24") | {"damping": 0.05}
+    assert "damping" in acting_choices(chosen)
+    assert chosen_scene(chosen).target.damping == 0.05
+    assert "damping" not in acting_choices(own_choices("fixed-rod"))
+
+
+def test_a_mass_that_is_set_at_an_end_counts_in_the_mass_ratio(monkeypatch):
+    """And it acts where the support allows it, not in every scene with such a body."""
+    monkeypatch.setattr(Choices, "KEYS", {"slenderness": "target.end_mass"})
+    keyed.cache_clear()
+    try:
+        assert not keyed("fixed-rod", "")
+        chosen = own_choices("free-rod") | {"slenderness": 2.0, "mass_ratio": 3.0}
+        scene = chosen_scene(chosen)
+    finally:
+        keyed.cache_clear()
+    assert scene.target.end_mass == 2.0
+    assert scene.mass_ratio == pytest.approx(3.0, rel=1e-12)
