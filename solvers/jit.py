@@ -295,3 +295,19 @@ def _unloading_mean(self, start, end, deepest):
 @overload_method(numba.types.BaseNamedTuple, "advance")
 def _advance(self, law, state):
     return self.instance_class.advance
+
+
+# The same of what moves and is struck (a NamedTuple of links and joints).
+@overload_method(numba.types.BaseNamedTuple, "take_step")
+def _take_step(self, w, stages, q, v, time, step, reactions):
+    return self.instance_class.take_step
+
+
+@overload_method(numba.types.BaseNamedTuple, "face_at")
+def _face_at(self, contact, q, place, row):
+    return self.instance_class.face_at
+
+
+@overload_method(numba.types.BaseNamedTuple, "respond")
+def _respond(self, w, q, time, change):
+    return self.instance_class.respond

@@ -9,6 +9,10 @@ from ...numerics.multibody.bouncing import Contact
 from ...numerics.multibody.moving import Angles, Lines, Linkage, Pins, Springs
 from ...numerics.multibody.system import FIXED, PRISMATIC, Joint, System
 
+# Of the length of a link: so far beside its ends a mass still meets it. It is no point; else who strikes a tip would
+# miss it next time, as the link turns.
+BESIDE = 0.01
+
 
 class Rows(NamedTuple):
     """Of every constraint, in the order of the integrator: its joint, what kind it is (`PIN_X`, `PIN_Y`, `LINE`,
@@ -34,7 +38,7 @@ def rigid_linkage(mechanism: Mechanism) -> tuple[Linkage, Rows]:
             rows[LINE].append((number, 0.0))
         else:
             pins.append(pair)
-            rows[PIN_X].append((number, 0.0))
+            rows[PIN_X].append(number)
         if joint.kind in (PRISMATIC, FIXED):
             angles.append((joint.first, joint.second, _angle(system, joint), 0.0))
             rows[ANGLE].append((number, 0.0))
@@ -65,11 +69,11 @@ def rigid_linkage(mechanism: Mechanism) -> tuple[Linkage, Rows]:
     size = float(np.ptp(points, axis=0).max()) or 1.0
     found = Linkage(1.0 / masses, load, Pins(*_columns(pins, "iivv")), Lines(*_columns(lines, "iivvvf")),
                     Angles(*_columns(angles, "iiff")), held, size)  # fmt: skip
-    return found, _rows(rows)
+    return found, rows_of(rows[PIN_X], rows[LINE], rows[ANGLE])
 
 
 def struck_by(mechanism: Mechanism, mass: float) -> Contact:
-    """The mass in front of the struck link."""
+    """The mass in front of the struck link, whose frame has its origin on its first end if any link is flexible."""
     system = mechanism.system
     number = [link.name for link in mechanism.links].index(mechanism.struck.link)
     link, normal = system.links[number], np.array(mechanism.struck.normal)
@@ -78,10 +82,11 @@ def struck_by(mechanism: Mechanism, mass: float) -> Contact:
         along @ (np.array(end) - mechanism.contact_point)
         for end in (mechanism.struck_link.start, mechanism.struck_link.end)
     ]
-    slack = 1e-6 * max(link.length, 1e-300)
+    slack = BESIDE * max(link.length, 1e-300)
+    origin = link.origin if mechanism.flexible else _centre(system, number)
     return Contact(
         number,
-        _in_frame(system, number, mechanism.contact_point - _centre(system, number)),
+        _in_frame(system, number, mechanism.contact_point - origin),
         _in_frame(system, number, normal),
         float(min(ends)) - slack,
         float(max(ends)) + slack,
@@ -139,8 +144,9 @@ def _columns(rows: list, kinds: str) -> list[np.ndarray]:
     return found
 
 
-def _rows(rows: dict[int, list[tuple[int, float]]]) -> Rows:
-    found = [(joint, kind, number, 0.0) for number, (joint, _) in enumerate(rows[PIN_X]) for kind in (PIN_X, PIN_Y)]
-    for kind in (LINE, ANGLE):
-        found += [(joint, kind, number, rate) for number, (joint, rate) in enumerate(rows[kind])]
+def rows_of(pins: list[int], lines: list[tuple[int, float]], angles: list[tuple[int, float]]) -> Rows:
+    """Of constraints by their joints, and by the rates of drives."""
+    found = [(joint, kind, number, 0.0) for number, joint in enumerate(pins) for kind in (PIN_X, PIN_Y)]
+    for kind, given in ((LINE, lines), (ANGLE, angles)):
+        found += [(joint, kind, number, rate) for number, (joint, rate) in enumerate(given)]
     return Rows(*(np.array([row[i] for row in found], float if i == 3 else np.int64) for i in range(4)))

@@ -1,13 +1,15 @@
-"""A mechanism of rigid links followed through impacts as far as it moves."""
+"""A mechanism followed through impacts as far as it moves."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody import bouncing, moving
+from ...numerics.multibody.floating import place_of
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import Solution
@@ -15,8 +17,10 @@ from ...text.notes import Note, Severity
 from ..base import Method
 from ..options import option, real, whole
 from ..validity import cut_short
-from .linkage import centres, rates_of_centres, rigid_linkage, struck_by
-from .motion import MovingMotion
+from .flexible_motion import FlexibleMotion
+from .floating_linkage import bent_start, fastest_vibration, floating_linkage, room_of
+from .linkage import Rows, centres, rates_of_centres, rigid_linkage, struck_by
+from .motion import MovingMotion, RigidMotion
 
 # Of the fastest link, or of the shortest one as it swings under its weight: with as many the energy of a double
 # pendulum is kept to 1e-8, see `tests/solvers/numerics/multibody/test_moving.py`.
@@ -24,6 +28,9 @@ STEPS_PER_TURN = 200
 MAX_STEPS = 1_000_000
 MOST_IMPACTS = 2_000
 USUAL_TURNS = 1.0  # for which it is followed, where no duration is asked for
+USUAL_PERIODS = 2.0  # of the slowest vibration, if links are flexible and that is less
+STEPS_PER_VIBRATION = 16  # of the fastest one
+MAX_INSTANTS = 50_000  # that are kept
 
 
 @dataclass(frozen=True)
@@ -48,8 +55,6 @@ class Multibody(Method):
         target = scene.target
         if not isinstance(target, Mechanism):
             return Note("refusals.no-mechanism", Severity.REFUSAL, target=target.kind)
-        if target.flexible:
-            return Note("refusals.flexible-links", Severity.REFUSAL)
         if not scene.impactor.free_mass:
             return Note("refusals.mass-on-mechanism", Severity.REFUSAL, impactor=scene.impactor.kind)
         return None
@@ -83,7 +88,7 @@ class Multibody(Method):
                 "energy_error": (sum(energy.values()) - initial) / initial,
                 "energy_drift": float(np.abs(totals - initial).max()) / initial,
                 "momentum_error": self._momentum_error(scene, motion),
-                "constraint_error": _widest_gap(scene, motion),
+                "constraint_error": motion.widest_gap,
                 "steps": motion.time.size - 2 * motion.impulses[0].size,
                 "balances": motion.impulses[0].size,
                 "wall_time": wall_time,
@@ -111,29 +116,39 @@ class Multibody(Method):
     def _follow(self, scene: Scene, duration: float | None) -> tuple[MovingMotion, bool]:
         """The motion, and whether it was ended by too many impacts."""
         mechanism = scene.target.known_as(Mechanism)
-        linkage, rows = rigid_linkage(mechanism)
+        moves = _flexible(mechanism) if mechanism.flexible else _rigid(mechanism)
         contact, normal = struck_by(mechanism, scene.impactor.mass), np.array(mechanism.struck.normal)
         state, later = (
             bouncing.State(
-                centres(mechanism),
-                rates_of_centres(mechanism),
-                mechanism.contact_point.copy(),
+                moves.coordinates.copy(),
+                moves.rates.copy(),
+                moves.struck.copy(),
                 scene.impactor.velocity * normal,
-                np.zeros(rows.joint.size),
+                np.zeros(moves.rows.joint.size),
             )
             for _ in range(2)
         )
-        turn = self._turn(mechanism, scene.speed)
-        duration = USUAL_TURNS * turn if duration is None else duration
-        steps = self.steps or min(MAX_STEPS, max(10, math.ceil(STEPS_PER_TURN * duration / turn)))
-        kept = bouncing.course(steps + 2 * MOST_IMPACTS + 2, len(mechanism.links), rows.joint.size)
+        duration, steps = self._steps(mechanism, scene.speed, duration)
+        every = math.ceil(steps / MAX_INSTANTS)
+        kept = bouncing.course(steps // every + 2 * MOST_IMPACTS + 3, state.q.size, moves.rows.joint.size)
         count = bouncing.march(
-            linkage, moving.work(rows.joint.size, state.q.size), contact, moving.STAGES, self.restitution,
-            duration / steps, steps, state, later, kept,
+            moves.linkage, moves.room, contact, moving.STAGES, self.restitution, duration / steps, steps, every,
+            state, later, kept,
         )  # fmt: skip
         course = bouncing.Course(*(values[:count] for values in kept))
         full = float(course.time[-1]) < duration * (1.0 - 1e-9)
-        return MovingMotion(scene, course, rows, linkage.lines.direction), full
+        return moves.motion(scene, course, moves.linkage, moves.rows), full
+
+    def _steps(self, mechanism: Mechanism, speed: float, duration: float | None) -> tuple[float, int]:
+        """How long it is followed [s], and in how many steps."""
+        turn, fastest = self._turn(mechanism, speed), 0.0
+        usual = USUAL_TURNS * turn
+        if mechanism.flexible:
+            slowest = float(mechanism.frozen.vibrations[0][0])
+            usual, fastest = min(usual, USUAL_PERIODS * 2.0 * math.pi / slowest), fastest_vibration(mechanism)
+        duration = usual if duration is None else duration
+        wanted = duration * max(STEPS_PER_TURN / turn, STEPS_PER_VIBRATION * fastest / (2.0 * math.pi))
+        return duration, self.steps or min(MAX_STEPS, max(10, math.ceil(wanted)))
 
     @staticmethod
     def _turn(mechanism: Mechanism, speed: float) -> float:
@@ -147,13 +162,28 @@ class Multibody(Method):
         return 2.0 * math.pi / fastest if fastest > 0.0 else 1.0
 
 
-def _widest_gap(scene: Scene, motion: MovingMotion) -> float:
-    """By how much any joint is ever open at the instants [m]."""
-    linkage, rows = rigid_linkage(scene.target.known_as(Mechanism))
-    count, size = rows.joint.size, motion.course.coordinates.shape[1]
-    room: Any = moving.work(count, size)
-    worst = 0.0
-    for time, q in zip(motion.course.time.tolist(), motion.course.coordinates, strict=True):
-        moving.joints_at(linkage, q, time, room.gap, room.jacobian, room.moving)
-        worst = max(worst, float(np.abs(room.gap).max(initial=0.0)))
-    return worst
+class _Moves(NamedTuple):
+    """A mechanism as the integrator takes it: constraints, room, coordinates and rates before the impact, where the mass
+    meets it (2,), and what makes a motion of what is recorded."""
+
+    linkage: Any
+    rows: Rows
+    room: Any
+    coordinates: np.ndarray
+    rates: np.ndarray
+    struck: np.ndarray
+    motion: Callable[..., MovingMotion]
+
+
+def _rigid(mechanism: Mechanism) -> _Moves:
+    linkage, rows = rigid_linkage(mechanism)
+    q, v = centres(mechanism), rates_of_centres(mechanism)
+    room = moving.work(rows.joint.size, q.size)
+    return _Moves(linkage, rows, room, q, v, mechanism.contact_point, RigidMotion)
+
+
+def _flexible(mechanism: Mechanism) -> _Moves:
+    linkage, rows = floating_linkage(mechanism)
+    q, v = bent_start(mechanism, linkage, rows)
+    struck = np.array(place_of(linkage, q, linkage.stations.link.size - 1))
+    return _Moves(linkage, rows, room_of(linkage, rows), q, v, struck, FlexibleMotion)

@@ -1,34 +1,35 @@
 """What the integrator has recorded of a mechanism, as a motion."""
 
+from abc import abstractmethod
 from typing import Any
 
 import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.bouncing import Course
-from ...numerics.multibody.moving import forces
+from ...numerics.multibody.moving import Linkage, arm_of, forces, joints_at, work
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod
-from .linkage import ANGLE, LINE, PIN_X, PIN_Y, Rows, rigid_linkage
+from .linkage import ANGLE, LINE, PIN_X, PIN_Y, Rows
 
 
 class MovingMotion(SampledMotion):
-    """A mechanism of rigid links that moves on, and the mass that strikes it, between impacts without duration.
+    """A mechanism that moves on, and the mass that strikes it, between impacts without duration.
 
     Histories are along the normal of the first impact, which does not turn with the links; straight between instants.
-    `impulses` holds times [s] and impulses [N s] of the impacts.
+    `impulses` holds times [s] and impulses [N s] of the impacts; `centres`, of the links, and their `spins` and
+    velocities as rigid bodies, (instants, 3 links) each.
     """
 
-    def __init__(self, scene: Scene, course: Course, rows: Rows, directions: np.ndarray):
-        self.scene, self.course, self._rows = scene, course, rows
+    def __init__(self, scene: Scene, course: Course, rows: Rows, centres: np.ndarray, rates: np.ndarray):
+        self.scene, self.course, self._rows, self.centres, self.rates = scene, course, rows, centres, rates
         self.mechanism = scene.target.known_as(Mechanism)
-        self._directions = directions  # of the lines among the constraints, in the frames of their first links
         system, normal = self.mechanism.system, np.array(self.mechanism.struck.normal)
         self._number = [link.name for link in self.mechanism.links].index(self.mechanism.struck.link)
-        struck, rate = self._point(self.mechanism.contact_point)
+        struck, rate = self._struck_point()
         masses = np.array([link.mass for link in system.links])
-        swift = course.rates.reshape(course.time.size, -1, 3)
+        swift = rates.reshape(course.time.size, -1, 3)
         given = np.diff(course.impulse)
         self._struck_rows = np.flatnonzero(given != 0.0)
         sudden = self._struck_rows[course.time[self._struck_rows + 1] == course.time[self._struck_rows]]
@@ -51,11 +52,11 @@ class MovingMotion(SampledMotion):
         inertia = np.concatenate([(link.mass, link.mass, link.inertia) for link in system.links])
         load = np.concatenate([(*(link.mass * system.gravity), 0.0) for link in system.links])
         mass, nothing = self.scene.impactor.mass, np.zeros(course.time.size)
-        weight = -(course.coordinates - course.coordinates[0]) @ load
+        weight = -(self.centres - self.centres[0]) @ load
         weight -= mass * (course.place - course.place[0]) @ system.gravity
         return {
             "impactor": 0.5 * mass * (course.speed**2).sum(axis=1),
-            "target_rigid": 0.5 * (course.rates**2 @ inertia),
+            "target_rigid": 0.5 * (self.rates**2 @ inertia),
             "target_vibration": nothing,
             "local": nothing,
             "dissipated": course.lost,
@@ -64,21 +65,27 @@ class MovingMotion(SampledMotion):
             **({"springs": self._stretched()} if self.mechanism.springs else {}),
         }
 
+    @abstractmethod
     def _stretched(self) -> np.ndarray:
         """Energy in the springs at every instant [J]."""
-        linkage, _ = rigid_linkage(self.mechanism)
-        room = np.empty(self.course.coordinates.shape[1])
-        return np.array([forces(linkage, q, room) for q in self.course.coordinates])
 
-    def _point(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Of the struck link: places and velocities (time, 2) of the point that is at `at` (2,) to begin with."""
-        course, start = self.course, 3 * self._number
-        q, v = course.coordinates[:, start : start + 3], course.rates[:, start : start + 3]
-        arm = at - q[0, :2]
-        turned = q[:, 2] - q[0, 2]
-        x = np.cos(turned) * arm[0] - np.sin(turned) * arm[1]
-        y = np.sin(turned) * arm[0] + np.cos(turned) * arm[1]
-        return q[:, :2] + np.stack((x, y), 1), v[:, :2] + v[:, 2:] * np.stack((-y, x), 1)
+    @abstractmethod
+    def _struck_point(self) -> tuple[np.ndarray, np.ndarray]:
+        """Places and velocities (instants, 2) of the point that is struck first."""
+
+    @abstractmethod
+    def _direction(self, number: int, row: int) -> np.ndarray:
+        """Of one of the lines among the constraints, at an instant, (2,)."""
+
+    @abstractmethod
+    def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
+        """Where the links are, by name: (time, parts + 1, 2) [m], at even distances along each; what they bend and
+        stretch is drawn `magnified` times."""
+
+    @property
+    @abstractmethod
+    def widest_gap(self) -> float:
+        """By how much any joint is ever open at the instants [m]."""
 
     def contacts(self) -> list[ContactPeriod]:
         """Impacts without duration, and stretches in which the mass rests on the link."""
@@ -93,24 +100,9 @@ class MovingMotion(SampledMotion):
         return found
 
     def coordinates(self, time) -> np.ndarray:
-        """Places of the centres and angles of the links, (time, 3 links)."""
+        """Of the integrator, (time, size): places of the centres and angles of rigid links."""
         time = np.atleast_1d(np.asarray(time, float))
         return np.stack([np.interp(time, self.time, values) for values in self.course.coordinates.T], axis=1)
-
-    def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
-        """Where the links are, by name: (time, parts + 1, 2) [m], at even distances along each."""
-        q, found = self.coordinates(time), {}
-        for number, link in enumerate(self.mechanism.links):
-            x, y, angle = q[:, 3 * number : 3 * number + 3].T
-            along = np.linspace(-0.5, 0.5, parts + 1) * link.length
-            found[link.name] = np.stack(
-                (
-                    x[:, None] + np.multiply.outer(np.cos(angle), along),
-                    y[:, None] + np.multiply.outer(np.sin(angle), along),
-                ),
-                axis=2,
-            )
-        return found
 
     def impactor_places(self, time) -> np.ndarray:
         """Where the mass is, (time, 2) [m]."""
@@ -119,7 +111,7 @@ class MovingMotion(SampledMotion):
     def link_rates(self, time: float) -> dict[str, dict[str, Any]]:
         """By link: velocity of its centre, and spin."""
         row = int(np.clip(np.searchsorted(self.time, time, "right") - 1, 0, self.time.size - 1))
-        rates = self.course.rates[row].reshape(-1, 3)
+        rates = self.rates[row].reshape(-1, 3)
         return {
             link.name: {"final_velocity": own[:2].tolist(), "final_spin": float(own[2])}
             for link, own in zip(self.mechanism.links, rates, strict=True)
@@ -154,9 +146,54 @@ class MovingMotion(SampledMotion):
                 found[joint, 2] -= value
             else:
                 assert kind == LINE
-                first = self.mechanism.system.joints[joint].first
-                angle = 0.0 if first < 0 else self.course.coordinates[row, 3 * first + 2]
-                x, y = self._directions[number]
-                cosine, sine = np.cos(angle), np.sin(angle)
-                found[joint, :2] -= value * np.array([cosine * x - sine * y, sine * x + cosine * y])
+                found[joint, :2] -= value * self._direction(number, row)
         return found
+
+
+class RigidMotion(MovingMotion):
+    """Of rigid links."""
+
+    def __init__(self, scene: Scene, course: Course, linkage: Linkage, rows: Rows):
+        self._linkage = linkage
+        super().__init__(scene, course, rows, course.coordinates, course.rates)
+
+    def _stretched(self) -> np.ndarray:
+        room = np.empty(self.course.coordinates.shape[1])
+        return np.array([forces(self._linkage, q, room) for q in self.course.coordinates])
+
+    def _struck_point(self) -> tuple[np.ndarray, np.ndarray]:
+        course, start = self.course, 3 * self._number
+        q, v = course.coordinates[:, start : start + 3], course.rates[:, start : start + 3]
+        arm = self.mechanism.contact_point - q[0, :2]
+        turned = q[:, 2] - q[0, 2]
+        x = np.cos(turned) * arm[0] - np.sin(turned) * arm[1]
+        y = np.sin(turned) * arm[0] + np.cos(turned) * arm[1]
+        return q[:, :2] + np.stack((x, y), 1), v[:, :2] + v[:, 2:] * np.stack((-y, x), 1)
+
+    def _direction(self, number: int, row: int) -> np.ndarray:
+        lines = self._linkage.lines
+        return np.array(arm_of(self.course.coordinates[row], lines.first[number], lines.direction[number]))
+
+    def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
+        """Where the links are, by name: (time, parts + 1, 2) [m], at even distances along each."""
+        q, found = self.coordinates(time), {}
+        for number, link in enumerate(self.mechanism.links):
+            x, y, angle = q[:, 3 * number : 3 * number + 3].T
+            along = np.linspace(-0.5, 0.5, parts + 1) * link.length
+            found[link.name] = np.stack(
+                (
+                    x[:, None] + np.multiply.outer(np.cos(angle), along),
+                    y[:, None] + np.multiply.outer(np.sin(angle), along),
+                ),
+                axis=2,
+            )
+        return found
+
+    @property
+    def widest_gap(self) -> float:
+        room: Any = work(self._rows.joint.size, self.course.coordinates.shape[1])
+        worst = 0.0
+        for time, q in zip(self.course.time.tolist(), self.course.coordinates, strict=True):
+            joints_at(self._linkage, q, time, room.gap, room.jacobian, room.moving)
+            worst = max(worst, float(np.abs(room.gap).max(initial=0.0)))
+        return worst

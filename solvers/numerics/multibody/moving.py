@@ -82,6 +82,15 @@ class Linkage(NamedTuple):
     springs: Springs
     size: float
 
+    def take_step(self, w, stages, q, v, time, step, reactions):
+        step_on(self, w, stages, q, v, time, step, reactions)
+
+    def face_at(self, contact, q, place, row):
+        return face_of(contact, q, place, row)
+
+    def respond(self, w, q, time, change):
+        respond(self, w, q, time, change)
+
 
 def constraints(linkage: Linkage) -> int:
     """Their number."""
@@ -214,6 +223,7 @@ class Work(NamedTuple):
     half: np.ndarray
     moved: np.ndarray
     force_now: np.ndarray
+    row: np.ndarray
 
 
 @allocating_kernel
@@ -226,6 +236,7 @@ def work(count, size):
         np.empty((count, size)),
         np.empty((count, size)),
         np.empty((count, count)),
+        np.empty(size),
         np.empty(size),
         np.empty(size),
         np.empty(size),
@@ -309,6 +320,36 @@ def _close_rates(linkage, w, q, v, time, reactions):
     push_rates(linkage, w.jacobian, w.given, v)
     for i in range(reactions.size):
         reactions[i] += w.given[i]
+
+
+@kernel
+def face_of(contact, q, place, row):
+    """Of the line of the struck link, which a point mass meets at `place` (2,): by how much it is in there, where along
+    the line, and the normal; writes the velocity of the link along it per unit of each rate, (size,)."""
+    for k in range(q.size):
+        row[k] = 0.0
+    start = 3 * contact.link
+    x, y = place_of(q, contact.link, contact.on_link)
+    nx, ny = arm_of(q, contact.link, contact.normal)
+    dx, dy = place[0] - x, place[1] - y
+    row[start], row[start + 1] = nx, ny
+    row[start + 2] = (place[0] - q[start]) * ny - (place[1] - q[start + 1]) * nx
+    return nx * dx + ny * dy, ny * dx - nx * dy, nx, ny
+
+
+@kernel
+def respond(linkage, w, q, time, change):
+    """In place of generalised impulses (size,) what they change the rates by; w.given: impulses of the constraints."""
+    for k in range(q.size):
+        change[k] *= linkage.mobility[k]
+    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
+    for i in range(w.given.size):
+        w.given[i] = 0.0
+        for k in range(q.size):
+            w.given[i] += w.jacobian[i, k] * change[k]
+    response_to(linkage, w.jacobian, w.jacobian, 1.0, w.response)
+    solve(w.response, w.given)
+    push_rates(linkage, w.jacobian, w.given, change)
 
 
 @kernel

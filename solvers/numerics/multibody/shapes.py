@@ -44,7 +44,8 @@ class Shapes:
     frequencies (shapes,) [rad/s]; momentum (shapes, 2), integral of the shape over the mass, along and across the link
     [kg^1/2]; angular (shapes,), moment about the origin of what goes across, rotary inertia with it [kg^1/2 m]; radial
     (shapes,), integral of x times what goes along: the centrifugal load per unit of spin squared [kg^1/2 m];
-    left_out (2,), static compliance at the struck place of all other shapes, along and across [m/N].
+    left_out (2,), static compliance at the struck place of all other shapes, along and across [m/N]; cuts, places
+    between which they are smooth [m].
     """
 
     bending: Modes
@@ -54,6 +55,7 @@ class Shapes:
     angular: np.ndarray
     radial: np.ndarray
     left_out: np.ndarray
+    cuts: np.ndarray
 
     def displacements(self, x: np.ndarray) -> np.ndarray:
         """Along and across the link per unit of each coordinate, (shapes, x, 2) [kg^-1/2]."""
@@ -62,6 +64,10 @@ class Shapes:
         found[: across.shape[0], :, 1] = across
         found[across.shape[0] :, :, 0] = along
         return found
+
+    def slopes(self, x: np.ndarray) -> np.ndarray:
+        """Of the axis that bends, per unit of each coordinate, (shapes, x) [kg^-1/2 / m]."""
+        return self._of_bending("slopes", x)
 
     def turns(self, x: np.ndarray) -> np.ndarray:
         """By what the section turns per unit of each coordinate, (shapes, x) [kg^-1/2 / m]."""
@@ -86,7 +92,8 @@ def link_shapes(bar: Flexible, place: float | None = None) -> Shapes:
     length = bar.line.length
     at = 0.5 * length if place is None else place
     bending, axial = mesh_shapes(bar, at) if bar.nodes else (_bending(bar, at), _axial(bar, at))
-    x, weights = _panels(np.unique([0.0, bar.second_pin, length, *bar.nodes]), max(bar.bending, bar.axial))
+    cuts = np.unique([0.0, bar.second_pin, length, *bar.nodes])
+    x, weights = panels(cuts, max(bar.bending, bar.axial))
     weights = weights * bar.line.mass_per_length
     across, along = bending.shapes(x), axial.shapes(x)
     angular = across @ (weights * x)
@@ -101,13 +108,14 @@ def link_shapes(bar: Flexible, place: float | None = None) -> Shapes:
         np.append(angular, of_axial),
         np.append(of_bending, along @ (weights * x)),
         np.array([axial.residual_compliance, bending.residual_compliance]) * (place is not None),
+        cuts,
     )
 
 
 def no_shapes() -> Shapes:
     """Of a rigid link."""
     nothing = np.zeros(0)
-    return Shapes(_none(), _none(), nothing, np.zeros((0, 2)), nothing, nothing, np.zeros(2))
+    return Shapes(_none(), _none(), nothing, np.zeros((0, 2)), nothing, nothing, np.zeros(2), nothing)
 
 
 def _none() -> Modes:
@@ -117,7 +125,7 @@ def _none() -> Modes:
     return Modes(np.zeros(0), np.zeros(0), np.inf, 0.0, no_shape, no_shape)
 
 
-def _panels(cuts: np.ndarray, waves: int) -> tuple[np.ndarray, np.ndarray]:
+def panels(cuts: np.ndarray, waves: int) -> tuple[np.ndarray, np.ndarray]:
     """Places and weights of integrals over the length, in panels that no cut is inside of."""
     edges = np.concatenate([np.linspace(*ends, waves + 3)[:-1] for ends in pairwise(cuts)])
     edges = np.append(edges, cuts[-1])
