@@ -12,6 +12,8 @@ from .floating_linkage import room_of
 from .linkage import Rows
 from .motion import MovingMotion
 
+PLACES = 21  # at which slopes are looked at
+
 
 class FlexibleMotion(MovingMotion):
     """Of links of which some bend or stretch; fields are those of the struck link, x from its first end.
@@ -38,6 +40,17 @@ class FlexibleMotion(MovingMotion):
 
     def _stretched(self) -> np.ndarray:
         return self._seen.springs
+
+    @property
+    def steepest(self) -> float:
+        """Slope of any link at any instant, the largest; infinite if they bend beyond all bounds."""
+        worst = 0.0
+        for number, link in enumerate(self.mechanism.system.links):
+            if link.shapes.frequencies.size:
+                x = np.linspace(0.0, link.length, PLACES)
+                slopes = self.course.coordinates[:, self._own(number)][:, 3:] @ link.shapes.slopes(x)
+                worst = max(worst, float(np.abs(np.nan_to_num(slopes, nan=np.inf)).max()))
+        return worst
 
     @property
     def widest_gap(self) -> float:

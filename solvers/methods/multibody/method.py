@@ -28,20 +28,23 @@ STEPS_PER_TURN = 200
 MAX_STEPS = 1_000_000
 MOST_IMPACTS = 2_000
 USUAL_TURNS = 1.0  # for which it is followed, where no duration is asked for
-USUAL_PERIODS = 2.0  # of the slowest vibration, if links are flexible and that is less
-STEPS_PER_VIBRATION = 16  # of the fastest one
+USUAL_PERIODS, USUAL_STEPS = 2.0, 4_000  # of the slowest vibration, of flexible links, if both are less than that
+STEPS_PER_VIBRATION = 16  # of the fastest one: it is off by 1e-5 in a period
+MIN_STEPS_PER_VIBRATION = 6  # with fewer the fastest ones are slower than they are
+MAX_SLOPE = 0.1  # of bent links; what is left out is of its square
 MAX_INSTANTS = 50_000  # that are kept
 
 
 @dataclass(frozen=True)
 class Multibody(Method):
-    """Rigid links that move as far as they like, joints closed in positions and velocities, by a symplectic integrator
-    of sixth order; impacts of a point mass with a restitution, located to rounding.
+    """Links that move as far as they like, joints closed in positions and velocities, by a symplectic integrator of
+    sixth order; impacts of a point mass with a restitution, located to rounding.
 
-    The mass strikes the line of the struck link along a normal that turns with it, and misses it beside its ends.
-    Assumes: rigid links, impacts without duration or friction.
-    Error: sixth order in the step; the energy does not drift.
-    Source: thesis 6.3, (6.12); kernel: see `numerics.multibody.moving`.
+    The mass strikes the line of the struck link, bent as it is, along a normal that turns with it, and misses it beside
+    its ends. Flexible links start bent by their weight and inertia, which is steady to first order.
+    Assumes: slopes of bent links small beside 1; impacts without duration or friction.
+    Error: sixth order in the step; the energy does not drift, but for rounding: 3e-15 a step of flexible links.
+    Source: thesis 6.2, 6.3, (6.12); kernels: see `numerics.multibody.moving`, and `variational` for flexible links.
     """
 
     restitution: float = option(1.0, real(0.0, 1.0))
@@ -73,6 +76,7 @@ class Multibody(Method):
         notes = [] if scene.rigid_contact else [Note("balance-without-law", Severity.WARNING)]
         if full:
             notes.append(cut_short(MOST_IMPACTS, "balances"))
+        notes += self._notes_on_links(motion)
         return Solution(
             scene=scene,
             method=self.table(),
@@ -89,7 +93,7 @@ class Multibody(Method):
                 "energy_drift": float(np.abs(totals - initial).max()) / initial,
                 "momentum_error": self._momentum_error(scene, motion),
                 "constraint_error": motion.widest_gap,
-                "steps": motion.time.size - 2 * motion.impulses[0].size,
+                "steps": self._steps(motion.mechanism, scene.speed, duration)[1],
                 "balances": motion.impulses[0].size,
                 "wall_time": wall_time,
                 "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
@@ -109,7 +113,7 @@ class Multibody(Method):
     def _estimated_error(self, scene: Scene, motion: MovingMotion) -> float:
         """Of the last velocity, relative to the speed of approach, against half the steps."""
         end = motion.time[-1:]
-        half = max(10, (motion.time.size - 2 * motion.impulses[0].size) // 2)
+        half = max(10, self._steps(motion.mechanism, scene.speed, float(end[0]))[1] // 2)
         other, _ = replace(self, steps=half)._follow(scene, float(end[0]))
         return float(np.abs(other.impactor_velocity(end) - motion.impactor_velocity(end))[0]) / scene.speed
 
@@ -139,13 +143,31 @@ class Multibody(Method):
         full = float(course.time[-1]) < duration * (1.0 - 1e-9)
         return moves.motion(scene, course, moves.linkage, moves.rows), full
 
+    def _notes_on_links(self, motion: MovingMotion) -> list[Note]:
+        """Of flexible links that bend too far, or whose vibrations the steps are too long for."""
+        if not isinstance(motion, FlexibleMotion):
+            return []
+        found, steepest = [], motion.steepest
+        if not steepest <= MAX_SLOPE:
+            severity = Severity.WARNING if steepest < 1.0 else Severity.INVALID
+            found.append(Note("links-bend-far", severity, slope=steepest, allowed=MAX_SLOPE))
+        duration = float(motion.time[-1])
+        _, steps = self._steps(motion.mechanism, motion.scene.speed, duration)
+        period = 2.0 * math.pi / fastest_vibration(motion.mechanism)
+        if steps * period < MIN_STEPS_PER_VIBRATION * duration:
+            needed = math.ceil(MIN_STEPS_PER_VIBRATION * duration / period)
+            found.append(Note("vibrations-unresolved", Severity.WARNING, period=period, needed=needed))
+        return found
+
     def _steps(self, mechanism: Mechanism, speed: float, duration: float | None) -> tuple[float, int]:
         """How long it is followed [s], and in how many steps."""
         turn, fastest = self._turn(mechanism, speed), 0.0
         usual = USUAL_TURNS * turn
         if mechanism.flexible:
             slowest = float(mechanism.frozen.vibrations[0][0])
-            usual, fastest = min(usual, USUAL_PERIODS * 2.0 * math.pi / slowest), fastest_vibration(mechanism)
+            fastest = fastest_vibration(mechanism)
+            soon = max(USUAL_PERIODS / slowest, USUAL_STEPS / (STEPS_PER_VIBRATION * fastest))
+            usual = min(usual, 2.0 * math.pi * soon)
         duration = usual if duration is None else duration
         wanted = duration * max(STEPS_PER_TURN / turn, STEPS_PER_VIBRATION * fastest / (2.0 * math.pi))
         return duration, self.steps or min(MAX_STEPS, max(10, math.ceil(wanted)))
@@ -163,8 +185,8 @@ class Multibody(Method):
 
 
 class _Moves(NamedTuple):
-    """A mechanism as the integrator takes it: constraints, room, coordinates and rates before the impact, where the mass
-    meets it (2,), and what makes a motion of what is recorded."""
+    """A mechanism as the integrator takes it: constraints, room, coordinates and rates before the impact, where the
+    mass meets it (2,), and what makes a motion of what is recorded."""
 
     linkage: Any
     rows: Rows

@@ -14,12 +14,13 @@ from .variational import Floating
 
 # Of a step: after two flights as short as this the mass rests on the link. Endless ever smaller impacts end there.
 SHORTEST_FLIGHT = 1e-2
+MAX_SEARCHES = 100  # of an impact; six or seven do
 
 
 class Contact(NamedTuple):
     """A point mass [kg] in front of a link, which it strikes along `normal` (2,), that turns with the link, at the line
-    through `on_link` (2,) across it; the line is as long as the link, from `low` to `high` [m] along it. A flexible link
-    is met on the line as it is bent."""
+    through `on_link` (2,) across it; the line is as long as the link, from `low` to `high` [m] along it. A flexible
+    link is met on the line as it is bent."""
 
     link: int
     on_link: np.ndarray
@@ -123,25 +124,25 @@ def _advance(linkage, w, contact, stages, state, time, step):
 
 @inner_kernel
 def _meeting(linkage, w, contact, stages, state, later, time, longest):
-    """How long until the mass meets the link, within `longest` [s], at the end of which it is in there by what `later`
-    says, which is written over: by Newton, between bounds."""
+    """How long until the mass comes into the link, within `longest` [s], at the end of which it is in there by what
+    `later` says, which is written over: by Newton, between bounds."""
     low, high, found = 0.0, longest, longest
     depth, rate, _ = overlap(linkage, w, contact, later)
     close = 2e-16 * (time + longest)
-    while high - low > close:
+    for _ in range(MAX_SEARCHES):
         before = found
-        found -= depth / rate if rate != 0.0 else 0.0
+        found -= depth / rate if rate > 0.0 else 0.0  # where it leaves the link is no answer
         if not low < found < high:
             found = 0.5 * (low + high)
-            if not low < found < high:
-                break
+        if not low < found < high:
+            break
         _copied(later, state)
         depth, rate, _ = _advance(linkage, w, contact, stages, later, time, found)
         if depth > 0.0:
             high = found
         else:
             low = found
-        if abs(found - before) <= close:
+        if high - low <= close or (rate > 0.0 and abs(found - before) <= close):
             break
     return found
 
@@ -189,7 +190,6 @@ def march(linkage: Linkage | Floating, w, contact, stages, restitution, step, st
             if depth > 0.0 >= before and contact.low <= along <= contact.high:
                 length = _meeting(linkage, w, contact, stages, state, later, time, end - time)
                 _, rate, _ = _advance(linkage, w, contact, stages, state, time, length)
-                stuck = rate <= 0.0 and not time + length > time
                 time += length
                 if rate > 0.0:
                     _write(kept, row, time, state, impulse, lost)
@@ -201,7 +201,7 @@ def march(linkage: Linkage | Floating, w, contact, stages, restitution, step, st
                     short = short + 1 if time - last < SHORTEST_FLIGHT * step else 0
                     last = time
                 before = -1.0
-                if stuck:  # they touch, and are pressed together
+                if not rate > 0.0:  # they touch, and are pressed together
                     short = 2
                 if short >= 2:
                     break

@@ -17,10 +17,11 @@ from ...jit import inner_kernel, kernel
 class Frames(NamedTuple):
     """Links by their integrals over the mass. Fields are of every link, up to `shapes` shapes, the others zero.
 
-    By what H takes along the axis is replaced, in the inertia, by the straight line s0 + s1 x with the same integrals of
-    first and second order; so fields number two more than shapes: 1 and x along the axis, then the shapes.
-    start (links + 1,), where the coordinates of each begin; mass [kg], moment, of first order along the link [kg m], and
-    inertia about the origin [kg m2], (links,); momentum (links, fields, 2), angular, radial (links, fields), as in
+    By what a link gets shorter is, in its inertia, replaced by a straight line along the axis, s0 + s1 x, with the same
+    integrals over the mass, of first and second order; so fields number two more than shapes: 1 and x along the axis,
+    then the shapes.
+    start (links + 1,), where the coordinates of each begin; mass [kg], moment, of first order along the link [kg m],
+    and inertia about the origin [kg m2], (links,); momentum (links, fields, 2), angular, radial (links, fields), as in
     `shapes`; square (links, fields, fields), mass of the rates of fields; swelling, the same without rotary inertia, by
     which the inertia about the origin grows; crossed, along times across less the reverse; line (links, 2, shapes,
     shapes), H of the straight line; stiffness (links, shapes), squared frequencies.

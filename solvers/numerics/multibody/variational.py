@@ -217,8 +217,8 @@ def step_on(linkage, w, stages, q, v, time, step, reactions):
 
 
 class Seen(NamedTuple):
-    """At instants, of every link its centre and angle, and velocity and spin by its momenta, (instants, 3 links); kinetic
-    energy, energy in springs [J], and by how much the joints are open [m], (instants,)."""
+    """At instants, of every link its centre and angle, and velocity and spin by its momenta, (instants, 3 links);
+    kinetic energy, energy in springs [J], and by how much the joints are open [m], (instants,)."""
 
     centres: np.ndarray
     rates: np.ndarray

@@ -96,7 +96,6 @@ def test_reactions_over_time_are_the_weight_at_rest():
 def test_what_it_cannot_follow_is_refused():
     rod = {"kind": "rod", "length": 0.3, "section": {"area": 1e-4}, "material": "steel", "velocity": 0.0}
     for scene, code in (
-        (four_bar(3), "flexible-links"),
         (SCENES["fixed-rod"], "no-mechanism"),
         (four_bar(impactor=rod), "mass-on-mechanism"),
     ):  # fmt: skip

@@ -128,6 +128,34 @@ def test_a_hanging_bar_vibrates_at_its_natural_frequency():
     assert states[400, 0] - states[0, 0] == approx(-2.0 * start, abs=1e-4 * np.abs(start).max())
 
 
+@pytest.mark.parametrize(
+    "shapes",
+    [
+        {"modes": 3},
+        {"modes": 3, "axial": 1, "shapes": "pinned-free"},
+        {"modes": 3, "shapes": "mean-axis"},
+        {"modes": 3, "shapes": "pinned-free", "theory": "timoshenko"},
+        {"modes": 5, "nodes": [0.1, 0.2, 0.3, 0.4, 0.5]},
+    ],
+    ids=["clamped-free", "axial", "mean-axis", "timoshenko", "elements"],
+)
+def test_every_set_of_shapes_swings_as_a_pendulum(shapes):
+    """A bar that falls bends by little."""
+    bar = {"name": "bar", "from": [0.0, 0.0], "to": [0.5, 0.0], "mass": 1.5, "section": FLAT, "material": STEEL}
+    pivot, weight = [{"links": ["ground", "bar"], "at": [0.0, 0.0]}], {"gravity": [0.0, -9.81]}
+    linkage, rows = rigid_linkage(mechanism([bar], pivot, **weight))
+    q, v = np.array([0.25, 0.0, 0.0]), np.zeros(3)
+    moving_on, room = np.zeros(rows.joint.size), moving.work(rows.joint.size, 3)
+    for number in range(100):
+        moving.step_on(linkage, room, STAGES, q, v, number * 2e-3, 2e-3, moving_on)
+    falling = Follower(mechanism([bar | shapes], pivot, **weight))
+    seen, energy = falling.seen(falling.run(1e-4, 2000))
+    assert q[1] < -0.1
+    assert seen.centres[-1, :2] == approx(q[:2], abs=2e-6)
+    assert seen.rates[-1] == approx(v, abs=2e-4)
+    assert energy == approx(np.full(energy.size, energy[0]), abs=1e-9)
+
+
 def test_joints_stay_closed_and_the_energy_does_not_drift():
     falling = Follower(pendulum())
     states = falling.run(2e-4, 5_000)
