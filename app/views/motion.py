@@ -19,6 +19,7 @@ from ..messages.mechanism import PARTS, described, mechanism_of, with_rigid_link
 
 LONGEST = 20.0  # [s] that can be asked for
 INSTANTS, HISTORY = 361, 301  # of the picture, besides impacts; of reactions and energies
+MOST_STEPS = 10_000  # of links that bend, which take some two seconds; for longer they are followed as rigid ones
 IMPACTS = 100  # told one by one
 JOLTS = 8  # of these, the first of which it is told what every joint gets
 LINKS = "flexible", "rigid"  # as which links that bend are followed
@@ -58,13 +59,18 @@ def followed(asked: dict[str, Any]) -> tuple[Solution | None, Note | None]:
     """The motion for so many seconds, and why its links are taken as rigid where they are not; or why there is none."""
     request = Request.of(asked)
     scene, method = request.scene, Multibody(restitution=restitution_of(request))
+    seconds = asked["motion_seconds"] or scene.method.get("duration")
     mechanism, reason = mechanism_of(scene), method.refusal(scene)
-    if mechanism is not None and mechanism.flexible and (reason or asked["motion_links"] == "rigid"):
-        scene = with_rigid_links(scene)
+    if mechanism is not None and mechanism.flexible:
+        if asked["motion_links"] == "rigid":
+            scene = with_rigid_links(scene)
+        else:
+            reason = reason or method.too_long(scene, seconds, MOST_STEPS)
+            scene = with_rigid_links(scene) if reason else scene
     refusal = method.refusal(scene)
     if refusal:
         return None, refusal
-    return method.solve(scene, asked["motion_seconds"] or scene.method.get("duration")), reason
+    return method.solve(scene, seconds), reason
 
 
 def restitution_of(request: Request) -> float:

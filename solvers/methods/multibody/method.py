@@ -14,7 +14,7 @@ from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import Solution
 from ...text.notes import Note, Severity
-from ..base import Method
+from ..base import Method, SceneNotSupported
 from ..options import option, real, whole
 from ..validity import cut_short
 from .flexible_motion import FlexibleMotion
@@ -32,6 +32,7 @@ USUAL_PERIODS, USUAL_STEPS = 2.0, 4_000  # of the slowest vibration, of flexible
 STEPS_PER_VIBRATION = 16  # of the fastest one: it is off by 1e-5 in a period
 MIN_STEPS_PER_VIBRATION = 6  # with fewer the fastest ones are slower than they are
 MAX_SLOPE = 0.1  # of bent links; what is left out is of its square
+MOST_STEPS_OF_FLEXIBLE = 300_000  # which take a minute; more must be asked for
 MAX_INSTANTS = 50_000  # that are kept
 
 
@@ -62,7 +63,19 @@ class Multibody(Method):
             return Note("refusals.mass-on-mechanism", Severity.REFUSAL, impactor=scene.impactor.kind)
         return None
 
+    def too_long(self, scene: Scene, duration: float | None, most: int) -> Note | None:
+        """The note that the vibrations of flexible links need more steps than `most` in this time [s], or None."""
+        mechanism = scene.target.known_as(Mechanism)
+        lasts, steps = self._steps(mechanism, scene.speed, duration)
+        if self.steps is not None or not mechanism.flexible or steps <= most:
+            return None
+        reached = lasts * most / steps
+        return Note("refusals.flexible-steps", Severity.REFUSAL, steps=steps, most=most, reached=reached)
+
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
+        reason = self.too_long(scene, duration, MOST_STEPS_OF_FLEXIBLE)
+        if reason:
+            raise SceneNotSupported("method.duration", duration, reason)
         begun = clock()
         motion, full = self._follow(scene, duration)
         wall_time = clock() - begun
@@ -170,7 +183,8 @@ class Multibody(Method):
             usual = min(usual, 2.0 * math.pi * soon)
         duration = usual if duration is None else duration
         wanted = duration * max(STEPS_PER_TURN / turn, STEPS_PER_VIBRATION * fastest / (2.0 * math.pi))
-        return duration, self.steps or min(MAX_STEPS, max(10, math.ceil(wanted)))
+        most = MAX_STEPS if not mechanism.flexible else math.inf
+        return duration, self.steps or int(min(most, max(10, math.ceil(wanted))))
 
     @staticmethod
     def _turn(mechanism: Mechanism, speed: float) -> float:

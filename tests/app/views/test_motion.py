@@ -92,16 +92,23 @@ def test_reactions_are_those_of_the_motion(pendulum):
     assert forces[:, 0, 1].mean() == approx(2.0 * 9.81, rel=0.05)  # the pin bears both bars of 1 kg
 
 
-def test_links_that_bend_are_followed_as_far_as_the_method_can():
-    found = answer("rotating-bar", 0.05)
-    solution, refused = followed(asked("rotating-bar", 0.05))
+@pytest.mark.parametrize(("seconds", "flexible"), [(0.004, True), (0.5, False)])
+def test_links_that_bend_are_followed_as_long_as_their_vibrations_can_be(seconds, flexible):
+    found = answer("rotating-bar", seconds)
+    solution, refused = followed(asked("rotating-bar", seconds))
     assert solution is not None
     target = solution.scene.target
-    assert isinstance(target, Mechanism) and target.flexible == (refused is None)
-    assert (found["rigid"] is None) == (refused is None)
-    assert found["mechanism"]["links"][0]["flexible"] == target.flexible
-    rigid = answer("rotating-bar", 0.05, motion_links="rigid")
-    assert not rigid["mechanism"]["links"][0]["flexible"] and rigid["contacts"] >= 1
+    assert isinstance(target, Mechanism) and target.flexible == flexible == (refused is None)
+    assert (found["rigid"] is None) == flexible
+    if not flexible:
+        assert found["rigid"]["code"] == "refusals.flexible-steps"
+    assert found["mechanism"]["links"][0]["flexible"] == flexible
+    bends = ends_of(found)[:, 0]
+    across = bends[:, 0] - 2.0 * bends[:, bends.shape[1] // 2] + bends[:, -1]
+    assert bends.shape[1] == (11 if flexible else 2)
+    assert np.abs(across).max() > 5e-5 or not flexible  # five digits are sent
+    rigid = answer("rotating-bar", seconds, motion_links="rigid")
+    assert not rigid["mechanism"]["links"][0]["flexible"] and rigid["rigid"] is None and rigid["contacts"] >= 1
 
 
 def test_restitution_is_that_of_the_slider_where_there_is_one():

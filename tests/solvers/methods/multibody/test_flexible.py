@@ -5,7 +5,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import Scene
+from solvers import Scene, SceneNotSupported
 from solvers.methods.multibody.method import Multibody
 from solvers.text.notes import Severity
 from tests.catalog import SCENES
@@ -124,3 +124,13 @@ def test_steps_too_long_for_the_vibrations_are_named():
     finer = Multibody(steps=note.values["needed"]).solve(rotating_bar(5), 0.01)
     assert all(other.code != "vibrations-unresolved" for other in finer.notes)
     assert found.diagnostics["energy_drift"] < 0.05  # stable all the same
+
+
+def test_more_steps_than_anyone_waits_for_are_refused():
+    with pytest.raises(SceneNotSupported) as refused:
+        solvers.solve(rotating_bar(12), method="multibody", duration=100.0)
+    reason = refused.value.reason
+    assert reason.code == "refusals.flexible-steps"
+    assert Multibody().too_long(rotating_bar(12), reason.values["reached"], reason.values["most"] + 1) is None
+    assert Multibody(steps=50).too_long(rotating_bar(12), 100.0, 10_000) is None
+    assert Multibody().too_long(rotating_bar(0), 100.0, 10_000) is None

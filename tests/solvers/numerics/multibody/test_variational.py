@@ -140,7 +140,7 @@ def test_a_hanging_bar_vibrates_at_its_natural_frequency():
     ids=["clamped-free", "axial", "mean-axis", "timoshenko", "elements"],
 )
 def test_every_set_of_shapes_swings_as_a_pendulum(shapes):
-    """A bar that falls bends by little."""
+    """A bar that falls bends by little, by some of which its frame starts at another angle."""
     bar = {"name": "bar", "from": [0.0, 0.0], "to": [0.5, 0.0], "mass": 1.5, "section": FLAT, "material": STEEL}
     pivot, weight = [{"links": ["ground", "bar"], "at": [0.0, 0.0]}], {"gravity": [0.0, -9.81]}
     linkage, rows = rigid_linkage(mechanism([bar], pivot, **weight))
@@ -151,8 +151,8 @@ def test_every_set_of_shapes_swings_as_a_pendulum(shapes):
     falling = Follower(mechanism([bar | shapes], pivot, **weight))
     seen, energy = falling.seen(falling.run(1e-4, 2000))
     assert q[1] < -0.1
-    assert seen.centres[-1, :2] == approx(q[:2], abs=2e-6)
-    assert seen.rates[-1] == approx(v, abs=2e-4)
+    assert seen.centres[-1, :2] == approx(q[:2], abs=2e-5)
+    assert seen.rates[-1] == approx(v, abs=5e-4)
     assert energy == approx(np.full(energy.size, energy[0]), abs=1e-9)
 
 
