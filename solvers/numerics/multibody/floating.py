@@ -247,7 +247,7 @@ def _bend(face, q, first, place, row):
     return moved, slope
 
 
-@inner_kernel
+@kernel
 def face_of(linkage, contact, q, place, row):
     """Of the bent line of the struck link, which a point mass meets at `place` (2,): by how much it is in there, where
     along the line, and the normal there; writes the velocity of the link along it per unit of each rate, (size,)."""

@@ -197,7 +197,7 @@ def _close(w, v):
     react(w, w.jacobian, 1.0, v, w.given)
 
 
-@inner_kernel
+@kernel
 def respond(linkage, w, q, time, change):
     """In place of generalised impulses (size,) what they change the rates by; w.given: impulses of the constraints."""
     joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
