@@ -134,14 +134,11 @@ Piece = tuple[str, dict[str, Any]]  # name of a work, and the choices that it is
 
 def usual() -> Iterator[Piece]:
     """What visitors usually ask for, what most of them ask for first."""
-    begun, late = [view for view in VIEWS if not (view.late or view.scene)], [view for view in VIEWS if view.late]
+    begun, late = [view for view in VIEWS if not (view.late or view.scenes)], [view for view in VIEWS if view.late]
     beam = next(name for name, scene in SCENES.items() if on_beam(scene))
     for scene in (START, beam):
         yield from _pieces(scene, begun)
     yield with_body_value.__name__, Choices().chosen() | {"body_value": "impactor"}
-    for view in VIEWS:
-        if view.scene:
-            yield from _asked(view.scene, [view])
     rubs = next(name for name, scene in SCENES.items() if scene.friction)
     yield from _pieces(rubs, [])
     laws = [law for law in Choices.param.law.objects if law != Choices().law]
@@ -149,6 +146,9 @@ def usual() -> Iterator[Piece]:
     for work in asked:
         for law in laws:
             yield work.__name__, Choices(law=law, modes=5).chosen()
+    for view in VIEWS:
+        for scene in view.scenes:
+            yield from _asked(scene, [view])
     for view in late:
         for work in view.compiled:
             yield work.__name__, Choices().chosen() | view.examples
@@ -178,7 +178,7 @@ def compile_usual(between: Callable[[], None] = lambda: None) -> None:
 
 def compile_at_once(processes: int) -> None:
     """The same by several processes; a law's kernels are one task, so that two of them compile little twice."""
-    apart = {work.__name__ for view in VIEWS if view.late or view.every_law for work in view.compiled}
+    apart = {work.__name__ for view in VIEWS if view.late or view.every_law or view.scenes for work in view.compiled}
     tasks: dict[str, list[Piece]] = {}
     for name, choices in usual():
         simple = choices.get("law", "rigid") == "rigid"

@@ -50,7 +50,7 @@ class View:
     stoppable: bool = False  # whether `work` takes `cancelled`, and the visitor may stop it
     every_law: bool = False  # whether it is compiled ahead for every contact law
     late: bool = False  # whether few ask for it, so that it is compiled after all others
-    scene: str = ""  # with which it is compiled, where it is not for the first of its kinds
+    scenes: tuple[str, ...] = ()  # with which it is compiled, where the first of its kinds would not do
 
     @property
     def opener(self) -> str:
@@ -109,9 +109,9 @@ VIEWS = (  # in the order in which an address names them
     View("stability", run=stability.stability_data, kernels=stability.stability_kernels, kept=True,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
-         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scene="bouncing-ball"),
+         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
     View("motion", motion.motion_data, asked=motion.QUESTIONS, kinds=BEAMS, depends_on=motion.of_mechanisms, rests=True,
-         scene="slider-crank"),
+         scenes=("slider-crank",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [
