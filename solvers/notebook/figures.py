@@ -11,6 +11,9 @@ PARTS = {
     "target_vibration": "energy of the target's vibration",
     "local": "energy stored in the contact",
     "dissipated": "energy lost",
+    "drives": "energy taken up by the drives of a mechanism",
+    "weight": "energy gone into height",
+    "springs": "energy stored in the springs of a mechanism",
 }
 
 

@@ -19,6 +19,8 @@ KINDS = {  # one of each pair of bodies that has a motion of its own
     "a rod on a rod": "two-equal-rods",
     "a ball on a half-space": "sphere-on-half-space",
     "a mass on an oscillator": "spring-mass",
+    "a mass on a mechanism": "rotating-bar",
+    "a ball on a mechanism that moves on": "double-pendulum",
 }
 
 
@@ -46,7 +48,7 @@ def test_the_values_are_those_of_the_motion(solution):
 def test_what_a_scene_does_not_have_is_not_there(solution):
     data, scene = solution.dataset(), solution.scene
     assert ("impactor_velocity" in data) == (scene.impactor.kind != "pulse")
-    assert ("bending_moment" in data) == ("shear_force" in data) == (scene.target.kind == "beam")
+    assert ("bending_moment" in data) == ("shear_force" in data) == scene.target.bends
     assert (data.x.size > 1) == (scene.target.length > 0.0)
 
 
