@@ -119,8 +119,8 @@ class Multibody(Method):
 
     @staticmethod
     def _momentum_error(scene: Scene, motion: MovingMotion) -> float:
-        """Of the first impact, along the normal: what the mass has lost and the impulse, over that of approach."""
-        lost = scene.impactor.mass * (scene.impactor.velocity - float(motion.impactor_velocity(np.zeros(1))[0]))
+        """Of the first impact: what the mass has lost, and the impulse, over that of approach."""
+        lost = scene.impactor.mass * float(np.hypot(*(motion.course.speed[1] - motion.course.speed[0])))
         return (lost - float(motion.impulses[1][0])) / (scene.impactor.mass * scene.speed)
 
     def _estimated_error(self, scene: Scene, motion: MovingMotion) -> float:
