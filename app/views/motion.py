@@ -27,7 +27,8 @@ QUESTIONS = {
     "motion_seconds": Question(
         param.Number(default=0.0, bounds=(0.0, LONGEST), doc="for which it is followed; 0: as the scene says"),
         "seconds",
-    )
+    ),
+    "motion_links": Question(param.Selector(default=LINKS[0], objects=list(LINKS)), "links"),
 }
 
 
