@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -150,6 +151,8 @@ class Scene:
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
         """The table of the impactor, with the height from which it falls where the scene gives that."""
         given = self.given.get("impactor", {})
+        if isinstance(self.target, Mechanism) and not isinstance(self.impactor, Pivoted):
+            impactor = impactor | {"velocity": self.impactor.velocity}  # which may be zero, and cannot be left out
         if "height" not in given or fallen(given, self.impactor.kind)["velocity"] != self.impactor.velocity:
             return impactor
         height, gravity = height_and_gravity(given)
@@ -187,6 +190,18 @@ class Scene:
             return self
         mechanism = self.target.with_modes(most)
         return self if mechanism is self.target else replace(self, target=mechanism)
+
+    @cached_property
+    def struck(self) -> "Scene":
+        """Where a mechanism strikes, the same seen the other way round, where it is struck; else the scene itself."""
+        if not isinstance(self.impactor, Mechanism):
+            return self
+        target: Any = self.target
+        striker, mechanism = replace(target, velocity=0.0 - target.velocity), self.impactor.turned_round
+        given = dict(self.given or self.table())
+        body = {"kind": target.kind} | dict(given["target"]) | {"velocity": striker.velocity}
+        given |= {"impactor": body, "target": dict(given["impactor"]) | {"struck": mechanism.struck.table()}}
+        return replace(self, impactor=striker, target=mechanism, given=given)
 
     @property
     def refined(self) -> "Scene":
@@ -260,7 +275,17 @@ class Scene:
 
 
 def _read_impactor(given: object, target: AnyBody) -> AnyBody:
-    """What strikes; a mechanism may also run into what stands still, or overtake it: any velocity along its normal."""
+    """What strikes; a mechanism may also run into what stands still, or overtake it: any velocity along its normal.
+
+    A mechanism itself strikes what is free and moves along its normal as one, or rings.
+    """
+    if isinstance(given, Mapping) and given.get("kind") == Mechanism.kind:
+        free_rod = isinstance(target, Rod) and not target.held and not target.end_mass
+        if not (isinstance(target, RigidMass) or free_rod):
+            key = "target.support" if isinstance(target, Rod) else "target.kind"
+            raise SceneError(
+                key, target.support if isinstance(target, Rod) else target.kind, allowed("mechanism-strikes")
+            )
     if not isinstance(target, Mechanism) or not isinstance(given, Mapping):
         return read_body("impactor", given)
     if given.get("kind") in (Body.kind, Pulse.kind):
@@ -285,6 +310,9 @@ def _on_rod(pulse: Pulse, target: AnyBody, contact: object) -> Pulse:
 
 def _check_approach(impactor: AnyBody, target: AnyBody) -> None:
     """The bodies must come closer."""
+    if isinstance(impactor, Mechanism) and impactor.velocity - target.velocity < SPEED_RANGE[0]:
+        values = {"link": impactor.struck.link, "velocity": impactor.velocity, "target": target.velocity}
+        raise SceneError("impactor.struck", impactor.struck.table(), allowed("striking-link-approaches", **values))
     if isinstance(target, Mechanism) and impactor.velocity - target.velocity < SPEED_RANGE[0]:
         reason = allowed("struck-link-approaches", link=target.struck.link, velocity=target.velocity)
         raise SceneError("impactor.velocity", impactor.velocity, reason)

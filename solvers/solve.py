@@ -26,8 +26,8 @@ def read_method(given: Mapping[str, Any], scene: Scene | None = None) -> tuple[M
     name = given.pop("name", None)
     if name is None and scene is not None:
         name = usual_method(scene)
-    if name == Modal.NAME and scene is not None and isinstance(scene.target, Mechanism):
-        given.setdefault("modes", max(Modal.modes, scene.target.most_modes))
+    if name == Modal.NAME and scene is not None and isinstance(scene.struck.target, Mechanism):
+        given.setdefault("modes", max(Modal.modes, scene.struck.target.most_modes))
     return CHOICES[validation.choice("method.name", name, CHOICES)].read(given), duration
 
 

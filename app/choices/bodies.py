@@ -134,7 +134,7 @@ def with_values(base: Scene, values: Values) -> Scene:
         if name not in known or quantity not in known[name].quantities:
             raise ValueError(page().text("refused.no-such-value", value=title_of_value(key)))
         body, *place = name.split(".")
-        if on_mechanism(base) and quantity in PLACED and isinstance(value, float):
+        if place and on_mechanism(base) and quantity in PLACED and isinstance(value, float):
             move(tables[body], known[name].key, quantity, value)
         else:
             _set(tables[body][place[0]][int(place[1]) - 1] if place else tables[body], quantity, value)

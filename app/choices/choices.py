@@ -13,7 +13,9 @@ from solvers.validation import shown
 from ..text.catalogues import page
 from .bodies import BodyValues, read_values
 
-SCENES = {name: solvers.load(name) for name in solvers.scene_names()}
+_LOADED = {name: solvers.load(name) for name in solvers.scene_names()}
+SCENES = {name: scene.struck for name, scene in _LOADED.items()}  # a mechanism is shown as what is struck
+STRIKING = frozenset(name for name, scene in _LOADED.items() if scene.struck is not scene)  # in which it strikes
 START = next(iter(SCENES))
 OF_LAWS = {name: values for law in LAWS.values() for name, values in law.VARIED.items()}  # constants of their own
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from solvers import ContactPeriod, Row, Scene, SceneError, Solution
 from solvers.accuracy.reference import rebound
+from solvers.bodies import Mechanism
 from solvers.text.notes import Note
 
 from .words import family, named, text
@@ -74,6 +75,7 @@ def _leaving(solution: Solution) -> list[str]:
     else:
         before = solution.scene.impactor.velocity
         share = text("solve.of-its-speed", share=solution.impactor_velocity / before) if before else ""
+        share = text("solve.centre-of-mass") if isinstance(solution.scene.impactor, Mechanism) else share
         impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s"
         impactor += f"   ({share})" if share else ""
     balls = [

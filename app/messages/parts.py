@@ -12,7 +12,7 @@ from solvers.bodies.linkage.links import Link
 from solvers.bodies.pendulum import Pivoted
 
 from ..choices.bodies import parts_of
-from ..choices.choices import SCENES
+from ..choices.choices import SCENES, STRIKING
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
@@ -22,11 +22,12 @@ def parts_told(request: Request | None) -> list[dict[str, Any]]:
     """Every body, every rod of a chain, every link and joint of a mechanism, as in `schema.RECORDS`."""
     if request is None:
         return []
-    own = {part.key: part for part in parts_of(SCENES[request.chosen["scene"]])}
-    return [_told(part, own[part.key]) for part in parts_of(request.scene)]
+    name = request.chosen["scene"]
+    own, striker = {part.key: part for part in parts_of(SCENES[name])}, "target" if name in STRIKING else "impactor"
+    return [_told(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
 
 
-def _told(part: Part, own: Part) -> dict[str, Any]:
+def _told(part: Part, own: Part, strikes: bool) -> dict[str, Any]:
     values = [
         {
             "quantity": quantity,
@@ -41,7 +42,7 @@ def _told(part: Part, own: Part) -> dict[str, Any]:
     follows = _derived_of_part(part.body) if part.name else _derived(part.body)
     derived = [[name, value] for name, value in follows if name not in given and math.isfinite(value)]
     kind = "link" if isinstance(part.body, Link) else part.body.kind
-    return {"key": part.key, "name": part.name, "kind": kind, "values": values, "derived": derived}
+    return {"key": part.key, "name": part.name, "kind": kind, "strikes": strikes, "values": values, "derived": derived}
 
 
 def _derived_of_part(part: Link | Joint) -> list[tuple[str, float]]:

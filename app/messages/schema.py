@@ -240,6 +240,7 @@ RECORDS: dict[str, Fields] = {
         "key": Field("string", "of its table: impactor, target, target.rods.2"),
         "name": Field("string", "of a link or joint; else empty"),
         "kind": Field("string"),
+        "strikes": Field("boolean", "whether it is the body that strikes"),
         "values": Field("ValueTold[]", "that can be set"),
         "derived": Field("[name: string, value: number][]", "what follows from them, SI units"),
     },

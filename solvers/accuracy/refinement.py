@@ -70,6 +70,7 @@ class Ladder:
 def ladders(scene: Scene) -> list[Ladder]:
     """One for each method and variant that can solve the scene, closed forms first; empty if none can."""
     found: list[Ladder] = []
+    scene = scene.struck
     for name, method in METHODS.items():
         for options in _variants(name, scene):
             if "restitution" in options and not _rings(scene) and not scene.rigid_contact:

@@ -21,7 +21,7 @@ LEVEL = ("method", "ladder", "knob")  # of a point, the same for a whole ladder 
 
 def scene_key(scene: Scene) -> str:
     """The same for scenes in which the same happens, whatever they are called and however they are solved."""
-    table = {name: part for name, part in scene.table().items() if name not in SAID}
+    table = {name: part for name, part in scene.struck.table().items() if name not in SAID}
     return sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:24]
 
 

@@ -87,7 +87,7 @@ class Survey:
     """The measurement under way: solves in an order that shows the whole field early, stops in time."""
 
     def __init__(self, scene: Scene, seconds: float):
-        self.scene, self._seconds = scene, seconds
+        self.scene, self._seconds = scene.struck, seconds
         self._ladders, self._refused = ladders(scene), refusals(scene)
         if not self._ladders:
             raise SceneNotSupported("scene", scene.title or "this one", no_method(self._refused))

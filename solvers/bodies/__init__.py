@@ -28,6 +28,7 @@ IMPACTORS: dict[str, type[AnyBody]] = {
     "pendulum": Pendulum,
     "body": Body,
     "pulse": Pulse,
+    "mechanism": Mechanism,
 }
 TARGETS: dict[str, type[AnyBody]] = {
     "rod": Rod,
@@ -83,4 +84,5 @@ def read_body(key: str, given: object) -> AnyBody:
     if not isinstance(given, Mapping):
         raise validation.SceneError(key, given, validation.allowed("kind-table"))
     kind = validation.choice(f"{key}.kind", given.get("kind", usual), kinds)
-    return kinds[kind].read(key, fallen(given, kind) if key == "impactor" else given)
+    drops = key == "impactor" and kind != Mechanism.kind  # which has a gravity of its own
+    return kinds[kind].read(key, fallen(given, kind) if drops else given)

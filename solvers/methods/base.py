@@ -15,6 +15,7 @@ from ..text.notes import Note, Severity
 from ..validation import SceneError
 from .mechanisms import in_laboratory
 from .options import options_of
+from .striking import as_striking
 from .theory_limits import notes_on_theory
 from .validity import beside_elastic, bodies_that_bend, general_notes
 
@@ -69,7 +70,7 @@ class Method(ABC):
 
     def refusal(self, scene: Scene) -> Note | None:
         """`why_not`, and before it what every method says that knows bodies on an axis only."""
-        scene = scene if self.MOVES else scene.at_contact
+        scene = scene.struck if self.MOVES else scene.struck.at_contact
         if scene.normal is not None and not self.SPATIAL:
             return Note("refusals.in-space", Severity.REFUSAL)
         if scene.prescribed_force and not self.PULSES:
@@ -91,6 +92,8 @@ class Method(ABC):
         Of its diagnostics `wall_time` [s] is that of the solve alone, `compile_time` [s] what compiling kernels, or
         loading compiled ones, took besides. Raises SceneNotSupported, SceneError for a duration out of range.
         """
+        if scene.struck is not scene:
+            return as_striking(self.solve(scene.struck, duration), scene)
         reason = self.refusal(scene)
         if reason:
             raise SceneNotSupported("method.name", self.NAME, reason)
@@ -113,6 +116,9 @@ class Method(ABC):
         """`solve`, for who reads the notes: where damping in the contact counts waves twice, they say what the elastic
         law gives, by one more solve when they are first read.
         """
+
+        if scene.struck is not scene:
+            return as_striking(self.solve_in_full(scene.struck, duration), scene)
 
         def elastic(solved: Solution) -> Solution:
             assert isinstance(scene.contact, Damped)

@@ -66,7 +66,7 @@ class MechanismMotion:
     # --- along the normal
 
     def impactor_position(self, time):
-        return self.relative.impactor_position(time) + self._carried(time)
+        return self.relative.impactor_position(time) + self.carried(time)
 
     def impactor_velocity(self, time, after=True):
         return self.relative.impactor_velocity(time, after) + self.speed(time)
@@ -79,7 +79,7 @@ class MechanismMotion:
 
     def end_position(self, time):
         """Of the struck point."""
-        return self.relative.end_position(time) + self._carried(time)
+        return self.relative.end_position(time) + self.carried(time)
 
     def end_velocity(self, time, after=True):
         return self.relative.end_velocity(time, after) + self.speed(time)
@@ -99,7 +99,7 @@ class MechanismMotion:
         carried = speeds + np.multiply.outer(np.asarray(time, float), accelerations)
         return self.relative.velocity(time, x) + carried
 
-    def _carried(self, time):
+    def carried(self, time):
         """How far the struck point would have come without the impact [m]."""
         time = np.asarray(time, float)
         return time * (self.mechanism.velocity + time * (self.acceleration / 2.0 + time * self.jerk / 6.0))

@@ -120,6 +120,9 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     """
     validation.choice("question", question, QUESTIONS)
     tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
+    if scene.struck is not scene:
+        found = plan(scene.struck, question, tolerance)
+        return replace(found, scene=scene, groups=found.groups | {"mass_ratio": scene.mass_ratio})
     if isinstance(scene.target, Mechanism) and scene.target.flexible:
         return _solved(scene, question, tolerance)
     family = family_of(scene)

@@ -107,14 +107,16 @@ def _with_restitution(scene: Scene, pair: Pair, restitution: float) -> Scene:
 
 def problem_of(scene: Scene, values: Mapping[str, float], modes: int) -> Problem:
     """The scene with these values of the axes; the step is chosen later."""
-    changes = {}
+    changes, scene = {}, scene.struck
     if "mass_ratio" in values:
         changes |= scene.impactor.of_mass(scene.target.mass / values["mass_ratio"])
     if "speed" in values:
         changes |= scene.impactor.of_velocity(scene.target.velocity + values["speed"])
     changes = {f"impactor.{key}": value for key, value in changes.items()}
     scene = scene.replace(changes) if changes else scene  # first of all: what follows is no longer in its tables
-    pair = Modal(modes=int(values.get("modes", modes))).pair(scene)
+    kept = int(values.get("modes", modes))
+    scene = scene.with_modes(kept).at_contact
+    pair = Modal(modes=kept).pair(scene)
     if "restitution" in values:
         scene = _with_restitution(scene, pair, values["restitution"])
     if "contact_stiffness" in values:

@@ -97,7 +97,8 @@ def ensemble(
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
     if scene.normal is not None or scene.prescribed_force:
         raise SceneNotSupported("scene", scene.title, allowed("two-on-axis"))
-    key = key or f"impactor.{next(iter(scene.impactor.of_mass(scene.impactor.mass)), 'length')}"
+    name, body = ("impactor", scene.impactor) if scene.struck is scene else ("target", scene.target)
+    key = key or f"{name}.{next(iter(body.of_mass(body.mass)), 'length')}"
     chosen, duration, notes = _method(scene, method)
     value = _value(scene, key)
     changes = perturbations(runs, spread, seed)
@@ -169,7 +170,7 @@ def _value(scene: Scene, key: str) -> float:
 
 def _lean(scene: Scene, method: Method, key: str) -> bool:
     """Whether a run differs from the unperturbed one by its impactor and law alone, so that nothing is built twice."""
-    if scene.at_contact is not scene:  # a mechanism
+    if scene.struck.at_contact is not scene:  # a mechanism
         return False
     rigid_impactor = not scene.impactor.modes(1).frequencies.size
     return isinstance(method, Modal) and rigid_impactor and key.partition(".")[0] in ("impactor", "contact")

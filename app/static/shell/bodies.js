@@ -119,9 +119,9 @@ export class Bodies {
    * @param {PartTold} part
    * @param {PartTold[]} parts  all of them
    */
-  #part({ key, kind, values }, parts) {
+  #part({ key, kind, strikes, values }, parts) {
     const [first, group = first] = key.split('.');
-    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), kind: KINDS[kind] ?? kind });
+    const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), kind: KINDS[kind] ?? kind, strikes });
     const open = parts.length <= MANY;
     const facts = make('span', { className: 'facts' });
     const derived = make('dl', { className: 'derived' });

@@ -28,6 +28,7 @@
  * @property {string} key  of its table: impactor, target, target.rods.2
  * @property {string} name  of a link or joint; else empty
  * @property {string} kind
+ * @property {boolean} strikes  whether it is the body that strikes
  * @property {ValueTold[]} values  that can be set
  * @property {[name: string, value: number][]} derived  what follows from them, SI units
  */

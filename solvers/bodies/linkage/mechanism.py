@@ -99,7 +99,7 @@ class Mechanism(AnyBody):
         )
         radius = read_radius(f"{key}.radius", given.get("radius"))
         found = cls(links, joints, drives, struck, gravity, radius, springs)
-        check_mobility(found.system, joints, drives, size)
+        check_mobility(key, found.system, joints, drives, size)
         return found
 
     @property
@@ -166,6 +166,12 @@ class Mechanism(AnyBody):
     def _coarser(self) -> dict[int, "Mechanism"]:
         """With fewer modes, by their number: what is worked out of it once serves every solve."""
         return {}
+
+    @property
+    def turned_round(self) -> "Mechanism":
+        """Struck along the same line from the other side."""
+        x, y = self.struck.normal
+        return replace(self, struck=replace(self.struck, normal=(0.0 - x, 0.0 - y)))
 
     @cached_property
     def refined(self) -> "Mechanism":

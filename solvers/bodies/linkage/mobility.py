@@ -13,7 +13,7 @@ from .joints import Drive, Joint
 SHIFT = 0.01  # of the size of a mechanism
 
 
-def check_mobility(system: System, joints: Sequence[Joint], drives: Sequence[Drive], size: float) -> None:
+def check_mobility(key: str, system: System, joints: Sequence[Joint], drives: Sequence[Drive], size: float) -> None:
     """Refuses what is locked, held more than once, or stands where a joint or a drive has no say.
 
     Links count as rigid; `size` of the mechanism [m]. Raises SceneError naming the first joint, or the first drive,
@@ -30,16 +30,16 @@ def check_mobility(system: System, joints: Sequence[Joint], drives: Sequence[Dri
                 allowed("joint-redundant", links=names, lost=lost),
                 allowed("joint-singular", links=names),
             )
-            raise SceneError(f"target.joints[{number}]", joint.table(), redundant if anywhere else singular)
+            raise SceneError(f"{key}.joints[{number}]", joint.table(), redundant if anywhere else singular)
         if upto == freedoms:
-            raise SceneError(f"target.joints[{number}]", joint.table(), allowed("joint-locks", links=list(joint.links)))
+            raise SceneError(f"{key}.joints[{number}]", joint.table(), allowed("joint-locks", links=list(joint.links)))
         reached = upto
     for number, drive in enumerate(drives):
         upto = reached + number + 1
         if _rank(rows[:upto]) < upto:
             links = list(joints[drive.joint].links)
             redundant, singular = allowed("drive-redundant", links=links), allowed("drive-singular", links=links)
-            raise SceneError(f"target.drives[{number}]", drive.table(), redundant if upto > freedoms else singular)
+            raise SceneError(f"{key}.drives[{number}]", drive.table(), redundant if upto > freedoms else singular)
 
 
 def _rows(system: System, size: float) -> np.ndarray:

@@ -122,11 +122,11 @@ def _velocities(scene: Scene, found: Strike | Rubbed) -> dict[str, Any]:
 
 
 def _wholes(scene: Scene, found: Strike | Rubbed) -> dict[str, tuple[float, float]]:
-    """On an axis: velocity of the struck place and of the centre of mass, which differ where a beam turns."""
+    """On an axis: velocity of the struck place and of the centre of mass, which differ where one turns."""
     wholes = {}
     for name, after in (("impactor", found.first), ("target", found.second)):
         body, struck = getattr(scene, name), after.velocity[0]
-        turns = body.bends and not body.fixed
+        turns = (body.bends or body.turns) and not body.fixed
         mean = body.modes(1).mean_velocity(body.velocity, struck) if turns else struck
         wholes[name] = float(struck), float(mean)
     return wholes

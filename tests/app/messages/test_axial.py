@@ -88,7 +88,7 @@ def test_whatever_the_sliders_say_is_answered_in_a_small_finite_message(**chosen
 @pytest.mark.parametrize("name", Choices.param.scene.objects)
 def test_a_scene_by_its_own_values_is_the_scene(name):
     chosen = Choices(scene=name, **choices_of(name)).chosen()
-    base, scene = solvers.load(name), chosen_scene(chosen)
+    base, scene = solvers.load(name).struck, chosen_scene(chosen)
     assert scene.contact == base.contact
     assert scene.impactor.mass == pytest.approx(base.impactor.mass, rel=1e-11)  # 12 digits of the ratio are kept
     assert scene.target.mass == base.target.mass

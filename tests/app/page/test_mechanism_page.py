@@ -54,3 +54,12 @@ def test_impulses_at_the_joints_are_told_where_all_is_over_at_once(open_page):
     table = page.tab.locator("table", has_text="moment, N m s")
     expect(table).to_contain_text("ground – crank")
     assert len(page.header("main")["joints"]) == table.locator("tbody tr").count()
+
+
+def test_a_mechanism_that_strikes_is_drawn_as_what_is_struck_and_said_to_strike(open_page):
+    page = open_page("?scene=trip-hammer")
+    heads = page.tab.locator(".body summary b").all_inner_texts()
+    assert heads[:2] == ["Body 1, is struck: rod", "Body 2, strikes: mechanism"]
+    assert page.header("chosen")["speed"] == approx(2.0) and page.header("mechanism")["at"] == 1.0
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 3)"))
+    settled(page)
