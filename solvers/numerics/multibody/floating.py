@@ -173,14 +173,46 @@ def add_distance(row, linkage, tie, q, stiffness):
 
 
 @inner_kernel
+def angle_of(linkage, tie, q):
+    """Of the second section of a tie against the first, beside its offset [rad]."""
+    ties = linkage.ties
+    return turn_of(linkage, q, ties.second[tie]) - turn_of(linkage, q, ties.first[tie]) - ties.offset[tie]
+
+
+@inner_kernel
 def add_angle(row, linkage, tie, q, stiffness):
     """The same of an angle [rad]."""
     ties = linkage.ties
-    turned = turn_of(linkage, q, ties.second[tie]) - turn_of(linkage, q, ties.first[tie]) - ties.offset[tie]
+    turned = angle_of(linkage, tie, q)
     sign = -stiffness * turned if stiffness else 1.0
     add_turn(row, linkage, ties.second[tie], sign)
     add_turn(row, linkage, ties.first[tie], -sign)
     return turned
+
+
+@inner_kernel
+def add_pin(across, up, linkage, q, station, sign):
+    """The velocity of a station along x and along y, to two rows of the Jacobian (size,); returns its place."""
+    points, start = linkage.stations, linkage.frames.start
+    link, x, y = points.link[station], points.own[station, 0], points.own[station, 1]
+    if link < 0:
+        return x, y
+    first, count = start[link] + 3, start[link + 1] - start[link] - 3
+    cosine, sine = np.cos(q[first - 1]), np.sin(q[first - 1])
+    for i in range(count):
+        along, lateral, shorter = points.shapes[station, i, 0], points.shapes[station, i, 1], 0.0
+        for j in range(count):
+            shorter += points.shortened[station, i, j] * q[first + j]
+        x += q[first + i] * (along - 0.5 * shorter)
+        y += q[first + i] * lateral
+        across[first + i] += sign * (cosine * (along - shorter) - sine * lateral)
+        up[first + i] += sign * (sine * (along - shorter) + cosine * lateral)
+    arm_x, arm_y = cosine * x - sine * y, sine * x + cosine * y
+    across[first - 3] += sign
+    up[first - 2] += sign
+    across[first - 1] -= sign * arm_y
+    up[first - 1] += sign * arm_x
+    return q[first - 3] + arm_x, q[first - 2] + arm_y
 
 
 @kernel
@@ -194,13 +226,10 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
             jacobian[row, i] = 0.0
     pins, lines, angles = ties.ends[0], ties.ends[1], ties.ends[2]
     for k in range(pins):
-        x1, y1 = place_of(linkage, q, ties.first[k])
-        x2, y2 = place_of(linkage, q, ties.second[k])
+        across, up = jacobian[2 * k], jacobian[2 * k + 1]
+        x1, y1 = add_pin(across, up, linkage, q, ties.first[k], -1.0)
+        x2, y2 = add_pin(across, up, linkage, q, ties.second[k], 1.0)
         gap[2 * k], gap[2 * k + 1] = x2 - x1, y2 - y1
-        for axis in range(2):
-            row, along_x, along_y = jacobian[2 * k + axis], 1.0 - axis, 1.0 * axis
-            add_point(row, linkage, q, ties.second[k], along_x, along_y, 1.0)
-            add_point(row, linkage, q, ties.first[k], along_x, along_y, -1.0)
     for k in range(pins, angles):
         number = pins + k
         moving[number] = ties.rate[k]
@@ -208,6 +237,23 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
             gap[number] = add_distance(jacobian[number], linkage, k, q, 0.0) - ties.rate[k] * time
         else:
             gap[number] = add_angle(jacobian[number], linkage, k, q, 0.0) - ties.rate[k] * time
+
+
+@inner_kernel
+def gaps_at(linkage, q, time, gap):
+    """Writes how far the constraints are from being met, (constraints,)."""
+    ties = linkage.ties
+    pins, lines, angles = ties.ends[0], ties.ends[1], ties.ends[2]
+    for k in range(pins):
+        x1, y1 = place_of(linkage, q, ties.first[k])
+        x2, y2 = place_of(linkage, q, ties.second[k])
+        gap[2 * k], gap[2 * k + 1] = x2 - x1, y2 - y1
+    for k in range(pins, angles):
+        if k < lines:
+            gap[pins + k], _, _, _ = distance_of(linkage, k, q)
+        else:
+            gap[pins + k] = angle_of(linkage, k, q)
+        gap[pins + k] -= ties.rate[k] * time
 
 
 @inner_kernel

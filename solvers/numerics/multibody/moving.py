@@ -168,22 +168,33 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
 
 
 @kernel
-def solve(matrix, right):
-    """Solution of a small system, in place of `right` (n,), by elimination with pivots; the matrix (n, n) is lost."""
-    count = right.size
+def decompose(matrix, order):
+    """Factors of a small matrix (n, n), in its place, by elimination with pivots, and their `order` (n,)."""
+    count = order.size
     for k in range(count):
         pivot = k
         for i in range(k + 1, count):
             if abs(matrix[i, k]) > abs(matrix[pivot, k]):
                 pivot = i
+        order[k] = pivot
         for j in range(count):
             matrix[k, j], matrix[pivot, j] = matrix[pivot, j], matrix[k, j]
-        right[k], right[pivot] = right[pivot], right[k]
         for i in range(k + 1, count):
-            factor = matrix[i, k] / matrix[k, k]
-            for j in range(k, count):
-                matrix[i, j] -= factor * matrix[k, j]
-            right[i] -= factor * right[k]
+            matrix[i, k] /= matrix[k, k]
+            for j in range(k + 1, count):
+                matrix[i, j] -= matrix[i, k] * matrix[k, j]
+
+
+@kernel
+def resolve(matrix, order, right):
+    """Solution in place of `right` (n,), by these factors."""
+    count = right.size
+    for k in range(count):
+        pivot = order[k]
+        right[k], right[pivot] = right[pivot], right[k]
+    for k in range(count):
+        for j in range(k):
+            right[k] -= matrix[k, j] * right[j]
     for k in range(count - 1, -1, -1):
         for j in range(k + 1, count):
             right[k] -= matrix[k, j] * right[j]
@@ -224,6 +235,7 @@ class Work(NamedTuple):
     moved: np.ndarray
     force_now: np.ndarray
     row: np.ndarray
+    order: np.ndarray
 
 
 @allocating_kernel
@@ -240,6 +252,7 @@ def work(count, size):
         np.empty(size),
         np.empty(size),
         np.empty(size),
+        np.empty(count, np.int64),
     )
 
 
@@ -296,7 +309,8 @@ def _rattle(linkage, w, q, v, time, step, reactions):
             break
         last = worst
         response_to(linkage, w.later, w.jacobian, step, w.response)
-        solve(w.response, w.given)
+        decompose(w.response, w.order)
+        resolve(w.response, w.order, w.given)
         push_rates(linkage, w.jacobian, w.given, w.half)
         for i in range(count):
             reactions[i] += w.given[i]
@@ -316,7 +330,8 @@ def _close_rates(linkage, w, q, v, time, reactions):
         for k in range(v.size):
             w.given[i] += w.jacobian[i, k] * v[k]
     response_to(linkage, w.jacobian, w.jacobian, 1.0, w.response)
-    solve(w.response, w.given)
+    decompose(w.response, w.order)
+    resolve(w.response, w.order, w.given)
     push_rates(linkage, w.jacobian, w.given, v)
     for i in range(reactions.size):
         reactions[i] += w.given[i]
@@ -348,7 +363,8 @@ def respond(linkage, w, q, time, change):
         for k in range(q.size):
             w.given[i] += w.jacobian[i, k] * change[k]
     response_to(linkage, w.jacobian, w.jacobian, 1.0, w.response)
-    solve(w.response, w.given)
+    decompose(w.response, w.order)
+    resolve(w.response, w.order, w.given)
     push_rates(linkage, w.jacobian, w.given, change)
 
 

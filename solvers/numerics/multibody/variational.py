@@ -12,12 +12,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ...jit import allocating_kernel, inner_kernel, kernel
-from ..arrays import copy_to, dot
-from .floating import Face, Frames, Stations, Ties, add_springs, face_of, joints_at
+from ..arrays import add_to, copy_to, dot
+from .floating import Face, Frames, Stations, Ties, add_springs, face_of, gaps_at, joints_at
 from .inertia import actions, as_rigid, divide_by_mass, factor_mass
-from .moving import solve
+from .moving import decompose, resolve
 
-MAX_ITERATIONS = 60  # of the step; five or six do where the links turn by little in it
+MAX_ITERATIONS = 60  # of the step; six or seven do where the links turn by little in it
 SETTLED = 1e-15  # change of all coordinates, in units of the linkage, that counts as none
 
 
@@ -74,6 +74,7 @@ class Work(NamedTuple):
     change: np.ndarray
     row: np.ndarray
     half: np.ndarray
+    order: np.ndarray
     factor: np.ndarray
     room: Room
 
@@ -99,6 +100,7 @@ def work(count, size, links, most):
         np.empty(size),
         np.empty(size),
         np.empty(size),
+        np.empty(count, np.int64),
         np.empty((links, most, most)),
         Room(np.empty(most), np.empty(most), np.empty(most), np.empty(most), np.empty((2, most)), np.empty((2, most))),
     )
@@ -114,48 +116,48 @@ def soften(linkage, w, step, q):
 
 
 @inner_kernel
-def react(w, later, factor, change, given):
-    """Reactions `given` (constraints,), in place of what `factor` times the rows `later` must lose, taken from a change
-    of the rates (size,)."""
-    count = given.size
-    for i in range(count):
-        for j in range(count):
-            total = 0.0
-            for k in range(change.size):
-                total += later[i, k] * w.soft[j, k]
-            w.response[i, j] = factor * total
-    solve(w.response, given)
-    for i in range(count):
-        for k in range(change.size):
-            change[k] -= given[i] * w.soft[i, k]
+def _stiffen(w, later, factor):
+    """Factors of what reactions do to `factor` times the rows `later` (constraints, size), by `soft`."""
+    for i in range(w.given.size):
+        for j in range(w.given.size):
+            w.response[i, j] = factor * dot(later[i], w.soft[j])
+    decompose(w.response, w.order)
+
+
+@inner_kernel
+def _react(w, change):
+    """Reactions w.given (constraints,), in place of what must be lost, taken from a change of the rates (size,)."""
+    resolve(w.response, w.order, w.given)
+    for i in range(w.given.size):
+        add_to(change, -w.given[i], w.soft[i])
 
 
 @inner_kernel
 def _variational(linkage, w, q, v, time, step, reactions):
-    """One step in place, from `time`; adds the impulses of the constraints to `reactions` (constraints,)."""
-    if step == 0.0:
-        return
+    """One step in place, from `time`, with the Jacobian there; adds the impulses of the constraints to `reactions`
+    (constraints,). Leaves the Jacobian at its end.
+
+    What reactions do is that at where the rates lead: it converges to the same, as the joints are closed at the end.
+    """
     count, size, last = reactions.size, q.size, np.inf
-    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
     actions(linkage, w.room, q, v, w.begun, w.force_now)
     for k in range(size):
         w.rate[k], w.moved[k], w.middle[k] = v[k], q[k] + step * v[k], q[k] + 0.5 * step * v[k]
     for i in range(count):
         w.pushed[i] = 0.0
     soften(linkage, w, step, w.middle)
+    joints_at(linkage, w.moved, time + step, w.gap, w.later, w.moving)
+    _stiffen(w, w.later, step)
     for _ in range(MAX_ITERATIONS):
         actions(linkage, w.room, w.middle, w.rate, w.momentum, w.force_now)
         for k in range(size):
             w.change[k] = w.begun[k] - w.momentum[k] + 0.5 * step * w.force_now[k]
-            for i in range(count):
-                w.change[k] -= w.jacobian[i, k] * w.pushed[i]
-        divide_by_mass(linkage, w.factor, w.change)
-        joints_at(linkage, w.moved, time + step, w.gap, w.later, w.moving)
         for i in range(count):
-            w.given[i] = w.gap[i]
-            for k in range(size):
-                w.given[i] += step * w.later[i, k] * w.change[k]
-        react(w, w.later, step, w.change, w.given)
+            add_to(w.change, -w.pushed[i], w.jacobian[i])
+        divide_by_mass(linkage, w.factor, w.change)
+        for i in range(count):
+            w.given[i] = w.gap[i] + step * dot(w.later[i], w.change)
+        _react(w, w.change)
         worst = 0.0
         for k in range(size):
             w.rate[k] += w.change[k]
@@ -163,15 +165,15 @@ def _variational(linkage, w, q, v, time, step, reactions):
             worst = max(worst, abs(step * w.change[k]) / linkage.unit[k])
         for i in range(count):
             w.pushed[i] += w.given[i]
+        gaps_at(linkage, w.moved, time + step, w.gap)
         if worst <= SETTLED or not worst < last:  # or as good as their rounding lets them be
             break
         last = worst
     actions(linkage, w.room, w.middle, w.rate, w.momentum, w.force_now)
     for k in range(size):
         q[k], v[k] = w.moved[k], w.begun[k] + step * w.force_now[k]
-        for i in range(count):
-            v[k] -= w.jacobian[i, k] * w.pushed[i]
     for i in range(count):
+        add_to(v, -w.pushed[i], w.jacobian[i])
         reactions[i] += w.pushed[i]
     _rates_of_momenta(linkage, w, q, v, time + step, reactions)
 
@@ -191,10 +193,9 @@ def _rates_of_momenta(linkage, w, q, v, time, reactions):
 def _close(w, v):
     """Push the rates (size,) onto those that the joints allow, at the factors of the mass."""
     for i in range(w.given.size):
-        w.given[i] = -w.moving[i]
-        for k in range(v.size):
-            w.given[i] += w.jacobian[i, k] * v[k]
-    react(w, w.jacobian, 1.0, v, w.given)
+        w.given[i] = dot(w.jacobian[i], v) - w.moving[i]
+    _stiffen(w, w.jacobian, 1.0)
+    _react(w, v)
 
 
 @kernel
@@ -211,6 +212,9 @@ def respond(linkage, w, q, time, change):
 @kernel
 def step_on(linkage, w, stages, q, v, time, step, reactions):
     """One step of the composition in place; see `moving.STAGES`."""
+    if step == 0.0:
+        return
+    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
     for k in range(stages.size):
         _variational(linkage, w, q, v, time, stages[k] * step, reactions)
         time += stages[k] * step
