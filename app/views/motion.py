@@ -90,7 +90,7 @@ def _told(solution: Solution) -> dict[str, Any]:
         "contacts": len(solution.contacts),
         "impacts": [[1e3 * c.start, 1e3 * c.end, c.impulse] for c in solution.contacts[:IMPACTS]],
         "jolts": _jolts(motion, solution),
-        "first": {"impulse": solution.contacts[0].impulse, "velocity": _first_parting(solution)},
+        "parting": _parting(solution, motion.mechanism.flexible),
         "figures": {
             name: solution.diagnostics[name] for name in ("energy_drift", "constraint_error", "estimated_error")
         },
@@ -100,9 +100,19 @@ def _told(solution: Solution) -> dict[str, Any]:
     }
 
 
-def _first_parting(solution: Solution) -> float:
-    """Velocity of the mass along the normal just after the first impact [m/s]."""
-    return solution.scene.impactor.velocity - solution.contacts[0].impulse / solution.scene.impactor.mass
+def _parting(solution: Solution, flexible: bool) -> dict[str, Any]:
+    """What the stage shows, too: impulse [N s] and velocity of the mass along the normal [m/s] after the first impact;
+    of links that bend after all, as they are what one impact is."""
+    if flexible:
+        return {
+            "impulse": solution.impulse,
+            "velocity": solution.impactor_velocity,
+            "contacts": len(solution.contacts),
+            "all": True,
+        }
+    impulse, mass = solution.contacts[0].impulse, solution.scene.impactor.mass
+    velocity = solution.scene.impactor.velocity - impulse / mass
+    return {"impulse": impulse, "velocity": velocity, "contacts": 1, "all": False}
 
 
 def _jolts(motion: MovingMotion, solution: Solution) -> list[list[float]]:

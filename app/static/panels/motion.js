@@ -31,7 +31,7 @@ import { unitField } from './unit_field.js';
  * @property {number} contacts  how many
  * @property {[start: number, end: number, impulse: number][]} impacts  the first of them
  * @property {number[][]} jolts  impulses at the joints in the first impacts
- * @property {{ impulse: number, velocity: number }} first
+ * @property {{ impulse: number, velocity: number, contacts: number, all: boolean }} parting  after one, or all
  * @property {{ energy_drift: number, constraint_error: number, estimated_error: number | null }} figures
  * @property {Note[]} notes
  * @property {number[]} time
@@ -169,20 +169,20 @@ class Motion extends Panel {
     this.energy.show({ series, shades });
   }
   /**
-   * The first impact beside what the stage shows of it, and all of them.
+   * The first impact, of links that bend all of them, beside what the stage shows of it; and each.
    * @param {Found} found
    */
-  #tables({ contacts, first, impacts, jolts, mechanism }) {
+  #tables({ contacts, impacts, jolts, mechanism, parting }) {
     const { main, reference } = /** @type {BeamFrame} */ (this.page.frame);
     const rows = family('motion.row');
     const beside = [main, ...(reference ? [reference] : [])];
     const write = (/** @type {any} */ value) => (Number.isFinite(value) ? figures(value, 4) : '–');
     const lines = [
-      rowOf([rows.impulse, write(first.impulse), ...beside.map(({ impulse }) => write(impulse))]),
-      rowOf([rows.velocity, write(first.velocity), ...beside.map(({ final }) => write(final))]),
-      rowOf([rows.contacts, '1', ...beside.map((solved) => String(solved.contacts))]),
+      rowOf([rows.impulse, write(parting.impulse), ...beside.map(({ impulse }) => write(impulse))]),
+      rowOf([rows.velocity, write(parting.velocity), ...beside.map(({ final }) => write(final))]),
+      rowOf([rows.contacts, String(parting.contacts), ...beside.map((solved) => String(solved.contacts))]),
     ];
-    const caption = make('caption', { textContent: text('motion.beside') });
+    const caption = make('caption', { textContent: text('motion.beside', { all: parting.all }) });
     const head = headOf(['', text('motion.first'), ...beside.map(called)]);
     this.beside.replaceChildren(caption, head, make('tbody', {}, ...lines));
     const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`));
