@@ -59,6 +59,7 @@ function aboutMap(map, measured) {
 function ruleOf(frame, { groups }) {
   const beam = frame.kind === 'beam';
   if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
+  if (beam && frame.mechanism) return ''; // of which no such time is known
   return text('plan.rule', { beam, rigid: groups.contact_time === 0, time: pretty(groups.contact_time) });
 }
 
