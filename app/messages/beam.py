@@ -34,6 +34,7 @@ from .mechanism import RIGID_LINKS, mechanism_fields, mechanism_of, rigid_answer
 from .parts import parts_told
 from .solutions import method_options
 
+ROUNDING = 1e-9
 MS = 1e3  # [ms / s]
 FORCE_STEPS = (
     10_000  # of the modal force, from which the browser rebuilds the modes; longer ones are averaged in groups
@@ -223,7 +224,16 @@ def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         "Moment": motion.moment,
         "Shear": motion.shear,
     }
-    arrays = {f"field{name}": whole_numbers(field(time, x)) for name, field in fields.items()}
+    push = solution.peak_force or 0.0
+    usual = {
+        "Moment": push * beam.length,
+        "Shear": push,
+    }  # a tiny share is rounding: struck lengthwise
+    arrays = {}
+    for name, field in fields.items():
+        values = field(time, x)
+        there = np.abs(values).max(initial=0.0) > ROUNDING * usual.get(name, 0.0)
+        arrays[f"field{name}"] = whole_numbers(values if there else np.zeros_like(values))
     return {"places": SAMPLED_PLACES}, {"fieldTime": MS * time, **arrays} | _history(solution, "main")
 
 

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from ..choices.questions import Question
-from . import bounces, motion, plan, stability, tolerance
+from . import bounces, joints, motion, plan, stability, tolerance
 from .energy import energy_data, energy_figure
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
@@ -112,6 +112,8 @@ VIEWS = (  # in the order in which an address names them
          depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
     View("motion", motion.motion_data, asked=motion.QUESTIONS, kinds=BEAMS, depends_on=motion.of_mechanisms, rests=True,
          scenes=("slider-crank",)),
+    View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
+         scenes=("bent-rods",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [

@@ -77,14 +77,14 @@ def joint_scattering(
     along, away = -_away(number, first, pin), _away(number, second, pin)
     across = np.array([-along[1], along[0]])
     bend = math.atan2(float(across @ away), float(along @ away))
+    bars = _bar(scene.target, first), _bar(scene.target, second)
     if frequencies is None:
-        frequencies = _usual(first)
+        frequencies = _usual(bars[0])
     found = np.array([validation.number("frequencies", each, *FREQUENCY_RANGE, "rad/s") for each in frequencies])
     if not 1 <= found.size <= MAX_FREQUENCIES:
         reason = allowed("list", low=1, high=MAX_FREQUENCIES, of="numbers")
         raise SceneError("frequencies", f"{found.size} values", reason)
     axis = np.array(pin.axis) if pin.kind == PRISMATIC else along
-    bars = _bar(scene.target, first), _bar(scene.target, second)
     sliding = float(axis @ along), float(axis @ across)
     scattered = scatter(bars[0], bars[1], bend, pin.kind, found, sliding)
     return JointScattering(
@@ -124,9 +124,8 @@ def _away(number: int, link: Link, pin: Joint) -> np.ndarray:
     return link.along if part <= AT_END else -link.along
 
 
-def _usual(link: Link) -> list[float]:
+def _usual(bar: Bar) -> list[float]:
     """Frequencies [rad/s] at which the bending wave of a link is so many times longer than it is thick."""
-    assert link.section is not None and link.material is not None
-    gyration = math.sqrt(link.section.second_moment / link.section.area)
-    speed = math.sqrt(link.material.young * link.section.area * link.length / link.mass)
+    gyration = math.sqrt(bar.bending_stiffness / bar.axial_stiffness)
+    speed = math.sqrt(bar.axial_stiffness / bar.mass_per_length)
     return [speed / gyration * each**2 for each in THICKNESSES]

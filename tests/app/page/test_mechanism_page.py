@@ -63,3 +63,12 @@ def test_a_mechanism_that_strikes_is_drawn_as_what_is_struck_and_said_to_strike(
     assert page.header("chosen")["speed"] == approx(2.0) and page.header("mechanism")["at"] == 1.0
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 3)"))
     settled(page)
+
+
+def test_waves_at_the_joint_are_shown_beside_the_mechanism(open_page):
+    page = open_page("?scene=bent-rods")
+    page.analysis("Waves at the joint")
+    panel = page.tab.locator(".analysis.joints")
+    expect(panel.get_by_role("status")).to_contain_text("pin between first and second, which goes on turned by 90°")
+    panel.get_by_role("button", name="Show the numbers").first.click()
+    expect(panel.get_by_role("columnheader", name="on, bending, %").first).to_be_visible()
