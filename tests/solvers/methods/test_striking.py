@@ -114,6 +114,18 @@ def test_energy_and_momentum_as_it_moves_on():
     assert found.target_velocity > 0.0 and set(found.links) == {"arm"}
 
 
+@pytest.mark.parametrize("method", ["rigid", "modal"])
+def test_a_far_heavier_mass_is_a_stop(method):
+    """J -> (1 + e) M v, off by M / m."""
+    target = {"kind": "mass", "mass": 1e6, "radius": 0.05}
+    scene = striking(target, law="linear", stiffness=1e7)
+    found, felt = solvers.solve(scene, method), scene.impactor.links[0].mass / 3.0
+    assert found.impulse == approx(2.0 * felt * 2.0, rel=1e-4)  # the steps of `modal`; 1e-6 of the mass
+    assert found.target_velocity == approx(0.0, abs=1e-5)
+    assert found.energy["impactor"] == approx(found.energy["initial"], rel=1e-4)
+    assert abs(found.diagnostics["energy_error"]) < 1e-9
+
+
 def test_a_trade_off_and_a_plan_are_those_of_the_mechanism():
     scene = HAMMER.replace({"target": {"kind": "mass", "mass": 2.0, "radius": 0.05}})
     for question in ("final-velocities", "peak-force"):
