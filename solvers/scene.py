@@ -215,7 +215,8 @@ class Scene:
             return self
         impactor: Any = self.impactor
         closing = replace(impactor, **impactor.of_velocity(self.speed))
-        return replace(self, impactor=closing, target=self.target.at_rest)
+        at_rest = self.target.at_rest
+        return replace(self, impactor=closing, target=replace(at_rest, falls=False) if impactor.held else at_rest)
 
     @property
     def speed(self) -> float:
@@ -238,7 +239,9 @@ class Scene:
 
     @property
     def reduced_mass(self) -> float:
-        """m1 m2 / (m1 + m2) [kg]; that of the impactor alone if the target is held."""
+        """m1 m2 / (m1 + m2) [kg]; that of one alone if the other is held."""
+        if self.impactor.held and not isinstance(self.impactor, Mechanism):
+            return self.target.mass
         return self.impactor.mass if self.target.held else self.impactor.mass / (1.0 + 1.0 / self.mass_ratio)
 
     @property
@@ -277,11 +280,11 @@ class Scene:
 def _read_impactor(given: object, target: AnyBody) -> AnyBody:
     """What strikes; a mechanism may also run into what stands still, or overtake it: any velocity along its normal.
 
-    A mechanism itself strikes what is free and moves along its normal as one, or rings.
+    A mechanism itself strikes what moves along its normal as one, rings, or stands still.
     """
     if isinstance(given, Mapping) and given.get("kind") == Mechanism.kind:
-        free_rod = isinstance(target, Rod) and not target.held and not target.end_mass
-        if not (isinstance(target, RigidMass) or free_rod):
+        plain_rod = isinstance(target, Rod) and target.support in ("free", "fixed") and not target.end_mass
+        if not (isinstance(target, (RigidMass, Wall)) or plain_rod):
             key = "target.support" if isinstance(target, Rod) else "target.kind"
             raise SceneError(
                 key, target.support if isinstance(target, Rod) else target.kind, allowed("mechanism-strikes")
@@ -313,6 +316,9 @@ def _check_approach(impactor: AnyBody, target: AnyBody) -> None:
     if isinstance(impactor, Mechanism) and impactor.velocity - target.velocity < SPEED_RANGE[0]:
         values = {"link": impactor.struck.link, "velocity": impactor.velocity, "target": target.velocity}
         raise SceneError("impactor.struck", impactor.struck.table(), allowed("striking-link-approaches", **values))
+    if isinstance(impactor, Mechanism) and target.held and math.isinf(impactor.frozen.rigid_mass):
+        drives = [drive.table() for drive in impactor.drives]
+        raise SceneError("impactor.drives", drives, allowed("drive-gives-way", link=impactor.struck.link))
     if isinstance(target, Mechanism) and impactor.velocity - target.velocity < SPEED_RANGE[0]:
         reason = allowed("struck-link-approaches", link=target.struck.link, velocity=target.velocity)
         raise SceneError("impactor.velocity", impactor.velocity, reason)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
-from ..bodies import FlexiblePendulum
+from ..bodies import FlexiblePendulum, Mechanism
 from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
 from ..scene import Scene
 from ..solution.solution import Solution
@@ -75,5 +75,6 @@ def modes_beside(scene: Scene, shown: Solution) -> Solution | None:
 
 
 def rebound(solution: Solution) -> Any:
-    """Final velocity [m/s] of the impactor, or of the target where a prescribed force has pushed it; see `Solution`."""
-    return solution.target_velocity if solution.impactor_velocity is None else solution.impactor_velocity
+    """Final velocity [m/s] of the impactor; of the target where a force has pushed it, or a mechanism what is held."""
+    held = isinstance(solution.scene.target, Mechanism) and solution.scene.impactor.held
+    return solution.target_velocity if solution.impactor_velocity is None or held else solution.impactor_velocity

@@ -106,7 +106,7 @@ def _of(method: Method, scene: Scene) -> list[Ladder]:
     for resolution in method.RESOLUTIONS:
         if resolution in SPATIAL and not _rings(scene):
             continue
-        if isinstance(scene.target, Mechanism) and resolution in SPATIAL:
+        if isinstance(scene.target, Mechanism) and scene.target.flexible and resolution in SPATIAL:
             if resolution == "modes" and method.refusal(scene) is None:
                 return [_of_links(method, scene)]
             continue

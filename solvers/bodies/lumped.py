@@ -124,10 +124,11 @@ class Wall(Lumped):
     kind: str  # "stop" or "half-space"
     radius: float | None = None
     material: Material | None = None  # None: rigid
+    velocity: float = 0.0  # [m/s], as seen from a mechanism that runs into it
 
     KEYS = ("kind", "radius", "material")
     mass = math.inf
-    velocity = 0.0
+    kinetic_energy = 0.0
     fixed = held = True
 
     @classmethod

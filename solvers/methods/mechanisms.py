@@ -33,7 +33,8 @@ class MechanismMotion:
         self._followed = followed = isinstance(relative, KnowsModes)  # else it is over at once
         self.acceleration = self.frozen.acceleration if followed else 0.0  # of the struck point
         self.jerk = self.frozen.jerk if followed else 0.0
-        self.weight = float(self.frozen.normal @ self.frozen.system.gravity) if followed else 0.0  # of 1 kg [N]
+        falls = followed and not scene.impactor.held
+        self.weight = float(self.frozen.normal @ self.frozen.system.gravity) if falls else 0.0  # of 1 kg [N]
         self.names = [link.name for link in self.mechanism.links]
 
     # --- what does not depend on who looks
@@ -263,7 +264,8 @@ class MechanismMotion:
         where they feed the impact. What the mechanism would exchange with them without the impact is left out."""
         time = np.atleast_1d(np.asarray(time, float))
         parts, state, frozen = self.relative.energies(time), self.target_state(time), self.frozen
-        speed, mass = self.speed(time), self.scene.impactor.mass
+        impactor = self.scene.impactor
+        speed, mass = self.speed(time), 0.0 if impactor.held else impactor.mass  # what is held takes up no energy
         momentum = frozen.rates @ frozen.system.mass
         gained = momentum @ frozen.whole * state.velocity + state.rates @ (momentum @ self._vibrations)
         moving = mass * speed * (self.relative.impactor_velocity(time) + 0.5 * speed)
@@ -305,9 +307,14 @@ def in_laboratory(solution: Solution, scene: Scene) -> Solution:
         split = sum(value for name, value in parts.items() if name != "initial")
         carried = 0.5 * end[0] * (motion.frozen.rates + motion.before(end)[0])
         apart = motion.frozen.jacobian @ (motion.coordinates(end)[0] - carried)
-        lost = scene.impactor.mass * (scene.impactor.velocity + motion.weight * end[0] - solved.impactor_velocity)
+        if scene.impactor.held:  # then by what the mechanism has gained as a whole
+            mass = motion.frozen.rigid_mass
+            lost = mass * float(motion.target_state(end).velocity[0])
+        else:
+            mass = scene.impactor.mass
+            lost = mass * (scene.impactor.velocity + motion.weight * end[0] - solved.impactor_velocity)
         return solution.diagnostics | {
-            "momentum_error": (lost - solved.impulse) / (scene.impactor.mass * scene.speed),
+            "momentum_error": (lost - solved.impulse) / (mass * scene.speed),
             "energy_error": (split - parts["initial"]) / parts["initial"],
             "constraint_error": float(np.abs(apart).max(initial=0.0)),
         }

@@ -90,7 +90,8 @@ def _beyond(x: Any) -> np.ndarray:
 def _said(parts: dict[str, Any], scene: Scene, velocity: Any) -> dict[str, Any]:
     """Parts of an energy with the mechanism as the impactor; what a struck rod has beyond its mean motion rings."""
     given = dict(parts)
-    whole, rigid = given.pop("impactor"), 0.5 * scene.target.mass * velocity**2
+    whole = given.pop("impactor")
+    rigid = 0.0 * whole if scene.target.held else 0.5 * scene.target.mass * velocity**2
     mechanism = given.pop("target_rigid") + given.pop("target_vibration", 0.0)
     ringing = whole - rigid if scene.target.rods else 0.0 * whole
     return {"impactor": mechanism, "target_rigid": whole - ringing, "target_vibration": ringing} | given

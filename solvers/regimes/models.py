@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from ..accuracy.reference import rebound
 from ..bodies import Bending, Rod
 from ..contact import Hertz, Linear
 from ..contact.protocol import Damped
@@ -128,7 +129,7 @@ def figures(solution: Solution, stresses: bool = True) -> np.ndarray:
     NaN where the solution has none.
     """
     scene, found = solution.scene, np.full(4, np.nan)
-    found[0] = solution.impactor_velocity / scene.speed
+    found[0] = rebound(solution) / scene.speed
     lasted = apparent_time(solution.contacts)
     if solution.peak_force is not None and lasted is not None:
         found[1], found[2] = solution.peak_force, lasted

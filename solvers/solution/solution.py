@@ -298,7 +298,7 @@ def balanced(
     """The figures of `summary` from the last velocities, the impulse and the energies, with what they are off by."""
     m1, m2 = scene.impactor.mass, scene.target.mass
     initial = scene.initial_energy
-    lost = m1 * (scene.impactor.velocity - final)
+    lost = impulse if scene.impactor.held else m1 * (scene.impactor.velocity - final)
     mismatches = [lost - impulse]
     if not scene.target.held:
         mismatches.append(m2 * (target_final - scene.target.velocity) - lost)
@@ -309,7 +309,7 @@ def balanced(
         "restitution": restored or {"newton": None, "poisson": None, "newton_at_contact": None},
         "energy": {"initial": initial} | energies,
         "diagnostics": {
-            "energy_error": (sum(energies.values()) - initial) / initial,
+            "energy_error": (sum(energies.values()) - initial) / (initial or 1.0),
             "momentum_error": max(mismatches, key=abs) / (m1 * scene.speed),
             "steps": 0,
             "wall_time": wall_time,

@@ -197,7 +197,8 @@ def _read_axes(scene: Scene, names: Sequence[str], grid: Sequence[int | Sequence
 
 def check_axes(scene: Scene, names: Sequence[str]) -> None:
     """Raises SceneError for a scene that modes cannot solve, and for axes that do not go together, or with it."""
-    refusal = Modal().refusal(scene)
+    held = scene.struck.impactor.held  # by a mechanism that strikes: integrators march what is free, or at rest
+    refusal = Note("refusals.held-striker", Severity.REFUSAL) if held else Modal().refusal(scene)
     if refusal:
         raise SceneNotSupported("stability", scene.target.kind, refusal)
     if len(names) != 2 or names[0] == names[1]:

@@ -25,6 +25,7 @@ class StruckMechanism(AnyBody):
     material: Material | None
     radius: float | None = None
     bends: bool = False
+    falls: bool = True  # whether what strikes it does, by the gravity of the mechanism
 
     KEYS = ()
     kind = "mechanism"
@@ -40,8 +41,9 @@ class StruckMechanism(AnyBody):
 
     @property
     def acceleration(self) -> float:
-        """Of its struck point against an impactor that falls freely."""
-        return self.frozen.acceleration - float(self.frozen.normal @ self.frozen.system.gravity)
+        """Of its struck point against an impactor that falls freely, or is held."""
+        weight = float(self.frozen.normal @ self.frozen.system.gravity)
+        return self.frozen.acceleration - (weight if self.falls else 0.0)
 
     @cached_property
     def jerk(self) -> float:

@@ -71,6 +71,8 @@ class Balance(Method):
         return replace(found, elements=found._elements)
 
     def why_not(self, scene: Scene) -> Note | None:
+        if scene.impactor.held:
+            return Note("refusals.held-striker", Severity.REFUSAL)
         for body in (scene.impactor, scene.target):
             if body.endless:
                 return Note("refusals.no-natural-modes", Severity.REFUSAL)

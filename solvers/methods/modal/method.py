@@ -220,11 +220,11 @@ class Modal(Method):
         others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
         if not any(motion.pair.truncated):
             others = {self.modes}
-        final, differences = motion.record.velocity[-1], []
+        final, differences = motion.final_velocity, []
         for modes in others:
             fewer = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes))
             other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(fewer, motion.duration)
-            differences.append(abs(final - other.record.velocity[-1]))
+            differences.append(abs(final - other.final_velocity))
         estimated = float(max(differences) / scene.speed)
         # shorter than any mode kept: all numbers of modes are wrong alike
         steps = _steps_of_a_contact(motion)

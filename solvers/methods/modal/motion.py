@@ -106,6 +106,12 @@ class ModalMotion:
             self._at(time, record.rigid_position), self._at(time, record.rigid_velocity), displacement, rates
         )
 
+    @property
+    def final_velocity(self) -> float:
+        """Of the impactor as a whole; of the target where the impactor is held [m/s]."""
+        held = np.isinf(self.pair.impactor.rigid_mass)
+        return float((self.record.rigid_velocity if held else self.record.velocity)[-1])
+
     # --- the bodies as wholes, and their struck faces
 
     def impactor_position(self, time):
