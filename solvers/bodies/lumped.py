@@ -128,7 +128,6 @@ class Wall(Lumped):
 
     KEYS = ("kind", "radius", "material")
     mass = math.inf
-    kinetic_energy = 0.0
     fixed = held = True
 
     @classmethod
@@ -143,6 +142,10 @@ class Wall(Lumped):
             read_radius(f"{key}.radius", given.get("radius")),
             None if material is None else read_material(f"{key}.material", material),
         )
+
+    @property
+    def kinetic_energy(self) -> float:
+        return 0.0
 
     @property
     def endless(self) -> bool:
