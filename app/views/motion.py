@@ -1,7 +1,7 @@
 """A mechanism that moves on after the impact, for the page: where its links go, through as many impacts as come."""
 
 import json
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import param
@@ -15,10 +15,12 @@ from ..choices.mechanism import on_mechanism
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.scene_of import base_of
-from ..messages.mechanism import PARTS, described, mechanism_of, with_rigid_links
+from ..messages.mechanism import described, mechanism_of, with_rigid_links
 
 LONGEST = 20.0  # [s] that can be asked for
 INSTANTS, HISTORY = 361, 301  # of the picture, besides impacts; of reactions and energies
+BENT_INSTANTS, BENT_PARTS = 181, 6  # of the picture of links that bend; straight pieces of each
+MOST_RIGID_STEPS = 50_000  # which take some three seconds
 MOST_STEPS = 10_000  # of links that bend, which take some two seconds; for longer they are followed as rigid ones
 IMPACTS = 100  # told one by one
 JOLTS = 8  # of these, the first of which it is told what every joint gets
@@ -44,20 +46,29 @@ def motion_data(asked: dict[str, Any]) -> str:
     """The motion as JSON: `chosen`, which is all that was asked, picture, impacts, histories and figures; or `error`,
     a sentence, or `refused`, a note, why there is none.
 
-    `rigid`: why links that bend are followed as rigid ones, or None. Times in ms, else SI units.
+    `rigid`: why links that bend are followed as rigid ones, or None; `cut`: whether they would be for longer, if that
+    took no more than `MOST_RIGID_STEPS`. Times in ms, else SI units.
     """
     answer: dict[str, Any] = {"chosen": asked}
     try:
-        solution, note = followed(asked)
+        solution, note, cut = followed(asked)
         told = note and note.table()
-        answer |= {"refused": told} if solution is None else {"rigid": told} | _told(solution)
+        answer |= {"refused": told} if solution is None else {"rigid": told, "cut": cut} | _told(solution)
     except ValueError as refusal:  # SceneError
         answer["error"] = str(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
-def followed(asked: dict[str, Any]) -> tuple[Solution | None, Note | None]:
-    """The motion for so many seconds, and why its links are taken as rigid where they are not; or why there is none."""
+class Followed(NamedTuple):
+    """The motion, or None; why there is none, or why links that bend are taken as rigid; whether it was cut short."""
+
+    solution: Solution | None
+    note: Note | None
+    cut: bool = False
+
+
+def followed(asked: dict[str, Any]) -> Followed:
+    """The motion for as long as is asked, or as the scene says."""
     request = Request.of(asked)
     scene, method = request.scene, Multibody(restitution=restitution_of(request))
     seconds = asked["motion_seconds"] or scene.method.get("duration")
@@ -70,8 +81,10 @@ def followed(asked: dict[str, Any]) -> tuple[Solution | None, Note | None]:
             scene = with_rigid_links(scene) if reason else scene
     refusal = method.refusal(scene)
     if refusal:
-        return None, refusal
-    return method.solve(scene, seconds), reason
+        return Followed(None, refusal)
+    reached = method.reach(scene, MOST_RIGID_STEPS)
+    cut = seconds is not None and seconds > reached
+    return Followed(method.solve(scene, reached if cut else seconds), reason, cut)
 
 
 def restitution_of(request: Request) -> float:
@@ -127,9 +140,10 @@ def _picture(motion: MovingMotion, solution: Solution) -> dict[str, Any]:
     """`places` (instants, links, points from end to end, x and y), those of the mass, and `normals` as contacts begin
     and end."""
     ends = [edge for contact in solution.contacts[:IMPACTS] for edge in (contact.start, contact.end)]
-    time = np.unique([*np.linspace(0.0, solution.duration, INSTANTS), *ends])
     mechanism = motion.mechanism
-    links = motion.link_points(time, PARTS if mechanism.flexible else 1)
+    instants, parts = (BENT_INSTANTS, BENT_PARTS) if mechanism.flexible else (INSTANTS, 1)
+    time = np.unique([*np.linspace(0.0, solution.duration, instants), *ends])
+    links = motion.link_points(time, parts)
     places = np.stack([links[link.name] for link in mechanism.links], axis=1)
     turned = _turned(links[mechanism.struck.link], mechanism.struck.at)[np.searchsorted(time, ends)]
     x, y = mechanism.struck.normal

@@ -24,6 +24,7 @@ import { unitField } from './unit_field.js';
  * @property {string} [error]
  * @property {Note} [refused]  why it cannot be followed
  * @property {Note | null} rigid  why links that bend are followed as rigid ones
+ * @property {boolean} cut  it would be followed for longer, if that took fewer steps
  * @property {MechanismTold} mechanism
  * @property {{ kind: string, mass: number }} impactor
  * @property {number} restitution
@@ -139,6 +140,7 @@ class Motion extends Panel {
     const [drift, gap, error] = [known.energy_drift, known.constraint_error, known.estimated_error];
     const words = [text('motion.impacts', { time: duration / 1e3, count, restitution })];
     words.push(text('motion.kept', { drift, gap }));
+    if (found.cut) words.push(text('motion.cut', { time: duration / 1e3 }));
     if (error) words.push(text('motion.uncertain', { error }));
     this.said.textContent = words.join(' ');
     const notes = [...(rigid ? [text('motion.rigid', { why: rigid })] : []), ...found.notes.map(said)];

@@ -72,6 +72,11 @@ class Multibody(Method):
         reached = lasts * most / steps
         return Note("refusals.flexible-steps", Severity.REFUSAL, steps=steps, most=most, reached=reached)
 
+    def reach(self, scene: Scene, steps: int) -> float:
+        """How long it can be followed in so many steps of the usual length [s]."""
+        lasts, needed = self._steps(scene.target.known_as(Mechanism), scene.speed, None)
+        return lasts * steps / needed
+
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         reason = self.too_long(scene, duration, MOST_STEPS_OF_FLEXIBLE)
         if reason:

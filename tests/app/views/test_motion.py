@@ -9,6 +9,7 @@ from pytest import approx
 import solvers
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
+from app.views import motion
 from app.views.motion import followed, motion_data, of_mechanisms, restitution_of
 from solvers.bodies import Mechanism
 
@@ -75,7 +76,7 @@ def test_the_first_impact_is_the_rigid_impulse(piston):
 
 
 def test_joints_get_the_impulses_of_the_library(piston):
-    solution, _ = followed(asked("bouncing-on-piston", 0.6))
+    solution, *_ = followed(asked("bouncing-on-piston", 0.6))
     alone = solvers.solve(Request.of(asked("bouncing-on-piston")).scene, "rigid", restitution=0.6)
     expected = [np.hypot(*joint["impulse"]) for joint in alone.reactions]
     assert piston["jolts"][0] == approx(expected, rel=1e-4)
@@ -83,7 +84,7 @@ def test_joints_get_the_impulses_of_the_library(piston):
 
 
 def test_reactions_are_those_of_the_motion(pendulum):
-    solution, _ = followed(asked("double-pendulum", 1.0))
+    solution, *_ = followed(asked("double-pendulum", 1.0))
     forces = np.array(pendulum["reactions"]).reshape(-1, 2, 3)
     assert len(forces) == len(pendulum["history_time"])
     middle = len(forces) // 2
@@ -95,7 +96,7 @@ def test_reactions_are_those_of_the_motion(pendulum):
 @pytest.mark.parametrize(("seconds", "flexible"), [(0.004, True), (0.5, False)])
 def test_links_that_bend_are_followed_as_long_as_their_vibrations_can_be(seconds, flexible):
     found = answer("rotating-bar", seconds)
-    solution, refused = followed(asked("rotating-bar", seconds))
+    solution, refused, _ = followed(asked("rotating-bar", seconds))
     assert solution is not None
     target = solution.scene.target
     assert isinstance(target, Mechanism) and target.flexible == flexible == (refused is None)
@@ -106,7 +107,7 @@ def test_links_that_bend_are_followed_as_long_as_their_vibrations_can_be(seconds
     assert found["parting"]["contacts"] == (found["contacts"] if flexible else 1)
     bends = ends_of(found)[:, 0]
     across = bends[:, 0] - 2.0 * bends[:, bends.shape[1] // 2] + bends[:, -1]
-    assert bends.shape[1] == (11 if flexible else 2)
+    assert bends.shape[1] == (1 + motion.BENT_PARTS if flexible else 2)
     assert np.abs(across).max() > 5e-5 or not flexible  # five digits are sent
     rigid = answer("rotating-bar", seconds, motion_links="rigid")
     assert not rigid["mechanism"]["links"][0]["flexible"] and rigid["rigid"] is None and rigid["contacts"] >= 1
@@ -116,6 +117,19 @@ def test_restitution_is_that_of_the_slider_where_there_is_one():
     assert restitution_of(Request.of(own_choices("bouncing-on-piston"))) == 0.6
     assert restitution_of(Request.of(own_choices("four-bar") | {"restitution": 0.3})) == 1.0  # of its contact law
     assert answer("slider-crank", restitution=0.25)["restitution"] == 0.25
+
+
+def test_what_would_take_too_long_is_cut_short_and_said(monkeypatch):
+    monkeypatch.setattr(motion, "MOST_RIGID_STEPS", 100)  # of the 200 that a turn of its crank takes
+    found = answer("slider-crank", 0.04)
+    assert found["cut"] and found["duration"] == approx(0.5 * 50.26548, rel=1e-3)
+    assert not answer("slider-crank", 0.02)["cut"] and not answer("slider-crank")["cut"]
+
+
+def test_messages_are_small(piston):
+    assert len(json.dumps(piston)) < 1e5
+    bent = motion_data(asked("figure-6.7", 0.004))
+    assert json.loads(bent)["mechanism"]["links"][0]["flexible"] and len(bent) < 1e5
 
 
 def test_only_mechanisms_move_on():
