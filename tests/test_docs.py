@@ -148,6 +148,7 @@ def site(tmp_path_factory) -> Path:
     return built
 
 
+@pytest.mark.slow
 def test_pages_fetch_nothing_from_elsewhere(site):
     pages = sorted(site.glob("*.html"))
     assert {page.stem for page in pages} >= {page.stem for page in (ROOT / "docs").glob("*.md")}
@@ -160,6 +161,7 @@ def test_pages_fetch_nothing_from_elsewhere(site):
         assert not re.search(r"(url\(|@import)\s*['\"]?(https?:)?//", sheet.read_text(encoding="utf-8")), sheet.name
 
 
+@pytest.mark.slow
 def test_formulas_are_drawn_without_a_script(site):
     text = (site / "how-it-is-computed.html").read_text(encoding="utf-8")
     assert text.count("<math") > 50
@@ -167,6 +169,7 @@ def test_formulas_are_drawn_without_a_script(site):
     assert "merror" not in text
 
 
+@pytest.mark.slow
 def test_every_built_in_scene_is_listed(site):
     text = (site / "scenes.html").read_text(encoding="utf-8")
     assert [name for name in solvers.scene_names() if f"<code>{name}</code>" not in text] == []

@@ -39,6 +39,7 @@ def compiler(tmp_path, monkeypatch):
     compiler.stop()
 
 
+@pytest.mark.slow
 def test_who_asks_twice_is_answered_once_and_a_refusal_is_an_answer(compiler):
     first, second = (compiler.ask("solve_frame", IN_SPACE) for _ in range(2))
     assert first is second

@@ -58,6 +58,7 @@ assert {"weather", "season"} <= set(lab._runners) and "storm" in lab._long
 """
 
 
+@pytest.mark.slow
 def test_a_view_that_is_registered_is_known_everywhere():
     done = subprocess.run([sys.executable, "-c", REGISTERED], capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr

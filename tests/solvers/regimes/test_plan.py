@@ -257,6 +257,7 @@ def test_stocky_beams_need_timoshenko_and_slender_ones_do_not():
     assert theory_table("cantilever").errors.shape[2] == len(QUESTIONS)
 
 
+@pytest.mark.slow
 def test_scenes_beside_what_was_measured():
     assert plan(solvers.load("two-balls")).model == "rigid-impulse"
     assert plan(solvers.load("two-balls"), "peak-force").expected_error in (0.0, math.inf)
