@@ -18,8 +18,11 @@ from ..choices.scene_of import base_of
 from ..messages.mechanism import described, mechanism_of, with_rigid_links
 
 LONGEST = 20.0  # [s] that can be asked for
-INSTANTS, HISTORY = 361, 301  # of the picture, besides impacts; of reactions and energies
-BENT_INSTANTS, BENT_PARTS = 181, 6  # of the picture of links that bend; straight pieces of each
+INSTANTS, HISTORY = 361, 241  # of the picture, besides impacts; of reactions and energies
+BENT_INSTANTS, BENT_PARTS = 121, 6  # of the picture of links that bend; straight pieces of each
+MOST_AVERAGED = (
+    8  # steps that the reactions of one instant are averaged over, which vibrations change from one to the next
+)
 MOST_RIGID_STEPS = 50_000  # which take some three seconds
 MOST_STEPS = 10_000  # of links that bend, which take some two seconds; for longer they are followed as rigid ones
 IMPACTS = 100  # told one by one
@@ -168,8 +171,10 @@ def _histories(motion: MovingMotion, scene: Scene) -> dict[str, Any]:
 
     What the mass gains as it falls counts to it, as nothing comes of it but its own flight.
     """
-    time = _amid_steps(motion.time)
-    forces = motion.reaction_forces(time) if motion.mechanism.joints else np.zeros((time.size, 0, 3))
+    steps, joints = _amid_steps(motion.time), len(motion.mechanism.joints)
+    time, forces = steps.mean(axis=1), np.zeros((len(steps), 0, 3))
+    if joints:
+        forces = motion.reaction_forces(steps.ravel()).reshape(*steps.shape, joints, 3).mean(axis=1)
     energies = motion.energies(time)
     fallen = (motion.impactor_places(time) - motion.impactor_places(time[:1])) @ motion.mechanism.system.gravity
     height = -scene.impactor.mass * fallen
@@ -190,10 +195,12 @@ def _histories(motion: MovingMotion, scene: Scene) -> dict[str, Any]:
 
 
 def _amid_steps(time: np.ndarray) -> np.ndarray:
-    """In the middle of steps, over which reactions are averages: evenly, if there are many."""
+    """Middles of steps, over which reactions are averages, (instants, steps): of many some, spread evenly."""
     starts = np.flatnonzero(np.diff(time) > 0.0)
-    chosen = starts[np.unique(np.linspace(0, starts.size - 1, HISTORY).round().astype(int))]
-    return 0.5 * (time[chosen] + time[chosen + 1])
+    instants = min(HISTORY, starts.size)
+    each = min(MOST_AVERAGED, starts.size // instants)
+    chosen = starts[np.linspace(0, starts.size - 1, instants * each).round().astype(int)]
+    return 0.5 * (time[chosen] + time[chosen + 1]).reshape(instants, each)
 
 
 def _listed(values: np.ndarray) -> list[float]:
