@@ -13,6 +13,7 @@ const BROWSER = [
     'Element',
     'Event',
     'EventTarget',
+    'HTMLElement',
     'IntersectionObserver',
     'URL',
     'URLSearchParams',

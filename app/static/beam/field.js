@@ -42,9 +42,11 @@ const forEach = (value) => ({
   deflection: value('deflection'),
 });
 
+const NOTHING = 1e-30;
+
 export class BeamField {
-  largest = forEach(() => 1e-30); // values over the whole impact
-  usual = forEach(() => 1e-30); // where the colours end
+  largest = forEach(() => NOTHING); // values over the whole impact
+  usual = forEach(() => NOTHING); // where the colours end
 
   /**
    * @param {BeamFrame} frame
@@ -54,6 +56,10 @@ export class BeamField {
     this.frame = frame;
     this.places = frame.places;
     this.room = room;
+  }
+  /** Whether nothing bends it, as it is struck along its length. */
+  get lengthwise() {
+    return !(this.largest.moment > NOTHING);
   }
   /**
    * Values along the beam at one instant: at all places, or at every `every`-th from `first`.

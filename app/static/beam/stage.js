@@ -98,6 +98,7 @@ export class BeamStage {
   }
   /** Whether there are forces within the beam to draw, and room for them. */
   get diagrams() {
+    if (this.field.lengthwise) return false;
     return this.mechanism ? this.mechanism.bends && !this.narrow : this.narrow || !this.low;
   }
   /** @param {number} t */

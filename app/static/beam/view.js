@@ -22,6 +22,7 @@ import { BeamStory } from './story.js';
 
 const SLOW_SECONDS = 16;
 const SLOW_CONTACTS = 4;
+const OF_BENDING = ['moment', 'shear'];
 const LEAST_ROOM = 1e-5; // of the whole impact, about what is looked at closely
 
 export class BeamView {
@@ -97,15 +98,24 @@ export class BeamView {
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
     this.dispersion.load(frame);
+    const { lengthwise } = this.field;
+    this.spaceTime.chart.title.textContent = text(lengthwise ? 'beam.chart.waves-along' : 'beam.chart.waves');
+    for (const button of this.colours.root.children)
+      if (button instanceof HTMLElement) button.hidden = lengthwise && OF_BENDING.includes(button.dataset.kind ?? '');
     this.dress();
     this.draw();
   }
+  /** What the colours show of this impact. */
+  get shown() {
+    return this.field.lengthwise && OF_BENDING.includes(this.what) ? 'velocity' : this.what;
+  }
   dress() {
-    this.page.compare.dress(this.what);
-    this.stage.load(this.frame, this.field, this.what);
+    const { shown } = this;
+    this.page.compare.dress(shown);
+    this.stage.load(this.frame, this.field, shown);
     this.page.compare.share(this.stage);
-    this.spaceTime.load(this.frame, this.field, this.what);
-    this.colours.show(this.what);
+    this.spaceTime.load(this.frame, this.field, shown);
+    this.colours.show(shown);
   }
   draw(all = false) {
     if (this.frame && !this.stack.root.hidden) this.inView.draw(all);

@@ -67,6 +67,8 @@ def test_a_mechanism_that_strikes_is_drawn_as_what_is_struck_and_said_to_strike(
 
 def test_waves_at_the_joint_are_shown_beside_the_mechanism(open_page):
     page = open_page("?scene=bent-rods")
+    expect(page.tab.get_by_role("heading", name="How waves run along the link")).to_be_visible()
+    expect(page.tab.get_by_role("button", name="moment", exact=True)).to_be_hidden()  # it is struck along its length
     page.analysis("Waves at the joint")
     panel = page.tab.locator(".analysis.joints")
     expect(panel.get_by_role("status")).to_contain_text("pin between first and second, which goes on turned by 90°")
