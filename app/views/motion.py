@@ -20,9 +20,7 @@ from ..messages.mechanism import described, mechanism_of, with_rigid_links
 LONGEST = 20.0  # [s] that can be asked for
 INSTANTS, HISTORY = 361, 241  # of the picture, besides impacts; of reactions and energies
 BENT_INSTANTS, BENT_PARTS = 121, 6  # of the picture of links that bend; straight pieces of each
-MOST_AVERAGED = (
-    8  # steps that the reactions of one instant are averaged over, which vibrations change from one to the next
-)
+MOST_AVERAGED = 8  # steps, of the reactions of one instant: in vibrations each differs from the next
 MOST_RIGID_STEPS = 50_000  # which take some three seconds
 MOST_STEPS = 10_000  # of links that bend, which take some two seconds; for longer they are followed as rigid ones
 IMPACTS = 100  # told one by one
