@@ -111,7 +111,7 @@ VIEWS = (  # in the order in which an address names them
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
          depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
     View("motion", motion.motion_data, asked=motion.QUESTIONS, kinds=BEAMS, depends_on=motion.of_mechanisms, rests=True,
-         scenes=("slider-crank",)),
+         scenes=("slider-crank", "four-bar-moves")),
     View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
          scenes=("bent-rods",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),

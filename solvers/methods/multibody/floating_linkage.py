@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
-from ...numerics.multibody.floating import Face, Ties, joints_at
+from ...numerics.multibody.floating import Face, Ties, joints_at, relax_springs
 from ...numerics.multibody.frozen import null_space
 from ...numerics.multibody.integrals import frames_of, shortening, stations_of
 from ...numerics.multibody.system import FIXED, PRISMATIC, System
@@ -100,7 +100,8 @@ def room_of(linkage: Floating, rows: Rows) -> Work:
 
 def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.ndarray, np.ndarray]:
     """Coordinates and rates (size,) before the impact: links bent steadily by their weight and inertia, as the frozen
-    mechanism has them, the joints closed by moving the frames, and no shape changing."""
+    mechanism has them, the joints closed by moving the frames, and no shape changing. Springs of the linkage have no
+    force there."""
     system, frozen, room = mechanism.system, mechanism.frozen, room_of(linkage, rows)
     q, v, rigid = frozen.bent.copy(), frozen.rates.copy(), system.rigid
     for link, start in zip(system.links, system.offsets, strict=False):
@@ -112,6 +113,7 @@ def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.
         if not np.any(np.abs(change) > CLOSED * linkage.unit[rigid]):
             break
     joints_at(linkage, q, 0.0, room.gap, room.jacobian, room.moving)
+    relax_springs(linkage, q)
     v[rigid] -= _least(room.jacobian[:, rigid], linkage.unit[rigid], room.jacobian @ v - room.moving)
     return q, v
 

@@ -269,6 +269,18 @@ def add_springs(linkage, q, found):
     return energy
 
 
+@kernel
+def relax_springs(linkage, q):
+    """Let the springs have no force at these coordinates."""
+    ties = linkage.ties
+    for k in range(ties.ends[2], ties.ends[4]):
+        if k < ties.ends[3]:
+            given, _, _, _ = distance_of(linkage, k, q)
+        else:
+            given = angle_of(linkage, k, q)
+        ties.offset[k] += given
+
+
 @inner_kernel
 def _bend(face, q, first, place, row):
     """Writes the shapes along the normal at a place of the link, cubic between those of the table; returns their sum,
