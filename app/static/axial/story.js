@@ -79,7 +79,8 @@ export class Story {
     this.warnings = new Warnings();
     const { heading: warningsHeading, list: warnings } = this.warnings;
     this.root = make('div', { className: 'story' }, heading(text('story.events')), this.units, this.events.root);
-    this.root.append(warningsHeading, warnings, heading(text('axial.one-number')), this.match);
+    this.asks = heading(text('axial.one-number'));
+    this.root.append(warningsHeading, warnings, this.asks, this.match);
     this.root.append(heading(text('story.energy')), this.energy);
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
     this.numbers.append(heading(text('story.after')), scrolled(this.figures), this.trust);
@@ -91,6 +92,7 @@ export class Story {
     this.units.textContent = unitsOf(frame);
     this.contacts();
     this.answers();
+    this.asks.textContent = text(frame.exact.name === 'rigid' ? 'axial.one-impulse' : 'axial.one-number');
     this.match.replaceChildren(...this.#match());
     showEnergy(this.energy, frame.exact.energy, ENERGIES);
     this.warn();

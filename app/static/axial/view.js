@@ -77,6 +77,8 @@ export class AxialView {
     this.axis.load(0, this.page.compare.span(frame));
     this.whole.hidden = true;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
+    const methods = [frame.exact.name, frame.other?.name ?? 'rigid'];
+    this.force.chart.root.hidden = methods.every((name) => name === 'rigid'); // an impulse without duration
     this.stack.arrange();
     this.force.load(frame);
     this.displacements.load(frame);
