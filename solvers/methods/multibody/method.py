@@ -42,7 +42,8 @@ class Multibody(Method):
     sixth order; impacts of a point mass with a restitution, located to rounding.
 
     The mass strikes the line of the struck link, bent as it is, along a normal that turns with it, and misses it a
-    hundredth of its length beside its ends. Flexible links start bent by their weight and inertia, which is steady to first order.
+    hundredth of its length beside its ends. Flexible links start bent by their weight and inertia, which is steady to
+    first order.
     Assumes: slopes of bent links small beside 1; impacts without duration or friction.
     Error: sixth order in the step; the energy does not drift, but for rounding: 3e-15 a step of flexible links.
     Source: thesis 6.2, 6.3, (6.12); kernels: see `numerics.multibody.moving`, and `variational` for flexible links.
