@@ -177,7 +177,7 @@ def test_what_is_in_view_is_looped(open_page):
 
 def test_the_pace_can_be_a_share_of_real_time(open_page):
     page = open_page("?scene=hammer-on-cantilever")
-    page.tab.get_by_label("Pace").select_option("1/20000")
+    page.tab.get_by_label("Pace").first.select_option("1/20000")
     per_second = page.evaluate("() => { const { player: p } = strikewave.page; return p.perSecond * p.pace.speed; }")
     assert per_second * page.header("trip") == pytest.approx(1 / 20_000)
 

@@ -244,7 +244,7 @@ def test_a_page_that_sends_as_soon_as_it_is_answered_is_never_slowed(server):
         begun = time.monotonic()
         for k in range(1, 101):
             await client.set("mass_ratio", 1.0 + k / 256)
-            while f'"mass_ratio": {1.0 + k / 256}'.encode() not in client.last_frame:
+            while f'"mass_ratio":{1.0 + k / 256}'.encode() not in client.last_frame:
                 await client.answer()
         assert time.monotonic() - begun < 100 * OVER_PAUSE  # each of three parts would wait for that
         client.close()

@@ -178,7 +178,7 @@ def test_many_changes_at_once_end_with_the_newest(server):
         client = await opened(server)
         for k in range(13):  # a page would wait for the answer to the first: the others are read slowly
             await client.set("mass_ratio", 1.0 + k / 64)
-        while b'"mass_ratio": 1.1875' not in client.last_frame:
+        while b'"mass_ratio":1.1875' not in client.last_frame:
             await client.answer()
         assert "frame" not in (await client.changes(1.0))[0]  # and the newest choice is the last
         client.close()
