@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import allocating_kernel, kernel
+from ...jit import allocating_kernel, inner_kernel, kernel
 
 STAGES = np.array(
     [
@@ -112,7 +112,7 @@ def place_of(q, link, own):
     return (x, y) if link < 0 else (q[3 * link] + x, q[3 * link + 1] + y)
 
 
-@kernel
+@inner_kernel
 def add_point(row, q, link, own, along_x, along_y, sign):
     """The velocity of a point in a direction, to a row of the Jacobian."""
     if link >= 0:
@@ -167,7 +167,7 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
         row += 1
 
 
-@kernel
+@inner_kernel
 def decompose(matrix, order):
     """Factors of a small matrix (n, n), in its place, by elimination with pivots, and their `order` (n,)."""
     count = order.size
@@ -185,7 +185,7 @@ def decompose(matrix, order):
                 matrix[i, j] -= matrix[i, k] * matrix[k, j]
 
 
-@kernel
+@inner_kernel
 def resolve(matrix, order, right):
     """Solution in place of `right` (n,), by these factors."""
     count = right.size
@@ -201,7 +201,7 @@ def resolve(matrix, order, right):
         right[k] /= matrix[k, k]
 
 
-@kernel
+@inner_kernel
 def response_to(linkage, later, jacobian, factor, found):
     """Rates of the constraints `later` by unit reactions of `jacobian`, (constraints, constraints)."""
     for i in range(found.shape[0]):
@@ -212,7 +212,7 @@ def response_to(linkage, later, jacobian, factor, found):
             found[i, j] = factor * total
 
 
-@kernel
+@inner_kernel
 def push_rates(linkage, jacobian, reactions, rates):
     """Take from the rates (size,) what reactions (constraints,) do to them."""
     for k in range(rates.size):
@@ -286,7 +286,7 @@ def forces(linkage, q, found):
     return energy
 
 
-@kernel
+@inner_kernel
 def _rattle(linkage, w, q, v, time, step, reactions):
     """One step of RATTLE in place, from `time`; adds the impulses of the constraints to `reactions` (constraints,)."""
     if step == 0.0:
@@ -321,7 +321,7 @@ def _rattle(linkage, w, q, v, time, step, reactions):
     _close_rates(linkage, w, q, v, time + step, reactions)
 
 
-@kernel
+@inner_kernel
 def _close_rates(linkage, w, q, v, time, reactions):
     """Push the rates onto those that the joints allow, in place."""
     joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
