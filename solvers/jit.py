@@ -109,8 +109,9 @@ def _usable(folder: Path) -> Path:
 class _KernelFile(caching.IndexDataCacheFile):
     """A file of the cache that, damaged, only has its kernel compiled again: it is put aside, with a line in the log.
 
-    Data has a checksum: machine code that is not what was written would be run all the same. What cannot be written is
-    not kept.
+    Data has a checksum: machine code that is not what was written would be run all the same. What names a class or a
+    module that these sources do not have comes from others, and is compiled again without a word. What cannot be
+    written is not kept.
     """
 
     _told: ClassVar[set[str]] = set()  # of what this process has said in the log already
@@ -118,8 +119,10 @@ class _KernelFile(caching.IndexDataCacheFile):
     def load(self, key: Any) -> Any:
         try:
             return super().load(key)
-        except Exception as error:  # of damaged data pickle raises whatever it comes upon
-            self._put_aside(error)
+        except MISSING:
+            return None
+        except Exception:  # of damaged data pickle raises whatever it comes upon
+            self._put_aside()
             return None
 
     def save(self, key: Any, data: Any) -> None:
@@ -127,6 +130,12 @@ class _KernelFile(caching.IndexDataCacheFile):
             super().save(key, data)
         except OSError as error:
             self._warn("kernels that are compiled cannot be kept (%s)", error.strerror)
+
+    def _load_index(self) -> dict[Any, str]:
+        try:
+            return super()._load_index()
+        except MISSING:
+            return {}
 
     def _load_data(self, name: str) -> Any:
         content = Path(self._data_path(name)).read_bytes()
@@ -140,7 +149,7 @@ class _KernelFile(caching.IndexDataCacheFile):
         with self._open_for_write(self._data_path(name)) as file:
             file.write(sha256(dumped).digest() + dumped)
 
-    def _put_aside(self, error: Exception) -> None:
+    def _put_aside(self) -> None:
         self._warn("damaged kernels in %s are put aside and compiled again", self._cache_path)
         with suppress(OSError):
             os.replace(self._index_path, f"{self._index_path}.damaged")
@@ -152,6 +161,7 @@ class _KernelFile(caching.IndexDataCacheFile):
 
 
 DIGEST_BYTES = sha256().digest_size
+MISSING = AttributeError, ImportError  # what pickle raises for a class or module that is not there
 caching.IndexDataCacheFile = _KernelFile
 caching.UserProvidedCacheLocator.get_source_stamp = lambda self: kernels_key(Path(self._py_file).resolve())
 numba.config.CACHE_DIR = str(_usable(_cache_folder()))

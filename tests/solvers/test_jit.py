@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from numba import types
@@ -148,6 +149,35 @@ def test_a_damaged_kernel_is_put_aside_with_one_line_and_compiled_again(tmp_path
     assert found.stdout.split() == ["7.0"]
     assert found.stderr.count("\n") == 1 and "put aside" in found.stderr
     assert ran(TRY, tmp_path).stdout.split() == ["7.0"]  # and it is in the cache again
+
+
+@pytest.fixture
+def other_sources(monkeypatch):
+    """A class of a module that these sources have, until it is forgotten."""
+    module = ModuleType("other_sources")
+    module.Law = type("Law", (), {"__module__": "other_sources"})
+    monkeypatch.setitem(sys.modules, "other_sources", module)
+    return module
+
+
+@pytest.mark.parametrize("gone", ["class", "module"])
+@pytest.mark.parametrize("where", ["key", "data"])
+def test_a_kernel_of_other_sources_is_compiled_again_without_a_word(
+    tmp_path, monkeypatch, caplog, other_sources, gone, where
+):
+    """Branches share a cache: what one knows the other may not."""
+    monkeypatch.setattr(jit._KernelFile, "_told", set())
+    key, data = (other_sources.Law, "code") if where == "key" else ("kernel", other_sources.Law)
+    jit._KernelFile(str(tmp_path), "kernel", "stamp").save(key, data)
+    if gone == "class":
+        del other_sources.Law
+    else:
+        monkeypatch.setitem(sys.modules, "other_sources", None)
+    again = jit._KernelFile(str(tmp_path), "kernel", "stamp")
+    assert again.load("kernel") is None
+    again.save("kernel", "code")
+    assert again.load("kernel") == "code"
+    assert not caplog.records and not list(tmp_path.glob("*.damaged"))
 
 
 NOWHERE = """
