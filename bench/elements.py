@@ -4,7 +4,7 @@ import numpy as np
 
 import solvers
 from solvers.contact import Linear
-from solvers.jit import kernel
+from solvers.jit.kernels import kernel
 from solvers.numerics.elements import newmark
 from solvers.numerics.elements.line import highest_frequency, line
 from solvers.numerics.elements.mesh import CONSISTENT, LUMPED

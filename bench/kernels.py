@@ -17,7 +17,7 @@ from solvers.contact import (
     Power,
     YigitChristoforou,
 )
-from solvers.jit import kernel
+from solvers.jit.kernels import kernel
 from solvers.numerics.oscillators import Record, Residual, march, oscillator_bank
 from solvers.numerics.waves import rigid as rigid_waves
 from solvers.numerics.waves import stepped as stepped_waves

@@ -5,7 +5,8 @@ import numpy as np
 import solvers
 from solvers import Balance, Modal, Multibody
 from solvers.methods.multibody.linkage import centres, rigid_linkage
-from solvers.numerics.multibody.moving import STAGES, joints_at, step_on, work
+from solvers.numerics.multibody.free import joints_at, step_on
+from solvers.numerics.multibody.moving import STAGES, work
 
 from .timing import median, row
 

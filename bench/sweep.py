@@ -3,7 +3,7 @@
 import numpy as np
 
 import solvers
-from solvers.jit import allocating_kernel
+from solvers.jit.kernels import allocating_kernel
 from solvers.numerics.waves import stepped as stepped_waves
 from solvers.studies.mass_ratios import mass_ratio_sweep
 from solvers.studies.sweep import spaced, sweep

@@ -12,7 +12,7 @@ from typing import Any
 
 from numba.core import event
 
-from .jit import sources_key
+from .jit.cache import sources_key
 
 
 class _Compiling(event.Listener, threading.local):

@@ -61,7 +61,7 @@ def main(arguments: list[str] | None = None) -> int:
 @contextmanager
 def _patience():
     """Say, to whoever waits, that kernels may be compiling: once for a machine and these sources."""
-    from solvers.jit import all_compiled
+    from solvers.jit.cache import all_compiled
 
     if not sys.stderr.isatty() or all_compiled().exists():
         yield

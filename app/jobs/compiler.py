@@ -24,7 +24,7 @@ from typing import Any
 
 import numba
 
-from solvers.jit import all_compiled
+from solvers.jit.cache import all_compiled
 
 from ..choices.beam import on_beam
 from ..choices.body_value import with_body_value

@@ -6,7 +6,7 @@ from collections.abc import Callable, Hashable
 from contextlib import suppress
 from typing import Any
 
-from solvers.jit import NotCompiled
+from solvers.jit.compiling import NotCompiled
 
 from ..text.catalogues import page
 from .answers import KEPT

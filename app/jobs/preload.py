@@ -3,7 +3,7 @@
 import gc
 from contextlib import suppress
 
-from solvers.jit import NotCompiled, compiled_only
+from solvers.jit.compiling import NotCompiled, compiled_only
 
 from .compiler import usual, works
 

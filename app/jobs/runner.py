@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Hashable
 from typing import Any
 
-from solvers.jit import NotCompiled, compiled_only
+from solvers.jit.compiling import NotCompiled, compiled_only
 
 from ..text.catalogues import page
 from .answers import Answers

@@ -9,7 +9,7 @@ from contextlib import nullcontext
 from multiprocessing.connection import Connection
 from typing import Any, NamedTuple
 
-from solvers.jit import NotCompiled, compiled_only
+from solvers.jit.compiling import NotCompiled, compiled_only
 
 DONE, PART, REFUSED, FAILED, NOT_COMPILED = "done", "part", "refused", "failed", "not compiled"
 log = logging.getLogger("strikewave")

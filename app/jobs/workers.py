@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 import numba
 
-from solvers.jit import NotCompiled
+from solvers.jit.compiling import NotCompiled
 
 from ..text.catalogues import page
 from .fair import Shares

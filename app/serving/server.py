@@ -11,7 +11,8 @@ import sys
 import tempfile
 from typing import Any
 
-from solvers.jit import NotCompiled, all_compiled
+from solvers.jit.cache import all_compiled
+from solvers.jit.compiling import NotCompiled
 from solvers.validation import SceneError
 
 from ..jobs.compiler import COMPILER, HANG_SECONDS

@@ -12,7 +12,7 @@ from bokeh.server.util import check_allowlist
 from tornado.web import RequestHandler, stream_request_body
 
 from solvers import SceneError
-from solvers.jit import NotCompiled
+from solvers.jit.compiling import NotCompiled
 from solvers.records.files import check_size
 
 from ..jobs.compiler import COMPILER

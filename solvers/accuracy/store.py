@@ -6,7 +6,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from ..jit import cache_home
+from ..jit.cache import cache_home
 from ..scene import Scene
 
 SHIPPED = Path(__file__).parent / "tradeoffs"

@@ -2,7 +2,7 @@
 
 import math
 
-from ..jit import inlined_kernel, kernel
+from ..jit.kernels import inlined_kernel, kernel
 
 
 @kernel

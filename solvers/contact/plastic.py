@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from .. import validation
-from ..jit import kernel
+from ..jit.kernels import kernel
 from ..text.notes import Note, Severity
 from .constants import LENGTH_RANGE, YIELD_VARIED, approach_speed, hertz_stiffness, point_limits, yield_indentation
 from .discrete_gradient import hertz_mean, power_mean, step_force

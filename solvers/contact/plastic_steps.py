@@ -2,7 +2,7 @@
 
 import math
 
-from ..jit import inlined_kernel, inner_kernel
+from ..jit.kernels import inlined_kernel, inner_kernel
 from .discrete_gradient import hertz_spring_step, step_force
 
 

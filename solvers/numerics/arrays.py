@@ -4,7 +4,7 @@ Assigned as a whole, or asked for their largest value, Numba compiles the texts 
 message that nobody will see.
 """
 
-from ..jit import inner_kernel, kernel
+from ..jit.kernels import inner_kernel, kernel
 
 
 @inner_kernel

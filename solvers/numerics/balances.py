@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import allocating_kernel, inner_kernel, kernel
+from ..jit.kernels import allocating_kernel, inner_kernel, kernel
 from .arrays import copy_to, dot
 from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 from .secular import held_together

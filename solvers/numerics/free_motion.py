@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import inner_kernel, summing_kernel
+from ..jit.kernels import inner_kernel, summing_kernel
 
 
 class Turn(NamedTuple):

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import types
 
-from ..jit import address, kernel
+from ..jit.kernels import address, kernel
 
 CONSTANTS = 6  # room for those of any law
 MEMORY = 5  # room for what a law answers: end, energy lost, two numbers of its way back; largest force

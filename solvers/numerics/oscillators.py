@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import allocating_kernel, kernel, summing_kernel
+from ..jit.kernels import allocating_kernel, kernel, summing_kernel
 from .arrays import copy_to, largest
 
 

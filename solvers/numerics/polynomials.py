@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import kernel
+from ..jit.kernels import kernel
 
 SPLITS = np.array([0.4872, 0.4139, 0.5571, 0.3433])  # tried in turn
 GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)

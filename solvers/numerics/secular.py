@@ -8,7 +8,7 @@ orthogonal.
 
 import numpy as np
 
-from ..jit import allocating_kernel, kernel
+from ..jit.kernels import allocating_kernel, kernel
 
 SAME_POLE = 1e-13  # relative difference of two poles that are taken as one
 LEAST_WEIGHT = 1e-15  # of the norm of the weights: who is moved by less takes no part

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit import allocating_kernel, inner_kernel, kernel, summing_kernel
+from ..jit.kernels import allocating_kernel, inner_kernel, kernel, summing_kernel
 from ..numerics.law_functions import centred
 from ..numerics.oscillators import Record, march
 

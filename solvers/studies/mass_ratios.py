@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import validation
-from ..jit import kernel
+from ..jit.kernels import kernel
 from ..numerics.arrays import copy_to
 from ..numerics.waves import rigid as rigid_waves
 from ..numerics.waves.contact_table import ContactTable

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
-from ...numerics.multibody.floating import Face, Ties, joints_at, relax_springs
+from ...numerics.multibody.floating import Face, Ties, begin_at
+from ...numerics.multibody.free import joints_at
 from ...numerics.multibody.frozen import null_space
 from ...numerics.multibody.integrals import frames_of, shortening, stations_of
 from ...numerics.multibody.system import FIXED, PRISMATIC, System
@@ -98,10 +99,10 @@ def room_of(linkage: Floating, rows: Rows) -> Work:
     return work(rows.joint.size, int(start[-1]), start.size - 1, int(np.diff(start).max()))
 
 
-def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.ndarray, np.ndarray]:
-    """Coordinates and rates (size,) before the impact: links bent steadily by their weight and inertia, as the frozen
-    mechanism has them, the joints closed by moving the frames, and no shape changing. Springs of the linkage have no
-    force there."""
+def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Coordinates and rates (size,) and the struck point (2,) before the impact: links bent steadily by their weight
+    and inertia, as the frozen mechanism has them, the joints closed by moving the frames, and no shape changing.
+    Springs of the linkage have no force there."""
     system, frozen, room = mechanism.system, mechanism.frozen, room_of(linkage, rows)
     q, v, rigid = frozen.bent.copy(), frozen.rates.copy(), system.rigid
     for link, start in zip(system.links, system.offsets, strict=False):
@@ -113,9 +114,9 @@ def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.
         if not np.any(np.abs(change) > CLOSED * linkage.unit[rigid]):
             break
     joints_at(linkage, q, 0.0, room.gap, room.jacobian, room.moving)
-    relax_springs(linkage, q)
+    struck = np.array(begin_at(linkage, q))
     v[rigid] -= _least(room.jacobian[:, rigid], linkage.unit[rigid], room.jacobian @ v - room.moving)
-    return q, v
+    return q, v, struck
 
 
 def _least(rows: np.ndarray, units: np.ndarray, wanted: np.ndarray) -> np.ndarray:

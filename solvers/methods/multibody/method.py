@@ -9,7 +9,6 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody import bouncing, moving
-from ...numerics.multibody.floating import place_of
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.solution import Solution
@@ -226,6 +225,5 @@ def _rigid(mechanism: Mechanism) -> _Moves:
 
 def _flexible(mechanism: Mechanism) -> _Moves:
     linkage, rows = floating_linkage(mechanism)
-    q, v = bent_start(mechanism, linkage, rows)
-    struck = np.array(place_of(linkage, q, linkage.stations.link.size - 1))
+    q, v, struck = bent_start(mechanism, linkage, rows)
     return _Moves(linkage, rows, room_of(linkage, rows), q, v, struck, FlexibleMotion)

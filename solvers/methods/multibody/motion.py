@@ -7,7 +7,7 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.bouncing import Course
-from ...numerics.multibody.moving import Linkage, arm_of, forces, joints_at, work
+from ...numerics.multibody.moving import Linkage, arm_of, look, work
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod
@@ -155,11 +155,13 @@ class RigidMotion(MovingMotion):
 
     def __init__(self, scene: Scene, course: Course, linkage: Linkage, rows: Rows):
         self._linkage = linkage
+        room = work(rows.joint.size, course.coordinates.shape[1])
+        self._springs, self._gap = np.empty((2, course.time.size))
+        look(linkage, room, course.time, course.coordinates, self._springs, self._gap)
         super().__init__(scene, course, rows, course.coordinates, course.rates)
 
     def _stretched(self) -> np.ndarray:
-        room = np.empty(self.course.coordinates.shape[1])
-        return np.array([forces(self._linkage, q, room) for q in self.course.coordinates])
+        return self._springs
 
     def _struck_point(self) -> tuple[np.ndarray, np.ndarray]:
         course, start = self.course, 3 * self._number
@@ -191,9 +193,4 @@ class RigidMotion(MovingMotion):
 
     @property
     def widest_gap(self) -> float:
-        room: Any = work(self._rows.joint.size, self.course.coordinates.shape[1])
-        worst = 0.0
-        for time, q in zip(self.course.time.tolist(), self.course.coordinates, strict=True):
-            joints_at(self._linkage, q, time, room.gap, room.jacobian, room.moving)
-            worst = max(worst, float(np.abs(room.gap).max(initial=0.0)))
-        return worst
+        return float(self._gap.max())

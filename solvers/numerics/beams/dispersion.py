@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import kernel
+from ...jit.kernels import kernel
 
 
 class BeamLine(NamedTuple):

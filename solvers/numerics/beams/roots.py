@@ -8,7 +8,7 @@ The unknown is z, the fourth root of omega^2 rho A L^4 / (E I), which is k L in 
 
 import numpy as np
 
-from ...jit import allocating_kernel, inner_kernel, kernel
+from ...jit.kernels import allocating_kernel, inner_kernel, kernel
 from .dispersion import wave_numbers_kernel
 
 # Half of a symmetric beam, about its middle: displacement even or odd, ends pinned, clamped or free. The odd free half

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import allocating_kernel, inner_kernel, kernel
+from ...jit.kernels import allocating_kernel, inner_kernel, kernel
 from ..arrays import add_to, copy_to
 from ..law_functions import FORCE, MEMORY, STORED
 from .banded import Factors, factorised, solve, substitute, widened

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 from ..arrays import add_to, copy_to, dot
 from .moving import Linkage
 from .variational import Floating
@@ -169,6 +170,9 @@ def march(linkage: Linkage | Floating, w, contact, stages, restitution, step, st
     too short it rests on the link, kept there at the ends of steps, until it is left behind. Returns the number of rows
     written to `kept`: one for `every` so many steps, at the last, and two an impact, if there is room.
     """
+    linkage, w, contact, state, later, kept = (
+        refer(linkage), refer(w), refer(contact), refer(state), refer(later), refer(kept),
+    )  # fmt: skip
     _write(kept, 0, 0.0, state, 0.0, 0.0)
     impulse, lost = balance(linkage, w, contact, restitution, state, 0.0)
     _write(kept, 1, 0.0, state, impulse, lost)

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 
 
 class Frames(NamedTuple):
@@ -77,7 +78,7 @@ class Face(NamedTuple):
     shortened: np.ndarray
 
 
-@kernel
+@inner_kernel
 def place_of(linkage, q, station):
     """Of a station, x and y [m]."""
     points, start = linkage.stations, linkage.frames.start
@@ -215,7 +216,7 @@ def add_pin(across, up, linkage, q, station, sign):
     return q[first - 3] + arm_x, q[first - 2] + arm_y
 
 
-@kernel
+@inner_kernel
 def joints_at(linkage, q, time, gap, jacobian, moving):
     """Writes how far the constraints are from being met, (constraints,), their Jacobian (constraints, size) and the
     rates at which they move by themselves, (constraints,)."""
@@ -270,8 +271,9 @@ def add_springs(linkage, q, found):
 
 
 @kernel
-def relax_springs(linkage, q):
-    """Let the springs have no force at these coordinates."""
+def begin_at(linkage, q):
+    """Let the springs have no force at these coordinates. Returns the place of the last station [m]."""
+    linkage = refer(linkage)
     ties = linkage.ties
     for k in range(ties.ends[2], ties.ends[4]):
         if k < ties.ends[3]:
@@ -279,6 +281,7 @@ def relax_springs(linkage, q):
         else:
             given = angle_of(linkage, k, q)
         ties.offset[k] += given
+    return place_of(linkage, q, linkage.stations.link.size - 1)
 
 
 @inner_kernel
@@ -305,7 +308,7 @@ def _bend(face, q, first, place, row):
     return moved, slope
 
 
-@kernel
+@inner_kernel
 def face_of(linkage, contact, q, place, row):
     """Of the bent line of the struck link, which a point mass meets at `place` (2,): by how much it is in there, where
     along the line, and the normal there; writes the velocity of the link along it per unit of each rate, (size,)."""

@@ -8,7 +8,7 @@ Source: Shabana (1998), with H of Kane, Ryan and Banerjee (1987).
 
 import numpy as np
 
-from ...jit import inner_kernel
+from ...jit.kernels import inner_kernel
 from .floating import add_springs
 
 

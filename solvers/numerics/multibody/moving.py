@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import allocating_kernel, inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 
 STAGES = np.array(
     [
@@ -85,6 +86,9 @@ class Linkage(NamedTuple):
     def take_step(self, w, stages, q, v, time, step, reactions):
         step_on(self, w, stages, q, v, time, step, reactions)
 
+    def joints_at(self, q, time, gap, jacobian, moving):
+        joints_at(self, q, time, gap, jacobian, moving)
+
     def face_at(self, contact, q, place, row):
         return face_of(contact, q, place, row)
 
@@ -106,7 +110,7 @@ def arm_of(q, link, own):
     return cosine * own[0] - sine * own[1], sine * own[0] + cosine * own[1]
 
 
-@kernel
+@inner_kernel
 def place_of(q, link, own):
     x, y = arm_of(q, link, own)
     return (x, y) if link < 0 else (q[3 * link] + x, q[3 * link + 1] + y)
@@ -122,7 +126,7 @@ def add_point(row, q, link, own, along_x, along_y, sign):
         row[3 * link + 2] += sign * (along_y * x - along_x * y)
 
 
-@kernel
+@inner_kernel
 def joints_at(linkage, q, time, gap, jacobian, moving):
     """Writes how far the constraints are from being met, (constraints,), their Jacobian (constraints, 3 links) and the
     rates at which they move by themselves, (constraints,)."""
@@ -238,25 +242,17 @@ class Work(NamedTuple):
     order: np.ndarray
 
 
-@allocating_kernel
-def work(count, size):
+def work(count: int, size: int) -> Work:
     """Room for a step."""
-    return Work(
-        np.empty(count),
-        np.empty(count),
-        np.empty(count),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty((count, count)),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(count, np.int64),
-    )
+    gap, moving, given = np.empty((3, count))
+    jacobian, later = np.empty((2, count, size))
+    half, moved, force_now, row = np.empty((4, size))
+    order = np.empty(count, np.int64)
+    response = np.empty((count, count))
+    return Work(gap, moving, given, jacobian, later, response, half, moved, force_now, row, order)
 
 
-@kernel
+@inner_kernel
 def forces(linkage, q, found):
     """Writes the forces on all coordinates, (3 links,); returns the energy in the springs [J]."""
     lines, angles, energy = linkage.springs.lines, linkage.springs.angles, 0.0
@@ -337,7 +333,7 @@ def _close_rates(linkage, w, q, v, time, reactions):
         reactions[i] += w.given[i]
 
 
-@kernel
+@inner_kernel
 def face_of(contact, q, place, row):
     """Of the line of the struck link, which a point mass meets at `place` (2,): by how much it is in there, where along
     the line, and the normal; writes the velocity of the link along it per unit of each rate, (size,)."""
@@ -352,7 +348,7 @@ def face_of(contact, q, place, row):
     return nx * dx + ny * dy, ny * dx - nx * dy, nx, ny
 
 
-@kernel
+@inner_kernel
 def respond(linkage, w, q, time, change):
     """In place of generalised impulses (size,) what they change the rates by; w.given: impulses of the constraints."""
     for k in range(q.size):
@@ -368,9 +364,22 @@ def respond(linkage, w, q, time, change):
     push_rates(linkage, w.jacobian, w.given, change)
 
 
-@kernel
+@inner_kernel
 def step_on(linkage, w, stages, q, v, time, step, reactions):
     """One step of the composition in place; see `STAGES`."""
     for k in range(stages.size):
         _rattle(linkage, w, q, v, time, stages[k] * step, reactions)
         time += stages[k] * step
+
+
+@kernel
+def look(linkage, w, time, coordinates, springs, gap):
+    """Writes the energy in springs [J] and by how much the joints are open [m], (instants,), at these instants and
+    coordinates (instants, size)."""
+    linkage, w = refer(linkage), refer(w)
+    for row in range(time.size):
+        springs[row] = forces(linkage, coordinates[row], w.force_now)
+        joints_at(linkage, coordinates[row], time[row], w.gap, w.jacobian, w.moving)
+        gap[row] = 0.0
+        for i in range(w.gap.size):
+            gap[row] = max(gap[row], abs(w.gap[i]))

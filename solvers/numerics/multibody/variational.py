@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import allocating_kernel, inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 from ..arrays import add_to, copy_to, dot
 from .floating import Face, Frames, Stations, Ties, add_springs, face_of, gaps_at, joints_at
 from .inertia import actions, as_rigid, divide_by_mass, factor_mass
@@ -34,6 +35,9 @@ class Floating(NamedTuple):
 
     def take_step(self, w, stages, q, v, time, step, reactions):
         step_on(self, w, stages, q, v, time, step, reactions)
+
+    def joints_at(self, q, time, gap, jacobian, moving):
+        joints_at(self, q, time, gap, jacobian, moving)
 
     def face_at(self, contact, q, place, row):
         return face_of(self, contact, q, place, row)
@@ -79,31 +83,19 @@ class Work(NamedTuple):
     room: Room
 
 
-@allocating_kernel
-def work(count, size, links, most):
-    """Room for a step, of links with up to `most` coordinates."""
+def work(count: int, size: int, links: int, most: int) -> Work:
+    """Room for a step of `count` constraints, of links with up to `most` coordinates."""
+    gap, moving, given, pushed = np.empty((4, count))
+    jacobian, later, soft = np.empty((3, count, size))
+    begun, middle, rate, moved, momentum, force_now, change, row, half = np.empty((9, size))
+    amplitude, speed, own_momentum, push = np.empty((4, most))
+    by, by_rate = np.empty((2, 2, most))
     return Work(
-        np.empty(count),
-        np.empty(count),
-        np.empty(count),
-        np.empty(count),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty((count, size)),
-        np.empty((count, count)),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(size),
-        np.empty(count, np.int64),
-        np.empty((links, most, most)),
-        Room(np.empty(most), np.empty(most), np.empty(most), np.empty(most), np.empty((2, most)), np.empty((2, most))),
-    )
+        gap, moving, given, pushed, jacobian, later, soft, np.empty((count, count)),
+        begun, middle, rate, moved, momentum, force_now, change, row, half,
+        np.empty(count, np.int64), np.empty((links, most, most)),
+        Room(amplitude, speed, own_momentum, push, by, by_rate),
+    )  # fmt: skip
 
 
 @inner_kernel
@@ -198,7 +190,7 @@ def _close(w, v):
     _react(w, v)
 
 
-@kernel
+@inner_kernel
 def respond(linkage, w, q, time, change):
     """In place of generalised impulses (size,) what they change the rates by; w.given: impulses of the constraints."""
     joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
@@ -209,7 +201,7 @@ def respond(linkage, w, q, time, change):
     _close(w, change)
 
 
-@kernel
+@inner_kernel
 def step_on(linkage, w, stages, q, v, time, step, reactions):
     """One step of the composition in place; see `moving.STAGES`."""
     if step == 0.0:
@@ -234,6 +226,7 @@ class Seen(NamedTuple):
 @kernel
 def look(linkage, w, time, coordinates, rates, seen):
     """Writes what is seen at instants (instants,) of coordinates and rates (instants, size)."""
+    linkage, w, seen = refer(linkage), refer(w), refer(seen)
     for row in range(time.size):
         q, v = coordinates[row], rates[row]
         actions(linkage, w.room, q, v, w.momentum, w.force_now)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...jit import kernel
+from ...jit.kernels import kernel
 from .impulses import Bodies, arm, inverse_inertia, point_velocity
 from .sliding import COMPRESSED, COMPRESSION, FOLLOWS, FOUND, ORDER, ROWS, STOPPED, STRONGE, Felt, clamp, slide, starts
 

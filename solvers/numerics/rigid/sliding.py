@@ -15,7 +15,7 @@ Source: Stronge, Impact Mechanics (2000), chapters 4 and 8; Bhatt and Koechling 
 import math
 from typing import NamedTuple
 
-from ...jit import inner_kernel
+from ...jit.kernels import inner_kernel
 
 ORDER = 18  # of the power series of a step
 TRUNCATION = 1e-14  # of a step, of the first velocity: the slower it slides, the less the direction matters

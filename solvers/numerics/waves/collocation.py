@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.polynomial import Legendre
 
-from ...jit import kernel
+from ...jit.kernels import kernel
 
 STAGES = 6
 

@@ -1,6 +1,6 @@
 """What happens within one step of a node of a chain of rods (see `network`): faces part, touch, a law turns."""
 
-from ...jit import inner_kernel
+from ...jit.kernels import inner_kernel
 from .collocation import STAGES, interpolate
 
 SMOOTH, PARTS, TOUCHES, BENDS, TURNS, FAILS, RETRIES = range(7)  # how a stretch ends

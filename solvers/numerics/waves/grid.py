@@ -9,7 +9,7 @@ the mean of a force that sets in within it holds less than the force.
 Error: second order in the step, of velocities and impulses; first order, of the energy that such fronts hold.
 """
 
-from ...jit import inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
 from .parts import ABSORBING, BONDED, LAW, PRESSED, RIGID_FACES, mobility
 
 FAINT_FRONT = 1e-3  # of a front: less of it in a step is rather a bend

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import types
 
-from ...jit import address, inner_kernel, kernel
+from ...jit.kernels import address, inner_kernel, kernel
 from .collocation import INTEGRATE, INTEGRATE_TWICE, STAGES, solve_in_place
 from .record import POINTS
 

@@ -17,7 +17,7 @@ one node, `laws` what a contact law does in it.
 
 import numpy as np
 
-from ...jit import inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
 from .collocation import STAGES
 from .events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
 from .laws import CORNER, DENT, PRESS, STORED

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import inner_kernel
+from ...jit.kernels import inner_kernel
 from ..arrays import copy_to
 from .collocation import (
     BACK_TO_START,

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import inner_kernel
+from ...jit.kernels import inner_kernel
 
 # what holds at a node
 FREE, ABSORBING, PRESSED, BONDED, RIGID_FACES, LAW = range(6)

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
 from .collocation import INTEGRATE, SLOPE_AT_END, SLOPE_AT_START, STAGE_NODES, STAGES, interpolate
 
 # what is kept of every stretch, at NODES

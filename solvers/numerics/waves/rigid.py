@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit import inner_kernel, kernel
+from ...jit.kernels import inner_kernel, kernel
 from ..polynomials import GAUSS_NODES, GAUSS_WEIGHTS, RootWork, roots, shift, trim, value
 
 WINDOW, HORIZON = 2.0, 80.0  # of the exponent x: searched window by window, as exp(-x) ends all beyond the horizon

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...jit import kernel
+from ...jit.kernels import kernel
 from . import rigid as rigid_waves
 
 # what `figures` gives, in this order

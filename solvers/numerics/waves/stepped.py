@@ -8,7 +8,7 @@ first front falls on it and is kept as a jump; events between grid times are loc
 
 import numpy as np
 
-from ...jit import allocating_kernel
+from ...jit.kernels import allocating_kernel
 
 
 @allocating_kernel

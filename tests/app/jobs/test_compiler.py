@@ -20,7 +20,8 @@ from app.messages.solve import solve_frame
 from app.page import lab, panels
 from app.serving import server as page_server
 from app.views import mass_ratios
-from solvers.jit import NotCompiled, all_compiled
+from solvers.jit.cache import all_compiled
+from solvers.jit.compiling import NotCompiled
 
 from ..conftest import Page, free_port
 from ..socket_client import run

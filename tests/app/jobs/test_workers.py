@@ -12,7 +12,7 @@ import pytest
 from app.choices.choices import Choices
 from app.jobs.workers import LEVELS, LONG, QUICK, SLOW, GivenUp, Level, Lost, Workers, level_after
 from app.messages.solve import solve_frame
-from solvers.jit import NotCompiled
+from solvers.jit.compiling import NotCompiled
 
 from ..socket_client import run
 from . import works

@@ -6,7 +6,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import nullcontext
 
-from solvers.jit import compiled_only
+from solvers.jit.compiling import compiled_only
 
 POOL = ThreadPoolExecutor(8)
 

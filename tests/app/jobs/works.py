@@ -3,7 +3,7 @@
 import os
 import time
 
-from solvers.jit import NotCompiled
+from solvers.jit.compiling import NotCompiled
 
 
 def double(value):

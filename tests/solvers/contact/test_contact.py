@@ -29,7 +29,7 @@ from solvers.contact import (
 )
 from solvers.contact.damping import damping_for, delivered_restitution
 from solvers.contact.plastic import FULL_OVER_FIRST_YIELD, hardening_exponent
-from solvers.jit import kernel
+from solvers.jit.kernels import kernel
 from tests.catalog import LAWS, SCENES, WITH_INDENTATION, T, contact_table, struck_rod
 
 EPS = np.finfo(float).eps

@@ -5,7 +5,8 @@ import pytest
 from pytest import approx
 
 from solvers.methods.multibody.linkage import centres, rates_of_centres, rigid_linkage
-from solvers.numerics.multibody.moving import STAGES, joints_at, step_on, work
+from solvers.numerics.multibody.free import joints_at, step_on
+from solvers.numerics.multibody.moving import STAGES, work
 from solvers.solve import solve
 from tests.catalog import SCENES
 

@@ -5,16 +5,17 @@ import pytest
 from pytest import approx
 
 from solvers import Scene
-from solvers.jit import kernel
+from solvers.jit.kernels import kernel
+from solvers.jit.reference import refer
 from solvers.methods.multibody.floating_linkage import bent_start, floating_linkage, room_of
 from solvers.methods.multibody.linkage import centres, rates_of_centres, rigid_linkage
 from solvers.numerics.beams.rotating import rotating_frequencies
 from solvers.numerics.multibody import moving
-from solvers.numerics.multibody.floating import joints_at
+from solvers.numerics.multibody.free import joints_at, step_on
 from solvers.numerics.multibody.inertia import actions
 from solvers.numerics.multibody.integrals import frames_of
 from solvers.numerics.multibody.moving import STAGES
-from solvers.numerics.multibody.variational import Seen, look, step_on
+from solvers.numerics.multibody.variational import Seen, look
 from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, rotating_bar
 
 RATTLE = np.ones(1)
@@ -23,7 +24,7 @@ RATTLE = np.ones(1)
 @kernel
 def probe(linkage, room, q, v, momentum, force):
     """What an inner kernel writes, for Python."""
-    actions(linkage, room.room, q, v, momentum, force)
+    actions(refer(linkage), refer(room).room, q, v, momentum, force)
 
 
 def mechanism(links, joints=(), **more):
@@ -54,7 +55,7 @@ class Follower:
     def __init__(self, mechanism):
         self.linkage, self.rows = floating_linkage(mechanism)
         self.room = room_of(self.linkage, self.rows)
-        self.q, self.v = bent_start(mechanism, self.linkage, self.rows)
+        self.q, self.v, _ = bent_start(mechanism, self.linkage, self.rows)
         self.stiffness, self.gravity = mechanism.system.stiffness, mechanism.system.gravity
         self.masses = np.array([link.mass for link in mechanism.system.links])
 
@@ -156,7 +157,7 @@ def test_every_set_of_shapes_swings_as_a_pendulum(shapes):
     q, v = np.array([0.25, 0.0, 0.0]), np.zeros(3)
     moving_on, room = np.zeros(rows.joint.size), moving.work(rows.joint.size, 3)
     for number in range(100):
-        moving.step_on(linkage, room, STAGES, q, v, number * 2e-3, 2e-3, moving_on)
+        step_on(linkage, room, STAGES, q, v, number * 2e-3, 2e-3, moving_on)
     falling = Follower(mechanism([bar | shapes], pivot, **weight))
     seen, energy = falling.seen(falling.run(1e-4, 2000))
     assert q[1] < -0.1
@@ -180,7 +181,7 @@ def test_stiff_links_move_as_rigid_ones():
     q, v = centres(pendulum(modes=0)), rates_of_centres(pendulum(modes=0))
     reactions, room = np.zeros(rows.joint.size), moving.work(rows.joint.size, q.size)
     for number in range(100):
-        moving.step_on(linkage, room, STAGES, q, v, number * 2e-3, 2e-3, reactions)
+        step_on(linkage, room, STAGES, q, v, number * 2e-3, 2e-3, reactions)
     apart = []
     for young in (1e12, 4e12):
         stiff = Follower(pendulum(young, modes=1))

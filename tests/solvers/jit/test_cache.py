@@ -1,6 +1,5 @@
-"""Kernels in the cache, and who must not compile one."""
+"""Kernels in the cache, damaged or not, and who must not compile one."""
 
-import ast
 import os
 import shutil
 import subprocess
@@ -9,16 +8,13 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from numba import types
-from numba.core.dispatcher import Dispatcher
 
-import solvers
-from solvers import jit
+from solvers.jit import cache as kept
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 TRY = """
 import numpy as np
-from solvers.jit import NotCompiled, compiled_only
+from solvers.jit.compiling import NotCompiled, compiled_only
 from solvers.numerics.polynomials import value
 
 def found():
@@ -50,7 +46,8 @@ def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
         ("numerics/waves/nodes.py", True),
         ("numerics/waves/record.py", True),  # called by what is called
         ("contact/elastic.py", True),  # whose methods are compiled into it
-        ("jit.py", True),
+        ("jit/kernels.py", True),
+        ("jit/reference.py", True),
         ("numerics/waves/rigid.py", False),
         ("methods/waves/method.py", False),
         ("validation.py", True),  # which the laws import
@@ -79,18 +76,18 @@ def key_changes(tmp_path, monkeypatch, kernels: str, changed: str, again: bool) 
     """Whether the key of the file of kernels is another one after a change of another file."""
     library = tmp_path / "solvers"
     shutil.copytree(ROOT / "solvers", library, ignore=shutil.ignore_patterns("__pycache__"))
-    monkeypatch.setattr(jit, "LIBRARY", library)
+    monkeypatch.setattr(kept, "LIBRARY", library)
 
     def key() -> str:
-        jit.kernels_key.cache_clear()
-        jit._imports.cache_clear()
-        return jit.kernels_key(library / kernels)
+        kept.kernels_key.cache_clear()
+        kept._imports.cache_clear()
+        return kept.kernels_key(library / kernels)
 
     before = key()
     with open(library / changed, "a", encoding="utf-8") as source:
         source.write("# changed\n")
     assert (key() != before) is again
-    jit.kernels_key.cache_clear()
+    kept.kernels_key.cache_clear()
 
 
 # --- a cache that is damaged, full or cannot be written ---------------------------------------------------------------
@@ -166,14 +163,14 @@ def test_a_kernel_of_other_sources_is_compiled_again_without_a_word(
     tmp_path, monkeypatch, caplog, other_sources, gone, where
 ):
     """Branches share a cache: what one knows the other may not."""
-    monkeypatch.setattr(jit._KernelFile, "_told", set())
+    monkeypatch.setattr(kept._KernelFile, "_told", set())
     key, data = (other_sources.Law, "code") if where == "key" else ("kernel", other_sources.Law)
-    jit._KernelFile(str(tmp_path), "kernel", "stamp").save(key, data)
+    kept._KernelFile(str(tmp_path), "kernel", "stamp").save(key, data)
     if gone == "class":
         del other_sources.Law
     else:
         monkeypatch.setitem(sys.modules, "other_sources", None)
-    again = jit._KernelFile(str(tmp_path), "kernel", "stamp")
+    again = kept._KernelFile(str(tmp_path), "kernel", "stamp")
     assert again.load("kernel") is None
     again.save("kernel", "code")
     assert again.load("kernel") == "code"
@@ -181,7 +178,7 @@ def test_a_kernel_of_other_sources_is_compiled_again_without_a_word(
 
 
 NOWHERE = """
-import solvers.jit as jit, tempfile, numba
+import solvers.jit.cache as jit, tempfile, numba
 from pathlib import Path
 
 def refuse(*given, **more):
@@ -211,7 +208,7 @@ FULL = """
 import numba.core.caching as caching
 def refuse(*given):
     raise OSError(28, "No space left on device")
-import solvers.jit
+import solvers.jit.kernels
 caching.IndexDataCacheFile._save_index = refuse
 """
 
@@ -221,56 +218,3 @@ def test_a_kernel_that_cannot_be_kept_is_used_all_the_same(tmp_path):
     found = ran(FULL + FOUND, tmp_path)
     assert found.stdout.split() == ["7.0"]
     assert found.stderr.count("\n") == 1 and "cannot be kept" in found.stderr
-
-
-def test_a_kernel_that_counts_no_references_returns_no_array_to_python():
-    """Else what it returns would be freed while in use: such a kernel must be an `allocating_kernel`."""
-    for method in (solvers.methods.Waves(), solvers.methods.Modal(10)):
-        solvers.solve(solvers.load("bronze-rod-steel-ball"), method)
-    modules = [module for name, module in list(sys.modules.items()) if name.startswith("solvers.")]
-    kernels = [each for module in modules for each in vars(module).values() if isinstance(each, Dispatcher)]
-    found = [
-        (each.py_func.__qualname__, overload.signature.return_type)
-        for each in kernels
-        if each.targetoptions.get("_nrt") is False and not each.targetoptions.get("no_cpython_wrapper")
-        for overload in each.overloads.values()
-    ]
-    assert found
-    for name, kind in found:
-        parts = kind.types if isinstance(kind, types.BaseTuple) else [kind]
-        assert not any(isinstance(part, types.Array) for part in parts), name
-
-
-class OutsideKernels(ast.NodeVisitor):
-    """Of one file: the functions that plain Python calls, what is imported from where, and its inner kernels."""
-
-    def __init__(self, source):
-        self.called, self.imported, self.inner, self.inside = set(), set(), set(), 0
-        self.visit(ast.parse(source.read_text(encoding="utf-8")))
-
-    def visit_FunctionDef(self, node):
-        marks = {each.id for each in node.decorator_list if isinstance(each, ast.Name) and each.id.endswith("kernel")}
-        if "inner_kernel" in marks:
-            self.inner.add(node.name)
-        self.inside += bool(marks)
-        self.generic_visit(node)
-        self.inside -= bool(marks)
-
-    def visit_ImportFrom(self, node):
-        self.imported |= {((node.module or "").split(".")[-1], each.name) for each in node.names}
-
-    def visit_Call(self, node):
-        if not self.inside and isinstance(node.func, ast.Name):
-            self.called.add(node.func.id)
-        self.generic_visit(node)
-
-
-def test_inner_kernels_are_called_by_kernels_alone():
-    """Python would crash: they are compiled without what takes arguments from it."""
-    sources = [source for folder in ("solvers", "app", "bench", "tests") for source in (ROOT / folder).rglob("*.py")]
-    files = {source: OutsideKernels(source) for source in sources}
-    inner = {(source.stem, name) for source, file in files.items() for name in file.inner}
-    assert len(inner) > 20
-    for source, file in files.items():
-        known = file.inner | {name for _, name in inner & file.imported}
-        assert not known & file.called, source

@@ -1,0 +1,133 @@
+"""What kernels are: with what they return, who calls them, and tuples by reference."""
+
+import ast
+import re
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numba
+import numpy as np
+import pytest
+from numba import types
+from numba.core.dispatcher import Dispatcher
+
+import solvers
+from solvers.jit import methods
+from solvers.jit.kernels import inner_kernel, kernel
+from solvers.jit.reference import refer
+
+ROOT = Path(__file__).parents[3]
+
+
+class Pair(NamedTuple):
+    first: np.ndarray
+    second: np.ndarray
+
+
+class Nested(NamedTuple):
+    pair: Pair
+    number: float
+    alone: np.ndarray
+
+
+@inner_kernel
+def _write(pair, row, value):
+    pair.second[row] = value
+
+
+@inner_kernel
+def _sum(nested):
+    return nested.number + nested.alone[0] + nested.pair.first.sum()
+
+
+@kernel
+def _through(nested):
+    nested = refer(nested)
+    for row in range(3):
+        nested.pair.first[row] = 10.0 * row
+        _write(nested.pair, row, 0.5 * row)
+    return _sum(nested)
+
+
+def test_a_tuple_by_reference_has_the_fields_of_its_value():
+    given = Nested(Pair(np.zeros(3), np.zeros(3)), 0.25, np.array([4.0]))
+    assert _through(given) == 34.25
+    assert given.pair.first.tolist() == [0.0, 10.0, 20.0] and given.pair.second.tolist() == [0.0, 0.5, 1.0]
+
+
+def test_a_field_that_a_tuple_has_not_is_refused():
+    @numba.njit
+    def wrong(pair):
+        return refer(pair).third
+
+    with pytest.raises(numba.TypingError, match="third"):
+        wrong(Pair(np.zeros(1), np.zeros(1)))
+
+
+def test_only_what_python_calls_becomes_machine_code():
+    given = Nested(Pair(np.zeros(3), np.zeros(3)), 0.25, np.array([4.0]))
+    _through(given)
+    made = {
+        name: next(iter(each.overloads.values())).library._asked for name, each in (("in", _sum), ("out", _through))
+    }
+    assert made == {"in": False, "out": True}
+
+
+def test_a_kernel_that_counts_no_references_returns_no_array_to_python():
+    """Else what it returns would be freed while in use: such a kernel must be an `allocating_kernel`."""
+    for method in (solvers.methods.Waves(), solvers.methods.Modal(10)):
+        solvers.solve(solvers.load("bronze-rod-steel-ball"), method)
+    modules = [module for name, module in list(sys.modules.items()) if name.startswith("solvers.")]
+    kernels = [each for module in modules for each in vars(module).values() if isinstance(each, Dispatcher)]
+    found = [
+        (each.py_func.__qualname__, overload.signature.return_type)
+        for each in kernels
+        if each.targetoptions.get("_nrt") is False and not each.targetoptions.get("no_cpython_wrapper")
+        for overload in each.overloads.values()
+    ]
+    assert found
+    for name, kind in found:
+        parts = kind.types if isinstance(kind, types.BaseTuple) else [kind]
+        assert not any(isinstance(part, types.Array) for part in parts), name
+
+
+OF_REFERENCES = set(
+    re.findall(r'@overload_method\(Reference, "(\w+)"', Path(methods.__file__).read_text(encoding="utf-8"))
+)
+
+
+class OutsideKernels(ast.NodeVisitor):
+    """Of one file: the functions that plain Python calls, what is imported from where, and its inner kernels."""
+
+    def __init__(self, source):
+        self.called, self.imported, self.inner, self.inside = set(), set(), set(), 0
+        self.visit(ast.parse(source.read_text(encoding="utf-8")))
+
+    def visit_FunctionDef(self, node):
+        marks = {each.id for each in node.decorator_list if isinstance(each, ast.Name) and each.id.endswith("kernel")}
+        if "inner_kernel" in marks:
+            self.inner.add(node.name)
+        inside = bool(marks) or node.name in OF_REFERENCES
+        self.inside += inside
+        self.generic_visit(node)
+        self.inside -= inside
+
+    def visit_ImportFrom(self, node):
+        self.imported |= {((node.module or "").split(".")[-1], each.name) for each in node.names}
+
+    def visit_Call(self, node):
+        if not self.inside and isinstance(node.func, ast.Name):
+            self.called.add(node.func.id)
+        self.generic_visit(node)
+
+
+def test_inner_kernels_are_called_by_kernels_alone():
+    """Python would crash: they are compiled without what takes arguments from it."""
+    sources = [source for folder in ("solvers", "app", "bench", "tests") for source in (ROOT / folder).rglob("*.py")]
+    files = {source: OutsideKernels(source) for source in sources}
+    inner = {(source.stem, name) for source, file in files.items() for name in file.inner}
+    assert len(inner) > 20
+    for source, file in files.items():
+        known = file.inner | {name for _, name in inner & file.imported}
+        assert not known & file.called, source
