@@ -18,9 +18,8 @@ from . import cache, compiling, methods  # noqa: F401  (what they change in Numb
 kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False)
 
 # One that only other kernels call: what would take its arguments from Python is not compiled.
-inner_kernel = numba.njit(
-    cache=True, nogil=True, error_model="numpy", _nrt=False, no_cpython_wrapper=True, no_cfunc_wrapper=True
-)
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+inner_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False, **_INNER)
 
 # One that makes arrays of its own, or returns any; so called by one that does not, too.
 allocating_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=True)
@@ -29,7 +28,9 @@ allocating_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt
 inlined_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", forceinline=True, _nrt=False)
 
 # Sums over modes may be reordered, so that they run on vector registers; NaN and infinity keep their meaning.
-summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"reassoc", "contract"}, _nrt=False)
+_SUMS = {"fastmath": {"reassoc", "contract"}}
+summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False, **_SUMS)
+inner_summing_kernel = numba.njit(cache=True, nogil=True, error_model="numpy", _nrt=False, **_SUMS, **_INNER)
 
 
 def address(function: Callable, signature: Any) -> Any:

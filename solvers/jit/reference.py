@@ -3,7 +3,7 @@
 import numba
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.core.imputils import lower_getattr_generic
+from numba.core.imputils import impl_ret_borrowed, lower_getattr_generic
 from numba.core.typing.templates import AttributeTemplate
 from numba.extending import infer_getattr, intrinsic, models, register_model
 
@@ -42,12 +42,16 @@ class _FieldTypes(AttributeTemplate):
 def _field(context, builder, typ, value, attr):
     index = typ.of.fields.index(attr)
     place = builder.gep(value, [ir.Constant(ir.IntType(32), each) for each in (0, index)], inbounds=True)
-    return place if isinstance(typ.field(attr), Reference) else builder.load(place)
+    kind = typ.field(attr)
+    return place if isinstance(kind, Reference) else impl_ret_borrowed(context, builder, kind, builder.load(place))
 
 
 @intrinsic
 def refer(typing, given):
     """A tuple by reference, for the kernels that this one calls; see `Reference`."""
+
+    if isinstance(given, Reference):
+        return given(given), lambda context, builder, signature, arguments: arguments[0]
 
     def build(context, builder, signature, arguments):
         return cgutils.alloca_once_value(builder, arguments[0])

@@ -1,6 +1,6 @@
 """What a contact law does in one step of a node of a chain of rods (see `network`).
 
-These few functions are compiled for every law; the network itself is compiled once and calls them by their address.
+One small function is compiled for every law; all else is compiled once and calls it by its address.
 """
 
 from collections.abc import Callable
@@ -14,10 +14,9 @@ from ...jit.kernels import address, inner_kernel, kernel
 from .collocation import INTEGRATE, INTEGRATE_TWICE, STAGES, solve_in_place
 from .record import POINTS
 
-DENT, CORNER, STORED, PRESS = range(4)  # what a law is asked for
-SIGNATURE = types.float64(
-    types.int64, types.Array(types.float64, 1, "C"), *[types.float64] * 6, types.Array(types.float64, 2, "C")
-)
+DENT, CORNER, STORED, FORCE = range(4)  # what a law is asked for
+_ROW = types.Array(types.float64, 1, "C")
+SIGNATURE = types.float64(types.int64, _ROW, *[types.float64] * 3, _ROW)
 
 
 class Work(NamedTuple):
@@ -30,31 +29,31 @@ class Work(NamedTuple):
     depth: np.ndarray  # (POINTS,)
     rate: np.ndarray  # (POINTS,)
     right: np.ndarray
+    slopes: np.ndarray  # (2,) of the force, by depth and rate
     matrix: np.ndarray  # its first STAGES columns
-    rows: np.ndarray  # all of it
-
-
-def _work_in(rows):
-    return Work(rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6], rows[7:], rows)
-
-
-work_in = inner_kernel(_work_in)
 
 
 def new_work() -> Work:
-    return _work_in(np.zeros((7 + STAGES, POINTS)))
+    rows = np.zeros((8 + STAGES, POINTS))
+    return Work(*rows[:7], slopes=rows[7], matrix=rows[8:])
 
 
 @lru_cache
 def law_function(kind: type) -> Callable:
-    """`ask` of a contact law by its address: compiled for this kind of law, called by kernels that are not."""
+    """A contact law by its address: takes the question, the law's constants, depth, rate, deepest, and room for the
+    slopes, which it writes where the question is FORCE."""
     count = len(kind._fields)
 
     @kernel
-    def asked(question, constants, rods, masses, depth, deepest, guess, step, rows):
+    def asked(question, constants, depth, rate, deepest, slopes):
         c = constants
         law = kind(*(c[0], c[1], c[2], c[3], c[4], c[5])[:count])
-        return ask(law, question, rods, masses, depth, deepest, guess, step, rows)
+        if question == FORCE:
+            slopes[0], slopes[1] = law.slopes(depth, rate, deepest)
+            return law.force(depth, rate, deepest)
+        if question == DENT:
+            return law.dent(deepest)
+        return law.corner(depth, deepest) if question == CORNER else law.stored(depth, deepest)
 
     return address(asked, SIGNATURE)
 
@@ -74,21 +73,20 @@ def follow(rods, masses, depth, step, work):
 
 
 @inner_kernel
-def _first_force(law, rods, depth, closing, deepest, guess):
+def _first_force(law, constants, rods, depth, closing, deepest, guess, slopes):
     """Force at the start of a stretch: of a law that depends on the rate, the root of one increasing equation."""
-    force = law.force(depth, closing - rods * guess, deepest)
+    force = law(FORCE, constants, depth, closing - rods * guess, deepest, slopes)
     if force == guess:
         return force
-    low, high = 0.0, max(law.force(depth, closing, deepest), 0.0)
+    low, high = 0.0, max(law(FORCE, constants, depth, closing, deepest, slopes), 0.0)
     force = min(max(guess, low), high)
     for _ in range(100):
-        miss = force - law.force(depth, closing - rods * force, deepest)
+        miss = force - law(FORCE, constants, depth, closing - rods * force, deepest, slopes)
         if miss > 0.0:
             high = force
         else:
             low = force
-        slope = 1.0 + rods * law.slopes(depth, closing - rods * force, deepest)[1]
-        following = force - miss / slope
+        following = force - miss / (1.0 + rods * slopes[1])
         if not low <= following <= high:
             following = 0.5 * (low + high)
         if abs(following - force) <= 2e-16 * abs(force):
@@ -98,20 +96,25 @@ def _first_force(law, rods, depth, closing, deepest, guess):
 
 
 @inner_kernel
-def _law_force(law, rods, masses, depth, deepest, step, work):
-    """Force at every point from a contact law, by Newton's method on all stages at once."""
+def press(law, constants, rods, masses, depth, deepest, guess, step, work):
+    """Force, depth and rate of one step at every point from a contact law, by Newton's method on all stages at once;
+    whether a solution was found."""
+    inside = max(depth, 1e-300)  # faces that have just met press already, if the law's force jumps at touch
+    first = _first_force(law, constants, rods, inside, work.closing[0], deepest, guess, work.slopes)
+    for i in range(POINTS):
+        work.forces[i] = first
     settled, before = False, np.inf
     for _ in range(40):
         follow(rods, masses, depth, step, work)
         if settled:
             return True
         for i in range(STAGES):
-            by_depth, by_rate = law.slopes(work.depth[i + 1], work.rate[i + 1], deepest)
-            work.right[i] = law.force(work.depth[i + 1], work.rate[i + 1], deepest) - work.forces[i + 1]
+            force = law(FORCE, constants, work.depth[i + 1], work.rate[i + 1], deepest, work.slopes)
+            work.right[i] = force - work.forces[i + 1]
             for j in range(STAGES):
                 drop = step * INTEGRATE[i, j] * rods + masses * step * step * INTEGRATE_TWICE[i, j]
-                work.matrix[i, j] = by_depth * drop + by_rate * masses * step * INTEGRATE[i, j]
-            work.matrix[i, i] += 1.0 + by_rate * rods
+                work.matrix[i, j] = work.slopes[0] * drop + work.slopes[1] * masses * step * INTEGRATE[i, j]
+            work.matrix[i, i] += 1.0 + work.slopes[1] * rods
         if not solve_in_place(work.matrix, work.right, STAGES):
             return False
         largest, change = 0.0, 0.0
@@ -128,24 +131,9 @@ def _law_force(law, rods, masses, depth, deepest, step, work):
 
 
 @inner_kernel
-def ask(law, question, rods, masses, depth, deepest, guess, step, rows):
-    """Answer what the network asks of a law; of energies and forces the answer is in `rows`.
-
-    STORED: the energy given back from each stage's depth, less that from `depth`, into `right`. PRESS: force, depth and
-    rate of one step at every point; 0 if no solution was found.
-    """
-    if question == DENT:
-        return law.dent(deepest)
-    if question == CORNER:
-        return law.corner(depth, deepest)
-    work = work_in(rows)
-    if question == STORED:
-        stored = law.stored(depth, deepest)
-        for i in range(STAGES):
-            work.right[i] = law.stored(work.depth[i + 1], max(deepest, work.depth[i + 1])) - stored
-        return 1.0
-    inside = max(depth, 1e-300)  # faces that have just met press already, if the law's force jumps at touch
-    work.forces[0] = _first_force(law, rods, inside, work.closing[0], deepest, guess)
-    for i in range(1, POINTS):
-        work.forces[i] = work.forces[0]
-    return 1.0 if _law_force(law, rods, masses, depth, deepest, step, work) else 0.0
+def store(law, constants, depth, deepest, work):
+    """The energy given back from each stage's depth, less that from `depth`, into `right`."""
+    stored = law(STORED, constants, depth, 0.0, deepest, work.slopes)
+    for i in range(STAGES):
+        reached = max(deepest, work.depth[i + 1])
+        work.right[i] = law(STORED, constants, work.depth[i + 1], 0.0, reached, work.slopes) - stored

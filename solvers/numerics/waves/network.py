@@ -18,9 +18,10 @@ one node, `laws` what a contact law does in it.
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 from .collocation import STAGES
 from .events import FAILS, NO_PULL, RETRIES, SMOOTH, face_events, law_events
-from .laws import CORNER, DENT, PRESS, STORED
+from .laws import CORNER, DENT, press, store
 from .nodes import add_break, finish, prepare, seen, share_of_error, simple_forces, tiny
 from .parts import BONDED, LAW, PRESSED, RIGID_FACES, mobility
 from .record import FORCE, jumped, pushed
@@ -37,7 +38,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
     """Move one node on by at most `span`; returns how the stretch ends."""
     rods, masses = mobility(chain, node)
     with_law, deepest = chain.kind[node] == LAW, state.deepest[node]
-    dent = law(DENT, constants, 0.0, 0.0, 0.0, deepest, 0.0, 0.0, work.rows) if with_law and remembers else 0.0
+    dent = law(DENT, constants, 0.0, 0.0, deepest, work.slopes) if with_law and remembers else 0.0
     if node > 0:
         span = min(span, seen(record, node - 1, chain.transit[node - 1], state.time[node], state.seek_left[node]))
     if node < chain.kind.size - 1:
@@ -53,8 +54,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
         prepare(chain, state, record, node, step, work)
         pressing = with_law and state.closed[node]
         if pressing:
-            answer = law(PRESS, constants, rods, masses, state.depth[node], deepest, guess, step, work.rows)
-            good = answer > 0.0
+            good = press(law, constants, rods, masses, state.depth[node], deepest, guess, step, work)
         else:
             good = simple_forces(chain, state, node, rods, masses, pulse, step, work)
         if not good:
@@ -68,7 +68,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
         if pressing:
             corner = np.inf
             if remembers:
-                corner = law(CORNER, constants, 0.0, 0.0, state.depth[node], deepest, 0.0, 0.0, work.rows)
+                corner = law(CORNER, constants, state.depth[node], 0.0, deepest, work.slopes)
                 if not state.loading[node] and state.depth[node] >= deepest:  # should it come back, it loads on
                     corner = deepest * (1.0 + 1e-12)
             ends, step, located = law_events(
@@ -88,7 +88,7 @@ def _advance(chain, state, record, node, law, constants, remembers, loses, pulse
     state.step[node] = max(grown, LEAST_STEP * max(state.time[node], 1.0))
     counts_loss = with_law and state.closed[node] and (remembers or loses)
     if counts_loss:
-        law(STORED, constants, 0.0, 0.0, state.depth[node], deepest, 0.0, 0.0, work.rows)
+        store(law, constants, state.depth[node], deepest, work)
     finish(chain, state, record, node, counts_loss, remembers, dent, step, ends, work)
     return ends
 
@@ -139,6 +139,7 @@ def separate(chain, masses, pushed, creep):
     it is held, and of the impactor at last; `pushed` (nodes,): impulse through every node so far; `creep`: a speed with
     which none comes closer in any time that matters.
     """
+    chain = refer(chain)
     node = chain.contact
     slower = (chain.drift[node - 1] if node > 0 else chain.mass_drift[node]) - pushed[node] / masses[-1]
     while node < chain.kind.size - 1:
@@ -176,6 +177,7 @@ def solve(
     loses (nodes,). pulse (2, points): times and values of the force on a PRESSED node. masses (nodes + 1,), creep: see
     `separate`. wait: how long after parting no touch may come.
     """
+    chain, record, state, work = refer(chain), refer(record), refer(state), refer(work)
     nodes, capacity = chain.kind.size, record.closed.shape[1]
     for node in range(nodes):
         if chain.kind[node] == PRESSED and record.count[node] == 0:

@@ -14,7 +14,7 @@ from numba.core.dispatcher import Dispatcher
 
 import solvers
 from solvers.jit import methods
-from solvers.jit.kernels import inner_kernel, kernel
+from solvers.jit.kernels import allocating_kernel, inner_kernel, kernel
 from solvers.jit.reference import refer
 
 ROOT = Path(__file__).parents[3]
@@ -54,6 +54,19 @@ def test_a_tuple_by_reference_has_the_fields_of_its_value():
     given = Nested(Pair(np.zeros(3), np.zeros(3)), 0.25, np.array([4.0]))
     assert _through(given) == 34.25
     assert given.pair.first.tolist() == [0.0, 10.0, 20.0] and given.pair.second.tolist() == [0.0, 0.5, 1.0]
+
+
+@allocating_kernel
+def _copied(pair):
+    pair = refer(pair)
+    return pair.first.copy() + pair.second.copy()
+
+
+def test_arrays_of_a_tuple_outlive_a_kernel_that_counts_references():
+    pair = Pair(np.ones(1000), np.ones(1000))
+    counts = [sys.getrefcount(each) for each in pair]
+    assert all(_copied(pair)[-1] == 2.0 for _ in range(100))
+    assert [sys.getrefcount(each) for each in pair] == counts
 
 
 def test_a_field_that_a_tuple_has_not_is_refused():
