@@ -1,16 +1,17 @@
 """What the integrator has recorded of a mechanism with flexible links, as a motion."""
 
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from ...numerics.multibody.bouncing import Course
+from ...numerics.multibody.flight import Course
 from ...numerics.multibody.integrals import shortening
 from ...numerics.multibody.variational import Floating, Seen, look
 from ...scene import Scene
 from .floating_linkage import room_of
 from .linkage import Rows
-from .motion import MovingMotion
+from .motion import MovingMotion, said
 
 PLACES = 21  # at which slopes are looked at
 
@@ -37,6 +38,19 @@ class FlexibleMotion(MovingMotion):
         before = sum(part[0] for part in found.values()) - self.scene.initial_energy
         found["target_vibration"] -= before
         return found
+
+    def reactions(self, until: float) -> list[dict[str, Any]]:
+        """By a contact law all that the joints give up to a time [s] beside their steady reactions before it; of
+        impulses what they do at once."""
+        if self.scene.rigid_contact:
+            return super().reactions(until)
+        system, frozen = self.mechanism.system, self.mechanism.frozen
+        found = np.zeros((len(self.mechanism.joints), 3))
+        for row, number in enumerate(np.flatnonzero(system.held)):
+            found[system.joint_of[number]] += until * frozen.reactions_before[row] * system.effect[number]
+        for row in range(int(np.searchsorted(self.time, until))):
+            found += self._by_joint(self.course.reactions[row + 1] - self.course.reactions[row], row)
+        return said(found)
 
     def _stretched(self) -> np.ndarray:
         return self._seen.springs

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
-from ...numerics.multibody.bouncing import Contact
+from ...numerics.multibody.flight import Contact
 from ...numerics.multibody.moving import Angles, Lines, Linkage, Pins, Springs
 from ...numerics.multibody.system import FIXED, PRISMATIC, Joint, System
 

@@ -8,16 +8,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
-from ...numerics.multibody import bouncing, moving
+from ...numerics.multibody import flight, moving
+from ...numerics.multibody.bouncing import march
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.solution import Solution
+from ...solution.solution import ContactPeriod, Solution
 from ...text.notes import Note, Severity
 from ..base import Method, SceneNotSupported
 from ..options import option, real, whole
 from ..validity import cut_short
 from .flexible_motion import FlexibleMotion
 from .floating_linkage import bent_start, fastest_vibration, floating_linkage, room_of
+from .law import law_of
 from .linkage import Rows, centres, rates_of_centres, rigid_linkage, struck_by
 from .motion import MovingMotion, RigidMotion
 
@@ -32,7 +34,8 @@ STEPS_PER_VIBRATION = 16  # of the fastest one: it is off by 1e-5 in a period
 MIN_STEPS_PER_VIBRATION = 6  # with fewer the fastest ones are slower than they are
 MAX_SLOPE = 0.1  # of bent links; what is left out is of its square
 MOST_STEPS_OF_FLEXIBLE = 300_000  # which take a minute; more must be asked for
-MAX_INSTANTS = 50_000  # that are kept
+MAX_INSTANTS = 50_000  # that are kept, besides impacts
+MOST_CONTACT_STEPS = 100_000  # of contact laws, all kept; they take some ten seconds
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,7 @@ class Multibody(Method):
 
     restitution: float = option(1.0, real(0.0, 1.0))
     steps: int | None = option(None, whole(10, MAX_STEPS))  # over the whole duration
+    contact_steps: int = option(200, whole(10, 100_000))  # of the shortest contact by a law that there can be
     estimate: bool = field(default=True, repr=False)
 
     NAME = "multibody"
@@ -90,49 +94,57 @@ class Multibody(Method):
         initial = scene.initial_energy
         totals = sum(motion.energies(motion.time).values())
         final = float(motion.impactor_velocity(np.array([end]))[0])
-        parted = float(motion.end_velocity(np.zeros(1))[0] - motion.impactor_velocity(np.zeros(1))[0])
-        notes = [] if scene.rigid_contact else [Note("balance-without-law", Severity.WARNING)]
-        if full:
-            notes.append(cut_short(MOST_IMPACTS, "balances"))
-        notes += self._notes_on_links(motion)
+        law = not scene.rigid_contact
+        deepest = float(motion.course.contact[:, flight.INDENTATION].max())
         return Solution(
             scene=scene,
             method=self.table(),
             contacts=contacts,
             duration=end,
             motion=motion,
-            impulse=float(motion.course.impulse[-1]),
+            impulse=float(motion.course.contact[-1, flight.IMPULSE]),
             impactor_velocity=final,
             target_velocity=float(motion.rigid_velocity(np.array([end]))[0]),
-            restitution={"newton": None, "poisson": self.restitution, "newton_at_contact": parted / scene.speed},
+            restitution=self._restitution(scene, motion, contacts[0].end),
             energy={"initial": initial} | energy,
             diagnostics={
                 "energy_error": (sum(energy.values()) - initial) / initial,
                 "energy_drift": float(np.abs(totals - initial).max()) / initial,
-                "momentum_error": self._momentum_error(scene, motion),
+                "momentum_error": self._momentum_error(scene, motion, contacts[0].end),
                 "constraint_error": motion.widest_gap,
                 "steps": self._steps(motion.mechanism, scene.speed, duration)[1],
-                "balances": motion.impulses[0].size,
+                **({} if law else {"balances": motion.impulses[0].size}),
                 "wall_time": wall_time,
                 "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
             },
-            notes=notes,
-            peak_force=None,
-            peak_indentation=None,
-            residual_indentation=None,
+            notes=self._notes(scene, motion, contacts, full),
+            peak_force=max(contact.peak_force for contact in contacts) if law else None,
+            peak_indentation=deepest if law else None,
+            residual_indentation=float(scene.contact.dent(deepest)) if law else None,
         )
 
+    def _restitution(self, scene: Scene, motion: MovingMotion, parted: float) -> dict[str, float | None]:
+        """Of the first contact; by impulses that of the balances."""
+        time = np.array([parted])
+        apart = float(motion.end_velocity(time)[0] - motion.impactor_velocity(time)[0]) / scene.speed
+        given = self.restitution if scene.rigid_contact else None
+        return {"newton": None, "poisson": given, "newton_at_contact": apart}
+
     @staticmethod
-    def _momentum_error(scene: Scene, motion: MovingMotion) -> float:
-        """Of the first impact: what the mass has lost, and the impulse, over that of approach."""
-        lost = scene.impactor.mass * float(np.hypot(*(motion.course.speed[1] - motion.course.speed[0])))
-        return (lost - float(motion.impulses[1][0])) / (scene.impactor.mass * scene.speed)
+    def _momentum_error(scene: Scene, motion: MovingMotion, parted: float) -> float:
+        """Of the first contact: what the mass has lost from instant to instant, but for its weight, and the impulse,
+        over that of approach."""
+        course, mass = motion.course, scene.impactor.mass
+        rows = np.flatnonzero((course.time[:-1] < parted) | (course.time[1:] <= parted))
+        fallen = np.multiply.outer(np.diff(course.time), motion.mechanism.system.gravity)
+        lost = mass * np.hypot(*(np.diff(course.speed, axis=0) - fallen)[rows].T)
+        return float((lost - np.diff(course.contact[:, flight.IMPULSE])[rows]).sum()) / (mass * scene.speed)
 
     def _estimated_error(self, scene: Scene, motion: MovingMotion) -> float:
-        """Of the last velocity, relative to the speed of approach, against half the steps."""
+        """Of the last velocity, relative to the speed of approach, against half the steps, of contacts too."""
         end = motion.time[-1:]
         half = max(10, self._steps(motion.mechanism, scene.speed, float(end[0]))[1] // 2)
-        other, _ = replace(self, steps=half)._follow(scene, float(end[0]))
+        other, _ = replace(self, steps=half, contact_steps=max(10, self.contact_steps // 2))._follow(scene, float(end[0]))
         return float(np.abs(other.impactor_velocity(end) - motion.impactor_velocity(end))[0]) / scene.speed
 
     def _follow(self, scene: Scene, duration: float | None) -> tuple[MovingMotion, bool]:
@@ -140,26 +152,41 @@ class Multibody(Method):
         mechanism = scene.target.known_as(Mechanism)
         moves = _flexible(mechanism) if mechanism.flexible else _rigid(mechanism)
         contact, normal = struck_by(mechanism, scene.impactor.mass), np.array(mechanism.struck.normal)
+        rows = moves.rows.joint.size
         state, later = (
-            bouncing.State(
+            flight.State(
                 moves.coordinates.copy(),
                 moves.rates.copy(),
                 moves.struck.copy(),
                 scene.impactor.velocity * normal,
-                np.zeros(moves.rows.joint.size),
+                *np.zeros((2, rows)),
+                np.zeros(4),
             )
             for _ in range(2)
         )
         duration, steps = self._steps(mechanism, scene.speed, duration)
         every = math.ceil(steps / MAX_INSTANTS)
-        kept = bouncing.course(steps // every + 2 * MOST_IMPACTS + 3, state.q.size, moves.rows.joint.size)
-        count = bouncing.march(
-            moves.linkage, moves.room, contact, moving.STAGES, self.restitution, duration / steps, steps, every,
-            state, later, kept,
+        law, surface = law_of(scene, mechanism, self.contact_steps, duration / steps)
+        most = 2 * MOST_IMPACTS if scene.rigid_contact else MOST_CONTACT_STEPS
+        kept = flight.course(steps // every + most + 3, state.q.size, rows)
+        count = march(
+            moves.linkage, moves.room, contact, law, surface, moving.STAGES, self.restitution, duration / steps, steps,
+            every, state, later, kept,
         )  # fmt: skip
-        course = bouncing.Course(*(values[:count] for values in kept))
+        course = flight.Course(*(values[:count] for values in kept))
         full = float(course.time[-1]) < duration * (1.0 - 1e-9)
         return moves.motion(scene, course, moves.linkage, moves.rows), full
+
+    def _notes(self, scene: Scene, motion: MovingMotion, contacts: list[ContactPeriod], full: bool) -> list[Note]:
+        found = []
+        if full:
+            kind, limit = ("balances", MOST_IMPACTS) if scene.rigid_contact else ("steps", MOST_CONTACT_STEPS)
+            found.append(cut_short(limit, kind))
+        if not scene.rigid_contact:
+            if self.restitution != Multibody.restitution:
+                found.append(Note("law-without-restitution", Severity.WARNING, restitution=self.restitution))
+            found.append(_turning_note(motion, contacts))
+        return found + self._notes_on_links(motion)
 
     def _notes_on_links(self, motion: MovingMotion) -> list[Note]:
         """Of flexible links that bend too far, or whose vibrations the steps are too long for."""
@@ -201,6 +228,16 @@ class Multibody(Method):
         swing = math.sqrt(1.5 * float(np.hypot(*system.gravity)) / shortest)
         fastest = max(float(spins.max()), 2.0 * speed / shortest, swing)
         return 2.0 * math.pi / fastest if fastest > 0.0 else 1.0
+
+
+def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:
+    """How far the mechanism turns in any contact, and what it would be off by if it did not: half the square."""
+    angles = motion.centres[:, 2::3]
+    ends = np.searchsorted(motion.time, [(contact.start, contact.end) for contact in contacts])
+    turned = np.abs(angles[ends[:, 1]] - angles[ends[:, 0]])
+    angle, link = float(turned.max()), int(turned.max(axis=0).argmax())
+    values = {"link": motion.mechanism.links[link].name, "angle": math.degrees(angle), "error": 50.0 * angle**2}
+    return Note("configuration-followed", Severity.REMARK, **values)
 
 
 class _Moves(NamedTuple):

@@ -1,12 +1,13 @@
 """What the integrator has recorded of a mechanism, as a motion."""
 
 from abc import abstractmethod
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ...bodies import Mechanism
-from ...numerics.multibody.bouncing import Course
+from ...numerics.multibody.flight import GIVING, IMPULSE, INDENTATION, LOST, Course
 from ...numerics.multibody.moving import Linkage, arm_of, look, work
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
@@ -15,11 +16,11 @@ from .linkage import ANGLE, LINE, PIN_X, PIN_Y, Rows
 
 
 class MovingMotion(SampledMotion):
-    """A mechanism that moves on, and the mass that strikes it, between impacts without duration.
+    """A mechanism that moves on, and the mass that strikes it, by a contact law or by impulses without duration.
 
-    Histories are along the normal of the first impact, which does not turn with the links; straight between instants.
-    `impulses` holds times [s] and impulses [N s] of the impacts; `centres`, of the links, and their `spins` and
-    velocities as rigid bodies, (instants, 3 links) each.
+    Histories are along the normal of the first impact, which does not turn with the links; straight between instants,
+    but for the force of a contact law, which is constant in between. `centres`, of the links, and their `rates`, spins
+    and velocities as rigid bodies, are (instants, 3 links) each.
     """
 
     def __init__(self, scene: Scene, course: Course, rows: Rows, centres: np.ndarray, rates: np.ndarray):
@@ -30,14 +31,13 @@ class MovingMotion(SampledMotion):
         struck, rate = self._struck_point()
         masses = np.array([link.mass for link in system.links])
         swift = rates.reshape(course.time.size, -1, 3)
-        given = np.diff(course.impulse)
-        self._struck_rows = np.flatnonzero(given != 0.0)
-        sudden = self._struck_rows[course.time[self._struck_rows + 1] == course.time[self._struck_rows]]
-        self.impulses = course.time[sudden], given[sudden]
+        impulse = course.contact[:, IMPULSE]
+        self._given, self._lasting = np.diff(impulse), np.diff(course.time)
+        self._struck_rows, self._by_law = np.flatnonzero(self._given != 0.0), not scene.rigid_contact
         super().__init__(
             time=course.time,
             force=np.zeros(course.time.size),
-            impulse=course.impulse,
+            impulse=impulse,
             impactor_position=(course.place - course.place[0]) @ normal,
             impactor_velocity=course.speed @ normal,
             end_position=(struck - struck[0]) @ normal,
@@ -51,15 +51,15 @@ class MovingMotion(SampledMotion):
         course, system = self.course, self.mechanism.system
         inertia = np.concatenate([(link.mass, link.mass, link.inertia) for link in system.links])
         load = np.concatenate([(*(link.mass * system.gravity), 0.0) for link in system.links])
-        mass, nothing = self.scene.impactor.mass, np.zeros(course.time.size)
+        mass = self.scene.impactor.mass
         weight = -(self.centres - self.centres[0]) @ load
         weight -= mass * (course.place - course.place[0]) @ system.gravity
         return {
             "impactor": 0.5 * mass * (course.speed**2).sum(axis=1),
             "target_rigid": 0.5 * (self.rates**2 @ inertia),
-            "target_vibration": nothing,
-            "local": nothing,
-            "dissipated": course.lost,
+            "target_vibration": np.zeros(course.time.size),
+            "local": self._stored(),
+            "dissipated": course.contact[:, LOST],
             "drives": course.reactions @ self._rows.rate,
             "weight": weight,
             **({"springs": self._stretched()} if self.mechanism.springs else {}),
@@ -88,15 +88,50 @@ class MovingMotion(SampledMotion):
         """By how much any joint is ever open at the instants [m]."""
 
     def contacts(self) -> list[ContactPeriod]:
-        """Impacts without duration, and stretches in which the mass rests on the link."""
-        found, time, given = [], self.time, np.diff(self.course.impulse)
+        """Contacts by the law; or impacts without duration, and stretches in which the mass rests on the link."""
+        found, time, force = [], self.time, self.forces
         for row in self._struck_rows.tolist():
-            start, end, impulse = float(time[row]), float(time[row + 1]), float(given[row])
-            if found and end > start and start <= found[-1].end:  # it still rests, or begins to
+            start, end, impulse = float(time[row]), float(time[row + 1]), float(self._given[row])
+            peak = float(force[row]) if self._by_law else None
+            if found and end > start and start <= found[-1].end:  # it lasts, or begins to rest
                 before = found.pop()
-                found.append(ContactPeriod(before.start, end, before.impulse + impulse, None))
-            else:
-                found.append(ContactPeriod(start, end, impulse, None))
+                start, impulse = before.start, before.impulse + impulse
+                peak = None if peak is None else max(peak, before.peak_force)
+            found.append(ContactPeriod(start, end, impulse, peak))
+        return found
+
+    @property
+    def impulses(self) -> tuple[np.ndarray, np.ndarray]:
+        """Times [s] and impulses [N s] of the impacts without duration."""
+        sudden = self._struck_rows[self._lasting[self._struck_rows] == 0.0]
+        return self.time[sudden], self._given[sudden]
+
+    # --- contact force, constant between instants; impulses without duration are left out, and those at rest
+
+    @cached_property
+    def forces(self) -> np.ndarray:
+        """Between the instants, (instants - 1,) [N]."""
+        if not self._by_law:
+            return np.zeros(self._given.size)
+        return self._given / np.where(self._lasting > 0.0, self._lasting, 1.0)
+
+    def force(self, time, after=True):
+        time = np.clip(np.asarray(time, float), self.time[0], self.time[-1])
+        row = np.searchsorted(self.time, time, "right" if after else "left") - 1
+        return self.forces[np.clip(row, 0, self.forces.size - 1)]
+
+    def force_history(self):
+        """Times and forces; every instant stands twice."""
+        return np.repeat(self.time, 2)[1:-1], np.repeat(self.forces, 2)
+
+    def _stored(self) -> np.ndarray:
+        """Energy that the contact would give back, and the modes left out, at every instant [J]."""
+        depths, law = self.course.contact[:, INDENTATION], self.scene.contact
+        found = 0.5 * self.mechanism.frozen.modes.residual_compliance * self.course.contact[:, GIVING] ** 2
+        if self._by_law:
+            deepest = np.maximum.accumulate(np.maximum(depths, 0.0))
+            for row in np.flatnonzero(depths > 0.0).tolist():
+                found[row] += law.stored(float(depths[row]), float(deepest[row]))
         return found
 
     def coordinates(self, time) -> np.ndarray:
@@ -118,12 +153,12 @@ class MovingMotion(SampledMotion):
         }
 
     def reactions(self, until: float) -> list[dict[str, Any]]:
-        """Sudden impulses of every joint on its second link in all impacts up to a time [s]."""
+        """What the impulses of all contacts up to a time [s] make every joint do at once to its second link."""
         found = np.zeros((len(self.mechanism.joints), 3))
-        sudden = self.course.time[self._struck_rows + 1] == self.course.time[self._struck_rows]
-        for row in self._struck_rows[sudden & (self.course.time[self._struck_rows] <= until)]:
-            found += self._by_joint(self.course.reactions[row + 1] - self.course.reactions[row], row)
-        return [{"impulse": row[:2].tolist(), "moment_impulse": float(row[2])} for row in found]
+        counts = (self.time[self._struck_rows] <= until) & (self._by_law | (self._lasting[self._struck_rows] == 0.0))
+        for row in self._struck_rows[counts]:
+            found += self._by_joint(self.course.sudden[row + 1] - self.course.sudden[row], row)
+        return said(found)
 
     def reaction_forces(self, time) -> np.ndarray:
         """What the first link of each joint does to the second, averaged over the step about each instant and without
@@ -148,6 +183,11 @@ class MovingMotion(SampledMotion):
                 assert kind == LINE
                 found[joint, :2] -= value * self._direction(number, row)
         return found
+
+
+def said(joints: np.ndarray) -> list[dict[str, Any]]:
+    """Impulse and moment of every joint, (joints, 3), as results say them."""
+    return [{"impulse": row[:2].tolist(), "moment_impulse": float(row[2])} for row in joints]
 
 
 class RigidMotion(MovingMotion):

@@ -79,10 +79,20 @@ class Frozen:
         system, bends = self.system, ~self.system.rigid
         found = np.zeros(system.size)
         if bends.any():
-            load = system.weight + system.centrifugal(self.rates) - system.mass @ self.accelerations
-            reactions = np.linalg.lstsq(self.jacobian[:, system.rigid].T, load[system.rigid], rcond=None)[0]
-            found[bends] = (load - self.jacobian.T @ reactions)[bends] / system.stiffness[bends]
+            found[bends] = (self._load - self.jacobian.T @ self.reactions_before)[bends] / system.stiffness[bends]
         return found
+
+    @cached_property
+    def _load(self) -> np.ndarray:
+        """Weight and inertia before the impact, (size,)."""
+        system = self.system
+        return system.weight + system.centrifugal(self.rates) - system.mass @ self.accelerations
+
+    @cached_property
+    def reactions_before(self) -> np.ndarray:
+        """To weight and inertia before the impact, (held constraints,); of those that do not follow the least ones."""
+        rigid = self.system.rigid
+        return np.linalg.lstsq(self.jacobian[:, rigid].T, self._load[rigid], rcond=None)[0]
 
     @cached_property
     def jacobian(self) -> np.ndarray:

@@ -1,0 +1,42 @@
+"""The contact law of a scene as the integrator of a mechanism takes it."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ...bodies import Mechanism
+from ...contact import Linear
+from ...contact.duration import contact_time
+from ...numerics.law_functions import MEMORY, constants_of, step_function
+from ...numerics.multibody.pressing import Surface
+from ...scene import Scene
+
+
+def law_of(scene: Scene, mechanism: Mechanism, steps: int, longest: float) -> tuple[Callable, Surface]:
+    """Its function, and the surface that follows it, in so many steps of the shortest contact that there can be, none
+    `longest` [s] or longer; without a step where the contact is rigid."""
+    rigid, modes = scene.rigid_contact, mechanism.frozen.modes
+    law: Any = Linear(0.0) if rigid else scene.contact
+    step = 0.0 if rigid else min(shortest_contact(scene, mechanism) / steps, longest)
+    settling = 0.0
+    if modes.residual_compliance and (law.JUMPS or law.PLASTIC):
+        settling = min(0.5, step / modes.shortest_period)
+    memory = np.zeros(MEMORY)
+    memory[2:4] = law.unloading(0.0)
+    return step_function(type(law)), Surface(
+        constants=constants_of([law])[0],
+        memory=memory,
+        deepest=np.zeros(1),
+        step=step,
+        compliance=modes.residual_compliance,
+        weight=1.0 / (0.5 + settling),
+        jumps=law.JUMPS,
+    )
+
+
+def shortest_contact(scene: Scene, mechanism: Mechanism) -> float:
+    """About how long a contact by the law lasts [s] with all of what a sudden force can move of the struck link."""
+    modes = mechanism.frozen.modes
+    mobility = 1.0 / scene.impactor.mass + 1.0 / modes.rigid_mass + float(modes.at_contact @ modes.at_contact)
+    return contact_time(scene.contact, 1.0 / mobility, scene.speed)
