@@ -1,6 +1,7 @@
 """A mechanism that moves on after the impact, for the page: where its links go, through as many impacts as come."""
 
 import json
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,6 +24,7 @@ BENT_INSTANTS, BENT_PARTS = 121, 6  # of the picture of links that bend; straigh
 MOST_AVERAGED = 8  # steps, of the reactions of one instant: in vibrations each differs from the next
 MOST_RIGID_STEPS = 50_000  # which take some three seconds
 MOST_STEPS = 10_000  # of links that bend, which take some two seconds; for longer they are followed as rigid ones
+MOST_CONTACT_STEPS = {False: 20_000, True: 6_000}  # of links that are rigid, and of such as bend: some three seconds
 IMPACTS = 100  # told one by one
 JOLTS = 8  # of these, the first of which it is told what every joint gets
 LINKS = "flexible", "rigid"  # as which links that bend are followed
@@ -83,14 +85,16 @@ def followed(asked: dict[str, Any]) -> Followed:
     refusal = method.refusal(scene)
     if refusal:
         return Followed(None, refusal)
+    method = replace(method, most_contact_steps=MOST_CONTACT_STEPS[scene.target.bends])
     reached = method.reach(scene, MOST_RIGID_STEPS)
     cut = seconds is not None and seconds > reached
     return Followed(method.solve(scene, reached if cut else seconds), reason, cut)
 
 
 def restitution_of(request: Request) -> float:
-    """That of the slider, where the page has it; else nothing is lost."""
-    return request.restitution if "restitution" in request.acting else Multibody.restitution
+    """That of the slider, where the page has it and impacts are impulses; else nothing is lost by it."""
+    given = request.scene.rigid_contact and "restitution" in request.acting
+    return request.restitution if given else Multibody.restitution
 
 
 def _told(solution: Solution) -> dict[str, Any]:
@@ -99,7 +103,7 @@ def _told(solution: Solution) -> dict[str, Any]:
     return {
         "mechanism": described(motion.mechanism),
         "impactor": {"kind": scene.impactor.kind, "mass": scene.impactor.mass},
-        "restitution": solution.method["restitution"],
+        "restitution": solution.method["restitution"] if scene.rigid_contact else None,
         "duration": 1e3 * solution.duration,
         "contacts": len(solution.contacts),
         "impacts": [[1e3 * c.start, 1e3 * c.end, c.impulse] for c in solution.contacts[:IMPACTS]],

@@ -27,7 +27,7 @@ import { unitField } from './unit_field.js';
  * @property {boolean} cut  it would be followed for longer, if that took fewer steps
  * @property {MechanismTold} mechanism
  * @property {{ kind: string, mass: number }} impactor
- * @property {number} restitution
+ * @property {number | null} restitution  none: by the contact law
  * @property {number} duration
  * @property {number} contacts  how many
  * @property {[start: number, end: number, impulse: number][]} impacts  the first of them
@@ -138,7 +138,8 @@ class Motion extends Panel {
     const { contacts: count, duration, figures: known, restitution, rigid } = found;
     this.seconds.set(duration / 1e3);
     const [drift, gap, error] = [known.energy_drift, known.constraint_error, known.estimated_error];
-    const words = [text('motion.impacts', { time: duration / 1e3, count, restitution })];
+    const law = restitution === null;
+    const words = [text('motion.impacts', { time: duration / 1e3, count, law, restitution: restitution ?? 1 })];
     words.push(text('motion.kept', { drift, gap }));
     if (found.cut) words.push(text('motion.cut', { time: duration / 1e3 }));
     if (error) words.push(text('motion.uncertain', { error }));

@@ -11,7 +11,7 @@ from ...numerics.multibody.variational import Floating, Seen, look
 from ...scene import Scene
 from .floating_linkage import room_of
 from .linkage import Rows
-from .motion import MovingMotion, said
+from .motion import MovingMotion, said, turned
 
 PLACES = 21  # at which slopes are looked at
 
@@ -48,9 +48,9 @@ class FlexibleMotion(MovingMotion):
         found = np.zeros((len(self.mechanism.joints), 3))
         for row, number in enumerate(np.flatnonzero(system.held)):
             found[system.joint_of[number]] += until * frozen.reactions_before[row] * system.effect[number]
-        for row in range(int(np.searchsorted(self.time, until))):
-            found += self._by_joint(self.course.reactions[row + 1] - self.course.reactions[row], row)
-        return said(found)
+        rows = np.arange(int(np.searchsorted(self.time, until)))
+        given = self.course.reactions[rows + 1] - self.course.reactions[rows]
+        return said(found + self._by_joint(given, rows).sum(axis=0))
 
     def _stretched(self) -> np.ndarray:
         return self._seen.springs
@@ -75,16 +75,15 @@ class FlexibleMotion(MovingMotion):
         place, rate = self._points(np.array([at]), self.course.coordinates, self.course.rates)
         return place[:, 0], rate[:, 0]
 
-    def _direction(self, number: int, row: int) -> np.ndarray:
-        ties, stations, q = self._linkage.ties, self._linkage.stations, self.course.coordinates[row]
+    def _directions(self, number: int, rows: np.ndarray) -> np.ndarray:
+        ties, stations, q = self._linkage.ties, self._linkage.stations, self.course.coordinates[rows]
         tie = int(ties.ends[0]) + number
-        station, angle = ties.first[tie], 0.0
+        station, angle = ties.first[tie], np.zeros(rows.size)
         link = int(stations.link[station])
         if link >= 0:
-            own = q[self._own(link)]
-            angle = own[2] + stations.turns[station, : own.size - 3] @ own[3:]
-        x, y = ties.direction[tie]
-        return np.array([np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y])
+            own = q[:, self._own(link)]
+            angle = own[:, 2] + own[:, 3:] @ stations.turns[station, : own.shape[1] - 3]
+        return turned(ties.direction[tie], angle)
 
     def _own(self, link: int) -> slice:
         return slice(self.mechanism.system.offsets[link], self.mechanism.system.offsets[link + 1])
@@ -101,11 +100,11 @@ class FlexibleMotion(MovingMotion):
         moved += v[:, 2, None, None] * np.stack((-within[:, :, 1], within[:, :, 0]), axis=2)
         cosine, sine = np.cos(q[:, 2])[:, None], np.sin(q[:, 2])[:, None]
 
-        def turned(given: np.ndarray) -> np.ndarray:
+        def rotated(given: np.ndarray) -> np.ndarray:
             along, across = given[:, :, 0], given[:, :, 1]
             return np.stack((cosine * along - sine * across, sine * along + cosine * across), axis=2)
 
-        return q[:, None, :2] + turned(within), v[:, None, :2] + turned(moved)
+        return q[:, None, :2] + rotated(within), v[:, None, :2] + rotated(moved)
 
     def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
         q, found = self.coordinates(time), {}

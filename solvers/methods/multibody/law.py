@@ -1,5 +1,6 @@
 """The contact law of a scene as the integrator of a mechanism takes it."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -11,6 +12,8 @@ from ...contact.duration import contact_time
 from ...numerics.law_functions import MEMORY, constants_of, step_function
 from ...numerics.multibody.pressing import Surface
 from ...scene import Scene
+
+LONG_CONTACT = 5.0  # times the shortest one: from then on a step is the same share of what the contact has lasted
 
 
 def law_of(scene: Scene, mechanism: Mechanism, steps: int, longest: float) -> tuple[Callable, Surface]:
@@ -29,6 +32,8 @@ def law_of(scene: Scene, mechanism: Mechanism, steps: int, longest: float) -> tu
         memory=memory,
         deepest=np.zeros(1),
         step=step,
+        growth=1.0 / (LONG_CONTACT * steps),
+        longest=longest,
         compliance=modes.residual_compliance,
         weight=1.0 / (0.5 + settling),
         jumps=law.JUMPS,
@@ -36,7 +41,9 @@ def law_of(scene: Scene, mechanism: Mechanism, steps: int, longest: float) -> tu
 
 
 def shortest_contact(scene: Scene, mechanism: Mechanism) -> float:
-    """About how long a contact by the law lasts [s] with all of what a sudden force can move of the struck link."""
+    """About how long a contact by the law lasts [s] with all of what a sudden force can move of the struck link, where
+    the modes left out give way."""
     modes = mechanism.frozen.modes
     mobility = 1.0 / scene.impactor.mass + 1.0 / modes.rigid_mass + float(modes.at_contact @ modes.at_contact)
-    return contact_time(scene.contact, 1.0 / mobility, scene.speed)
+    by_law = contact_time(scene.contact, 1.0 / mobility, scene.speed)
+    return math.hypot(by_law, math.pi * math.sqrt(modes.residual_compliance / mobility))

@@ -54,6 +54,7 @@ class Multibody(Method):
     restitution: float = option(1.0, real(0.0, 1.0))
     steps: int | None = option(None, whole(10, MAX_STEPS))  # over the whole duration
     contact_steps: int = option(200, whole(10, 100_000))  # of the shortest contact by a law that there can be
+    most_contact_steps: int = field(default=MOST_CONTACT_STEPS, repr=False)  # after which it is ended
     estimate: bool = field(default=True, repr=False)
 
     NAME = "multibody"
@@ -144,7 +145,9 @@ class Multibody(Method):
         """Of the last velocity, relative to the speed of approach, against half the steps, of contacts too."""
         end = motion.time[-1:]
         half = max(10, self._steps(motion.mechanism, scene.speed, float(end[0]))[1] // 2)
-        other, _ = replace(self, steps=half, contact_steps=max(10, self.contact_steps // 2))._follow(scene, float(end[0]))
+        other, _ = replace(self, steps=half, contact_steps=max(10, self.contact_steps // 2))._follow(
+            scene, float(end[0])
+        )
         return float(np.abs(other.impactor_velocity(end) - motion.impactor_velocity(end))[0]) / scene.speed
 
     def _follow(self, scene: Scene, duration: float | None) -> tuple[MovingMotion, bool]:
@@ -159,7 +162,8 @@ class Multibody(Method):
                 moves.rates.copy(),
                 moves.struck.copy(),
                 scene.impactor.velocity * normal,
-                *np.zeros((2, rows)),
+                np.zeros(rows),
+                np.zeros(rows),
                 np.zeros(4),
             )
             for _ in range(2)
@@ -167,20 +171,20 @@ class Multibody(Method):
         duration, steps = self._steps(mechanism, scene.speed, duration)
         every = math.ceil(steps / MAX_INSTANTS)
         law, surface = law_of(scene, mechanism, self.contact_steps, duration / steps)
-        most = 2 * MOST_IMPACTS if scene.rigid_contact else MOST_CONTACT_STEPS
+        most = 2 * MOST_IMPACTS if scene.rigid_contact else self.most_contact_steps
         kept = flight.course(steps // every + most + 3, state.q.size, rows)
         count = march(
             moves.linkage, moves.room, contact, law, surface, moving.STAGES, self.restitution, duration / steps, steps,
             every, state, later, kept,
         )  # fmt: skip
         course = flight.Course(*(values[:count] for values in kept))
-        full = float(course.time[-1]) < duration * (1.0 - 1e-9)
+        full = float(course.time[-1]) < duration - 1e-6 * duration / steps
         return moves.motion(scene, course, moves.linkage, moves.rows), full
 
     def _notes(self, scene: Scene, motion: MovingMotion, contacts: list[ContactPeriod], full: bool) -> list[Note]:
         found = []
         if full:
-            kind, limit = ("balances", MOST_IMPACTS) if scene.rigid_contact else ("steps", MOST_CONTACT_STEPS)
+            kind, limit = ("balances", MOST_IMPACTS) if scene.rigid_contact else ("steps", self.most_contact_steps)
             found.append(cut_short(limit, kind))
         if not scene.rigid_contact:
             if self.restitution != Multibody.restitution:

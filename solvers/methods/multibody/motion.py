@@ -8,7 +8,7 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.flight import GIVING, IMPULSE, INDENTATION, LOST, Course
-from ...numerics.multibody.moving import Linkage, arm_of, look, work
+from ...numerics.multibody.moving import Linkage, look, work
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod
@@ -74,8 +74,8 @@ class MovingMotion(SampledMotion):
         """Places and velocities (instants, 2) of the point that is struck first."""
 
     @abstractmethod
-    def _direction(self, number: int, row: int) -> np.ndarray:
-        """Of one of the lines among the constraints, at an instant, (2,)."""
+    def _directions(self, number: int, rows: np.ndarray) -> np.ndarray:
+        """Of one of the lines among the constraints, at some instants, (instants, 2)."""
 
     @abstractmethod
     def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
@@ -154,40 +154,45 @@ class MovingMotion(SampledMotion):
 
     def reactions(self, until: float) -> list[dict[str, Any]]:
         """What the impulses of all contacts up to a time [s] make every joint do at once to its second link."""
-        found = np.zeros((len(self.mechanism.joints), 3))
-        counts = (self.time[self._struck_rows] <= until) & (self._by_law | (self._lasting[self._struck_rows] == 0.0))
-        for row in self._struck_rows[counts]:
-            found += self._by_joint(self.course.sudden[row + 1] - self.course.sudden[row], row)
-        return said(found)
+        rows = self._struck_rows
+        counts = (self.time[rows] < until) | (self.time[rows + 1] <= until)
+        rows = rows[counts & (self._by_law | (self._lasting[rows] == 0.0))]
+        return said(self._by_joint(self.course.sudden[rows + 1] - self.course.sudden[rows], rows).sum(axis=0))
 
     def reaction_forces(self, time) -> np.ndarray:
         """What the first link of each joint does to the second, averaged over the step about each instant and without
         the impacts: force along x and y [N] and moment [N m], (time, joints, 3)."""
-        found = []
-        for instant in np.atleast_1d(np.asarray(time, float)):
-            row = int(np.clip(np.searchsorted(self.time, instant, "right") - 1, 1, self.time.size - 2))
-            lasts = self.time[row + 1] - self.time[row]
-            pushed = self.course.reactions[row + 1] - self.course.reactions[row]
-            found.append(self._by_joint(pushed / lasts, row) if lasts > 0.0 else np.full_like(found[-1], np.nan))
-        return np.array(found)
+        instants = np.atleast_1d(np.asarray(time, float))
+        rows = np.clip(np.searchsorted(self.time, instants, "right") - 1, 1, self.time.size - 2)
+        rows -= self._lasting[rows] == 0.0
+        pushed = self.course.reactions[rows + 1] - self.course.reactions[rows]
+        return self._by_joint(pushed / self._lasting[rows, None], rows)
 
-    def _by_joint(self, reactions: np.ndarray, row: int) -> np.ndarray:
-        """Impulse and moment on the second link of each joint, (joints, 3), from those of the constraints."""
-        found, rows = np.zeros((len(self.mechanism.joints), 3)), self._rows
-        for value, joint, kind, number in zip(reactions, rows.joint, rows.kind, rows.number, strict=True):
+    def _by_joint(self, reactions: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Impulse and moment on the second link of each joint, (instants, joints, 3), from those of the constraints
+        (instants, constraints) at these rows."""
+        found = np.zeros((rows.size, len(self.mechanism.joints), 3))
+        known = self._rows
+        for values, joint, kind, number in zip(reactions.T, known.joint, known.kind, known.number, strict=True):
             if kind in (PIN_X, PIN_Y):
-                found[joint, int(kind == PIN_Y)] -= value
+                found[:, joint, int(kind == PIN_Y)] -= values
             elif kind == ANGLE:
-                found[joint, 2] -= value
+                found[:, joint, 2] -= values
             else:
                 assert kind == LINE
-                found[joint, :2] -= value * self._direction(number, row)
+                found[:, joint, :2] -= values[:, None] * self._directions(number, rows)
         return found
 
 
 def said(joints: np.ndarray) -> list[dict[str, Any]]:
     """Impulse and moment of every joint, (joints, 3), as results say them."""
     return [{"impulse": row[:2].tolist(), "moment_impulse": float(row[2])} for row in joints]
+
+
+def turned(direction: np.ndarray, angle: np.ndarray) -> np.ndarray:
+    """A direction (2,), turned by some angles, (angles, 2)."""
+    x, y = direction
+    return np.stack((np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y), axis=1)
 
 
 class RigidMotion(MovingMotion):
@@ -212,9 +217,11 @@ class RigidMotion(MovingMotion):
         y = np.sin(turned) * arm[0] + np.cos(turned) * arm[1]
         return q[:, :2] + np.stack((x, y), 1), v[:, :2] + v[:, 2:] * np.stack((-y, x), 1)
 
-    def _direction(self, number: int, row: int) -> np.ndarray:
+    def _directions(self, number: int, rows: np.ndarray) -> np.ndarray:
         lines = self._linkage.lines
-        return np.array(arm_of(self.course.coordinates[row], lines.first[number], lines.direction[number]))
+        link = int(lines.first[number])
+        angle = self.course.coordinates[rows, 3 * link + 2] if link >= 0 else np.zeros(rows.size)
+        return turned(lines.direction[number], angle)
 
     def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
         """Where the links are, by name: (time, parts + 1, 2) [m], at even distances along each."""

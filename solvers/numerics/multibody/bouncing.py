@@ -3,6 +3,8 @@
 Impacts are located to rounding. Source: of impulses thesis 6.3, (6.12), in the configuration of each impact.
 """
 
+import numpy as np
+
 from ...jit.kernels import inner_kernel, kernel
 from ...jit.reference import refer
 from .flight import LOST, advance, copy_state, feel, meeting, push, write
@@ -12,6 +14,7 @@ from .variational import Floating
 
 # Of a step: after two flights as short as this the mass rests on the link. Endless ever smaller impacts end there.
 SHORTEST_FLIGHT = 1e-2
+CLOSE = 1e-7  # of a step, by which two instants are one: joints of links that bend are not closed in shorter ones
 
 
 @inner_kernel
@@ -48,7 +51,7 @@ def march(
         refer(linkage), refer(w), refer(contact), refer(surface), refer(state), refer(later), refer(kept),
     )  # fmt: skip
     room, until, face, time, row, number = kept.time.size - 2, steps * step, 0.0, 0.0, 0, 0
-    met, rate, before, last, short = True, 1.0, -1.0, -1.0, 0
+    met, rate, before, last, short = True, 1.0, -1.0, -np.inf, 0
     while number < steps and row < room:
         if met:
             if surface.step > 0.0:
@@ -58,12 +61,12 @@ def march(
                 balance(linkage, w, contact, restitution, state, time)
                 write(kept, row + 1, time, state)
                 row += 2
-                short = short + 1 if 0.0 <= last and time - last < SHORTEST_FLIGHT * step else 0
+                short = short + 1 if time - last < SHORTEST_FLIGHT * step else 0
                 last = time
             else:  # they touch, and are pressed together
                 short = 2
             met, before = False, -1.0
-            while number < steps and (number + 1) * step <= time:
+            while number < steps and (number + 1) * step <= time + CLOSE * step:
                 number += 1
             continue
         end = (number + 1) * step

@@ -8,7 +8,7 @@ from ...jit.kernels import inner_kernel
 from ..arrays import add_to, copy_to, dot
 
 MAX_SEARCHES = 100  # of an impact; six or seven do
-# Of a contact: sums so far of impulses [N s] and of energy lost [J]; indentation [m]; force on what gives way besides [N]
+# Of a contact: sums so far of impulses [N s] and of energy lost [J]; indentation [m]; force in what else gives way [N].
 IMPULSE, LOST, INDENTATION, GIVING = range(4)
 
 

@@ -18,11 +18,14 @@ from .flight import GIVING, INDENTATION, LOST, advance, copy_state, feel, overla
 END, LOSS, OPENING, UNLOADING = range(4)  # in what a law remembers, see `numerics.law_functions`
 CLOSE = 1e-15  # of the deepest indentation, by which faces that part may be off where they open
 MAX_SEARCHES = 60  # of the instant at which they do; six do
+# Of a step: that soon faces part that are open as soon as what gives way besides swings back. They part with the step.
+SHORTEST = 1e-3
 
 
 class Surface(NamedTuple):
     """A contact law by its constants (CONSTANTS,), what it remembers (MEMORY,), largest indentation (1,) [m], and the
-    length of a step [s]; without a length there is no law, and impacts are impulses.
+    length of a step [s]; without a length there is no law, and impacts are impulses. A step may be `growth` times as
+    long as the contact has lasted if that is more, up to `longest` [s]: what lasts hardly changes any more.
 
     In series with the law stands a spring of a `compliance` [m/N], of the modes left out. Of what the mean force of a
     step is above the spring's at its start the spring gets `weight` more: 2, and nothing is lost; with less it settles.
@@ -33,6 +36,8 @@ class Surface(NamedTuple):
     memory: np.ndarray
     deepest: np.ndarray
     step: float
+    growth: float
+    longest: float
     compliance: float
     weight: float
     jumps: bool
@@ -59,8 +64,8 @@ def _pressed(linkage, w, contact, law, surface, stages, state, time, step, weigh
 
 @inner_kernel
 def _until_parting(linkage, w, contact, law, surface, stages, state, later, time, longest, weight, expected):
-    """A step of `later` from `state`, as long as it takes until the faces open, which is no longer than `longest` [s].
-    Returns its length, and by how much the mass is then in the link."""
+    """A step of `later` from `state`, as long as it takes until the faces open, which is no longer than `longest` [s],
+    or that long if they do so at once. Returns its length, and by how much the mass is then in the link."""
     memory = surface.memory
     opening, unloading = memory[OPENING], memory[UNLOADING]
     low, high, length, depth = 0.0, longest, longest, 0.0
@@ -78,6 +83,11 @@ def _until_parting(linkage, w, contact, law, surface, stages, state, later, time
         if missed > 0.0:
             below *= 0.5 if side > 0 else 1.0
             low, above, side = length, missed, 1
+        elif length < SHORTEST * longest:
+            memory[OPENING], memory[UNLOADING] = opening, unloading
+            copy_state(later, state)
+            _, depth = _pressed(linkage, w, contact, law, surface, stages, later, time, longest, weight, expected)
+            return longest, depth
         else:
             above *= 0.5 if side < 0 else 1.0
             high, below, side = length, missed, -1
@@ -87,16 +97,18 @@ def _until_parting(linkage, w, contact, law, surface, stages, state, later, time
 
 @inner_kernel
 def press(linkage, w, contact, law, surface, stages, state, later, kept, row, time, until):
-    """From where the faces meet until they part, or until a time [s], or there is no room in `kept`, which gets a row at
-    the first and after every step. Returns the time, the next row, and where the mass meets the link again [m]."""
-    memory, force, before, count = surface.memory, 0.0, 0.0, 0
+    """From where the faces meet until they part, or until a time [s], or `kept` is full, which gets a row first and
+    after every step. Returns the time, the next row, and how deep the mass is in the link where they meet again [m]."""
+    memory, begun, force, before, count = surface.memory, time, 0.0, 0.0, 0
     state.contact[INDENTATION] = memory[OPENING]
     depth, _, _ = overlap(linkage, w, contact, state)
     apart = depth - memory[OPENING]  # of the ways of both and of the indentation, by the error of the steps
     write(kept, row, time, state)
     row += 1
     while time < until and row < kept.time.size:
-        start, length, expected = state.contact[INDENTATION], min(surface.step, until - time), 2.0 * force - before
+        length, left = min(max(surface.step, surface.growth * (time - begun)), surface.longest), until - time
+        length = left if left < (1.0 + SHORTEST) * length else length
+        start, expected = state.contact[INDENTATION], 2.0 * force - before
         opening, unloading, before = memory[OPENING], memory[UNLOADING], force
         weight = 1.0 if surface.jumps and count < 2 else surface.weight
         copy_state(later, state)
@@ -107,7 +119,7 @@ def press(linkage, w, contact, law, surface, stages, state, later, kept, row, ti
                 linkage, w, contact, law, surface, stages, state, later, time, length, weight, expected
             )
         copy_state(state, later)
-        time, count, found = until if length == until - time else time + length, count + 1, state.contact
+        time, count, found = until if length == left else time + length, count + 1, state.contact
         surface.deepest[0] = max(surface.deepest[0], found[INDENTATION])
         apart = depth - found[INDENTATION] - surface.compliance * found[GIVING]
         parted = found[INDENTATION] <= memory[OPENING]
