@@ -8,7 +8,10 @@ import numpy as np
 from ..scene import Scene
 from ..solution.motion import MovesFace
 from ..solution.solution import Later, Solution
+from ..text.notes import Note
 from .mechanisms import MechanismMotion
+
+OTHER = {"impactor": "target", "target": "impactor"}
 
 
 class StrikingMotion:
@@ -97,6 +100,12 @@ def _said(parts: dict[str, Any], scene: Scene, velocity: Any) -> dict[str, Any]:
     return {"impactor": mechanism, "target_rigid": whole - ringing, "target_vibration": ringing} | given
 
 
+def _exchanged(note: Note) -> Note:
+    """The note, with what it says of the one body said of the other."""
+    other = OTHER.get(note.values.get("body", ""))
+    return note if other is None else Note(note.code, note.severity, **note.values | {"body": other})
+
+
 def as_striking(solution: Solution, scene: Scene) -> Solution:
     """The solution of the scene in which a mechanism strikes from that of `scene.struck`."""
     found, motion = copy(solution), StrikingMotion(scene, solution.known_motion)
@@ -114,7 +123,7 @@ def as_striking(solution: Solution, scene: Scene) -> Solution:
         "restitution": Later(lambda _: solution.restitution),
         "energy": Later(energy),
         "diagnostics": Later(lambda _: solution.diagnostics),
-        "notes": Later(lambda _: solution.notes),
+        "notes": Later(lambda _: [_exchanged(note) for note in solution.notes]),
     }.items():
         object.__setattr__(found, name, value)
     return found

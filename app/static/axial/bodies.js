@@ -18,6 +18,7 @@ import { text } from '../text/catalogue.js';
 
 const EDGE = '#4a5968';
 const WALL = '#55636f';
+const EDGE_ROOM = 2; // pixels, of what is drawn from the edge of the picture
 const TALL = 4000; // pixels, beyond any picture
 
 /**
@@ -52,7 +53,20 @@ function outline(c, round, { face, middle, size }, side) {
 }
 
 /**
- * The striker; dashed where rigid-body theory has it.
+ * An arrow to what is beyond the left edge.
+ * @param {Context} c
+ * @param {number} middle
+ */
+function away(c, middle) {
+  c.setLineDash([]);
+  c.beginPath();
+  c.moveTo(EDGE_ROOM + 5, middle - 5);
+  c.lineTo(EDGE_ROOM, middle);
+  c.lineTo(EDGE_ROOM + 5, middle + 5);
+}
+
+/**
+ * The striker; dashed where rigid-body theory has it, or the way to there beyond the picture.
  * @param {Context} c
  * @param {AxialFrame} frame
  * @param {Place} place
@@ -65,7 +79,8 @@ export function striker(c, { impactor }, place, prediction) {
     c.setLineDash([5, 4]);
     c.strokeStyle = COLORS.prediction;
     c.lineWidth = 1.5;
-    outline(c, round, { ...place, face: prediction }, -1);
+    if (prediction - size > EDGE_ROOM) outline(c, round, { ...place, face: prediction }, -1);
+    else away(c, middle);
     c.stroke();
     c.setLineDash([]);
   }
@@ -213,7 +228,7 @@ export function wall(c, x, middle, thick) {
  */
 export function onward(c, x, middle, thick) {
   c.fillStyle = COLORS.faint;
-  c.font = letters(18);
+  c.font = letters(14);
   c.textAlign = 'left';
   c.textBaseline = 'middle';
   c.fillText('⋯ ∞', x - 2, middle + thick * 0.02);

@@ -265,10 +265,10 @@ export class Stage {
     const [times, unit] = scaled(long, 'm');
     c.lineWidth = 2;
     c.beginPath();
-    c.moveTo(12, 14);
-    c.lineTo(12 + long * perMetre, 14);
+    c.moveTo(12, 8);
+    c.lineTo(12 + long * perMetre, 8);
     c.stroke();
-    c.fillText(text('axial.stage.of-movement', { length: `${figures(long * times)} ${unit}` }), 12, 30);
+    c.fillText(text('axial.stage.of-movement', { length: `${figures(long * times)} ${unit}` }), 12, 22);
   }
   /**
    * Every rod slice by slice, its height by the side of its section; returns where the struck face is at rest.

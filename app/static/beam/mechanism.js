@@ -31,6 +31,7 @@ export class Mechanism {
   scale = 1; // pixels in a metre
   /** @type {Point} */ middle = [0, 0]; // of the mechanism [m]
   /** @type {Point} */ center = [0, 0]; // and on the canvas
+  height = 0; // of the picture, in pixels
   largest = 0; // reaction [N]
   /** @type {Point[][]} */ placed = []; // links as they are drawn, in pixels
   /** @type {Drawn | null} */ held = null; // where the striker is
@@ -81,6 +82,7 @@ export class Mechanism {
     this.scale = Math.min((width - 2 * room) / (across + SHOWN_MOVE * this.size), (height - 2 * room) / up);
     this.middle = [(left + right) / 2, (low + high) / 2];
     this.center = [width / 2, height / 2 + 6];
+    this.height = height;
   }
   /**
    * @param {number} x
@@ -350,7 +352,8 @@ export class Mechanism {
       const aside = 0.5 * this.thick(n) + 12 + Math.max(half - 6, 0) * Math.abs(ax);
       const [dx, dy] = [ax * aside, ay * aside];
       const away = dx * this.way[0] + dy * this.way[1] < 0 ? -1 : 1; // the striker comes from the other side
-      const [x1, y1] = [a + away * dx, b + away * dy + 6];
+      const side = b + away * dy + 6 < this.height ? away : -away; // where the picture does not end
+      const [x1, y1] = [a + side * dx, b + side * dy + 6];
       if (written.some(([x2, y2, other]) => Math.abs(x1 - x2) < half + other && Math.abs(y1 - y2) < LINE)) return;
       written.push([x1, y1, half]);
       c.fillText(name, x1, y1);

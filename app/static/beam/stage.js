@@ -134,7 +134,7 @@ export class BeamStage {
       this.hold(c);
     }
     this.words(c, top);
-    if (this.diagrams) diagrams(c, this, t, beside ? 40 : top, beside ? height - 44 : height - top);
+    if (this.diagrams) diagrams(c, this, t, beside ? 48 : top, beside ? height - 52 : height - top);
   }
   /**
    * The mechanism of which the beam is a link, and what strikes it.

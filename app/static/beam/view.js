@@ -97,6 +97,7 @@ export class BeamView {
     this.reactions.load(frame);
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
+    this.stack.arrange();
     this.dispersion.load(frame);
     const { lengthwise } = this.field;
     this.spaceTime.chart.title.textContent = text(lengthwise ? 'beam.chart.waves-along' : 'beam.chart.waves');

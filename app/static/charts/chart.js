@@ -3,6 +3,7 @@
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { Axis } from './axis.js';
+import { letters } from './canvas.js';
 import { listen } from './gestures.js';
 import { keysOf } from './legend.js';
 import * as marks from './marks.js';
@@ -205,11 +206,27 @@ export class Chart extends Plot {
     const from = Math.max(this.x[0], start);
     const to = Math.min(this.x[1], end);
     const wide = (to - from) * perUnit;
+    this.#ending(c, Math.max(end, this.x[0]));
     if (wide <= 0) return;
     c.imageSmoothingEnabled = wide < image.width / 3 || image.width < w / 2;
     const across = w / (this.x[1] - this.x[0]);
     const left = x + (from - this.x[0]) * across;
     c.drawImage(image, (from - start) * perUnit, 0, wide, image.height, left, y, (to - from) * across, h);
+  }
+
+  /**
+   * Where the picture ends before the axis does, as what is laid over may last longer.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} end
+   */
+  #ending(c, end) {
+    const { x, y, w, h } = this.frame;
+    const [left, said] = [this.px(end), text('chart.ends')];
+    c.font = letters(11);
+    c.fillStyle = COLORS.faint;
+    c.textAlign = 'center';
+    c.textBaseline = 'middle';
+    if (x + w - left > c.measureText(said).width + 8) c.fillText(said, (left + x + w) / 2, y + h / 2);
   }
 
   /**

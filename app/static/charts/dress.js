@@ -50,7 +50,7 @@ const LEGEND = {
   border_line_color: null,
   padding: 0,
   margin: 4,
-  spacing: 2,
-  label_height: 16,
-  glyph_height: 18,
+  spacing: 9, // of columns, and of rows
+  label_height: 11,
+  glyph_height: 14,
 };

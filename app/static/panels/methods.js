@@ -27,7 +27,7 @@ import { naming } from '../text/words.js';
 
 /** @param {number} value */
 const inPercent = (value) => (Math.abs(value) < 5e-9 ? '0' : Math.abs(value) < 5e-6 ? '< 0.001' : figures(100 * value));
-const COLUMNS = ['method', 'rebound', 'duration', 'found', 'reported', 'raw', 'force', 'time'];
+const COLUMNS = ['method', 'rebound', 'time', 'duration', 'found', 'reported', 'raw', 'force']; // a phone shows three
 const UNITS = family('methods.unit'); // below the names of columns
 
 class Methods {
@@ -93,16 +93,18 @@ class Methods {
     const { contacts, raw_contacts: touches, true_contacts: true_, true_contacts_found: met } = row;
     const line = rowOf([
       inPercent(row.rebound_error),
+      figures(1e3 * row.wall_time),
       inPercent(row.duration_error),
       text('panel.found-of', { found: met, all: true_ }),
       contacts,
       touches,
     ]);
     line.prepend(name);
-    line.append(force, make('td', { textContent: figures(1e3 * row.wall_time) }));
-    line.children[3].classList.toggle('missed', met < true_);
-    line.children[4].classList.toggle('missed', contacts !== true_);
-    line.children[5].classList.toggle('missed', touches > true_);
+    line.append(force);
+    const [found, reported, raw] = [...line.children].slice(COLUMNS.indexOf('found'));
+    found.classList.toggle('missed', met < true_);
+    reported.classList.toggle('missed', contacts !== true_);
+    raw.classList.toggle('missed', touches > true_);
     if (page.frame.kind === 'axial' && page.frame.other?.name === row.name) line.ariaCurrent = 'true';
     return line;
   }

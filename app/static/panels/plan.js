@@ -24,7 +24,7 @@ import { percentField } from './unit_field.js';
  * @property {Candidate[]} candidates  from the smallest up
  * @property {number} picked
  * @property {Note} why
- * @property {{ contact_time: number, mass_ratio: number }} groups
+ * @property {{ contact_time?: number, mass_ratio?: number }} groups  what is known of them
  * @property {boolean} measured
  */
 
@@ -60,7 +60,8 @@ function ruleOf(frame, { groups }) {
   const beam = frame.kind === 'beam';
   if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
   if (beam && frame.mechanism) return ''; // of which no such time is known
-  return text('plan.rule', { beam, rigid: groups.contact_time === 0, time: pretty(groups.contact_time) });
+  const { contact_time: lasts } = groups;
+  return lasts === undefined ? '' : text('plan.rule', { beam, rigid: lasts === 0, time: pretty(lasts) });
 }
 
 class Needs {

@@ -308,12 +308,13 @@ export class RegimeMap {
   }
   /**
    * The present scene, and where it came from.
-   * @param {{ contact_time: number, mass_ratio: number }} groups
+   * @param {{ contact_time?: number, mass_ratio?: number }} groups
    */
-  move(groups) {
+  move({ contact_time: time, mass_ratio: ratio }) {
+    if (time === undefined || ratio === undefined) return;
     const last = this.trail.at(-1);
     /** @type {Place} */
-    const next = [groups.contact_time, groups.mass_ratio];
+    const next = [time, ratio];
     if (last && last[0] === next[0] && last[1] === next[1]) return;
     this.trail.push(next);
     if (this.trail.length > TRAIL) this.trail.shift();

@@ -1,5 +1,6 @@
 // The bodies: what each is and what follows from it, with a field for every value that can be set.
 import { family, named, text } from '../text/catalogue.js';
+import { pretty } from '../text/format.js';
 import { inUnit, placeOf, read, unitOf, written } from './body_values.js';
 import { make } from './dom.js';
 
@@ -193,7 +194,7 @@ export class Bodies {
     const label = make('label', { htmlFor: input.id, textContent: NAMES[quantity] });
     const sign = make('span', { className: 'unit', textContent: unit.sign });
     const row = rowOf(label, input, sign);
-    const ends = { low: written(quantity, low ?? -Infinity), high: written(quantity, high ?? Infinity) };
+    const end = (/** @type {number | null} */ value) => `${pretty(Number(value) / unit.factor)} ${unit.sign}`.trim();
     input.oninput = () => (typing = true);
     input.onchange = () => {
       const given = input.value.trim();
@@ -204,7 +205,7 @@ export class Bodies {
         return this.set(key);
       }
       const value = read(given, quantity, unit);
-      const said = { given: given.slice(0, 24), unit: unit.sign || 'none', ...ends };
+      const said = { given: given.slice(0, 24), unit: unit.sign || 'none', low: end(low), high: end(high) };
       if (Number.isNaN(value)) return row.complain(text('bodies.not-number', said));
       if (low !== null && high !== null && !(value >= low && value <= high))
         return row.complain(text('bodies.not-within', said));

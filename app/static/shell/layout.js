@@ -90,7 +90,7 @@ export class Layout {
     const room = window.innerWidth - CENTRE;
     const left = Math.min(sizes.left ?? 256, room / 2);
     const right = Math.min(sizes.right ?? (LARGE.matches ? 560 : 380), room - left);
-    root.style.setProperty('--left', `${this.folded('left') ? 0 : this.mode === 'tablet' ? 230 : left}px`);
+    root.style.setProperty('--left', `${this.folded('left') ? 0 : this.mode === 'tablet' ? 240 : left}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
     root.style.setProperty('--sheet', `${100 * (sizes.sheet ?? SNAPS[1])}dvh`);
     this.left.hidden = this.mode === 'phone' || this.folded('left');

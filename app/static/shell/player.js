@@ -102,7 +102,8 @@ export class Player {
       'L',
     );
     const track = make('div', { className: 'track' }, this.ticks, this.scrub);
-    this.root = make('div', { className: 'player' }, this.button, ...this.moves, track, this.clock);
+    const time = make('div', { className: 'time' }, this.clock, track);
+    this.root = make('div', { className: 'player' }, this.button, ...this.moves, time);
     this.root.append(this.pace.root, this.loops);
     this.scrub.oninput = () => this.seek((Number(this.scrub.value) / 10000) * this.duration);
     this.run = this.run.bind(this);

@@ -39,6 +39,38 @@ export function head(c, [x, y], [dx, dy], long) {
   c.fill();
 }
 
+/** @type {WeakMap<Context, [left: number, top: number, right: number, bottom: number][]>} */
+const taken = new WeakMap(); // by labels of the picture that is being drawn
+const LINE = 13; // pixels
+const ELSEWHERE = [0, 1, -1, 2, -2]; // lines lower, where a label is in the way
+
+/**
+ * Begin a picture without labels.
+ * @param {Context} c
+ */
+export const unlabelled = (c) => taken.set(c, []);
+
+/**
+ * Where a label begins, so far up or down that it lies on no other.
+ * @param {Context} c  its font and alignment set
+ * @param {string} text
+ * @param {number} x
+ * @param {number} y
+ */
+function freed(c, text, x, y) {
+  const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = c.measureText(text);
+  const others = taken.get(c) ?? [];
+  const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
+  const isFree = (/** @type {number} */ lines) =>
+    others.every(
+      ([l, t, r, b]) =>
+        x + right < l || x - left > r || middle + (lines + 0.5) * LINE < t || middle + (lines - 0.5) * LINE > b,
+    );
+  const lines = ELSEWHERE.find(isFree) ?? 0;
+  others.push([x - left, middle + (lines - 0.5) * LINE, x + right, middle + (lines + 0.5) * LINE]);
+  return y + lines * LINE;
+}
+
 /**
  * Text beyond a point, on the side where `way` points; a white edge keeps it legible on bodies.
  * @param {Context} c
@@ -53,8 +85,10 @@ export function label(c, text, [x, y], [dx, dy]) {
   c.save();
   c.lineWidth = 3;
   c.strokeStyle = '#ffffff';
-  c.strokeText(text, x + (6 * dx) / long, y + (4 * dy) / long);
-  c.fillText(text, x + (6 * dx) / long, y + (4 * dy) / long);
+  const left = x + (6 * dx) / long;
+  const at = freed(c, text, left, y + (4 * dy) / long);
+  c.strokeText(text, left, at);
+  c.fillText(text, left, at);
   c.restore();
 }
 

@@ -5,7 +5,7 @@ import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
-import { arrow, label, stopAt } from './arrows.js';
+import { arrow, label, stopAt, unlabelled } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
 import { legend, spinOf } from './legend.js';
@@ -125,6 +125,7 @@ export class BodiesStage {
     const sheet = cleared(canvas, root);
     if (!sheet) return;
     const { c, width, height } = sheet;
+    unlabelled(c);
     this.fit(width, height);
     this.time = t;
     const now = Math.min(Math.max(t, -1), 1);

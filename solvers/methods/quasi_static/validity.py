@@ -61,11 +61,11 @@ def beam_notes(scene: Scene) -> list[Note]:
 
 def waves_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
     """A note for each rod that the contact does not outlast: what the force would send into it and not get back; and
-    for each beam that the force would leave ringing.
+    for each other body that can ring: what the force would leave in its modes.
     """
     notes = _spring_left_out(scene, motion, contact)
     for name, body in (("impactor", scene.impactor), ("target", scene.target)):
-        if isinstance(body, Bending):
+        if body.time_unit is not None and not isinstance(body, Rod):
             notes += _ringing_left_out(scene, name, motion, contact)
         if not isinstance(body, Rod) or contact.end > SLOW_ROUND_TRIPS * body.round_trip_time:
             continue
@@ -91,16 +91,19 @@ def _spring_left_out(scene: Scene, motion: SampledMotion, contact: ContactPeriod
 
 def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: ContactPeriod) -> list[Note]:
     """As if the force were that on a half-space, q_i = phi_i F(omega_i) / omega_i, thesis 8.4.4."""
-    beam, other = (scene.target, scene.impactor) if name == "target" else (scene.impactor, scene.target)
-    beam = beam.known_as(Bending)
-    modes, (times, forces) = beam.modes(RINGING_MODES), motion.force_history()
+    body, other = (scene.target, scene.impactor) if name == "target" else (scene.impactor, scene.target)
+    if body.no_modes is not None:
+        return [Note("ringing-unknown", Severity.WARNING, body=name)]
+    modes, (times, forces) = body.modes(RINGING_MODES), motion.force_history()
     angle = np.multiply.outer(modes.frequencies, times)
     sent = [np.trapezoid(forces * wave(angle), times, axis=1) for wave in (np.cos, np.sin)]
     shares = 0.5 * modes.at_contact**2 * (sent[0] ** 2 + sent[1] ** 2) / scene.initial_energy
     share = float(shares[modes.frequencies * contact.end < MAX_RADIANS].sum())
-    if share <= NEGLIGIBLE_ENERGY:
+    energy = min(share, 1.0)
+    if energy <= NEGLIGIBLE_ENERGY:
         return []
+    if not isinstance(body, Bending):
+        return [Note("ringing-left-out", Severity.WARNING, body=name, energy=energy)]
     mass = other.modes(1).rigid_mass
-    half = spring_of(beam).half_swing(mass) if math.isfinite(mass) else 0.5 * beam.time_unit
-    lasts, energy = contact.end / half, min(share, 1.0)
-    return [Note("vibration-left-out", Severity.WARNING, share=lasts, body=name, energy=energy)]
+    half = spring_of(body).half_swing(mass) if math.isfinite(mass) else 0.5 * body.time_unit
+    return [Note("vibration-left-out", Severity.WARNING, share=contact.end / half, body=name, energy=energy)]

@@ -12,6 +12,7 @@ from pytest import approx
 
 import solvers
 from solvers import QuasiStatic, Scene, SceneError, SceneNotSupported, Waves
+from solvers.bodies.lumped import RigidMass
 from solvers.contact.plastic import PlasticLinear, PlasticPower, YigitChristoforou
 from solvers.contact.viscous import damping_for
 from solvers.methods.quasi_static.springs import spring_of
@@ -22,6 +23,8 @@ from solvers.numerics.collisions import (
     power_collision,
     sine_collision,
 )
+from solvers.numerics.modes import rigid_body
+from solvers.text.notes import Note, Severity
 from tests.catalog import RIGID, ROD, SIGMA0_AREA, STEEL_ROD, STEEL_ROD_MASS, T, bronze_rod, struck_beam, struck_rod
 
 MASS, SPEED, STIFFNESS = 0.2, 2.03, 6.92e9
@@ -489,6 +492,52 @@ def test_a_contact_that_waves_outrun_gets_a_note():
     assert "Masses alike" in str(QuasiStatic().solve(struck_rod(1.0)).notes[0])
     (note,) = QuasiStatic().solve(struck_rod(0.05)).notes
     assert "Missed re-contact" in str(note) and "0.61 % of the impulse" in str(note)
+
+
+@dataclasses.dataclass(frozen=True)
+class Bell(RigidMass):
+    """A free mass with one mode, of a kind that no method has met."""
+
+    frequency: float = 1.0  # [rad/s]
+    amplitude: float = 1.0  # of its shape where it is struck [kg^-1/2]
+    time_unit = 1e-3
+
+    def modes(self, count):
+        one = np.array([self.amplitude])
+        return dataclasses.replace(rigid_body(self.mass), frequencies=np.array([self.frequency]), at_contact=one)
+
+
+class Gong(Bell):
+    """The same, but its modes are not known."""
+
+    no_modes = Note("refusals.no-modes", Severity.REFUSAL, body="gong")
+
+
+def bell(kind=Bell, frequency=0.7, amplitude=0.4) -> Scene:
+    """Struck on a linear contact, whose half sine has 1 rad/s."""
+    law, mass = solvers.LAWS["linear"](1.0), 2.0
+    scene = Scene.from_table({"impactor": {"mass": mass, "velocity": 1.0}, "target": {"kind": "mass", "mass": mass}})
+    struck = kind("mass", mass, 0.0, frequency=frequency, amplitude=amplitude)
+    return dataclasses.replace(scene, contact=law, target=struck)
+
+
+def test_any_body_that_rings_is_said_to_be_left_ringing():
+    """F = sin t for half a period: |integral F exp(i w t)| = 2 cos(pi w / 2) / (1 - w^2), q' = phi times that."""
+    (note,) = QuasiStatic(model="local").solve(bell()).notes
+    sent = 2.0 * math.cos(0.35 * math.pi) / (1.0 - 0.7**2)
+    assert (note.code, note.values["body"]) == ("ringing-left-out", "target")
+    assert note.values["energy"] == approx(0.5 * (0.4 * sent) ** 2, rel=1e-5)
+    assert QuasiStatic(model="local").solve(bell(frequency=3.0)).notes == []  # cos(3 pi / 2) = 0
+    assert [note.code for note in QuasiStatic(model="local").solve(bell(Gong)).notes] == ["ringing-unknown"]
+
+
+def test_a_mechanism_that_bends_is_said_to_be_left_ringing():
+    """By the name of the body that the visitor sees, also where it strikes and is solved the other way round."""
+    method = QuasiStatic(model="local")
+    struck, strikes = (method.solve(solvers.load(name)).notes for name in ("bent-rods", "trip-hammer"))
+    assert [(note.code, note.values["body"]) for note in struck] == [("ringing-left-out", "target")]
+    told = {note.code: note.values.get("body") for note in strikes}
+    assert (told["ringing-left-out"], told["waves-matter"]) == ("impactor", "target")
 
 
 def test_a_heavy_rod_is_not_structural_and_said_so():

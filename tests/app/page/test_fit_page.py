@@ -1,0 +1,144 @@
+"""Nothing overlaps, is cut, or is beyond the edge: words of the page and words on its pictures, at every size."""
+
+import pytest
+from playwright.sync_api import expect
+
+INSTANTS = [0, 0.1, 0.35, 0.6, 1]  # as shares of the impact
+
+# Words drawn on canvases that leave them, or lie on other words; at instants of the impact.
+DRAWN = """(instants) => {
+  const { page } = strikewave;
+  const context = CanvasRenderingContext2D.prototype;
+  const { fillText } = context;
+  const found = new Set();
+  const seen = (canvas) => canvas.isConnected && canvas.checkVisibility();
+  for (const share of instants) {
+    const written = new Map();
+    context.fillText = function (text, x, y) {
+      const box = this.measureText(text), place = this.getTransform();
+      const { x: left, y: top } = place.transformPoint({
+        x: x - box.actualBoundingBoxLeft, y: y - box.actualBoundingBoxAscent });
+      const { x: right, y: bottom } = place.transformPoint({
+        x: x + box.actualBoundingBoxRight, y: y + box.actualBoundingBoxDescent });
+      const words = written.get(this.canvas) ?? [];
+      if (text.trim()) written.set(this.canvas, [...words, { text, left, top, right, bottom }]);
+      return fillText.call(this, text, x, y);
+    };
+    page.player.go(share * page.player.duration);
+    for (const [canvas, words] of written)
+      for (const [k, { text, left, top, right, bottom }] of seen(canvas) ? words.entries() : []) {
+        if (left < -1 || top < -1 || right > canvas.width + 1 || bottom > canvas.height + 1) found.add(`cut: ${text}`);
+        for (const other of words.slice(k + 1))
+          if (Math.min(right, other.right) - Math.max(left, other.left) > 1 &&
+              Math.min(bottom, other.bottom) - Math.max(top, other.top) > 1)
+            found.add(`overlap: ${text}, ${other.text}`);
+      }
+  }
+  context.fillText = fillText;
+  return [...found];
+}"""
+
+# Words of the page that their boxes cut off, that are beyond the window with nothing to scroll, or that lie on others.
+WRITTEN = """() => {
+  const all = (root) => [...root.querySelectorAll('*')].flatMap((e) => [e, ...(e.shadowRoot ? all(e.shadowRoot) : [])]);
+  const above = (e) => e.parentElement ?? e.getRootNode().host;
+  const own = (e) => [...e.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
+  const clipped = (e) => getComputedStyle(e).clipPath !== 'none';
+  const words = all(document).filter((e) => own(e) && e.checkVisibility({ visibilityProperty: true })
+    && !['OPTION', 'SCRIPT', 'STYLE'].includes(e.tagName) && !clipped(e) && !e.closest('.unseen, svg'));
+  const found = new Set();
+  const boxes = words.map((e) => {
+    const text = e.textContent.trim().slice(0, 40);
+    const { overflowX } = getComputedStyle(e);
+    if (['hidden', 'clip'].includes(overflowX) && e.scrollWidth > e.clientWidth + 1) found.add(`cut: ${text}`);
+    const range = document.createRange();
+    range.selectNodeContents(e);
+    let [left, top, right, bottom, scrolls] = [-Infinity, -Infinity, Infinity, Infinity, false];
+    for (let box = above(e); box; box = above(box)) {
+      const { overflowX: across, overflowY: down } = getComputedStyle(box);
+      if (across === 'visible' && down === 'visible') continue;
+      const edge = box.getBoundingClientRect();
+      [left, top] = [Math.max(left, edge.left), Math.max(top, edge.top)];
+      [right, bottom] = [Math.min(right, edge.right), Math.min(bottom, edge.bottom)];
+      scrolls ||= [across, down].some((how) => ['auto', 'scroll'].includes(how));
+    }
+    return [...range.getClientRects()].filter((box) => box.width > 1).flatMap((box) => {
+      if (!scrolls && (box.right > innerWidth + 1 || box.left < -1)) found.add(`beyond: ${text}`);
+      const part = { text, e, left: Math.max(box.left, left), top: Math.max(box.top, top),
+        right: Math.min(box.right, right), bottom: Math.min(box.bottom, bottom) };
+      return part.right - part.left > 2 && part.bottom - part.top > 2 ? [part] : [];
+    });
+  }).flat();
+  boxes.forEach((a, k) => {
+    for (const b of boxes.slice(k + 1))
+      if (!a.e.contains(b.e) && !b.e.contains(a.e) && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 3 &&
+          Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4) found.add(`overlap: ${a.text}, ${b.text}`);
+  });
+  return [...found];
+}"""
+
+
+@pytest.mark.parametrize(
+    "size, query",
+    [
+        ((1280, 720), "?scene=hammer-on-cantilever"),
+        ((820, 1180), "?scene=bent-rods&panel=joints"),
+        ((820, 1180), "?scene=semi-infinite-rod"),
+        ((390, 844), "?scene=brick-on-floor"),
+    ],
+    ids=str,
+)
+def test_no_words_are_cut_or_lie_on_others(open_page, size, query):
+    page = open_page(query, size=size)
+    assert page.evaluate(DRAWN, INSTANTS) == []
+    assert page.evaluate(WRITTEN) == []
+
+
+def test_charts_that_a_scene_brings_are_folded_where_there_is_no_room_for_them(open_page):
+    """After one of rigid links, which has no waves to show."""
+    page = open_page("?scene=figure-6.6", size=(1280, 720))
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'figure-6.10')"))
+    page.wait(
+        """() => strikewave.page.view.stack.charts.every(([, { area, root }]) =>
+          root.hidden || root.classList.contains('folded') || area.clientHeight > 60)"""
+    )
+
+
+def test_the_clock_has_the_room_that_there_is(open_page):
+    page = open_page(size=(1280, 720))
+    track, player = (page.tab.locator(each).bounding_box()["width"] for each in (".pinned .track", ".pinned .player"))
+    assert track > 0.25 * player
+
+
+def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):
+    page = open_page()
+    length = page.tab.locator(".body").nth(1).get_by_label("Length")
+    length.fill("3 µm")
+    length.press("Enter")
+    wrong = page.tab.locator(".wrong:visible")
+    expect(wrong).to_have_text("“3 µm” is not possible. Allowed: 0.01 mm to 1e7 mm.")
+    expect(length).to_be_focused()
+    assert length.evaluate("element => getComputedStyle(element).outlineStyle") == "solid"
+
+
+def test_a_chain_has_no_rule_of_thumb(open_page):
+    """Which would go by a contact time that is known of one rod alone."""
+    page = open_page("?scene=split-hopkinson&panel=needs")
+    expect(page.tab.locator(".analysis table.plan tr").first).to_be_visible()
+    expect(page.tab.locator(".analysis:visible")).not_to_contain_text("Rule of thumb")
+
+
+def test_where_the_waves_of_a_shorter_impact_end_is_said(open_page):
+    page = open_page("?scene=fixed-rod&mass_ratio=0.2")
+    page.evaluate("() => strikewave.page.compare.keep()")
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 1.5)"))
+    said = page.evaluate(
+        """() => {
+          const context = CanvasRenderingContext2D.prototype, { fillText } = context, said = [];
+          context.fillText = function (text, ...place) { said.push(text); return fillText.call(this, text, ...place); };
+          strikewave.page.view.spaceTime.draw();
+          context.fillText = fillText;
+          return said;
+        }"""
+    )
+    assert "the present run has ended" in said
