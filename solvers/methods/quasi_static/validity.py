@@ -97,7 +97,8 @@ def _ringing_left_out(scene: Scene, name: str, motion: SampledMotion, contact: C
     modes, (times, forces) = body.modes(RINGING_MODES), motion.force_history()
     angle = np.multiply.outer(modes.frequencies, times)
     sent = [np.trapezoid(forces * wave(angle), times, axis=1) for wave in (np.cos, np.sin)]
-    shares = 0.5 * modes.at_contact**2 * (sent[0] ** 2 + sent[1] ** 2) / scene.initial_energy
+    whole = scene.initial_energy or 0.5 * scene.reduced_mass * scene.speed**2  # of a wall that comes nearer it is nil
+    shares = 0.5 * modes.at_contact**2 * (sent[0] ** 2 + sent[1] ** 2) / whole
     share = float(shares[modes.frequencies * contact.end < MAX_RADIANS].sum())
     energy = min(share, 1.0)
     if energy <= NEGLIGIBLE_ENERGY:

@@ -538,6 +538,9 @@ def test_a_mechanism_that_bends_is_said_to_be_left_ringing():
     assert [(note.code, note.values["body"]) for note in struck] == [("ringing-left-out", "target")]
     told = {note.code: note.values.get("body") for note in strikes}
     assert (told["ringing-left-out"], told["waves-matter"]) == ("impactor", "target")
+    wall = solvers.load("trip-hammer").replace({"target": {"kind": "stop"}})
+    (note,) = (note for note in method.solve(wall).notes if note.code == "ringing-left-out")
+    assert note.values["body"] == "impactor" and 0.01 < note.values["energy"] <= 1.0
 
 
 def test_a_heavy_rod_is_not_structural_and_said_so():
