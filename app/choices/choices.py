@@ -8,6 +8,8 @@ import solvers
 from solvers import LAWS, METHODS
 from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.contact.friction import MODELS
+from solvers.methods.base import Method
+from solvers.methods.multibody.method import Multibody
 from solvers.validation import shown
 
 from ..text.catalogues import page
@@ -17,6 +19,8 @@ _LOADED = {name: solvers.load(name) for name in solvers.scene_names()}
 SCENES = {name: scene.struck for name, scene in _LOADED.items()}  # a mechanism is shown as what is struck
 STRIKING = frozenset(name for name, scene in _LOADED.items() if scene.struck is not scene)  # in which it strikes
 START = next(iter(SCENES))
+LINKS = "flexible", "rigid"
+SOLVED_BY: dict[str, type[Method]] = {**METHODS, Multibody.NAME: Multibody}  # one for mechanisms only
 OF_LAWS = {name: values for law in LAWS.values() for name, values in law.VARIED.items()}  # constants of their own
 
 
@@ -48,7 +52,9 @@ class Choices(param.Parameterized):
     tilt_way = param.Number(default=0.0, bounds=(-180.0, 180.0))  # where to, about it [degrees]
     modes = param.Integer(default=50, bounds=(1, 200))
     elements = param.Integer(default=50, bounds=(1, 200))
-    method = param.Selector(default="waves", objects=list(METHODS))
+    method = param.Selector(default="waves", objects=list(SOLVED_BY))
+    motion_seconds = param.Number(default=0.0, bounds=(0.0, 20.0))  # for which links move on; 0: as long as is usual
+    motion_links = param.Selector(default=LINKS[0], objects=list(LINKS))  # as what links that bend move on
 
     KEYS: ClassVar = {"damping": "target.damping"}  # of choices that stand in scene files as they are
     CHOSEN = tuple(name for name, each in dict(locals()).items() if isinstance(each, param.Parameter))

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from solvers import Scene
+from solvers.methods.multibody.method import Multibody
 
 from .scene_of import acting_choices, chosen_scene, kind_of, own_choices
 
@@ -57,5 +58,5 @@ class Request:
 
     @property
     def method_beside(self) -> str:
-        """The method shown beside the exact solution: the chosen one, or modes where that is waves."""
-        return self.method if self.method != "waves" else "modal"
+        """The method shown beside the exact solution: the chosen one; modes where that is waves, or cannot be."""
+        return self.method if self.method not in ("waves", Multibody.NAME) else "modal"

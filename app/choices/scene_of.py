@@ -7,19 +7,22 @@ from typing import Any
 import numpy as np
 
 import solvers
-from solvers import LAWS, METHODS, Body, Scene, SceneError
-from solvers.bodies import AnyBody, Balls, FlexiblePendulum
+from solvers import LAWS, Body, Scene, SceneError
+from solvers.bodies import AnyBody, Balls, FlexiblePendulum, Mechanism
+from solvers.contact import Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
+from solvers.methods.multibody.method import Multibody
 
 from .beam import BEAM_CHOICES, on_beam, other_beam
 from .bodies import parts_of, read_values, with_values
-from .choices import SCENES, Choices, accepts
+from .choices import SCENES, SOLVED_BY, Choices, accepts
 from .mechanism import mechanism_changes, mechanism_values, on_mechanism
 from .space import has_length, in_space, leaning, struck_at, struck_place
 
 DEPTH = 1e-5  # [m] at which `force_at_depth` says how stiff a power law is: its stiffness has no unit of its own
 
+RESTORING = ("balance", "rigid", Multibody.NAME)  # methods that take a restitution
 OF_ANOTHER_NAME = ("stiffness", "restitution", "nominal_restitution", "damping")  # constants set by other choices
 
 
@@ -72,12 +75,13 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     method = dict(scene.method)
     wanted |= {option: method[option] for option in ("restitution", "modes", "elements") if option in method}
     named = method.get("name")  # which may be one that the page does not have
-    wanted["method"] = named if named in METHODS else solvers.usual_method(scene)
+    wanted["method"] = named if named in SOLVED_BY else solvers.usual_method(scene)
     wanted |= keyed(name, bodies)
     if bends_alone(scene):
         wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
     if on_mechanism(scene):
         wanted |= mechanism_values(scene)
+        wanted |= {"motion_seconds": method["duration"]} if named == Multibody.NAME and "duration" in method else {}
     elif on_beam(scene):
         wanted |= {name: read(scene.target) for name, read in BEAM_CHOICES.items()}
     if not in_space(scene):
@@ -163,15 +167,25 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
         names += mechanism_values(base)
     elif on_beam(base):
         names += BEAM_CHOICES
-    restored = "restitution" in LAWS[chosen["law"]].KEYS or chosen["method"] in ("balance", "rigid")
+    by_law = chosen["law"] != Rigid.NAME and moves_on(chosen)
+    restored = "restitution" in LAWS[chosen["law"]].KEYS or (chosen["method"] in RESTORING and not by_law)
     if restored or not (kind_of(base) == "beam" or isinstance(base.target, Balls)):
         names.append("restitution")
     if base.impactor.free_mass and np.isfinite(base.mass_ratio):
         names.append("mass_ratio")
     if on_mechanism(base):
-        return names
+        if not moves_on(chosen):
+            return names
+        bends = base.target.known_as(Mechanism).flexible
+        return [*names, "motion_seconds", *(["motion_links"] if bends else [])]
     shown = "modal" if chosen["method"] == "waves" else chosen["method"]
     return names + resolutions(base, shown)
+
+
+def moves_on(chosen: dict[str, Any]) -> bool:
+    """Whether a mechanism is followed as it moves on."""
+    base = base_of(chosen["scene"], chosen["bodies"])
+    return chosen["method"] == Multibody.NAME and on_mechanism(base) and base.impactor.free_mass
 
 
 def own_options(scene: Scene, method: str) -> dict[str, Any]:
@@ -186,9 +200,9 @@ def resolutions(scene: Scene, method: str) -> list[str]:
 
     Of a beam what makes the method finer: it keeps so few modes of its elements that their number need not be set.
     """
-    known, own = {option.name for option in fields(METHODS[method])}, own_options(scene, method)
+    known, own = {option.name for option in fields(SOLVED_BY[method])}, own_options(scene, method)
     if on_beam(scene) and not own:
-        known &= set(METHODS[method].RESOLUTIONS)
+        known &= set(SOLVED_BY[method].RESOLUTIONS)
     found = [name for name in ("modes", "elements") if name in known]
     return [name for name in found if name in own] or found
 

@@ -25,6 +25,7 @@ from typing import Any
 import numba
 
 from solvers.jit.cache import all_compiled
+from solvers.methods.multibody.method import Multibody
 
 from ..choices.beam import on_beam
 from ..choices.body_value import with_body_value
@@ -34,6 +35,7 @@ from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
 
 HANG_SECONDS = 60.0  # without a word while somebody waits: the longest single compilation takes some 15 s
+MOVING = "slider-crank", "four-bar-moves"  # mechanisms that move on, of rigid and of flexible links
 log = logging.getLogger("strikewave")
 
 
@@ -146,6 +148,8 @@ def usual() -> Iterator[Piece]:
     for work in asked:
         for law in laws:
             yield work.__name__, Choices(law=law, modes=5).chosen()
+    for scene in MOVING:
+        yield solve_frame.__name__, own_choices(scene) | {"method": Multibody.NAME}
     for view in VIEWS:
         for scene in view.scenes:
             yield from _asked(scene, [view])
@@ -182,7 +186,8 @@ def compile_at_once(processes: int) -> None:
     tasks: dict[str, list[Piece]] = {}
     for name, choices in usual():
         simple = choices.get("law", "rigid") == "rigid"
-        tasks.setdefault((name if name in apart else "") if simple else choices["law"], []).append((name, choices))
+        alone = name if name in apart else Multibody.NAME if choices["method"] == Multibody.NAME else ""
+        tasks.setdefault(alone if simple else choices["law"], []).append((name, choices))
     with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
         list(pool.map(_compile, tasks.values()))
     with suppress(OSError):

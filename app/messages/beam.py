@@ -5,18 +5,23 @@ same forces; for other methods it gets fields at (instant, place), closer togeth
 """
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from solvers import METHODS, Bending, Method, Modal, RigidImpulse, Scene, SceneError, Solution
 from solvers.accuracy.reference import MODES_BESIDE, modes_beside
+from solvers.methods import usual_method
 from solvers.methods.modal.method import ModalMotion
+from solvers.methods.multibody.method import Multibody
+from solvers.methods.multibody.motion import MovingMotion
 from solvers.numerics.beams.dispersion import dispersion
 from solvers.solution.motion import Bends
 from solvers.studies.contact_times import compare_with_half_space, contact_times
 from solvers.text.notes import Note
 
+from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
 from .encoding import (
     FORCE_POINTS,
@@ -31,6 +36,7 @@ from .encoding import (
     whole_numbers,
 )
 from .mechanism import RIGID_LINKS, mechanism_fields, mechanism_of, rigid_answer, struck_link
+from .moving import follow, moving_fields
 from .parts import parts_told
 from .solutions import method_options
 
@@ -51,7 +57,7 @@ CYCLE_SAMPLES = 700
 
 def chosen_method(request: Request) -> tuple[Method, Note | None]:
     """The chosen method, or modes where that one cannot solve the scene, or one impulse; with the note why."""
-    method = METHODS[request.method].read(method_options(request.method, request))
+    method = SOLVED_BY[request.method].read(method_options(request.method, request))
     reason = method.refusal(request.scene)
     if reason:
         method = Modal(modes=request.modes)
@@ -62,25 +68,52 @@ def chosen_method(request: Request) -> tuple[Method, Note | None]:
     return method, reason
 
 
+def method_at_impact(request: Request) -> Method:
+    """The same of the impact alone, for who asks for it many times: the usual one in place of one that moves on."""
+    if request.method == Multibody.NAME:
+        request = replace(request, method=usual_method(request.scene))
+    return chosen_method(request)[0]
+
+
 def main_solution(request: Request) -> tuple[Solution, Note | None]:
-    """The impact by `chosen_method`."""
+    """The impact by `chosen_method`, with the note why that is not the one that was asked for; of a mechanism that
+    moves on, why links that bend are taken as rigid."""
     method, reason = chosen_method(request)
+    if isinstance(method, Multibody):
+        return follow(request, method)
     own = request.scene.method
     follows = own.get("name") in (None, *METHODS)  # else it is that of one that moves on
     return method.solve_in_full(request.scene, own.get("duration") if follows else None), reason
 
 
-def beam_frame(request: Request) -> bytes:
-    """The message for one impact on a beam."""
-    scene = request.scene
-    main, reason = main_solution(request)
-    mechanism = mechanism_of(scene)
-    reference = None if request.draft else modes_beside(scene, main) if mechanism is None else rigid_answer(main)
+def _beside(request: Request, main: Solution) -> Solution | None:
+    """What is shown beside it, unless a hand moves on: another number of modes, or rigid links."""
+    if request.draft:
+        return None
+    if mechanism_of(main.scene) is None:
+        return modes_beside(request.scene, main)
+    return rigid_answer(main)
+
+
+def _drawn(
+    request: Request, main: Solution, reason: Note | None, reference: Solution | None
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Header and arrays of what the stage draws."""
+    if isinstance(main.motion, MovingMotion):
+        header, arrays = moving_fields(main, request, reason, reference)
+        return header, arrays | _history(main, "main")
     header, arrays = _fields(main)
     linkage, moved = mechanism_fields(main)
-    header |= linkage
-    arrays |= moved
-    time = instants(main.duration, MOTION_POINTS)
+    return header | linkage, arrays | moved
+
+
+def beam_frame(request: Request) -> bytes:
+    """The message for one impact on a beam."""
+    main, reason = main_solution(request)
+    scene, moves = request.scene, isinstance(main.motion, MovingMotion)
+    mechanism, reference = mechanism_of(main.scene), _beside(request, main)
+    header, arrays = _drawn(request, main, reason, reference)
+    time = _instants(main)
     arrays |= {"time": MS * time} | _paths(main, time, "")
     arrays |= {"impactorRate": main.known_motion.impactor_velocity(time), "struckRate": struck_velocity(main, time)}
     arrays |= _contacts(main) | _rates(main)
@@ -88,11 +121,12 @@ def beam_frame(request: Request) -> bytes:
         arrays |= _paths(reference, time, "reference")
         arrays |= _history(reference, "reference")
     refused = refusals(scene)
-    if refused["quasi-static"] is None:
+    if refused["quasi-static"] is None and not moves:
         arrays |= _static(scene, main)
     if mechanism is None:
         arrays |= _half_space(scene) | _speeds(scene, main)
-    arrays |= cycle(main, CYCLE_SAMPLES)
+    if not moves:  # which turns away from the line along which indentations are told
+        arrays |= cycle(main, CYCLE_SAMPLES)
     header |= {
         "kind": "beam",
         "chosen": request.chosen,
@@ -100,7 +134,7 @@ def beam_frame(request: Request) -> bytes:
         "draft": request.draft,
         "acting": request.acting,
         "refusals": refused,
-        "refused": reason and reason.table(),
+        "refused": None if moves else reason and reason.table(),
         "title": scene.title,
         "source": scene.source,
         "note": scene.note,
@@ -117,6 +151,14 @@ def beam_frame(request: Request) -> bytes:
         "span": _span(main),
     }
     return packed(header, arrays)
+
+
+def _instants(solution: Solution) -> np.ndarray:
+    """Of the motions [s]: closer together at first, but evenly where it goes on, with the impacts."""
+    if not isinstance(solution.motion, MovingMotion):
+        return instants(solution.duration, MOTION_POINTS)
+    edges = [edge for contact in solution.contacts[:LISTED_RATES] for edge in (contact.start, contact.end)]
+    return np.unique([*np.linspace(0.0, solution.duration, MOTION_POINTS), *edges])
 
 
 def _span(solution: Solution) -> dict[str, float | None]:
@@ -185,6 +227,8 @@ def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
         force = solution.motion.resolved_force(time)
     elif isinstance(solution.motion, ModalMotion):
         time, force = extremes(solution.motion.step, solution.motion.record.contact_force)
+    elif isinstance(solution.motion, MovingMotion) and solution.scene.rigid_contact:
+        time, force = np.array([0.0, solution.duration]), np.zeros(2)  # impulses without duration
     else:
         time, force = force_history(solution)
     return {f"{name}Time": MS * time, f"{name}Force": force}

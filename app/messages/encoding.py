@@ -11,10 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from solvers import METHODS, Scene, Solution
+from solvers import Scene, Solution
 from solvers.methods.modal.motion import ModalMotion
 from solvers.text.notes import Note
 
+from ..choices.choices import SOLVED_BY
 from .schema import check
 
 FORCE_POINTS = 1_200  # of a contact force
@@ -39,7 +40,7 @@ def coded(notes: list[Note]) -> list[dict[str, Any]]:
 
 def refusals(scene: Scene) -> dict[str, dict[str, Any] | None]:
     """Of every method why it cannot solve the scene, or None."""
-    found = {name: method().refusal(scene) for name, method in METHODS.items()}
+    found = {name: method().refusal(scene) for name, method in SOLVED_BY.items()}
     return {name: note and note.table() for name, note in found.items()}
 
 

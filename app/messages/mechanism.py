@@ -13,6 +13,8 @@ from solvers import Modal, RigidImpulse, Scene, Solution
 from solvers.bodies import Mechanism
 from solvers.bodies.linkage.joints import Joint
 from solvers.methods.mechanisms import MechanismMotion
+from solvers.methods.multibody.method import Multibody
+from solvers.methods.multibody.motion import MovingMotion
 
 from .encoding import instants, whole_numbers
 
@@ -31,7 +33,7 @@ def mechanism_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, Any]
     """Header and arrays; without any, if it is none."""
     motion = solution.known_motion
     if not isinstance(motion, MechanismMotion):
-        return {"mechanism": None}, {}
+        return {"mechanism": None, "moving": None}, {}
     time = instants(solution.duration, INSTANTS)
     links = motion.link_points(time, PARTS)
     places = np.stack([links[name] for name in motion.names], axis=1)  # (instants, links, places, 2)
@@ -43,7 +45,7 @@ def mechanism_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, Any]
     if motion.mechanism.joints:
         fine = instants(solution.duration, REACTIONS)
         arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
-    return {"mechanism": described(motion.mechanism)}, arrays
+    return {"mechanism": described(motion.mechanism), "moving": None}, arrays
 
 
 def described(mechanism: Mechanism) -> dict[str, Any]:
@@ -109,6 +111,8 @@ def rigid_answer(solution: Solution) -> Solution | None:
     if mechanism is None or not mechanism.flexible:
         return None
     scene = with_rigid_links(solution.scene)
+    if isinstance(solution.motion, MovingMotion):
+        return Multibody(restitution=solution.method["restitution"], estimate=False).solve(scene, solution.duration)
     method = Modal(estimate=False) if not scene.rigid_contact else RigidImpulse()
     return method.solve(scene, solution.duration)
 

@@ -3,11 +3,13 @@
 from dataclasses import replace
 from typing import Any
 
-from solvers import METHODS, Modal, Rod, Solution
+from solvers import Modal, Rod, Solution
 from solvers.methods.modal.method import STEPS_PER_PERIOD
+from solvers.methods.multibody.method import Multibody
 
+from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
-from ..choices.scene_of import own_options, resolutions
+from ..choices.scene_of import RESTORING, own_options, resolutions
 
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 LEAST_STEPS = 1_000  # of a draft, where a scene sets more
@@ -25,7 +27,7 @@ def beside(request: Request, exact: Solution) -> Solution | None:
     scene, name = request.scene, request.method_beside
     if name == exact.method["name"] and not by_modes(exact):
         name = "quasi-static"
-    method = METHODS[name].read(method_options(name, request, exact))
+    method = SOLVED_BY[name].read(method_options(name, request, exact))
     if method.refusal(scene):
         return None
     if isinstance(method, Modal):
@@ -48,7 +50,7 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
     options = own | {option: getattr(request, option) for option in resolutions(scene, name)}
     if name == "mode-switch":
         options["modes"] = max(options["modes"], LEAST_SWITCHED)
-    if name in ("balance", "rigid"):
+    if name in RESTORING and (name != Multibody.NAME or scene.rigid_contact):  # which knows contact laws besides
         options["restitution"] = request.restitution
     if request.draft and "steps" in options:
         options["steps"] = max(int(request.share * options["steps"]), min(LEAST_STEPS, options["steps"]))

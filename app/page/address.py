@@ -28,6 +28,8 @@ ASKED = {  # by name in the address: the property, the panel in which it is aske
     for key, (name, panel, question) in _QUESTIONS.items()
 }
 LONGEST_TEXT = 80  # of a value in an address
+FORMER = {"seconds": "motion_seconds", "links": "motion_links"}  # keys of older links, and what they are now
+FORMER_PANELS = {"motion": {"method": "multibody"}}  # what is a choice since
 
 
 def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
@@ -37,6 +39,7 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     """
     kept: dict[str, Any] = {}
     refused = []
+    arguments = _as_now(arguments)
     for name in (name for name in Choices.CHOSEN if name in arguments or name == "bodies"):
         if name == "bodies":  # whose values have keys of their own
             more, refused_too = _bodies_in(arguments, kept)
@@ -54,6 +57,13 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
     if "support" in arguments and "place" not in arguments and "support" in kept and "place" in kept:
         kept["place"] = free_place(kept["support"], kept["place"])
     return kept, refused
+
+
+def _as_now(arguments: dict[str, list[bytes]]) -> dict[str, list[bytes]]:
+    """The query of an older link as one would be written now."""
+    opened = text_of(arguments["panel"]).split(",") if "panel" in arguments else []
+    meant = {key: [value.encode()] for name in opened for key, value in FORMER_PANELS.get(name, {}).items()}
+    return meant | {FORMER.get(key, key): value for key, value in arguments.items()}
 
 
 def _bodies_in(arguments: dict[str, list[bytes]], kept: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
@@ -106,7 +116,7 @@ def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, An
     for name in filter(None, text_of(arguments["panel"]).split(",") if "panel" in arguments else ()):
         if name in PANELS:
             kept[PANELS[name]] = True
-        else:
+        elif name not in FORMER_PANELS:
             said = {"value": shown(shown_of(name, name)), "options": list(PANELS)}
             refused.append(page().text("refused.panel", **said))
     for key, (name, _, question) in _QUESTIONS.items():

@@ -17,12 +17,12 @@ from ..choices.bodies import is_key
 from ..choices.choices import Choices
 from ..jobs.fair import Shares
 from ..jobs.turns import Rate
-from ..page.address import ASKED, LONGEST_TEXT
+from ..page.address import ASKED, FORMER, LONGEST_TEXT
 from ..text.catalogues import page
 from .limits import IDLE_SECONDS, MAX_REOPEN_PAUSE, MAX_SESSIONS, REOPEN_PAUSE, SESSIONS_BURST, SESSIONS_RATE
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
-KNOWN = {*Choices.CHOSEN, *ASKED, "panel"}  # keys of an address; others never reach a session
+KNOWN = {*Choices.CHOSEN, *ASKED, *FORMER, "panel"}  # keys of an address; others never reach a session
 FULL = page().text("serving.full")
 
 

@@ -37,9 +37,7 @@ const SHEETS = [
   'compare/compare.css',
   'space/stage.css',
   'beam/beam.css',
-  ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust', 'motion'].map(
-    (name) => `panels/${name}.css`,
-  ),
+  ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
 ];
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again

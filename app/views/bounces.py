@@ -18,7 +18,7 @@ from solvers.provenance import clock
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.scene_of import base_of
-from ..messages.beam import chosen_method
+from ..messages.beam import method_at_impact
 from ..text.catalogues import page
 
 CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
@@ -70,7 +70,7 @@ def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -
 def method_of(request: Request) -> Method:
     """By which the page shows the impact: the exact one on an axis, the chosen one of a beam."""
     if request.kind == "beam":
-        return chosen_method(request)[0].without_estimate()
+        return method_at_impact(request).without_estimate()
     options = dict(exact_solution(request.scene, request.restitution).method)
     return METHODS[options.pop("name")].read(options).without_estimate()
 

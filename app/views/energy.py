@@ -1,6 +1,7 @@
 """Where the energy is, part by part, over time."""
 
 import json
+from collections.abc import Hashable
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from solvers.accuracy.reference import exact_solution
 from solvers.solution.motion import SplitsTarget
 
 from ..choices.request import Request
+from ..choices.scene_of import moves_on
 from ..messages.beam import MS, main_solution
 from ..text.catalogues import page
 from .figures import INK, blank, cursor, hover, legend, source
@@ -25,6 +27,14 @@ COLOURS = {  # of the parts, which have their names in the solution
     "local": "#7c9a54",
     "dissipated": "#a4243b",
 }
+
+
+def of_impacts(asked: dict[str, Any]) -> Hashable:
+    """All that was asked; None where a mechanism moves on, whose energies are beside its picture."""
+    try:
+        return None if moves_on(asked) else tuple(asked.items())
+    except ValueError:  # which the visitor sees where it is solved
+        return None
 
 
 def energy_data(chosen: dict[str, Any]) -> str:

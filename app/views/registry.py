@@ -6,14 +6,15 @@ from functools import partial
 from typing import Any
 
 from ..choices.questions import Question
-from . import bounces, joints, motion, plan, stability, tolerance
-from .energy import energy_data, energy_figure
+from . import bounces, joints, plan, stability, tolerance
+from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
 from .record import record_figure
 from .tradeoff import stored_data, tradeoff_data, tradeoff_figure, tradeoff_kernels
 from .trust import convergence_data, convergence_figure, trust_data, trust_figure
 
+OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links")
 KINDS = frozenset(("axial", "beam", "bodies"))  # of scene, see app.choices.scene_of.kind_of
 
 
@@ -24,7 +25,7 @@ def everything(asked: dict[str, Any]) -> Hashable:
 
 def any_method(asked: dict[str, Any]) -> Hashable:
     """What was asked, without the method and its resolution."""
-    return tuple((name, value) for name, value in asked.items() if name not in ("method", "modes", "elements"))
+    return tuple((name, value) for name, value in asked.items() if name not in OF_THE_METHOD)
 
 
 @dataclass(frozen=True)
@@ -97,7 +98,7 @@ class View:
 
 BEAMS, AXIAL = frozenset(("beam",)), frozenset(("axial",))
 VIEWS = (  # in the order in which an address names them
-    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BEAMS),
+    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BEAMS, depends_on=of_impacts),
     View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs", panel="plan"),
     View("auto", tolerance.auto_data, asked=tolerance.QUESTIONS, address="tolerance", depends_on=any_method,
          stoppable=True),
@@ -110,8 +111,6 @@ VIEWS = (  # in the order in which an address names them
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
          depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
-    View("motion", motion.motion_data, asked=motion.QUESTIONS, kinds=BEAMS, depends_on=motion.of_mechanisms, rests=True,
-         scenes=("slider-crank", "four-bar-moves")),
     View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
          scenes=("bent-rods",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),

@@ -9,7 +9,7 @@ from solvers import Modal, ensemble
 from solvers.studies.convergence import convergence
 
 from ..choices.request import Request
-from ..messages.beam import MS, chosen_method
+from ..messages.beam import MS, method_at_impact
 from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
@@ -31,7 +31,7 @@ def trust_data(chosen: dict[str, Any]) -> str:
 
 
 def _ensemble(request: Request) -> dict[str, Any]:
-    found = ensemble(request.scene, method=chosen_method(request)[0], runs=RUNS)
+    found = ensemble(request.scene, method=method_at_impact(request), runs=RUNS)
     rows = np.unique(np.linspace(0, found.time.size - 1, MOST_POINTS).round().astype(int))
 
     def band(given: Any) -> dict[str, list[float]]:
@@ -59,7 +59,7 @@ def convergence_data(chosen: dict[str, Any]) -> str:
     answer: dict[str, Any] = {"chosen": chosen}
     try:
         request = Request.of(chosen)
-        method, _ = chosen_method(request)
+        method = method_at_impact(request)
         answer |= convergence(request.scene, COUNTS, method if method.NAME in COUNTED else Modal()).table()
     except ValueError as refusal:  # SceneError
         answer["error"] = str(refusal)

@@ -2,6 +2,7 @@
 import { text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
 import { mechanismEvents, mechanismReasons } from './mechanism_story.js';
+import { keptOf, movingEvents, movingReasons } from './moving_story.js';
 
 /** @import { BeamFrame, Support } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -55,6 +56,7 @@ function holding({ beam, contacts, main, time, struckPath }) {
  * @returns {Event[]}
  */
 export function beamEvents(frame) {
+  if (frame.moving) return movingEvents(frame);
   if (frame.mechanism) return mechanismEvents(frame);
   const { contacts, main } = frame;
   const last = contacts.length - 1;
@@ -156,6 +158,7 @@ function ending(frame) {
  */
 export function reasonsOf(frame) {
   const { main } = frame;
+  if (frame.moving) return movingReasons(frame);
   if (frame.mechanism) return mechanismReasons(frame);
   const waveless = WAVELESS.includes(main.name);
   const held = waveless ? null : holding(frame);
@@ -169,6 +172,7 @@ export function reasonsOf(frame) {
  * @param {BeamFrame} frame
  */
 export function spanOf(frame) {
+  if (frame.moving) return keptOf(frame);
   const { beam, main, span } = frame;
   const held = WAVELESS.includes(main.name) ? null : holding(frame);
   const share = percent(span.apparent > 0 ? span.real / span.apparent : 1);

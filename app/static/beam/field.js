@@ -2,6 +2,7 @@
 // Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
 import { indexAt } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
+import { bendingOf } from './bending.js';
 
 /** @import { Range } from '../charts/scale.js' */
 /** @import { BeamFrame } from '../shell/message.js' */
@@ -314,9 +315,35 @@ export class SampledBeamField extends BeamField {
   }
 }
 
+/** The struck link of a mechanism that moves on; of a rigid one nothing bends. */
+export class MovingField extends BeamField {
+  /**
+   * @param {BeamFrame} frame
+   * @param {string} room
+   */
+  constructor(frame, room) {
+    super(frame, room);
+    const { struck } = given(frame.mechanism, 'mechanism');
+    this.bending = bendingOf(frame)[struck];
+    this.survey();
+  }
+  /**
+   * @param {number} t
+   * @param {What} what
+   * @param {Out} [out]
+   * @param {number} [first]
+   * @param {number} [every]
+   */
+  profile(t, what, out = new Float64Array(this.places), first = 0, every = 1) {
+    return this.bending ? this.bending.profile(t, what, out, first, every) : out.fill(0);
+  }
+}
+
 /**
  * @param {BeamFrame} frame
  * @param {string} [room]  of a field that is shown beside another
  */
-export const fieldOf = (frame, room = '') =>
-  frame.modalForce ? new ModalBeamField(frame, room) : new SampledBeamField(frame, room);
+export function fieldOf(frame, room = '') {
+  if (frame.moving) return new MovingField(frame, room);
+  return frame.modalForce ? new ModalBeamField(frame, room) : new SampledBeamField(frame, room);
+}

@@ -1,6 +1,6 @@
 // A struck mechanism on the stage: links that move and bend, their joints, and what the joints bear.
 import { letters } from '../charts/canvas.js';
-import { boxOf, roundBelow } from '../charts/scale.js';
+import { boxOf, indexAt, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
@@ -11,11 +11,6 @@ import { figures, prefixed } from '../text/format.js';
 
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {[x: number, y: number]} Point */
-/**
- * What is drawn of a message: where links are at first, how they move, and what their joints bear.
- * @typedef {Pick<BeamFrame, 'impactor' | 'linkMoves' | 'linkPoints' | 'linkTime' | 'mechanism' | 'reactions'
- *   | 'reactionTime' | 'shapes'> & { main: Partial<Pick<BeamFrame['main'], 'joints'>> }} Linkage
- */
 
 const SHOWN_MOVE = 0.12; // of the mechanism, that the largest movement is drawn as
 const ROOM = 46; // pixels about the mechanism, at most
@@ -36,8 +31,10 @@ export class Mechanism {
   /** @type {Point[][]} */ placed = []; // links as they are drawn, in pixels
   /** @type {Drawn | null} */ held = null; // where the striker is
 
+  shown = 'reach'; // movement whose scale can be shared
+
   /**
-   * @param {Linkage} frame
+   * @param {BeamFrame} frame
    * @param {number} reach  of the impactor while it touches [m]
    */
   constructor(frame, reach) {
@@ -50,26 +47,25 @@ export class Mechanism {
     this.places = frame.shapes.linkPoints[1];
     this.box = boxOf(this.points);
     this.size = Math.max(this.box[1] - this.box[0], this.box[3] - this.box[2]);
-    let most = reach;
-    for (const move of this.moves) most = Math.max(most, Math.abs(move));
-    this.reach = most;
-    this.magnify(most);
+    this.reach = this.furthest(reach);
+    this.magnify(this.reach);
     for (const force of frame.reactions ?? []) this.largest = Math.max(this.largest, Math.abs(force));
     this.sudden = !this.largest; // then all is over at once, and impulses are what there is
     for (const { impulse } of (this.sudden && frame.main.joints) || [])
       this.largest = Math.max(this.largest, ...impulse.map(Math.abs));
   }
+  /**
+   * How far the largest movement goes that is drawn larger.
+   * @param {number} reach
+   */
+  furthest(reach) {
+    let most = reach;
+    for (const move of this.moves) most = Math.max(most, Math.abs(move));
+    return most;
+  }
   /** @param {number} reach  the largest movement that is to be drawn [m] */
   magnify(reach) {
     this.factor = Math.max(roundBelow((SHOWN_MOVE * this.size) / reach), 1);
-  }
-  /**
-   * Draw all movement as large as it is, and all of the places in the picture.
-   * @param {ArrayLike<number>} places  x and y in turn [m]
-   */
-  roam(places) {
-    this.factor = 1;
-    this.box = boxOf(places);
   }
   /**
    * @param {number} width
@@ -92,12 +88,19 @@ export class Mechanism {
   pixel(x, y) {
     return [this.center[0] + (x - this.middle[0]) * this.scale, this.center[1] - (y - this.middle[1]) * this.scale];
   }
+  /**
+   * Between which instants it is, by the later one, and where.
+   * @param {number} t
+   */
+  instant(t) {
+    const { times } = this;
+    const k = Math.max(Math.min(indexAt(times, t) + 1, times.length - 1), 1);
+    return [k, Math.min(Math.max((t - times[k - 1]) / (times[k] - times[k - 1] || 1), 0), 1)];
+  }
   /** @param {number} t */
   place(t) {
-    const { factor, moves, places, points, times, told } = this;
-    let k = 1;
-    while (k < times.length - 1 && times[k] < t) k++;
-    const part = Math.min(Math.max((t - times[k - 1]) / (times[k] - times[k - 1] || 1), 0), 1);
+    const { factor, moves, places, points, told } = this;
+    const [k, part] = this.instant(t);
     const all = 2 * places * told.links.length;
     const moved = (/** @type {number} */ i) =>
       points[i] + factor * (moves[(k - 1) * all + i] * (1 - part) + moves[k * all + i] * part);
@@ -120,8 +123,9 @@ export class Mechanism {
    * @returns {Point}
    */
   along(link, share) {
-    const at = Math.min(Math.max(share, 0), 1) * (this.places - 1);
-    const k = Math.min(Math.floor(at), this.places - 2);
+    const last = this.placed[link].length - 1;
+    const at = Math.min(Math.max(share, 0), 1) * last;
+    const k = Math.min(Math.floor(at), last - 1);
     const [[a, b], [c, d]] = [this.placed[link][k], this.placed[link][k + 1]];
     return [a + (at - k) * (c - a), b + (at - k) * (d - b)];
   }
@@ -130,6 +134,10 @@ export class Mechanism {
     const [x, y] = this.told.normal;
     return [x, -y];
   }
+  /** What is drawn larger than it is. */
+  get scaleWords() {
+    return text('stage.movement', { times: figures(this.factor, 2) });
+  }
   /** Whether there are moments in the struck link. */
   get bends() {
     return this.told.links[this.told.struck].flexible;
@@ -137,10 +145,11 @@ export class Mechanism {
   /**
    * What strikes it, where it has come to.
    * @param {Context} c
+   * @param {number} _t
    * @param {number} moved  along the normal [m]
    * @param {boolean} touching
    */
-  striker(c, moved, touching) {
+  striker(c, _t, moved, touching) {
     const [nx, ny] = this.told.normal;
     const [x, y] = this.told.contact;
     this.striking(c, [x + this.factor * moved * nx, y + this.factor * moved * ny], [nx, ny], touching);
@@ -345,7 +354,7 @@ export class Mechanism {
     const written = [];
     this.told.links.forEach(({ name }, n) => {
       const [a, b] = this.along(n, n === this.told.struck ? 0.28 : 0.5);
-      const [[fx, fy], [lx, ly]] = [this.placed[n][0], this.placed[n][this.places - 1]];
+      const [[fx, fy], [lx, ly]] = [this.placed[n][0], this.placed[n][this.placed[n].length - 1]];
       const length = Math.hypot(lx - fx, ly - fy) || 1;
       const half = 0.5 * c.measureText(name).width;
       const [ax, ay] = [-(ly - fy) / length, (lx - fx) / length];

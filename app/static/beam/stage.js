@@ -8,6 +8,7 @@ import { figures, prefixed } from '../text/format.js';
 import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
 import { Mechanism } from './mechanism.js';
+import { MovingMechanism } from './moving.js';
 import { drawSupports } from './supports.js';
 
 /** @import { BeamFrame } from '../shell/message.js' */
@@ -67,7 +68,7 @@ export class BeamStage {
     let reach = field.largest.deflection;
     for (let k = 0; k < frame.time.length; k++)
       if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
-    this.mechanism = frame.mechanism ? new Mechanism(frame, reach) : null;
+    this.mechanism = frame.moving ? new MovingMechanism(frame) : frame.mechanism ? new Mechanism(frame, reach) : null;
     this.reach = this.mechanism?.reach ?? reach;
     this.#magnify();
     this.usual = { ...field.usual };
@@ -77,16 +78,16 @@ export class BeamStage {
   }
   /** Movement [m], diagrams and ends of the colours [SI] that fill the picture. */
   ranges() {
-    const { reach, scales, usual } = this;
+    const { mechanism, reach, scales, usual } = this;
     return {
-      reach,
+      [mechanism?.shown ?? 'reach']: reach,
       ...scales,
       ...Object.fromEntries(Object.entries(usual).map(([key, end]) => [`usual ${key}`, end])),
     };
   }
   /** @param {Record<string, number>} ranges  in place of its own */
   adopt(ranges) {
-    this.reach = ranges.reach ?? this.reach;
+    this.reach = ranges[this.mechanism?.shown ?? 'reach'] ?? this.reach;
     for (const name of /** @type {const} */ (['shear', 'moment']))
       this.scales[name] = ranges[name] ?? this.scales[name];
     for (const name of FIELDS) this.usual[name] = ranges[`usual ${name}`] ?? this.usual[name];
@@ -151,7 +152,7 @@ export class BeamStage {
     const value = (/** @type {number} */ share) => values[Math.round(share * (field.places - 1))];
     mechanism.links(c, value, this.usual[what], what === 'moment');
     mechanism.joints(c);
-    mechanism.striker(c, between(frame.time, frame.impactorPath, t), this.touching(t));
+    mechanism.striker(c, t, between(frame.time, frame.impactorPath, t), this.touching(t));
     mechanism.reactions(c, t);
     mechanism.words(c, 12, 36, width < LEAST_FOR_REACTIONS);
     this.striker?.draw(c, mechanism.held);
@@ -317,8 +318,8 @@ export class BeamStage {
     c.font = letters(12);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
-    const factor = this.mechanism?.factor ?? (this.scale * frame.beam.length) / this.long;
-    c.fillText(text('stage.movement', { times: figures(factor, 2) }), 12, 18);
+    const times = figures((this.scale * frame.beam.length) / this.long, 2);
+    c.fillText(this.mechanism?.scaleWords ?? text('stage.movement', { times }), 12, 18);
     if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
     if (this.mechanism?.bends ?? true) this.#colours(c);
   }

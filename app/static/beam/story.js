@@ -7,6 +7,7 @@ import { family, said, text } from '../text/catalogue.js';
 import { called, METHODS, noteOf } from '../text/words.js';
 import { beamEvents, reasonsOf, spanOf, tell } from './events.js';
 import { Joints } from './mechanism_story.js';
+import { impactTable, movingNow, movingShares } from './moving_story.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { BeamFigures, BeamFrame } from '../shell/message.js' */
@@ -49,7 +50,7 @@ export class BeamStory {
     this.frame = frame;
     const { contacts } = frame.main;
     this.events.load(beamEvents(frame));
-    this.whyHeading.textContent = text('beam.why.title', { contacts });
+    this.whyHeading.textContent = frame.moving ? text('motion.title') : text('beam.why.title', { contacts });
     this.why.textContent = reasonsOf(frame);
     this.span.textContent = spanOf(frame);
     this.warnings.load(this.#notes());
@@ -79,6 +80,10 @@ export class BeamStory {
     return [...notes, ...known, ...own.map((note) => text('story.beside', { method, note }))];
   }
   contactTable() {
+    if (this.frame.moving) {
+      impactTable(this.table, this.frame, (t) => this.page.player.seek(t));
+      return;
+    }
     const { contacts, duration: whole, main } = this.frame;
     const [factor, prefix] = prefixed(main.peakForce ?? 0);
     const digits = Math.min(Math.max(5 - Math.floor(Math.log10(whole)) - 1, 0), 4); // as many as fit
@@ -92,7 +97,7 @@ export class BeamStory {
     this.table.replaceChildren(contactHead(['', 'ms', 'ms', 'N s', `${prefix}N`]), make('tbody', {}, ...rows));
   }
   figures() {
-    const { beam, main, reference, span } = this.frame;
+    const { beam, main, moving, reference, span } = this.frame;
     const both = reference ? [main, reference] : [main];
     const [factor, prefix] = prefixed(main.peakForce ?? 0);
     /** @type {[name: string, show: (s: BeamFigures) => string | number][]} */
@@ -101,16 +106,19 @@ export class BeamStory {
       ['impactor', (s) => given(s.final)],
     ];
     if (!beam.held) rows.push(['target', (s) => given(s.targetFinal)]);
-    rows.push(
-      ['restitution', (s) => given(s.restitution.newton)],
-      ['impulse', (s) => given(s.impulse)],
-      ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
-      ['indentation', (s) => micro(s.peakIndentation)],
-    );
+    rows.push(['restitution', (s) => given(s.restitution.newton)], ['impulse', (s) => given(s.impulse)]);
+    if (!moving)
+      rows.push(
+        ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
+        ['indentation', (s) => micro(s.peakIndentation)],
+      );
     if (both.some((s) => s.residualIndentation)) rows.push(['dent', (s) => micro(s.residualIndentation)]);
+    if (!moving)
+      rows.push(
+        ['apparent', (s) => (s === main ? figures(span.apparent) : '')],
+        ['real', (s) => (s === main ? figures(span.real) : '')],
+      );
     rows.push(
-      ['apparent', (s) => (s === main ? figures(span.apparent) : '')],
-      ['real', (s) => (s === main ? figures(span.real) : '')],
       ['unaccounted', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)],
       ['solved', (s) => figures(s.diagnostics.wall_time * 1e3)],
     );
@@ -121,6 +129,10 @@ export class BeamStory {
     this.answers.replaceChildren(headOf(['', ...both.map(called)]), make('tbody', {}, ...lines));
   }
   shares() {
+    if (this.frame.moving) {
+      movingShares(this.energy, this.frame);
+      return;
+    }
     const { law, main, mechanism } = this.frame;
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
     const yields = law.yields && !['balance', 'rigid'].includes(main.name);
@@ -156,6 +168,7 @@ export class BeamStory {
     const { contacts, impactorRate, main, struckRate, time } = this.frame;
     const [own, ahead] = [between(time, impactorRate, t), between(time, struckRate, t)];
     const values = { contacts: main.contacts, own: speed(own), ahead: speed(ahead) };
+    if (this.frame.moving) return movingNow(this.frame, t, values);
     if (here >= 0) return tell('beam.now.touching', this.frame, { ...values, number: here + 1 });
     const before = contacts.findLastIndex(([, end]) => end < t);
     if (before === contacts.length - 1) return tell('beam.now.parted', this.frame, values);

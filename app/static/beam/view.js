@@ -8,6 +8,7 @@ import { Stack } from '../shell/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { called } from '../text/words.js';
 import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
+import { Energies } from './energies.js';
 import { fieldOf, FIELDS } from './field.js';
 import { Reactions } from './reactions.js';
 import { BeamStage } from './stage.js';
@@ -18,7 +19,10 @@ import { BeamStory } from './story.js';
 /** @import { Band } from './charts.js' */
 /** @import { BeamField, What } from './field.js' */
 
-/** @typedef {BeamSpaceTime | BeamForce | BeamMotion | Reactions | Dispersion | Cycle} Part  what has a chart */
+/**
+ * What has a chart.
+ * @typedef {BeamSpaceTime | BeamForce | BeamMotion | Reactions | Energies | Dispersion | Cycle} Part
+ */
 
 const SLOW_SECONDS = 16;
 const SLOW_CONTACTS = 4;
@@ -46,10 +50,11 @@ export class BeamView {
     this.dispersion = new Dispersion();
     this.cycle = new Cycle();
     this.reactions = new Reactions(this.axis, go);
+    this.energies = new Energies(this.axis, go);
     this.charts = [this.spaceTime, this.force, this.motion];
     this.axis.watch(() => this.zoomed());
     /** @type {Part[]} */
-    const parts = [...this.charts, this.reactions, this.cycle, this.dispersion];
+    const parts = [...this.charts, this.reactions, this.energies, this.cycle, this.dispersion];
     this.inView = new InView(parts, (part) => this.paint(part));
     this.story = new BeamStory(page);
     const names = family('beam.colour');
@@ -66,8 +71,9 @@ export class BeamView {
     this.slow.onclick = () => this.slowly();
     this.spaceTime.chart.title.after(this.colours.root);
     const [waves, force, moved] = this.charts.map(({ chart }) => chart);
-    this.stack = new Stack('beam', { waves, force, reactions: this.reactions.chart, moved }, () => page.redraw());
-    this.strip = force; // is seen on a phone, whatever else is
+    const [reactions, energy] = [this.reactions.chart, this.energies.chart];
+    this.stack = new Stack('beam', { waves, force, reactions, energy, moved }, () => page.redraw());
+    this.strip = force;
     this.buttons = [this.slow, this.whole];
     this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
     this.hide(true);
@@ -95,6 +101,9 @@ export class BeamView {
     this.motion.load(frame);
     this.cycle.load(frame);
     this.reactions.load(frame);
+    this.energies.load(frame);
+    this.force.chart.root.hidden = frame.moving?.restitution != null; // impulses without duration
+    this.strip = this.force.chart.root.hidden ? this.reactions.chart : this.force.chart; // is seen on a phone, whatever else is
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
     this.stack.arrange();
@@ -102,13 +111,21 @@ export class BeamView {
     const { lengthwise } = this.field;
     this.spaceTime.chart.title.textContent = text(lengthwise ? 'beam.chart.waves-along' : 'beam.chart.waves');
     for (const button of this.colours.root.children)
-      if (button instanceof HTMLElement) button.hidden = lengthwise && OF_BENDING.includes(button.dataset.kind ?? '');
+      if (button instanceof HTMLElement) button.hidden = !this.#shows(button.dataset.kind ?? '');
     this.dress();
     this.draw();
   }
+  /**
+   * Whether there is anything of it to be seen in this impact.
+   * @param {string} what
+   */
+  #shows(what) {
+    if (this.frame.moving) return what !== 'velocity'; // far from any line along which it could be told
+    return !this.field.lengthwise || !OF_BENDING.includes(what);
+  }
   /** What the colours show of this impact. */
   get shown() {
-    return this.field.lengthwise && OF_BENDING.includes(this.what) ? 'velocity' : this.what;
+    return this.#shows(this.what) ? this.what : this.frame.moving ? 'moment' : 'velocity';
   }
   dress() {
     const { shown } = this;

@@ -35,7 +35,8 @@ class Energy extends Panel {
     this.root.append(this.said, this.figure.root);
   }
   get away() {
-    return this.page.frame.kind === 'bodies';
+    const { frame } = this.page;
+    return frame.kind === 'bodies' || (frame.kind === 'beam' && Boolean(frame.moving)); // whose chart is at the stage
   }
   /**
    * @param {Shares | null} found

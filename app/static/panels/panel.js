@@ -7,7 +7,7 @@ import { family, said, text } from '../text/catalogue.js';
 /** @import { Answer } from '../shell/model.js' */
 
 export const QUANTITIES = family('name.quantity');
-const OF_THE_METHOD = ['method', 'modes', 'elements'];
+const OF_THE_METHOD = ['method', 'modes', 'elements', 'motion_seconds', 'motion_links'];
 
 export class Panel {
   /** @type {string | undefined} */ came; // the answer as it came, and what was read of it

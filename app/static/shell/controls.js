@@ -83,6 +83,7 @@ export class Controls {
       const reason = frame.refusals[option.value];
       option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
       option.title = reason ? said(reason) : '';
+      option.hidden = reason?.code === 'refusals.no-mechanism'; // of all other scenes
     }
     if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
     else if (frame.kind === 'beam')

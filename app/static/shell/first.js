@@ -17,7 +17,7 @@ const TRIES = family('first.tries');
  * @param {Frame} frame
  */
 export function seenIn(frame) {
-  if (frame.kind === 'beam' && frame.mechanism) return SEEN.mechanism;
+  if (frame.kind === 'beam' && frame.mechanism) return frame.moving ? SEEN.moving : SEEN.mechanism;
   if (frame.kind !== 'axial') return SEEN[frame.kind];
   if (frame.impactor.kind === 'pendulum') return SEEN.pendulum;
   return frame.rods.length > 1 ? SEEN.rods : frame.rods.length ? SEEN.rod : SEEN.compact;
@@ -28,7 +28,7 @@ export function seenIn(frame) {
  * @param {Frame} frame
  * @returns {Try[]}
  */
-export function triesOf({ chosen, kind, acting }) {
+export function triesOf({ chosen, kind, acting, refusals }) {
   const far = chosen.scene === 'free-rod' ? 'fixed' : 'free';
   /** @type {Try[]} */
   const all = [
@@ -36,6 +36,8 @@ export function triesOf({ chosen, kind, acting }) {
     [TRIES.heavier, 'mass_ratio', Number(chosen.mass_ratio) / 4],
   ];
   if (kind === 'beam') all.unshift([TRIES.middle, 'place', 0.5], [TRIES.few, 'modes', 5]);
+  if (kind === 'beam' && !refusals.multibody)
+    all.unshift([TRIES.rigid, 'motion_links', 'rigid'], [TRIES.moves, 'method', 'multibody']);
   if (kind === 'bodies') all.push([TRIES.elastic, 'restitution', 1], [TRIES.centre, 'place', 0.5]);
   if (['fixed-rod', 'free-rod'].includes(String(chosen.scene))) all.push([TRIES[far], 'scene', `${far}-rod`]);
   if (kind === 'axial') all.push([TRIES.losing, 'law', 'hunt-crossley'], [TRIES.softer, 'law', 'hertz']);

@@ -9,6 +9,8 @@ import { PaceMenu } from './pace.js';
 
 const SECONDS_PER_TRIP = 3;
 const SECONDS_PER_BEAM = 24; // at normal speed
+const SECONDS_PER_MOTION = 8; // at least; longer ones take the time that they take
+const MOST_WAITS = 6; // of a tour
 const STEP = 1 / 250; // of what is in view
 const AGAIN = 900; // ms at the end of a loop before it begins again
 const HAND = 700; // ms for which time stands still after a slider has moved: what changes then, the slider did
@@ -28,8 +30,11 @@ const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
  * What the clock needs of a message.
  * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen'>
  *   | Pick<SpaceFrame, 'kind' | 'duration' | 'chosen'>
- *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts'>} Clocked
+ *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts' | 'moving'>} Clocked
  */
+
+/** @param {Pick<BeamFrame, 'duration' | 'moving'>} frame  of a beam or a mechanism: seconds that it plays */
+const secondsOf = ({ duration, moving }) => (moving ? Math.max(SECONDS_PER_MOTION, duration / 1e3) : SECONDS_PER_BEAM);
 
 /**
  * What the clock asks of the page. Times as those that `show` is given.
@@ -54,6 +59,7 @@ export class Player {
   played = false; // ever, by hand
   looping = true;
   touring = false; // waits at every event for its caption to be read
+  waited = 0; // events of this tour
   waits = 0; // until when the clock stands
   scene = '';
   /** @type {Frame['kind'] | null} */ was = null;
@@ -120,11 +126,8 @@ export class Player {
     button.setAttribute('aria-keyshortcuts', key);
     return button;
   }
-  /**
-   * @param {Clocked} frame
-   * @param {number} seconds  that an impact on a beam takes at normal speed
-   */
-  load(frame, seconds = SECONDS_PER_BEAM) {
+  /** @param {Clocked} frame */
+  load(frame) {
     const first = !this.duration;
     // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
     this.start = frame.kind === 'bodies' ? -1 : 0;
@@ -134,7 +137,7 @@ export class Player {
     this.inTrips = frame.kind === 'axial';
     this.clock.dataset.term = this.inTrips ? 'T' : '';
     this.perSecond =
-      frame.kind === 'beam' ? this.duration / seconds : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
+      frame.kind === 'beam' ? this.duration / secondsOf(frame) : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
     this.usual = this.perSecond;
     this.until = Infinity;
     if (first) this.t = Math.min(0.36, 0.4 * this.duration);
@@ -166,6 +169,7 @@ export class Player {
   /** Play from the beginning, waiting at every event; the second time round without. */
   tour() {
     this.touring = true;
+    this.waited = 0;
     this.go(0);
     this.#play();
   }
@@ -267,8 +271,9 @@ export class Player {
     const from = this.t + this.start;
     const early = this.start + EARLY * this.duration; // what it begins with is said while it moves
     const meets = (/** @type {Event} */ [when]) => when > Math.max(from, early) && when <= t + this.start;
-    const met = this.touring ? this.score.events().find(meets) : undefined;
+    const met = this.touring && this.waited < MOST_WAITS ? this.score.events().find(meets) : undefined;
     this.go(met ? met[0] - this.start : t);
+    this.waited += met ? 1 : 0;
     if (met) this.#wait(met);
     else if (t >= end && this.looping) this.waits = performance.now() + AGAIN;
   }

@@ -30,7 +30,7 @@ const COUNTED = {
 /** @type {Record<string, string>} */
 const OPTIONS = {
   method: 'method-choice',
-  ...Object.fromEntries(['law', 'restitution_model', 'support', 'theory'].map((name) => [name, name])),
+  ...Object.fromEntries(['law', 'motion_links', 'restitution_model', 'support', 'theory'].map((name) => [name, name])),
 };
 /** @param {string} name */
 const labelOf = (name) => ({

@@ -77,10 +77,9 @@ class Multibody(Method):
         reached = lasts * most / steps
         return Note("refusals.flexible-steps", Severity.REFUSAL, steps=steps, most=most, reached=reached)
 
-    def reach(self, scene: Scene, steps: int) -> float:
-        """How long it can be followed in so many steps of the usual length [s]."""
-        lasts, needed = self._steps(scene.target.known_as(Mechanism), scene.speed, None)
-        return lasts * steps / needed
+    def lasts(self, scene: Scene, duration: float | None) -> tuple[float, int]:
+        """For how long it is followed [s], as is usual without a duration, and in how many steps."""
+        return self._steps(scene.target.known_as(Mechanism), scene.speed, duration)
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         reason = self.too_long(scene, duration, MOST_STEPS_OF_FLEXIBLE)

@@ -14,7 +14,8 @@ from app.messages.schema import MESSAGES, RECORDS, check
 from app.messages.solve import solve_frame
 from tests.app.messages.test_axial import arrays
 
-TYPES = (Path(app.__file__).parent / "static/shell/message.js").read_text()
+STATIC = Path(app.__file__).parent / "static"
+TYPES = "".join((STATIC / folder / "message.js").read_text() for folder in ("shell", "beam"))
 OF_THE_BROWSER = {"record", "shapes"}  # which no message holds
 LARGEST = 100_000  # bytes of a message
 FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "bodies": "SpaceFrame"}

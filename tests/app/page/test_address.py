@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.page.address import ASKED, PANELS, opened_from_address
+from app.page.address import ASKED, PANELS, from_address, opened_from_address
 from app.page.questions import Questions
 
 
@@ -26,6 +26,13 @@ def test_a_question_and_its_panel_are_taken():
         "stability_axis": "modes",
         "auto_waves": False,
     }
+
+
+def test_older_links_to_the_panel_of_motion_show_it_on_the_stage():
+    query = {"scene": "four-bar", "panel": "motion,energy", "seconds": "0.02", "links": "rigid"}
+    kept, refused = from_address({key: [text.encode()] for key, text in query.items()})
+    assert refused == [] and read(**query) == ({"energy_shown": True}, [])
+    assert (kept["method"], kept["motion_seconds"], kept["motion_links"]) == ("multibody", 0.02, "rigid")
 
 
 def test_no_panel_is_open_where_none_is_named():

@@ -7,7 +7,7 @@ from app.choices.choices import Choices
 from app.choices.request import Request
 from app.choices.scene_of import choices_of
 from app.messages.beam import main_solution
-from app.views.energy import COLOURS, energy_shares
+from app.views.energy import COLOURS, energy_shares, of_impacts
 from solvers import LAWS
 
 BEAM = "figure-8.15"
@@ -40,3 +40,9 @@ def test_the_energy_of_a_beam_follows_every_contact():
     for contact in main_solution(Request.of(chosen))[0].contacts:
         within = (time >= 1e3 * contact.start * (1.0 - 1e-9)) & (time <= 1e3 * contact.end * (1.0 + 1e-9))
         assert within.sum() >= 24
+
+
+def test_a_mechanism_that_moves_on_has_its_energies_beside_its_picture():
+    own = Choices(scene="four-bar", **choices_of("four-bar")).chosen()
+    assert of_impacts(own) is not None and of_impacts(own | {"method": "multibody"}) is None
+    assert of_impacts(own | {"bodies": "target.nothing=1"}) is None

@@ -11,7 +11,7 @@ from app.choices.choices import SCENES, Choices
 from app.choices.scene_of import choices_of, kind_of
 from app.jobs.compiler import usual
 from app.page.lab import Lab
-from app.views.motion import motion_data
+from app.views.bounces import bounces_data
 from app.views.registry import KINDS, VIEWS, View, any_method
 
 REGISTERED = """
@@ -182,8 +182,8 @@ def test_what_an_answer_depends_on_leaves_the_method_out():
 
 
 def test_a_view_with_a_scene_of_its_own_is_compiled_with_that():
-    pieces = [asked["scene"] for name, asked in usual() if name == motion_data.__name__]
-    assert pieces == ["slider-crank", "four-bar-moves"]  # links that are rigid, and that bend
+    pieces = [asked["scene"] for name, asked in usual() if name == bounces_data.__name__]
+    assert pieces == ["bouncing-ball"]
 
 
 def test_a_view_for_all_scenes_is_compiled_on_an_axis():

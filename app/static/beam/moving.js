@@ -1,0 +1,143 @@
+// A mechanism that moves on: links on their ways, bent larger than they are, and the mass where it flies.
+import { between, boxOf, roundBelow } from '../charts/scale.js';
+import { COLORS } from '../charts/styles.js';
+import { given } from '../shell/message.js';
+import { text } from '../text/catalogue.js';
+import { figures } from '../text/format.js';
+import { bendingOf } from './bending.js';
+import { Mechanism } from './mechanism.js';
+
+/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { Context, Point } from './mechanism.js' */
+
+const SHOWN_BEND = 0.06; // of the mechanism, that the largest deflection is drawn as
+const MOST = 100; // times that bending is drawn larger
+const AROUND = 0.35; // of the mechanism, as far as which the mass is followed
+const TOP = 26; // pixels
+const SEEN = 0.012; // of the whole time for which an impact is marked
+
+export class MovingMechanism extends Mechanism {
+  shown = 'bend'; // movement whose scale can be shared
+  /** @type {{ time: number[], x: number[], y: number[] }} */ beside = { time: [], x: [], y: [] };
+
+  /** @param {BeamFrame} frame */
+  constructor(frame) {
+    const bends = bendingOf(frame);
+    super(frame, Math.max(0, ...bends.map((bending) => bending?.largest ?? 0)));
+    this.bending = bends;
+    this.rows = bends.map((bending) => (bending ? new Float64Array(bending.places) : null));
+    const flown = given(frame.massPlaces, 'massPlaces');
+    const { points } = this;
+    this.mass = { x: flown.filter((_, k) => k % 2 === 0), y: flown.filter((_, k) => k % 2 === 1) };
+    const places = this.moves.map((move, k) => points[k % points.length] + move);
+    this.box = boxOf(places);
+    this.box = boxOf([...places, ...this.#near()]);
+    this.magnify(this.reach);
+  }
+  /** How far the largest movement goes that is drawn larger: bending alone. */
+  furthest(/** @type {number} */ reach) {
+    return reach;
+  }
+  /** @param {number} reach  the largest deflection of a link [m] */
+  magnify(reach) {
+    this.factor = reach > 0 ? Math.min(Math.max(roundBelow((SHOWN_BEND * this.size) / reach), 1), MOST) : 1;
+    if (this.bending) this.#meet();
+  }
+  /**
+   * Below what is written at the top, where the mass may fly.
+   * @param {number} width
+   * @param {number} height
+   */
+  fit(width, height) {
+    super.fit(width, height - TOP);
+    this.center[1] += TOP;
+  }
+  /** Where the mass flies, as long as it is near the links. */
+  #near() {
+    const [left, right, low, high] = this.box;
+    const room = AROUND * Math.max(right - left, high - low);
+    const { x, y } = this.mass;
+    const inside = (/** @type {number} */ k) =>
+      x[k] > left - room && x[k] < right + room && y[k] > low - room && y[k] < high + room;
+    return Array.from(x).flatMap((_, k) => (inside(k) ? [x[k], y[k]] : []));
+  }
+  /** By how much the mass is drawn elsewhere, so that it meets the link where that is drawn. */
+  #meet() {
+    const { at, struck } = this.told;
+    const normals = given(this.frame.normals, 'normals');
+    const time = Array.from(normals.subarray(0, normals.length / 2));
+    const off = time.map((t) => {
+      const [[a, b], [x, y]] = this.ends(struck, t);
+      const long = Math.hypot(x - a, y - b) || 1;
+      const row = this.bending[struck]?.profile(t, 'deflection');
+      const more = row ? (this.factor - 1) * row[Math.round(at * (row.length - 1))] : 0;
+      return [(-more * (y - b)) / long, (more * (x - a)) / long];
+    });
+    this.beside = { time, x: off.map(([x]) => x), y: off.map(([, y]) => y) };
+  }
+  /**
+   * The line from which a link's deflection is drawn: its ends [m].
+   * @param {number} n
+   * @param {number} t
+   * @returns {[Point, Point]}
+   */
+  ends(n, t) {
+    const { moves, points, told } = this;
+    const [k, part] = this.instant(t);
+    const all = 4 * told.links.length;
+    const value = (/** @type {number} */ i) =>
+      points[i] + moves[(k - 1) * all + i] * (1 - part) + moves[k * all + i] * part;
+    const i = 4 * n;
+    return [
+      [value(i), value(i + 1)],
+      [value(i + 2), value(i + 3)],
+    ];
+  }
+  /** @param {number} t */
+  place(t) {
+    this.placed = this.told.links.map((_, n) => {
+      const [[a, b], [x, y]] = this.ends(n, t);
+      const row = this.rows[n];
+      if (!row) return [this.pixel(a, b), this.pixel(x, y)];
+      this.bending[n]?.profile(t, 'deflection', row);
+      const long = Math.hypot(x - a, y - b) || 1;
+      const [across, up] = [(-this.factor * (y - b)) / long, (this.factor * (x - a)) / long];
+      return Array.from(row, (bent, j) => {
+        const share = j / (row.length - 1);
+        return this.pixel(a + share * (x - a) + bent * across, b + share * (y - b) + bent * up);
+      });
+    });
+  }
+  /**
+   * @param {Context} c
+   * @param {number} t
+   */
+  striker(c, t) {
+    const { beside, frame, mass, times } = this;
+    this.#path(c);
+    const normals = given(frame.normals, 'normals');
+    const edges = normals.length / 2;
+    const angle = between(normals.subarray(0, edges), normals.subarray(edges), t);
+    const off = (/** @type {'x' | 'y'} */ way) => between(times, mass[way], t) + between(beside.time, beside[way], t);
+    const touching = frame.contacts.some(([start, end]) => t >= start && t <= end + SEEN * frame.duration);
+    this.striking(c, [off('x'), off('y')], [Math.cos(angle), Math.sin(angle)], touching);
+  }
+  /**
+   * The way of the mass.
+   * @param {Context} c
+   */
+  #path(c) {
+    const { x, y } = this.mass;
+    c.strokeStyle = COLORS.edge;
+    c.lineWidth = 1;
+    c.setLineDash([2, 4]);
+    c.beginPath();
+    for (let k = 0; k < x.length; k++) c.lineTo(...this.pixel(x[k], y[k]));
+    c.stroke();
+    c.setLineDash([]);
+  }
+  /** What is drawn larger than it is. */
+  get scaleWords() {
+    return text('motion.scale', { times: figures(this.factor, 2), bends: this.bending.some(Boolean) });
+  }
+}

@@ -1,0 +1,110 @@
+// What happens as a mechanism moves on: its impacts, one after the other, and what each gives to its joints.
+import { headOf, make, rowOf } from '../shell/dom.js';
+import { given } from '../shell/message.js';
+import { showEnergy } from '../shell/story.js';
+import { family, said, text } from '../text/catalogue.js';
+import { duration, figures, speed } from '../text/format.js';
+
+/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { Event } from '../shell/story.js' */
+
+/** @type {Record<string, string>} */
+const OF_COLOURS = { links: 'target_rigid' }; // parts that have the colour of another
+
+/**
+ * A sentence on it, with its values.
+ * @param {string} code
+ * @param {BeamFrame} frame
+ * @param {Record<string, any>} [values]
+ */
+function tell(code, frame, values = {}) {
+  const { links, struck } = given(frame.mechanism, 'mechanism');
+  return text(`motion.${code}`, {
+    ...{ striker: frame.impactor.kind, link: links[struck].name, contacts: frame.main.contacts },
+    ...{ time: duration(frame.duration), ...values },
+  });
+}
+
+/**
+ * Every impact, as far as they are told one by one.
+ * @param {BeamFrame} frame
+ * @returns {Event[]}
+ */
+export const movingEvents = (frame) =>
+  frame.contacts.map(([start, , impulse], k) => [
+    start,
+    tell('event', frame, { number: k + 1, impulse: figures(impulse, 4), approach: speed(frame.speed) }),
+  ]);
+
+/** @param {BeamFrame} frame  whether contacts last, by a law */
+const byLaw = ({ moving }) => moving?.restitution === null;
+
+/** @param {BeamFrame} frame */
+export const movingReasons = (frame) =>
+  tell('why', frame, {
+    law: byLaw(frame),
+    bends: given(frame.mechanism, 'mechanism').links.some(({ flexible }) => flexible),
+  });
+
+/**
+ * How well it is followed, and for how long.
+ * @param {BeamFrame} frame
+ */
+export function keptOf(frame) {
+  const { cut, restitution, rigid } = given(frame.moving, 'moving');
+  const { constraint_error: gap, energy_drift: drift, estimated_error: error } = frame.main.diagnostics;
+  const law = { law: byLaw(frame), restitution: restitution ?? 1 };
+  const words = [tell('impacts', frame, law), text('motion.kept', { drift, gap })];
+  if (rigid) words.push(text('motion.rigid', { why: said(rigid) }));
+  if (cut) words.push(tell('cut', frame));
+  if (error) words.push(text('motion.uncertain', { error }));
+  return words.join(' ');
+}
+
+/**
+ * What goes on at an instant.
+ * @param {BeamFrame} frame
+ * @param {number} t
+ * @param {{ own: string, ahead: string }} values  velocities along the first normal
+ */
+export const movingNow = (frame, t, values) =>
+  tell('now', frame, { before: frame.contacts.filter(([start]) => start <= t).length, ...values });
+
+/**
+ * Every impact with what the joints get of it.
+ * @param {HTMLElement} table
+ * @param {BeamFrame} frame
+ * @param {(t: number) => void} go
+ */
+export function impactTable(table, frame, go) {
+  const { joints } = given(frame.mechanism, 'mechanism');
+  const { jolts } = given(frame.moving, 'moving');
+  const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`));
+  const names = joints.map(({ links }) => text('motion.column.joint', { joint: links.join(' – ') }));
+  const rows = jolts.map((jolt, k) => {
+    const [start, , impulse] = frame.contacts[k];
+    const when = make('button', { type: 'button', className: 'when', textContent: figures(start, 4) });
+    when.onclick = () => go(start);
+    return rowOf([k + 1, when, figures(impulse, 4), ...jolt.map((size) => figures(size))]);
+  });
+  const left = frame.main.contacts - jolts.length;
+  const more = make('td', { colSpan: 3 + joints.length, textContent: text('beam.table.more', { count: left }) });
+  if (left > 0) rows.push(make('tr', {}, more));
+  table.replaceChildren(headOf([...columns, ...names]), make('tbody', {}, ...rows));
+}
+
+/**
+ * Where the energy is in the end.
+ * @param {HTMLElement} root
+ * @param {BeamFrame} frame
+ */
+export function movingShares(root, frame) {
+  const energies = given(frame.energies, 'energies');
+  const { energies: names } = given(frame.moving, 'moving');
+  const each = energies.length / names.length;
+  const last = names.map((name, k) => [OF_COLOURS[name] ?? name, energies[(k + 1) * each - 1]]);
+  const told = family('motion.energy');
+  /** @type {[string, string][]} */
+  const parts = names.map((name) => [OF_COLOURS[name] ?? name, told[name]]);
+  showEnergy(root, { initial: frame.main.energy.initial, ...Object.fromEntries(last) }, parts, true);
+}

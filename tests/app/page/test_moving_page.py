@@ -1,0 +1,62 @@
+"""A mechanism that moves on, on the stage: by the page's clock, its impacts, what it bears, how long, and its link."""
+
+from playwright.sync_api import expect
+from pytest import approx
+
+from .test_access_page import findings
+from .test_page import settled
+
+STAGE = "strikewave.page.beam.stage"
+TURNED = f"() => {STAGE}.mechanism.placed[0].at(-1)"
+
+
+def test_the_links_go_far_on_the_stage_by_the_clock_of_the_page(open_page):
+    page = open_page("?scene=bouncing-on-piston&panel=motion&seconds=0.6")  # as older links say it
+    assert page.header("main")["name"] == "multibody" and page.header("duration") == approx(600.0)
+    for name in ("Reactions at the joints", "Energy"):
+        expect(page.tab.get_by_role("heading", name=name, exact=True)).to_be_visible()
+    expect(page.tab.get_by_role("heading", name="Contact force")).to_be_hidden()
+    assert findings(page) == []
+    first = page.evaluate(TURNED)
+    for _ in range(2):  # to the second impact
+        page.tab.locator("body").press("]")
+    second = page.evaluate("() => strikewave.page.frame.contacts[1][0]")
+    assert page.evaluate("() => strikewave.page.player.t") == approx(second, rel=1e-4)
+    assert page.evaluate(TURNED) != first
+    gap = page.evaluate(
+        f"""() => {{ const {{ mechanism }} = {STAGE}, {{ held, placed, told }} = mechanism;
+          const face = placed[told.struck][0][1] - 0.5 * mechanism.thick(told.struck);
+          return face - held.y - held.height / 2; }}"""
+    )
+    assert abs(gap) < 3  # pixels between mass and piston as they meet
+    assert page.tab.locator(".ticks i").count() == page.header("main")["contacts"]
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('motion_seconds', 0.3)"))
+    assert page.header("duration") == approx(300.0)
+    settled(page)
+    assert "motion_seconds=0.3" in page.evaluate("() => location.search")
+    page.turn_to("Numbers")
+    expect(page.tab.get_by_role("columnheader", name="at ground – crank")).to_be_visible()
+
+
+def test_a_link_that_bends_is_drawn_bent_larger_and_the_mass_meets_it_there(open_page):
+    page = open_page("?scene=four-bar-moves&motion_seconds=0.06")
+    page.evaluate("() => strikewave.page.player.go(strikewave.page.frame.contacts[4][0])")
+    shown = page.evaluate(f"() => ({{ factor: {STAGE}.mechanism.factor, words: {STAGE}.mechanism.scaleWords }})")
+    assert shown["factor"] > 1 and f"bending drawn × {shown['factor']:g}" in shown["words"]
+    apart = page.evaluate(
+        f"""() => {{ const {{ mechanism }} = {STAGE}, {{ held, placed, told }} = mechanism;
+          const [x, y] = placed[told.struck].at(-1);
+          return Math.hypot(held.x - x, held.y - y) - (held.width + mechanism.thick(told.struck)) / 2 - 1; }}"""
+    )
+    assert abs(apart) < 3  # pixels, of a bar that is struck at its tip
+    expect(page.tab.get_by_role("button", name="velocity", exact=True)).to_be_hidden()
+    expect(page.tab.get_by_label("Links that bend")).to_be_visible()
+    page.answered(lambda: page.tab.get_by_label("Method", exact=True).select_option("modal"))
+    expect(page.tab.get_by_label("Links that bend")).to_be_hidden()
+    expect(page.tab.get_by_role("heading", name="Contact force")).to_be_visible()
+
+
+def test_it_plays_as_it_opens_and_fits_on_a_phone(open_page):
+    page = open_page("?scene=slider-crank&method=multibody", size=(390, 844), reduced_motion="no-preference")
+    page.fits(390)
+    page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
