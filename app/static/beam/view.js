@@ -102,8 +102,9 @@ export class BeamView {
     this.cycle.load(frame);
     this.reactions.load(frame);
     this.energies.load(frame);
-    this.force.chart.root.hidden = frame.moving?.restitution != null; // impulses without duration
-    this.strip = this.force.chart.root.hidden ? this.reactions.chart : this.force.chart; // is seen on a phone, whatever else is
+    const sudden = Boolean(frame.moving) && frame.moving?.restitution !== null; // impulses without duration
+    this.force.chart.root.hidden = sudden;
+    this.strip = sudden ? this.reactions.chart : this.force.chart; // is seen on a phone, whatever else is
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
     this.stack.arrange();
