@@ -365,6 +365,17 @@ def _turning_notes(solution: Solution, motion: MechanismMotion) -> list[Note]:
     angle = spins[fastest] * lasts
     if not angle:
         return []
-    grave = Severity.REMARK if 0.5 * angle**2 <= MAX_LEFT_OUT else Severity.WARNING
-    values = {"link": fastest, "angle": float(np.degrees(angle)), "error": 50.0 * angle**2}
-    return [Note("configuration-frozen", grave, **values)]
+    error = freezing_error(solution.scene, lasts, solution.impulse, angle)
+    grave = Severity.REMARK if error <= MAX_LEFT_OUT else Severity.WARNING
+    return [Note("configuration-frozen", grave, link=fastest, angle=float(np.degrees(angle)), error=100.0 * error)]
+
+
+def freezing_error(scene: Scene, lasts: float, impulse: float, angle: float) -> float:
+    """Of velocities along the normal over that of approach, if the configuration is kept while a contact lasts [s] and
+    gives an impulse [N s], in which it turns by an angle.
+
+    By the turn of the normal, and as what moves otherwise accelerates otherwise: right to a factor of two, see
+    `tests/solvers/methods/multibody/test_contact_laws.py`.
+    """
+    gained = scene.target.known_as(Mechanism).frozen.acceleration_gained(impulse)
+    return 0.5 * angle**2 + 0.5 * abs(gained) * lasts / scene.speed

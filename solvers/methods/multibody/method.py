@@ -15,6 +15,7 @@ from ...scene import Scene
 from ...solution.solution import ContactPeriod, Solution
 from ...text.notes import Note, Severity
 from ..base import Method, SceneNotSupported
+from ..mechanisms import freezing_error
 from ..options import option, real, whole
 from ..validity import cut_short
 from .flexible_motion import FlexibleMotion
@@ -41,14 +42,17 @@ MOST_CONTACT_STEPS = 100_000  # of contact laws, all kept; they take some ten se
 @dataclass(frozen=True)
 class Multibody(Method):
     """Links that move as far as they like, joints closed in positions and velocities, by a symplectic integrator of
-    sixth order; impacts of a point mass with a restitution, located to rounding.
+    sixth order; impacts of a point mass by a contact law or, where the contact is rigid, with a restitution, located to
+    rounding.
 
     The mass strikes the line of the struck link, bent as it is, along a normal that turns with it, and misses it a
     hundredth of its length beside its ends. Flexible links start bent by their weight and inertia, which is steady to
     first order.
-    Assumes: slopes of bent links small beside 1; impacts without duration or friction.
-    Error: sixth order in the step; the energy does not drift, but for rounding: 3e-15 a step of flexible links.
-    Source: thesis 6.2, 6.3, (6.12); kernels: see `numerics.multibody.moving`, and `variational` for flexible links.
+    Assumes: slopes of bent links small beside 1; no friction; a dent meets the mass again wherever that strikes.
+    Error: sixth order in the step, second in that of a contact by a law; the energy does not drift, but for rounding:
+    3e-15 a step of flexible links.
+    Source: thesis 6.2, 6.3, (6.12); kernels: see `numerics.multibody.moving`, `variational` for flexible links, and
+    `pressing` for contact laws.
     """
 
     restitution: float = option(1.0, real(0.0, 1.0))
@@ -234,12 +238,14 @@ class Multibody(Method):
 
 
 def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:
-    """How far the mechanism turns in any contact, and what it would be off by if it did not: half the square."""
+    """How far the mechanism turns in any contact, and what the first would be off by if it did not."""
     angles = motion.centres[:, 2::3]
     ends = np.searchsorted(motion.time, [(contact.start, contact.end) for contact in contacts])
     turned = np.abs(angles[ends[:, 1]] - angles[ends[:, 0]])
-    angle, link = float(turned.max()), int(turned.max(axis=0).argmax())
-    values = {"link": motion.mechanism.links[link].name, "angle": math.degrees(angle), "error": 50.0 * angle**2}
+    link = int(turned.max(axis=0).argmax())
+    first, angle = contacts[0], float(turned[0].max())
+    error = freezing_error(motion.scene, first.end - first.start, first.impulse, angle)
+    values = {"link": motion.mechanism.links[link].name, "angle": math.degrees(turned.max()), "error": 100.0 * error}
     return Note("configuration-followed", Severity.REMARK, **values)
 
 

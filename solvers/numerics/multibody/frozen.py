@@ -123,6 +123,15 @@ class Frozen:
         later = JERK_ANGLE / fastest
         return (self._acceleration_after(later) - self._acceleration_after(-later)) / (2.0 * later)
 
+    def acceleration_gained(self, impulse: float) -> float:
+        """How much more the struck point accelerates along the normal once an impulse [N s] has changed the rates, of
+        links that do not vibrate [m/s2]."""
+        found, link, at = [], self.link, self.at
+        for rates in (self.rates, self.rates + impulse / self.rigid_mass * self.whole):
+            turned = self.system.point(link, at) @ accelerations(self.system, rates)
+            found.append(float(self.normal @ (turned + self.system.centripetal(link, at, rates))))
+        return found[1] - found[0]
+
     @property
     def _angles(self) -> np.ndarray:
         """Which coordinates are the angles of the links."""
