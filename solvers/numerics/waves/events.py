@@ -12,9 +12,8 @@ NO_PULL = 1e-12  # force that rigid faces may pull with before they part; depth 
 
 
 @inner_kernel
-def _first_crossing(values, level, upward):
-    """First place in (0, 1] where a polynomial passes a level, going up or down; 2 if it does not."""
-    sign = 1.0 if upward else -1.0
+def _first_crossing(values, level, sign):
+    """First place in (0, 1] where a polynomial passes a level, going up (sign 1) or down (-1); 2 if it does not."""
     before = 0.0
     for i in range(1, SAMPLES_PER_STRETCH + 1):
         place = i / SAMPLES_PER_STRETCH
@@ -42,7 +41,7 @@ def face_events(state, node, rods, dent, pull, step, located, work):
         if work.forces[0] < -pull:  # a front of tension parts them at once
             state.closed[node], state.opened[node] = False, False
             return RETRIES, step, located
-        place = _first_crossing(work.forces, -pull, False)
+        place = _first_crossing(work.forces, -pull, -1.0)
         if place < at_start:
             state.closed[node], state.opened[node] = False, False
             return RETRIES, step, 0
@@ -53,7 +52,7 @@ def face_events(state, node, rods, dent, pull, step, located, work):
             state.closed[node] = True
             state.depth[node] = max(dent, state.depth[node])
             return RETRIES, step, located
-        place = _first_crossing(work.depth, dent if state.opened[node] else dent + NO_PULL, True)
+        place = _first_crossing(work.depth, dent if state.opened[node] else dent + NO_PULL, 1.0)
         if place < at_start:
             state.closed[node], state.depth[node] = True, dent
             return RETRIES, step, 0
@@ -79,7 +78,7 @@ def law_events(state, node, remembers, loses, dent, corner, span, step, located,
             return PARTS if parts else BENDS, step, located
         return RETRIES, min(max(step - late, 0.1 * step), min(1.5 * step, span)), PARTS if parts else BENDS
     if remembers and state.loading[node]:
-        place = _first_crossing(work.rate, 0.0, False)  # where it begins to give way again, the curve changes
+        place = _first_crossing(work.rate, 0.0, -1.0)  # where it begins to give way again, the curve changes
         if place <= 1.0 - 1e-9 and located < TURNS + 3:
             return RETRIES, step * place, max(located, TURNS) + 1
         if located > TURNS or place <= 1.0:

@@ -262,11 +262,18 @@ def prepare(chain, state, record, node, step, work):
     t = state.time[node]
     if node > 0:
         state.seek_left[node] = _arrivals(
-            record, node - 1, OUT_RIGHT, chain.transit[node - 1], t, step, state.seek_left[node], work.from_left
+            record,
+            node - 1,
+            np.int64(OUT_RIGHT),
+            chain.transit[node - 1],
+            t,
+            step,
+            state.seek_left[node],
+            work.from_left,
         )
     if node < chain.kind.size - 1:
         state.seek_right[node] = _arrivals(
-            record, node + 1, OUT_LEFT, chain.transit[node], t, step, state.seek_right[node], work.from_right
+            record, node + 1, np.int64(OUT_LEFT), chain.transit[node], t, step, state.seek_right[node], work.from_right
         )
     _free_closing(chain, state, node, work)
 

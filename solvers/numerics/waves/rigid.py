@@ -325,7 +325,7 @@ def total_at(t, kappa, start, coefficients, degrees, integral):
     """Integral of s from 0 to t."""
     if t < 0.0:
         return 0.0
-    n = _piece(t, True, start, degrees.size)
+    n = _piece(t, np.bool_(True), start, degrees.size)  # no literal: it would be compiled once more
     return integral[n] + decaying_integral(coefficients[n], degrees[n], 0.0, kappa * (t - start[n])) / kappa
 
 

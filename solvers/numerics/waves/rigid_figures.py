@@ -38,7 +38,9 @@ def figures(t, beta, reflection, start, coefficients, degrees, integral, contact
                     break
                 velocity, sign = 0.0, 1.0
                 for k in range(2):  # of the struck end: a loop, as each call is compiled into it anew
-                    velocity += sign * rigid_waves.wave_at(middle - k, False, kappa, start, coefficients, degrees)
+                    velocity += sign * rigid_waves.wave_at(
+                        middle - k, np.bool_(False), kappa, start, coefficients, degrees
+                    )
                     sign = -reflection
                 if velocity <= common:
                     high = middle
