@@ -4,7 +4,7 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
 import { LETTERS, MOST } from './run.js';
-import { differing, lineOf } from './settings.js';
+import { comparable, differing, lineOf } from './settings.js';
 import { signOf } from './told.js';
 
 /** @import { Frame } from '../shell/message.js' */
@@ -93,8 +93,12 @@ export class Bar {
     this.pin.disabled = runs.length >= MOST;
     this.pin.title = text(this.pin.disabled ? 'compare.full' : 'compare.keep-hint');
     if (this.row.hidden) return;
-    const names = differing([now, ...runs.map(({ frame }) => frame)]);
-    const chips = runs.map((run) => this.#chip(run, lineOf(names, run.frame) || text('compare.same')));
+    const beside = runs.flatMap(({ frame }) => (comparable(now, frame) ? [frame] : []));
+    const names = differing([now, ...beside]);
+    const chips = runs.map((run) => {
+      const { frame } = run;
+      return this.#chip(run, beside.includes(frame) ? lineOf(names, frame) || text('compare.same') : frame.title);
+    });
     const own = make('span', { className: 'chip-run now' }, make('b', { textContent: text('compare.now') }));
     own.append(make('span', { className: 'what', textContent: lineOf(names, now), title: lineOf(names, now) }));
     const lock = make('button', { type: 'button', className: 'chip-run lock', textContent: text('compare.locked') });

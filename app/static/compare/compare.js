@@ -7,7 +7,7 @@ import { Beside } from './beside.js';
 import { layOver } from './overlay.js';
 import { Run } from './run.js';
 import { Scales } from './scales.js';
-import { differing } from './settings.js';
+import { comparable, differing } from './settings.js';
 import { Told } from './told.js';
 
 /** @import { Page } from '../page.js' */
@@ -119,11 +119,13 @@ export class Compare {
    * A ready-made comparison: both settings are solved, the first is kept.
    * @param {Question} question
    */
-  ask({ alone, first, second }) {
+  ask({ alone, first, key, second }) {
     const { page } = this;
     const chosen = alone ? {} : page.frame.chosen;
     page.goTo({ ...chosen, ...first }, (frame) => {
-      if (!frame || !this.keep()) return;
+      const run = frame && this.keep();
+      if (!run) return;
+      run.asked = key;
       page.goTo({ ...chosen, ...second }, () => page.layout.show('story'));
     });
   }
@@ -186,7 +188,7 @@ export class Compare {
     if (frame.kind === 'bodies') return frame.duration;
     if (this.scales.seconds) return this.scales.seconds / frame.trip;
     const others = this.runs.flatMap(({ frame: kept }) =>
-      kept.kind === 'bodies' ? [] : [(kept.duration * kept.trip) / frame.trip],
+      kept.kind === 'bodies' || !comparable(frame, kept) ? [] : [(kept.duration * kept.trip) / frame.trip],
     );
     return Math.max(frame.duration, ...others.map((t) => Math.min(t, LONGEST * frame.duration)));
   }

@@ -3,7 +3,7 @@ import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { kindsOf } from './settings.js';
 
-/** @import { AxialFrame, BeamFrame, Energies, Frame, SpaceFrame } from '../shell/message.js' */
+/** @import { AxialFrame, BeamFrame, Energies, Frame, Restitution, SpaceFrame } from '../shell/message.js' */
 
 /** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
 /** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
@@ -69,6 +69,14 @@ function ofAxial(frame, which) {
   ];
 }
 
+/**
+ * Of bodies as wholes; where one turns about a pin, so that it has none, of the struck points.
+ * @param {Restitution} restitution
+ */
+const restitutionOf = ({ newton, newton_at_contact: points }) => [
+  newton === null ? figure('restitution-at-contact', 'number', points) : figure('restitution', 'number', newton),
+];
+
 /** @param {BeamFrame} frame */
 function ofBeam({ main, span }) {
   return [
@@ -78,7 +86,7 @@ function ofBeam({ main, span }) {
     figure('contacts', 'count', main.contacts),
     figure('impulse', 'impulse', main.impulse),
     figure('rebound', 'velocity', main.final),
-    figure('restitution', 'number', main.restitution.newton),
+    ...restitutionOf(main.restitution),
     figure('indentation', 'length', main.peakIndentation),
     ...energies(main.energy),
   ];
@@ -173,6 +181,20 @@ export function sentences(now, kept) {
     const values = { figure: one.name, now: bound(written(one)), kept: bound(written(from)) };
     return [text('compare.differs', { ...values, change: changeOf(one.size, share) })];
   });
+}
+
+/**
+ * How little two solutions differ: the largest difference of a figure that has a share.
+ * @param {Figure[]} now
+ * @param {Figure[]} kept
+ */
+export function leastSaid(now, kept) {
+  const shares = now.map((one) => {
+    const from = kept.find(({ key }) => key === one.key);
+    return { name: one.name, share: Math.abs(shareOf(one, from) ?? 0) };
+  });
+  const most = shares.reduce((a, b) => (b.share > a.share ? b : a));
+  return text('compare.alike', { figure: most.name, percent: rounded(100 * most.share) });
 }
 
 /** @param {number} value */

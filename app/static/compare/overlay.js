@@ -1,7 +1,7 @@
 // Kept solutions on the charts of the one that is shown, each in its colour; times and units are those of the charts.
 import { KEPT } from '../charts/styles.js';
 import { naming } from '../text/words.js';
-import { kindsOf } from './settings.js';
+import { comparable, kindsOf } from './settings.js';
 
 /** @import { Series, Stretches } from '../charts/chart.js' */
 /** @import { Samples } from '../charts/scale.js' */
@@ -71,10 +71,11 @@ function laidOf(now, runs) {
  * Lay kept runs over the charts of a view; what is loaded next is drawn with them.
  * @param {View} view
  * @param {Frame} now
- * @param {Run[]} runs
+ * @param {Run[]} all  those that are not comparable are left out
  */
-export function layOver(view, now, runs) {
+export function layOver(view, now, all) {
   if (!view.stack || !view.cycle || now.kind === 'bodies') return;
+  const runs = all.filter(({ frame }) => comparable(now, frame));
   const { force, moved, stretches } = laidOf(now, runs);
   const charts = Object.fromEntries(view.stack.charts);
   charts.force.lay(force);

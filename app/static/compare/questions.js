@@ -27,7 +27,7 @@ export function questionsOf(frame) {
     ['elements', 'elements', 10, 100],
     ['law', 'law', 'rigid', 'hertz'],
     ['hammer', 'mass_ratio', ratio, Math.max(ratio / HEAVIER, 1e-3)],
-    ['constant', 'mass_ratio', ratio, Math.min(ratio * HEAVIER, 1e3)],
+    ['constant', 'mass_ratio', Math.min(ratio * HEAVIER, 1e3), Math.max(ratio / HEAVIER, 1e-3)],
     ['speed', 'speed', speed, Math.min(FASTER * speed, 100)],
     ['theory', 'theory', 'euler-bernoulli', 'timoshenko'],
   ];

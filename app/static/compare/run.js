@@ -13,6 +13,7 @@ export const LETTERS = /** @type {const} */ (['A', 'B', 'C', 'D']);
 export class Run {
   /** @type {Record<string, Histories | null>} */ #histories = {};
   /** @type {Frame | null} */ #frame = null;
+  asked = ''; // the ready-made comparison for which it was kept
 
   /**
    * @param {Letter} letter  by which it is called and coloured

@@ -62,3 +62,25 @@ export const lineOf = (names, frame) =>
     .map((name) => settingOf(name, frame))
     .filter(Boolean)
     .join(', ');
+
+const FAR = 100; // times as large, from which a force of another scene says nothing beside this one
+
+/** @param {Frame} frame */
+const peakOf = (frame) =>
+  frame.kind === 'bodies' ? null : (frame.kind === 'beam' ? frame.main : frame.exact).peakForce;
+
+/** @param {Frame} frame */
+const moves = (frame) => frame.kind === 'beam' && Boolean(frame.mechanism);
+
+/**
+ * Whether two solutions can be laid one upon the other: of one scene, or of two of the same kind and size.
+ * @param {Frame} one
+ * @param {Frame} other
+ */
+export function comparable(one, other) {
+  if (one.kind !== other.kind) return false;
+  if (one.chosen.scene === other.chosen.scene) return true;
+  const [force, beside] = [peakOf(one), peakOf(other)];
+  const apart = force && beside ? Math.abs(Math.log(force / beside)) : 0;
+  return moves(one) === moves(other) && apart < Math.log(FAR);
+}

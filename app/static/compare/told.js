@@ -3,8 +3,8 @@ import { KEPT } from '../charts/styles.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { heading, scrolled } from '../shell/story.js';
 import { text } from '../text/catalogue.js';
-import { comparedOf, difference, figuresOf, sentences, written } from './figures.js';
-import { differing, lineOf } from './settings.js';
+import { comparedOf, difference, figuresOf, leastSaid, sentences, written } from './figures.js';
+import { comparable, differing, lineOf } from './settings.js';
 import { verdictOf } from './verdict.js';
 
 /** @import { Frame } from '../shell/message.js' */
@@ -45,24 +45,30 @@ export class Told {
     this.root.hidden = this.numbers.hidden = !runs.length;
     if (!runs.length) return;
     this.list.replaceChildren(...runs.map((run) => this.#paragraph(now, run)));
-    this.#fill(now, runs);
+    const beside = runs.filter(({ frame }) => comparable(now, frame));
+    this.numbers.hidden = !beside.length;
+    if (beside.length) this.#fill(now, beside);
   }
   /**
    * @param {Frame} now
    * @param {Run} run
    */
-  #paragraph(now, { frame, letter }) {
+  #paragraph(now, { asked, frame, letter }) {
+    const { title } = frame;
+    const apart = !comparable(now, frame) && text('compare.other-kind', { name: letter, title });
+    if (apart) return make('div', { className: 'against' }, make('p', {}, signOf(letter), apart));
     const names = differing([now, frame]);
     const settings = { name: letter, now: lineOf(names, now), settings: lineOf(names, frame) };
     const head = names.length ? text('compare.against', settings) : text('compare.against-same', settings);
     const root = make('div', { className: 'against' }, make('p', {}, signOf(letter), head));
     if (!names.length) return root;
     const which = comparedOf(now, frame);
-    const found = sentences(figuresOf(now, which), figuresOf(frame, which));
+    const [own, other] = [figuresOf(now, which), figuresOf(frame, which)];
+    const found = sentences(own, other);
     if (which === 'other') root.append(make('p', { className: 'help', textContent: text('compare.only-method') }));
-    const verdict = verdictOf(now, frame, names);
+    const verdict = verdictOf(now, frame, names, asked);
     if (verdict) root.append(make('p', { className: 'teaches', textContent: verdict }));
-    const lines = (found.length ? found : [text('compare.alike')]).map((textContent) => make('li', { textContent }));
+    const lines = (found.length ? found : [leastSaid(own, other)]).map((textContent) => make('li', { textContent }));
     root.append(make('ul', {}, ...lines));
     return root;
   }

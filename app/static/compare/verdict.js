@@ -1,13 +1,17 @@
 // What the comparison of two solutions that differ in one setting teaches, in a sentence made of their figures.
-import { engineering, percent, pretty, signed } from '../text/format.js';
+import { percent, pretty, signed } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { comparedOf, figuresOf } from './figures.js';
+import { ofBeamResolution, ofResolution } from './resolution.js';
 import { kindsOf } from './settings.js';
+import { ofSpeed } from './speed.js';
 
 /** @import { AxialFrame, Frame, SpaceFrame } from '../shell/message.js' */
 
 const RESOLUTIONS = ['modes', 'elements'];
-const LINEAR = 0.02; // how far from 1 a power is that is still one
+const SAME = 0.02; // share by which two figures differ that are told as one
+const RINGS = 1e-3; // share of the energy left in waves that is worth a word
+const RESTITUTION = 'constant'; // the question that asks for it
 const ALIKE = 0.01; // difference of two restitutions that is none
 
 /**
@@ -17,73 +21,80 @@ const ALIKE = 0.01; // difference of two restitutions that is none
 const times = (now, kept) => Number((now / kept).toPrecision(2));
 
 /**
- * Peak force, time in contact and restitution of both, where both have them.
+ * Figures that both have, as pairs.
  * @param {Frame} now
  * @param {Frame} kept
  */
 function pairs(now, kept) {
   const which = comparedOf(now, kept);
   const [after, before] = [now, kept].map((frame) => new Map(figuresOf(frame, which).map((each) => [each.key, each])));
-  const of = (/** @type {string} */ key) => {
+  return (/** @type {string} */ key) => {
     const [a, b] = [after.get(key)?.value, before.get(key)?.value];
-    return a && b ? { now: a, kept: b } : null;
+    return typeof a === 'number' && typeof b === 'number' ? { now: a, kept: b } : null;
   };
-  return { force: of('force'), time: of('real'), restitution: of('restitution') };
 }
 
+/** @param {number} ratio */
+const alike = (ratio) => Math.abs(ratio - 1) < SAME;
+
 /**
- * A hammer with another mass: harder, or longer? And what becomes of the restitution.
+ * A hammer with another mass: harder, or longer?
  * @param {Frame} now
  * @param {Frame} kept
  */
-function ofMass(now, kept) {
-  const { force, restitution, time } = pairs(now, kept);
+function ofForce(now, kept) {
+  const of = pairs(now, kept);
+  const [force, time] = [of('force'), of('real')];
+  if (!force?.now || !force.kept || !time?.now || !time.kept) return '';
   const heavier = Number(kept.chosen.mass_ratio) / Number(now.chosen.mass_ratio);
-  const found = [];
-  if (force && time && time.now > 0 && time.kept > 0) {
-    const [harder, longer] = [times(force.now, force.kept), times(time.now, time.kept)];
-    const more = Math.abs(Math.log(longer)) > Math.abs(Math.log(harder)) ? 'time' : 'force';
-    found.push(text('compare.verdict.mass', { times: Number(heavier.toPrecision(3)), harder, longer, more }));
-  }
-  if (restitution && Math.abs(restitution.now - restitution.kept) > ALIKE)
-    found.push(text('compare.verdict.restitution', { now: signed(restitution.now), kept: signed(restitution.kept) }));
-  return found.join(' ');
+  const [harder, longer] = [force.now / force.kept, time.now / time.kept];
+  const changed = Math.abs(Math.log(longer)) > Math.abs(Math.log(harder)) ? 'time' : 'force';
+  return text('compare.verdict.mass', {
+    times: Number(heavier.toPrecision(3)),
+    harder: alike(harder) ? 1 : times(force.now, force.kept),
+    longer: alike(longer) ? 1 : times(time.now, time.kept),
+    more: alike(harder) && alike(longer) ? 'neither' : changed,
+  });
 }
 
 /**
- * As what power of the speed the force grows.
+ * What becomes of the restitution, what that is, and why it changes.
  * @param {Frame} now
  * @param {Frame} kept
+ * @param {boolean} asked  whether it is to be told where it stays the same, too
  */
-function ofSpeed(now, kept) {
-  const { force } = pairs(now, kept);
-  const faster = Number(now.chosen.speed) / Number(kept.chosen.speed);
-  if (!force || faster <= 0) return '';
-  const power = Math.log(force.now / force.kept) / Math.log(faster);
-  const how = Math.abs(power - 1) < LINEAR ? 'linear' : power > 1 ? 'more' : 'less';
-  const values = { faster: Number(faster.toPrecision(3)), harder: times(force.now, force.kept), power: pretty(power) };
-  return text('compare.verdict.speed', { ...values, how });
+function ofRestitution(now, kept, asked) {
+  const of = pairs(now, kept);
+  const whole = of('restitution');
+  const found = whole ?? of('restitution-at-contact');
+  if (!found) return '';
+  const changed = Math.abs(found.now - found.kept) > ALIKE;
+  if (!changed && !asked) return '';
+  const [waves, lost] = [of('waves'), of('lost')];
+  const most = (/** @type {{ now: number, kept: number } | null} */ part) => (part ? Math.max(part.now, part.kept) : 0);
+  const rings = most(waves) > RINGS;
+  const cause = rings && !whole ? 'swings' : most(lost) > ALIKE ? 'lost' : rings ? 'waves' : 'contact';
+  return text('compare.verdict.restitution', {
+    now: signed(found.now),
+    kept: signed(found.kept),
+    changed,
+    points: !whole,
+    cause,
+    waves: percent(waves?.now ?? 0),
+    wavesKept: percent(waves?.kept ?? 0),
+  });
 }
 
 /**
- * How far either number of modes or elements is from the exact solution.
- * @param {AxialFrame} now
- * @param {AxialFrame} kept
- * @param {string} name
+ * A hammer with another mass; what was asked comes first.
+ * @param {Frame} now
+ * @param {Frame} kept
+ * @param {string} asked
  */
-function ofResolution(now, kept, name) {
-  const { contacts, peakForce } = now.exact;
-  if (!peakForce || !now.other?.peakForce || !kept.other?.peakForce) return '';
-  const miss = (/** @type {AxialFrame} */ { other }) => percent(Math.abs((other?.peakForce ?? 0) / peakForce - 1));
-  return text('compare.verdict.resolution', {
-    force: engineering(peakForce, 'N'),
-    contacts: contacts.length,
-    what: name,
-    first: Number(kept.chosen[name]),
-    second: Number(now.chosen[name]),
-    off: miss(kept),
-    offNow: miss(now),
-  });
+function ofMass(now, kept, asked) {
+  const first = asked === RESTITUTION;
+  const both = [ofForce(now, kept), ofRestitution(now, kept, first)];
+  return (first ? both.reverse() : both).filter(Boolean).join(' ');
 }
 
 /**
@@ -93,7 +104,7 @@ function ofResolution(now, kept, name) {
  */
 function ofLaw(now, kept) {
   const rigid = [now, kept].filter(({ chosen }) => chosen.law === 'rigid').length;
-  const { time } = pairs(now, kept);
+  const time = pairs(now, kept)('real');
   if (rigid !== 1 || !time || now.kind === 'bodies' || kept.kind === 'bodies') return '';
   const soft = now.chosen.law === 'rigid' ? time.kept / kept.trip : time.now / now.trip;
   return text('compare.verdict.law', { trips: pretty(Number(soft.toPrecision(2))), waves: now.kind === 'axial' });
@@ -133,15 +144,18 @@ function ofPlace(now, kept) {
  * @param {Frame} now
  * @param {Frame} kept
  * @param {string[]} names  of the settings that differ
+ * @param {string} [asked]  the ready-made comparison that this is
  */
-export function verdictOf(now, kept, names) {
+export function verdictOf(now, kept, names, asked = '') {
   const [name] = names;
   if (names.length !== 1 || now.kind !== kept.kind) return '';
-  if (name === 'mass_ratio') return ofMass(now, kept);
+  if (name === 'mass_ratio') return ofMass(now, kept, asked);
   if (name === 'speed') return ofSpeed(now, kept);
   if (name === 'law') return ofLaw(now, kept);
   if (name === 'place' && now.kind === 'bodies' && kept.kind === 'bodies') return ofPlace(now, kept);
+  const counted = !kindsOf(now, kept).impact && RESOLUTIONS.includes(name);
+  if (now.kind === 'beam' && kept.kind === 'beam') return counted ? ofBeamResolution(now, kept, name) : '';
   if (now.kind !== 'axial' || kept.kind !== 'axial') return '';
   if (name === 'scene') return ofSupport(now, kept);
-  return !kindsOf(now, kept).impact && RESOLUTIONS.includes(name) ? ofResolution(now, kept, name) : '';
+  return counted ? ofResolution(now, kept, name) : '';
 }

@@ -1,0 +1,130 @@
+// How many modes or elements are enough, and for what: two solutions that differ in nothing else.
+import { between } from '../charts/scale.js';
+import { engineering, percent, signed } from '../text/format.js';
+import { text } from '../text/catalogue.js';
+
+/** @import { AxialFrame, BeamFrame } from '../shell/message.js' */
+
+/** What is asked of both numbers: error of the last velocity as a share of the impact speed, and of the peak force. */
+/** @typedef {{ count: number, velocity: number, force: number, contacts: number }} Miss */
+
+const ENOUGH = 0.01; // error that is small enough
+
+/**
+ * The smaller number that is enough, or that none is.
+ * @param {Miss[]} misses  the one of fewer first
+ * @param {(miss: Miss) => boolean} fits
+ */
+const enoughOf = (misses, fits) => {
+  const found = misses.find(fits);
+  const { count } = found ?? misses[misses.length - 1];
+  return text('compare.verdict.enough', { count, how: found ? 'found' : misses.length > 1 ? 'both' : 'judged' });
+};
+
+/**
+ * @param {Miss[]} misses
+ * @param {number} contacts  that there are
+ * @param {string} what  modes, elements
+ * @param {boolean} jumps  whether the force does, so that its peak does not settle
+ */
+function verdict(misses, contacts, what, jumps) {
+  const velocity = enoughOf(misses, (miss) => miss.velocity <= ENOUGH);
+  const found = enoughOf(misses, (miss) => miss.contacts === contacts);
+  const force = enoughOf(misses, (miss) => miss.force <= ENOUGH);
+  return text('compare.verdict.enough-for', { what, velocity, contacts: found, force, jumps });
+}
+
+/**
+ * How far either is from the exact solution.
+ * @param {Miss[]} misses
+ * @param {string} what
+ */
+const listed = (misses, what) =>
+  misses
+    .map(({ contacts, count, force, velocity }) =>
+      text('compare.verdict.miss', { contacts, count, what, velocity: percent(velocity), force: percent(force) }),
+    )
+    .join(' ');
+
+/**
+ * Of a method beside the exact solution.
+ * @param {AxialFrame} now
+ * @param {AxialFrame} kept
+ * @param {string} name
+ */
+export function ofResolution(now, kept, name) {
+  const { contacts, final, name: reference, peakForce } = now.exact;
+  const misses = [kept, now].flatMap(({ chosen, other }) =>
+    other?.peakForce && peakForce
+      ? [
+          {
+            count: Number(chosen[name]),
+            velocity: Math.abs((other.final ?? 0) - (final ?? 0)),
+            force: Math.abs(other.peakForce / peakForce - 1),
+            contacts: other.contacts.length,
+          },
+        ]
+      : [],
+  );
+  if (misses.length < 2 || !peakForce) return '';
+  misses.sort((a, b) => a.count - b.count);
+  const jumps = now.chosen.law === 'rigid' && now.rods.length > 0;
+  const values = { contacts: contacts.length, velocity: signed(final ?? 0), force: engineering(peakForce, 'N') };
+  const exact = text('compare.verdict.exact', { ...values, waves: reference === 'waves' });
+  const why = jumps && name === 'modes' ? [text('compare.verdict.jumps')] : [];
+  return [verdict(misses, contacts.length, name, jumps), ...why, exact, listed(misses, name)].join(' ');
+}
+
+/**
+ * Of a beam, which has no exact solution: the larger number judges the smaller.
+ * @param {BeamFrame} now
+ * @param {BeamFrame} kept
+ * @param {string} name
+ */
+export function ofBeamResolution(now, kept, name) {
+  const [coarse, fine] = [now, kept].sort((a, b) => Number(a.chosen[name]) - Number(b.chosen[name]));
+  const [low, high] = [coarse, fine].map(({ chosen }) => Number(chosen[name]));
+  const { contacts, final, peakForce } = fine.main;
+  if (coarse.main.name !== fine.main.name || !peakForce || !coarse.main.peakForce) return '';
+  const miss = {
+    count: low,
+    velocity: Math.abs((coarse.main.final ?? 0) - (final ?? 0)) / now.speed,
+    force: Math.abs(coarse.main.peakForce / peakForce - 1),
+    contacts: coarse.main.contacts,
+  };
+  const alike = miss.velocity <= ENOUGH && miss.force <= ENOUGH && miss.contacts === contacts;
+  const judged = text('compare.verdict.judged', { high, contacts, what: name });
+  const why = alike && name === 'modes' ? [slowerThan(coarse, low)].filter(Boolean) : [];
+  const at = percent(instantOf(coarse, fine) / now.speed);
+  const instants = alike ? [text('compare.verdict.instants', { at })] : [];
+  return [verdict([miss], contacts, name, false), ...why, judged, listed([miss], name), ...instants].join(' ');
+}
+
+/**
+ * Why so few modes are enough: their fastest swings several times while a contact lasts.
+ * @param {BeamFrame} frame
+ * @param {number} modes
+ */
+function slowerThan({ contacts, modeFrequencies }, modes) {
+  const fastest = modeFrequencies?.[modes - 1];
+  if (!fastest) return '';
+  const longest = Math.max(...contacts.map(([start, end]) => end - start)) / 1e3;
+  const period = (2 * Math.PI) / fastest;
+  if (longest < period) return '';
+  const values = { modes, period: engineering(period, 's'), lasts: engineering(longest, 's') };
+  return text('compare.verdict.slow-contact', values);
+}
+
+/**
+ * How far the velocities of the struck place lie apart at most, at one instant [m/s].
+ * @param {BeamFrame} one
+ * @param {BeamFrame} other  of about the same duration
+ */
+function instantOf(one, other) {
+  const last = other.time[other.time.length - 1];
+  let most = 0;
+  one.time.forEach((t, k) => {
+    if (t <= last) most = Math.max(most, Math.abs(between(other.time, other.struckRate, t) - one.struckRate[k]));
+  });
+  return most;
+}
