@@ -9,6 +9,7 @@ import numpy as np
 from ...bodies import Mechanism
 from ...contact import Linear
 from ...contact.duration import contact_time
+from ...contact.protocol import Yielding
 from ...numerics.law_functions import MEMORY, constants_of, step_function
 from ...numerics.multibody.pressing import Surface
 from ...scene import Scene
@@ -46,4 +47,18 @@ def shortest_contact(scene: Scene, mechanism: Mechanism) -> float:
     modes = mechanism.frozen.modes
     mobility = 1.0 / scene.impactor.mass + 1.0 / modes.rigid_mass + float(modes.at_contact @ modes.at_contact)
     by_law = contact_time(scene.contact, 1.0 / mobility, scene.speed)
+    if isinstance(scene.contact, Yielding):
+        stiffness = _unloading_stiffness(scene.contact, 0.5 / mobility * scene.speed**2)
+        by_law = min(by_law, math.pi / math.sqrt(mobility * stiffness)) if stiffness else by_law
     return math.hypot(by_law, math.pi * math.sqrt(modes.residual_compliance / mobility))
+
+
+def _unloading_stiffness(law: Any, energy: float) -> float:
+    """Of a law that has taken up an energy [J], where it is deepest [N/m]: it is stiffer on the way back from there, and
+    the next way in; zero if it has not yielded."""
+    deepest = law.yield_indentation
+    if law.mean(0.0, deepest, 0.0, 0.0)[0] * deepest >= energy:
+        return 0.0
+    while law.mean(0.0, deepest, 0.0, 0.0)[0] * deepest < energy:
+        deepest *= 1.1
+    return float(law.slopes((1.0 - 1e-9) * deepest, 0.0, deepest)[0])

@@ -63,63 +63,56 @@ def _pressed(linkage, w, contact, law, surface, stages, state, time, step, weigh
 
 
 @inner_kernel
-def _until_parting(linkage, w, contact, law, surface, stages, state, later, time, longest, weight, expected):
-    """A step of `later` from `state`, as long as it takes until the faces open, which is no longer than `longest` [s],
-    or that long if they do so at once. Returns its length, and by how much the mass is then in the link."""
-    memory = surface.memory
+def _step(linkage, w, contact, law, surface, stages, state, later, time, whole, weight, expected):
+    """A step of `later` from `state`: the `whole` of it [s], or as long as it takes until the faces open, or the whole
+    if they do so at once. Returns its length, the force, and by how much the mass is then in the link."""
+    memory, start = surface.memory, state.contact[INDENTATION]
     opening, unloading = memory[OPENING], memory[UNLOADING]
-    low, high, length, depth = 0.0, longest, longest, 0.0
-    above, below, side = state.contact[INDENTATION] - opening, later.contact[INDENTATION] - opening, 0
-    for _ in range(MAX_SEARCHES):  # false position, with half of what is stuck
-        length = high - (high - low) * below / (below - above)
-        if not low < length < high:
-            length = 0.5 * (low + high)
-        memory[OPENING], memory[UNLOADING] = opening, unloading
+    low, high, above, below, side, tries, length = 0.0, whole, start - opening, 0.0, 0, 0, whole
+    while True:  # false position, with half of what is stuck
+        tries, memory[OPENING], memory[UNLOADING] = tries + 1, opening, unloading
         copy_state(later, state)
-        _, depth = _pressed(linkage, w, contact, law, surface, stages, later, time, length, weight, expected)
-        missed = later.contact[INDENTATION] - opening
-        if abs(missed) <= CLOSE * surface.deepest[0] or high - low <= 2e-16 * (time + longest):
-            break
+        force, depth = _pressed(linkage, w, contact, law, surface, stages, later, time, length, weight, expected)
+        missed = later.contact[INDENTATION] - memory[OPENING]
+        if start <= opening or (tries == 1 and missed >= 0.0) or tries > MAX_SEARCHES:
+            return length, force, depth
+        if abs(missed) <= CLOSE * surface.deepest[0] or high - low <= 2e-16 * (time + whole):
+            later.contact[INDENTATION] = opening
+            return length, force, depth
+        if missed < 0.0 and length < SHORTEST * whole:
+            length, tries = whole, MAX_SEARCHES
+            continue
         if missed > 0.0:
             below *= 0.5 if side > 0 else 1.0
             low, above, side = length, missed, 1
-        elif length < SHORTEST * longest:
-            memory[OPENING], memory[UNLOADING] = opening, unloading
-            copy_state(later, state)
-            _, depth = _pressed(linkage, w, contact, law, surface, stages, later, time, longest, weight, expected)
-            return longest, depth
         else:
             above *= 0.5 if side < 0 else 1.0
-            high, below, side = length, missed, -1
-    later.contact[INDENTATION] = opening
-    return length, depth
+            high, below, side = length, missed, -1 if tries > 1 else 0
+        length = high - (high - low) * below / (below - above)
+        if not low < length < high:
+            length = 0.5 * (low + high)
 
 
 @inner_kernel
 def press(linkage, w, contact, law, surface, stages, state, later, kept, row, time, until):
     """From where the faces meet until they part, or until a time [s], or `kept` is full, which gets a row first and
     after every step. Returns the time, the next row, and how deep the mass is in the link where they meet again [m]."""
-    memory, begun, force, before, count = surface.memory, time, 0.0, 0.0, 0
-    state.contact[INDENTATION] = memory[OPENING]
+    memory, found, begun, force, before, count = surface.memory, state.contact, time, 0.0, 0.0, 0
+    found[INDENTATION] = memory[OPENING]
     depth, _, _ = overlap(linkage, w, contact, state)
     apart = depth - memory[OPENING]  # of the ways of both and of the indentation, by the error of the steps
     write(kept, row, time, state)
     row += 1
     while time < until and row < kept.time.size:
-        length, left = min(max(surface.step, surface.growth * (time - begun)), surface.longest), until - time
-        length = left if left < (1.0 + SHORTEST) * length else length
-        start, expected = state.contact[INDENTATION], 2.0 * force - before
-        opening, unloading, before = memory[OPENING], memory[UNLOADING], force
+        whole, left = min(max(surface.step, surface.growth * (time - begun)), surface.longest), until - time
+        whole = left if left < (1.0 + SHORTEST) * whole else whole
+        expected, before = 2.0 * force - before, force
         weight = 1.0 if surface.jumps and count < 2 else surface.weight
-        copy_state(later, state)
-        force, depth = _pressed(linkage, w, contact, law, surface, stages, later, time, length, weight, expected)
-        if start > opening and memory[END] < memory[OPENING]:
-            memory[OPENING], memory[UNLOADING] = opening, unloading
-            length, depth = _until_parting(
-                linkage, w, contact, law, surface, stages, state, later, time, length, weight, expected
-            )
+        length, force, depth = _step(
+            linkage, w, contact, law, surface, stages, state, later, time, whole, weight, expected
+        )
         copy_state(state, later)
-        time, count, found = until if length == left else time + length, count + 1, state.contact
+        time, count = until if length == left else time + length, count + 1
         surface.deepest[0] = max(surface.deepest[0], found[INDENTATION])
         apart = depth - found[INDENTATION] - surface.compliance * found[GIVING]
         parted = found[INDENTATION] <= memory[OPENING]
