@@ -54,8 +54,8 @@ def shortest_contact(scene: Scene, mechanism: Mechanism) -> float:
 
 
 def _unloading_stiffness(law: Any, energy: float) -> float:
-    """Of a law that has taken up an energy [J], where it is deepest [N/m]: it is stiffer on the way back from there, and
-    the next way in; zero if it has not yielded."""
+    """Of a law that has taken up an energy [J], where it is deepest [N/m]: it is stiffer on the way back from there,
+    and the next way in; zero if it has not yielded."""
     deepest = law.yield_indentation
     if law.mean(0.0, deepest, 0.0, 0.0)[0] * deepest >= energy:
         return 0.0
