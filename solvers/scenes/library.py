@@ -1,6 +1,7 @@
 """Built-in scenes by name, and scene files."""
 
 import re
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,12 @@ def _named(error: BaseException) -> str:
 
 def scene_names() -> list[str]:
     """Names of the scenes that come with the library: the first to start with, the thesis's figures and tables last."""
-    return sorted((path.stem for path in SCENES.glob("*.toml")), key=_rank)
+    return list(_names())
+
+
+@lru_cache
+def _names() -> tuple[str, ...]:
+    return tuple(sorted((path.stem for path in SCENES.glob("*.toml")), key=_rank))
 
 
 def _rank(name: str) -> tuple[object, ...]:
@@ -32,7 +38,7 @@ def load(name_or_path: str | Path) -> Scene:
 
     Raises SceneError if there is no such scene or file, or if what it says cannot be used.
     """
-    if str(name_or_path) in scene_names():
+    if str(name_or_path) in _names():
         path = SCENES / f"{name_or_path}.toml"
     else:
         path = Path(name_or_path)

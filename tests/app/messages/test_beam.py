@@ -18,10 +18,11 @@ from app.messages.solve import solve_frame
 from app.page.picker import scene_groups
 from app.views.trust import convergence_data, trust_data
 from solvers import METHODS, SceneError
+from tests.catalog import SCENES
 
 from .test_axial import arrays
 
-BEAMS = [name for name in solvers.scene_names() if solvers.load(name).target.kind == "beam"]
+BEAMS = [name for name, scene in SCENES.items() if scene.target.kind == "beam"]
 PLASTIC = "figure-8.15"
 
 

@@ -7,11 +7,12 @@ import solvers
 from app.choices.scene_of import own_choices
 from app.messages.solve import solve_frame
 from tests.app.messages.test_axial import arrays
+from tests.catalog import SCENES
 
-SCENES = [name for name in solvers.scene_names() if solvers.load(name).method.get("name") == "multibody"]
+MOVING = [name for name, scene in SCENES.items() if scene.method.get("name") == "multibody"]
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", MOVING)
 def test_links_that_are_held_still_in_their_directions_are_not_shown_until_they_fly_apart(name):
     """A scene that is followed for seconds as it moves is not shown so long by a method that knows it at the impact.
 

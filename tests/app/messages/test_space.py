@@ -16,11 +16,12 @@ from app.messages.space import bodies_frame
 from app.text.catalogues import script
 from solvers import SceneError
 from tests.app.messages.test_axial import arrays
+from tests.catalog import SCENES
 
-NAMES = [name for name in solvers.scene_names() if solvers.load(name).normal is not None]
+NAMES = [name for name, scene in SCENES.items() if scene.normal is not None]
 STATIC = Path(app.__file__).parent / "static"
 NOTE = solvers.load("note-rod")
-MEETINGS = {name: solvers.load(name) for name in NAMES} | {
+MEETINGS = {name: SCENES[name] for name in NAMES} | {
     "apart": NOTE.replace({"impactor.velocity": [3.0, 0.0, 0.0]}),
     "at rest": NOTE.replace({"impactor.velocity": [0.0, 0.0, 0.0]}),
     "against a stop": NOTE.replace(
