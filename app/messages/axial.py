@@ -17,7 +17,7 @@ from solvers.methods.modal.method import ModalMotion
 from solvers.methods.quasi_static.balls import RowMotion
 from solvers.methods.theory_limits import OF_THEORY
 from solvers.methods.validity import TWICE
-from solvers.solution.motion import Balances, SendsWaves
+from solvers.solution.motion import Balances, SendsWaves, knows_field
 from solvers.solution.restitution import common_velocity
 from solvers.text.notes import Note
 
@@ -62,7 +62,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
     if carried is not None:
         arrays["modalForce"] = carried.record.contact_force / force_unit
         steps = carried.step / trip
-    elif other is not None and request.method == other.method["name"]:
+    elif other is not None and request.method == other.method["name"] and knows_field(other.known_motion):
         arrays |= _sampled_fields(other, stress_unit, length_unit)
     header = {
         "kind": "axial",

@@ -29,6 +29,11 @@ class Motion(Protocol):
     def energies(self, time: np.ndarray) -> dict[str, np.ndarray]: ...
 
 
+def knows_field(motion: Motion) -> bool:
+    """Whether it tells places of the target apart; else all of it moves, or stays, as one."""
+    return getattr(motion, "has_field", True)
+
+
 @runtime_checkable
 class ResolvesForce(Protocol):
     """Knows the contact force averaged over the finest that its method can resolve: the rest is chatter."""

@@ -112,7 +112,8 @@ class SampledMotion:
 
     Arrays (time,), SI units: contact force, its impulse so far, position and velocity of the impactor, of the struck
     face of the target, mean velocity of the target; energies: every part of the split, (time,) each [J]. `field` gives
-    displacement, velocity and stress in the target; without one the target moves as a whole and carries no stress.
+    displacement, velocity and stress in the target; without one the target moves as a whole, or, if it has no mean
+    velocity, not at all, and carries no stress.
     face_velocity: of the impactor where it strikes, if that is not its own.
     """
 
@@ -181,14 +182,19 @@ class SampledMotion:
         """Whether fields know places apart; else they are those of the target as a whole."""
         return self._field is not None
 
+    def _everywhere(self, values: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """What moves as a whole, by its struck face (time,); a held body, whose face alone gives way, stays."""
+        moves = bool(np.any(self._rigid_velocity))
+        return np.repeat(moves * values[:, None], np.size(x), axis=1)
+
     def displacement(self, time, x):
         if self._field is None:
-            return np.repeat(self.end_position(time)[:, None], np.size(x), axis=1)
+            return self._everywhere(self.end_position(time), x)
         return self._field.displacement(time, x)
 
     def velocity(self, time, x):
         if self._field is None:
-            return np.repeat(self.end_velocity(time)[:, None], np.size(x), axis=1)
+            return self._everywhere(self.end_velocity(time), x)
         return self._field.velocity(time, x)
 
     def stress(self, time, x):

@@ -1,7 +1,7 @@
 // Fields rebuilt in the browser, against closed forms.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { at, Field, SampledField, WaveField } from '../../app/static/axial/fields.js';
+import { at, Field, RigidField, SampledField, WaveField } from '../../app/static/axial/fields.js';
 import { ModalField } from '../../app/static/axial/modal_field.js';
 import { fieldOf } from '../../app/static/beam/field.js';
 
@@ -21,6 +21,17 @@ test('bodies without waves move as a whole', () => {
   assert.equal(field.mass(0.5), 0.5);
   assert.deepEqual([...field.profile(1, 'displacement', new Float64Array(3))], [0.5, 0.5, 0.5]);
   assert.deepEqual([...field.profile(1, 'stress', new Float64Array(3))], [0, 0, 0]);
+});
+
+test('a method that tells no places apart has rigid rods, and what is held stays', () => {
+  const rods = [{ ...ROD, from: -1, to: 0 }, ROD];
+  for (const held of [false, true]) {
+    const field = new RigidField({ duration: 2, rods, target: { held }, ...still });
+    const [mass, end] = [1, held ? 0 : 2];
+    assert.deepEqual([...field.profile(1, 'displacement', new Float64Array(6))], [mass, mass, end, end, end, end]);
+    assert.deepEqual([...field.profile(1, 'stress', new Float64Array(3))], [0, 0, 0]);
+    assert.deepEqual([field.face(1), field.end(1)], [end, 2]); // what its method says of the face is in the charts
+  }
 });
 
 test('a step of stress runs along a rod and is doubled at its fixed end', () => {

@@ -7,6 +7,7 @@ import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { naming } from '../text/words.js';
+import { RigidField } from './fields.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
@@ -66,10 +67,6 @@ export class SpaceTime {
    * @param {number} largest
    */
   load(frame, field, what, largest) {
-    const [columns, rows] = field.coarse ? [MODAL_COLUMNS, MODAL_ROWS] : [COLUMNS, ROWS];
-    const values = new Float32Array(columns * rows);
-    field.image(what, columns, rows, (column, profile) => values.set(profile, column * rows));
-    paint(this.image, values, rows, largest);
     const { duration, rods } = frame;
     // places as shares of one rod, or in metres where there are several, of which those that strike lie above zero
     this.several = rods.length > 1;
@@ -77,6 +74,20 @@ export class SpaceTime {
     const [from, to] = [field.from / reach, field.to / reach];
     this.chart.options.y = [to, from];
     this.chart.label = this.several ? (v, digits) => signed(v, Math.max(digits, 1)) : placeOnRod;
+    const { contacts } = (drawnFromOther(frame) && frame.other) || frame.exact;
+    const about = {
+      series: [],
+      rules: rods.slice(1).map((rod) => rod.from / reach),
+      bars: { name: text('axial.chart.in-contact'), spans: contacts, at: 0, least: 2 },
+    };
+    if (field instanceof RigidField) {
+      this.chart.show({ ...about, blank: text('axial.chart.no-waves', { method: naming(frame.other?.name ?? '') }) });
+      return;
+    }
+    const [columns, rows] = field.coarse ? [MODAL_COLUMNS, MODAL_ROWS] : [COLUMNS, ROWS];
+    const values = new Float32Array(columns * rows);
+    field.image(what, columns, rows, (column, profile) => values.set(profile, column * rows));
+    paint(this.image, values, rows, largest);
     const read = reader(values, rows, [0, duration], [from, to]);
     const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
       const value = read(t, place);
@@ -84,13 +95,7 @@ export class SpaceTime {
       const found = what === 'stress' ? pressed(value * frame.stressUnit) : moving(value * frame.speed);
       return text('axial.chart.probe', { value: found, place: figures(place, 2), several: this.several });
     };
-    const { contacts } = (drawnFromOther(frame) && frame.other) || frame.exact;
-    this.chart.show({
-      series: [],
-      picture: { image: this.image, x: [0, duration], probe },
-      rules: rods.slice(1).map((rod) => rod.from / reach),
-      bars: { name: text('axial.chart.in-contact'), spans: contacts, at: 0, least: 2 },
-    });
+    this.chart.show({ ...about, picture: { image: this.image, x: [0, duration], probe } });
   }
   draw() {
     this.chart.draw();

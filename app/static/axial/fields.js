@@ -79,6 +79,13 @@ export class Field {
     return at(this.ends, t, this.frame.duration);
   }
   /**
+   * Where that is drawn.
+   * @param {number} t
+   */
+  face(t) {
+    return this.end(t);
+  }
+  /**
    * Displacement of the impactor.
    * @param {number} t
    */
@@ -146,6 +153,30 @@ export class WaveField extends Field {
       else out[i] = drift * t + (f.total(t - s) - g.total(t - transit + s)) / impedance;
     }
     return out;
+  }
+}
+
+/** Rods as rigid lines, by a method that tells no places apart: a body that is held stays, whatever its face does. */
+export class RigidField extends Field {
+  /** @param {AxialFrame} frame */
+  constructor(frame) {
+    super(frame, 'other');
+    this.from = frame.rods[0].from;
+    this.to = frame.rods[frame.rods.length - 1].to;
+  }
+  /** @param {number} t */
+  face(t) {
+    return this.frame.target.held ? 0 : this.end(t);
+  }
+  /**
+   * @param {number} t
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  profile(t, what, out) {
+    const meet = Math.round((-this.from / (this.to - this.from)) * out.length); // of two rods
+    out.fill(0);
+    return what === 'displacement' ? out.fill(this.mass(t), 0, meet).fill(this.face(t), meet) : out;
   }
 }
 

@@ -7,6 +7,7 @@ import { make } from '../shell/dom.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
+import { RigidField } from './fields.js';
 import { axis, endMass, onward, push, row, striker, struckBody, wall } from './bodies.js';
 import { pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
@@ -56,8 +57,8 @@ export class Stage {
     let pressed = 0;
     for (let k = 0; k <= 200; k++) {
       const t = (k / 200) * frame.duration;
-      reach = Math.max(reach, Math.abs(field.mass(t)), Math.abs(field.end(t)));
-      pressed = Math.max(pressed, field.mass(t) - field.end(t));
+      reach = Math.max(reach, Math.abs(field.mass(t)), Math.abs(field.face(t)));
+      pressed = Math.max(pressed, field.mass(t) - field.face(t));
     }
     for (const moved of frame.exactRow ?? []) reach = Math.max(reach, Math.abs(moved));
     this.span = field.to - field.from;
@@ -126,11 +127,11 @@ export class Stage {
     const thick = Math.min(height * 0.3, 56);
     const [size, struck] = this.#sizes(width, height);
     this.#fit(right - left, size);
-    const meeting = field.mass(t) > field.end(t);
+    const meeting = field.mass(t) > field.face(t);
     if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
     const struckAt = (frame.target.row ? ROW[0] : FACE) * width;
     const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : struckAt;
-    const face = rest + field.end(t) * this.scale;
+    const face = rest + field.face(t) * this.scale;
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
     if (frame.turningBar) turningBar(c, frame, t, { rest, middle, scale: this.scale, height });
@@ -150,7 +151,8 @@ export class Stage {
       const drawn = { x: own - size / 2, y: middle, width: size, height: size };
       this.striker?.draw(c, { ...drawn, way: [1, 0], sized: frame.target.shape !== 'ball' });
     }
-    if (rods.length === 1 && rods[0].mirror) this.front(c, t, left, right - left, middle - thick / 2);
+    if (rods.length === 1 && rods[0].mirror && !(field instanceof RigidField))
+      this.front(c, t, left, right - left, middle - thick / 2);
     this.#measure(c, width, height);
   }
   /**

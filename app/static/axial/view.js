@@ -5,7 +5,7 @@ import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
-import { at, Field, SampledField, unitOf, WaveField } from './fields.js';
+import { at, Field, RigidField, SampledField, unitOf, WaveField } from './fields.js';
 import { ModalField } from './modal_field.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
@@ -173,5 +173,6 @@ export const fieldOf = (frame) => (drawnFromOther(frame) ? otherFieldOf(frame) :
 /** @param {AxialFrame} frame */
 function otherFieldOf(frame) {
   if (frame.modalForce) return new ModalField(frame);
-  return frame.fieldStress ? new SampledField(frame, 'other') : new Field(frame, 'other');
+  if (frame.fieldStress) return new SampledField(frame, 'other');
+  return frame.rods.length ? new RigidField(frame) : new Field(frame, 'other');
 }

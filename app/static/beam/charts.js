@@ -89,6 +89,11 @@ export class BeamSpaceTime {
   draw() {
     const { axis } = this.chart;
     clearTimeout(this.resting);
+    if (!this.field.has(this.what)) {
+      this.chart.show({ ...this.content, blank: text('beam.chart.nothing', { what: QUANTITIES[this.what] }) });
+      this.chart.draw();
+      return;
+    }
     this.whole ??= this.#picture(this.images[0], [0, this.frame.duration]);
     const [start, end] = this.#stretch;
     const fine = this.fine?.x[0] === start && this.fine.x[1] === end ? this.fine : null;

@@ -58,9 +58,16 @@ export class BeamField {
     this.places = frame.places;
     this.room = room;
   }
+  /**
+   * Whether there is any of it.
+   * @param {What} what
+   */
+  has(what) {
+    return this.largest[what] > NOTHING;
+  }
   /** Whether nothing bends it, as it is struck along its length. */
   get lengthwise() {
-    return !(this.largest.moment > NOTHING);
+    return !this.has('moment');
   }
   /**
    * Values along the beam at one instant: at all places, or at every `every`-th from `first`.

@@ -110,7 +110,9 @@ export class BeamView {
     this.stack.arrange();
     this.dispersion.load(frame);
     const { lengthwise } = this.field;
-    this.spaceTime.chart.title.textContent = text(lengthwise ? 'beam.chart.waves-along' : 'beam.chart.waves');
+    this.spaceTime.chart.title.textContent = text(
+      lengthwise && mechanism ? 'beam.chart.waves-along' : 'beam.chart.waves',
+    );
     for (const button of this.colours.root.children)
       if (button instanceof HTMLElement) button.hidden = !this.#shows(button.dataset.kind ?? '');
     this.dress();

@@ -52,6 +52,7 @@ import { Tools } from './tools.js';
  * @property {Span[]} [shades]  stretches of x behind all
  * @property {Band | null} [band]
  * @property {Picture} [picture]
+ * @property {string} [blank]  why there is no picture, in its place
  * @property {{ name: string, spans: Span[], at: number, least: number }} [bars]
  * @property {number[]} [rules]  dashed lines across
  * @property {Key[]} [keys]  of the legend, besides the names
@@ -174,9 +175,10 @@ export class Chart extends Plot {
    * @param {CanvasRenderingContext2D} c
    */
   paint(c) {
-    const { picture, series, shades, band, bars, rules } = this.content;
+    const { picture, blank, series, shades, band, bars, rules } = this.content;
     if (picture) this.#picture(c, picture);
-    this.axes(c, !picture);
+    else if (blank) this.#say(c, this.x[0], blank);
+    this.axes(c, !picture && !blank);
     this.clip(c);
     if (shades) marks.shades(c, this, shades, COLORS.contact);
     for (const area of band?.areas ?? []) marks.between(c, this, { x: band?.x ?? [], ...area }, this.factor);
@@ -206,7 +208,7 @@ export class Chart extends Plot {
     const from = Math.max(this.x[0], start);
     const to = Math.min(this.x[1], end);
     const wide = (to - from) * perUnit;
-    this.#ending(c, Math.max(end, this.x[0]));
+    this.#say(c, Math.max(end, this.x[0]), text('chart.ends')); // what is laid over may last longer
     if (wide <= 0) return;
     c.imageSmoothingEnabled = wide < image.width / 3 || image.width < w / 2;
     const across = w / (this.x[1] - this.x[0]);
@@ -215,13 +217,14 @@ export class Chart extends Plot {
   }
 
   /**
-   * Where the picture ends before the axis does, as what is laid over may last longer.
+   * Words where there is no picture, if there is room for them.
    * @param {CanvasRenderingContext2D} c
-   * @param {number} end
+   * @param {number} from
+   * @param {string} said
    */
-  #ending(c, end) {
+  #say(c, from, said) {
     const { x, y, w, h } = this.frame;
-    const [left, said] = [this.px(end), text('chart.ends')];
+    const left = this.px(from);
     c.font = letters(11);
     c.fillStyle = COLORS.faint;
     c.textAlign = 'center';

@@ -128,17 +128,29 @@ def test_a_chain_has_no_rule_of_thumb(open_page):
     expect(page.tab.locator(".analysis:visible")).not_to_contain_text("Rule of thumb")
 
 
+SAID = """(name) => {
+  const context = CanvasRenderingContext2D.prototype, { fillText } = context, said = [];
+  context.fillText = function (text, ...place) { said.push(text); return fillText.call(this, text, ...place); };
+  strikewave.page.view[name].draw();
+  context.fillText = fillText;
+  return said;
+}"""
+
+
 def test_where_the_waves_of_a_shorter_impact_end_is_said(open_page):
     page = open_page("?scene=fixed-rod&mass_ratio=0.2")
     page.evaluate("() => strikewave.page.compare.keep()")
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 1.5)"))
-    said = page.evaluate(
-        """() => {
-          const context = CanvasRenderingContext2D.prototype, { fillText } = context, said = [];
-          context.fillText = function (text, ...place) { said.push(text); return fillText.call(this, text, ...place); };
-          strikewave.page.view.spaceTime.draw();
-          context.fillText = fillText;
-          return said;
-        }"""
-    )
-    assert "the present run has ended" in said
+    assert "the present run has ended" in page.evaluate(SAID, "spaceTime")
+
+
+def test_a_method_that_knows_no_waves_says_so_where_they_would_be(open_page):
+    """And draws both rods rigid, each by its own motion."""
+    page = open_page("?scene=two-unequal-rods&method=rigid")
+    assert "rigid bodies: no waves, so that the bodies are drawn rigid" in page.evaluate(SAID, "spaceTime")
+    moved = page.evaluate("() => [...strikewave.page.view.field.profile(1, 'displacement', new Float64Array(31))]")
+    mass, end = page.evaluate("() => [strikewave.page.view.field.mass(1), strikewave.page.view.field.end(1)]")
+    assert (moved[0], moved[-1]) == (mass, end) and mass < 0 < end
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'hammer-on-cantilever')"))
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('method', 'rigid')"))
+    assert "no velocity by this method" in page.evaluate(SAID, "spaceTime")
