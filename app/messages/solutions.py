@@ -50,7 +50,9 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
     options = own | {option: getattr(request, option) for option in resolutions(scene, name)}
     if name == "mode-switch":
         options["modes"] = max(options["modes"], LEAST_SWITCHED)
-    if name in RESTORING and (name != Multibody.NAME or scene.rigid_contact):  # which knows contact laws besides
+    if name == Multibody.NAME and not scene.rigid_contact:  # which knows contact laws besides
+        options.pop("restitution", None)
+    elif name in RESTORING:
         options["restitution"] = request.restitution
     if request.draft and "steps" in options:
         options["steps"] = max(int(request.share * options["steps"]), min(LEAST_STEPS, options["steps"]))

@@ -158,6 +158,12 @@ def test_a_contact_law_gives_a_force_over_time():
     assert "local" in told.header["moving"]["energies"]
 
 
+def test_a_law_decides_not_the_restitution_of_the_scene():
+    told = Told(chosen("bouncing-on-piston", 0.1, law="hertz")).header
+    assert told["moving"]["restitution"] is None
+    assert [note["code"] for note in told["main"]["notes"]] == ["configuration-followed"]
+
+
 def test_a_draft_takes_larger_steps():
     told = Told(chosen("bouncing-on-piston", 0.6, **{DRAFT: 0.125}))
     assert told.header["draft"] and told.header["main"]["diagnostics"]["steps"] == moving.DRAFT_STEPS
