@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from pytest import approx
+from scipy.integrate import solve_ivp
 
 import solvers
 from solvers import Modal, RigidImpulse, Scene
@@ -61,6 +62,47 @@ def test_a_pendulum_struck_at_its_centre_of_percussion():
     assert errors[0][0] / errors[2][0] == approx(16.0, rel=0.02)  # of second order
     assert found.peak_indentation == approx(deepest, rel=1e-4) and found.residual_indentation == 0.0
     assert found.restitution["newton_at_contact"] == approx(1.0, abs=1e-6)
+
+
+def test_a_bar_that_turns_far_while_it_is_struck():
+    """By 21 degrees, on a soft spring, the mass sliding along it: as by integrating the angle of the bar, to 1e-13."""
+    target = {
+        "kind": "mechanism",
+        "gravity": [0.0, -9.81],
+        "links": [{"name": "bar", "from": [0.0, 0.0], "to": [0.6, 0.0], "mass": 1.5}],
+        "joints": [{"links": ["ground", "bar"], "at": [0.0, 0.0]}],
+        "drives": [{"joint": 0, "speed": 8.0, "initial": True}],
+        "struck": {"link": "bar", "at": 0.5, "normal": [0.0, -1.0]},
+    }
+    contact = {"law": "linear", "stiffness": 600.0}
+    table = {"impactor": {"mass": 0.8, "velocity": 1.0}, "target": target, "contact": contact}
+
+    def change(_, state):
+        angle, x, y, spin, along, up = state
+        normal = np.array([np.sin(angle), -np.cos(angle)])
+        force = 600.0 * max(normal @ [x, y], 0.0)
+        turning = force * (x * normal[1] - y * normal[0]) - 1.5 * 9.81 * 0.3 * np.cos(angle)
+        pushed = -force / 0.8 * normal
+        return [spin, along, up, turning / (1.5 * 0.6**2 / 3.0), pushed[0], pushed[1] - 9.81]
+
+    def apart(time, state):
+        return np.sin(state[0]) * state[1] - np.cos(state[0]) * state[2] if time > 1e-3 else 1.0
+
+    apart.terminal = True
+    exact = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-14}
+    touching = solve_ivp(change, (0.0, 0.15), [0.0, 0.3, 0.0, 8.0, 0.0, -1.0], events=apart, **exact)
+    parted = float(touching.t[-1])
+    after = solve_ivp(change, (parted, 0.15), touching.y[:, -1], **exact).y[:, -1]
+    assert np.degrees(touching.y[0, -1]) > 20.0
+    errors = []
+    for steps in (400, 800):
+        found = Multibody(contact_steps=steps, steps=400, estimate=False).solve(Scene.from_table(table), 0.15)
+        course, (contact,) = found.motion.course, found.contacts
+        ends = [course.coordinates[-1, 2], *course.place[-1], course.rates[-1, 2], *course.speed[-1]]
+        errors.append(np.append(ends - after, contact.end - parted))
+        assert found.diagnostics["energy_drift"] < 1e-12
+    assert np.abs(errors[1]).max() < 2e-6
+    assert errors[0] / errors[1] == approx(np.full(7, 4.0), rel=0.02)  # of second order
 
 
 @pytest.mark.parametrize("name", [name for name in LAWS if name != "rigid"])
