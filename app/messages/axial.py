@@ -24,8 +24,8 @@ from solvers.text.notes import Note
 from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown, whole_numbers
 from .parts import parts_told
-from .pendulum import pendulum_told, striker_arrays, waves_of_force
-from .rotating import bent_shapes, rotation_told, turning_fields, turning_rod, turns
+from .pendulum import pendulum_told, pivot_moments, striker_arrays, waves_of_force
+from .rotating import axis_moments, bent_shapes, rotation_told, turning_fields, turning_rod, turns
 from .solutions import by_modes
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
@@ -47,6 +47,8 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         if solution is None:
             continue
         arrays |= striker_arrays(name, solution, even, length_unit)
+        coarse = even[:: 5 if request.draft else 2]
+        arrays |= pivot_moments(name, solution, coarse) | axis_moments(name, solution, coarse)
         arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
         if solution is exact and isinstance(solution.motion, RowMotion):
             before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])

@@ -47,6 +47,7 @@ FORCE_STEPS = (
 )
 DRAWN_MODES, PLACES = 48, 81  # of the fields that the browser rebuilds
 INSTANTS, SAMPLED_PLACES = 120, 41  # of fields of other methods
+LINK_PLACES = 31  # of a link, beside which there are others
 MOTION_POINTS = 500  # of the motions of impactor and struck place
 CONTACTS = 250  # of each solution, listed one by one
 LISTED_RATES = 60  # contacts before and after which velocities are listed
@@ -103,7 +104,7 @@ def _drawn(
         header, arrays = moving_fields(main, request, reason, reference)
         return header, arrays | _history(main, "main")
     header, arrays = _fields(main)
-    linkage, moved = mechanism_fields(main)
+    linkage, moved = mechanism_fields(main, reference)
     return header | linkage, arrays | moved
 
 
@@ -256,12 +257,20 @@ def _rates(solution: Solution) -> dict[str, np.ndarray]:
     return {"rates": both.reshape(-1, 2, 2)}
 
 
+def _places(solution: Solution) -> int:
+    """Of the fields, along the beam or the struck link."""
+    if isinstance(solution.motion, ModalMotion):
+        return PLACES
+    return SAMPLED_PLACES if mechanism_of(solution.scene) is None else LINK_PLACES
+
+
 def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     motion, beam = solution.known_motion, solution.scene.target
     if isinstance(motion, ModalMotion):
         return _modal_fields(motion)
     assert isinstance(motion, Bends)
-    time, x = instants(solution.duration, INSTANTS), np.linspace(0.0, beam.length, SAMPLED_PLACES)
+    places = _places(solution)
+    time, x = instants(solution.duration, INSTANTS), np.linspace(0.0, beam.length, places)
     fields = {
         "Deflection": solution.known_motion.displacement,
         "Velocity": solution.known_motion.velocity,
@@ -278,7 +287,7 @@ def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         values = field(time, x)
         there = np.abs(values).max(initial=0.0) > ROUNDING * usual.get(name, 0.0)
         arrays[f"field{name}"] = whole_numbers(values if there else np.zeros_like(values))
-    return {"places": SAMPLED_PLACES}, {"fieldTime": MS * time, **arrays} | _history(solution, "main")
+    return {"places": places}, {"fieldTime": MS * time, **arrays} | _history(solution, "main")
 
 
 def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -325,8 +334,7 @@ def _static(scene: Scene, main: Solution) -> dict[str, np.ndarray]:
     if scene.target.fixed:
         modes = scene.target.modes(MODES_BESIDE[0])
         weights = modes.at_contact / modes.frequencies**2
-        places = PLACES if isinstance(main.motion, ModalMotion) else SAMPLED_PLACES
-        bent = weights @ modes.shapes(np.linspace(0.0, scene.target.length, places))
+        bent = weights @ modes.shapes(np.linspace(0.0, scene.target.length, _places(main)))
         found["staticShape"] = bent / float(weights @ modes.at_contact)
     return found
 

@@ -1,6 +1,6 @@
-"""How flexible links of a mechanism bend, as amounts of their shapes, from which the browser makes their fields."""
+"""How flexible links of a mechanism move and bend, as amounts of shapes, from which the browser makes their fields."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,40 +13,52 @@ MOST_AMOUNTS = 7_500  # numbers in all, of which the instants are as many as lea
 MOST_INSTANTS = 1_200
 
 
-def instants_for(mechanism: Mechanism, numbers: list[int]) -> int:
-    """At how many instants these links are told of."""
-    shapes = sum(mechanism.links[number].modes for number in numbers)
-    return int(min(MOST_INSTANTS, MOST_AMOUNTS / max(shapes, 1)))
+class Fields(NamedTuple):
+    """Of each shape along a link, (shapes, places), for one unit: displacement [m], bending moment [N m], shear [N]."""
+
+    shape: np.ndarray
+    moment: np.ndarray
+    shear: np.ndarray
 
 
-def shapes_told(mechanism: Mechanism, number: int, straight: np.ndarray | None = None) -> dict[str, Any]:
-    """Deflection, bending moment and shear force along a link by its shapes, each over its scale.
+def places_along(mechanism: Mechanism, number: int) -> np.ndarray:
+    """[m]"""
+    return np.linspace(0.0, mechanism.system.links[number].length, PLACES)
 
-    straight (places, places): what takes from a deflection the part that is none.
-    """
-    link = mechanism.system.links[number]
-    x = np.linspace(0.0, link.length, PLACES)
-    across = link.shapes.displacements(x)[:, :, 1]
-    found = {}
-    tables = {
-        "shape": across if straight is None else across @ straight,
-        "moment": link.shapes.carried("moments", x),
-        "shear": link.shapes.carried("shears", x),
-    }
-    bends = slice(mechanism.links[number].modes)  # axial shapes come after these
-    for name, table in tables.items():
-        scale = np.maximum(np.abs(table[bends]).max(axis=1, initial=0.0), 1e-300)
-        found |= {
-            f"{name}Of{number}": whole_numbers(table[bends] / scale[:, None]),
-            f"{name}ScaleOf{number}": scale,
-        }
+
+def instants_for(shapes: int, most: int = MOST_AMOUNTS) -> int:
+    """At how many instants links of so many shapes are told of."""
+    return int(min(MOST_INSTANTS, most / max(shapes, 1)))
+
+
+def link_told(number: int, amounts: np.ndarray, fields: Fields) -> dict[str, Any]:
+    """Amounts (instants, shapes) and fields of a link, each shape over what it is at most."""
+    most = np.maximum(np.abs(amounts).max(axis=0, initial=0.0), 1e-300)
+    found: dict[str, Any] = {f"amountsOf{number}": whole_numbers(amounts / most)}
+    for name, table in zip(Fields._fields, fields, strict=True):
+        rows = table * most[:, None]
+        scale = np.maximum(np.abs(rows).max(axis=1, initial=0.0), 1e-300)
+        found |= {f"{name}Of{number}": whole_numbers(rows / scale[:, None]), f"{name}ScaleOf{number}": scale}
     return found
 
 
-def amounts_told(mechanism: Mechanism, number: int, coordinates: np.ndarray) -> dict[str, Any]:
-    """Amounts of its shapes (bend instants, shapes) [m kg^1/2], of all coordinates (instants, size)."""
-    start = int(mechanism.system.offsets[number]) + 3
-    return {f"amountsOf{number}": whole_numbers(coordinates[:, start : start + mechanism.links[number].modes])}
+def across(mechanism: Mechanism, number: int) -> Fields:
+    """Of a link's own bending, from the line through its joints, to the left of its way."""
+    link, x = mechanism.system.links[number], places_along(mechanism, number)
+    bends = slice(link.shapes.bending.frequencies.size)  # axial shapes come after these
+    return Fields(
+        link.shapes.displacements(x)[bends, :, 1] @ between_joints(mechanism, number),
+        link.shapes.carried("moments", x)[bends],
+        link.shapes.carried("shears", x)[bends],
+    )
+
+
+def along_normal(mechanism: Mechanism, number: int) -> Fields:
+    """Of all coordinates of a link where it stands, as a whole and of its shapes: what moves along the normal."""
+    link, x = mechanism.system.links[number], places_along(mechanism, number)
+    whole = np.zeros((3, PLACES))
+    moments, shears = (np.concatenate((whole, link.shapes.carried(name, x))) for name in ("moments", "shears"))
+    return Fields((np.array(mechanism.struck.normal) @ link.points(x)).T, moments, shears)
 
 
 def between_joints(mechanism: Mechanism, number: int) -> np.ndarray:

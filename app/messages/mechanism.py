@@ -16,12 +16,14 @@ from solvers.methods.mechanisms import MechanismMotion
 from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 
+from .bending import along_normal, instants_for, link_told
 from .encoding import instants, whole_numbers
 
 RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that of its method
 PARTS = 10  # straight pieces of a link that bends
 INSTANTS = 75
 REACTIONS = 200  # instants
+AMOUNTS_BESIDE = 4_000  # numbers that tell of links beside the struck one
 
 
 def mechanism_of(scene: Scene) -> Mechanism | None:
@@ -29,8 +31,8 @@ def mechanism_of(scene: Scene) -> Mechanism | None:
     return scene.target if isinstance(scene.target, Mechanism) else None
 
 
-def mechanism_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Header and arrays; without any, if it is none."""
+def mechanism_fields(solution: Solution, rigid: Solution | None) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Header and arrays; without any, if it is none. `rigid`: the same with rigid links, if there is that."""
     motion = solution.known_motion
     if not isinstance(motion, MechanismMotion):
         return {"mechanism": None, "moving": None}, {}
@@ -45,7 +47,29 @@ def mechanism_fields(solution: Solution) -> tuple[dict[str, Any], dict[str, Any]
     if motion.mechanism.joints:
         fine = instants(solution.duration, REACTIONS)
         arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
+        if rigid is not None and isinstance(rigid.motion, MechanismMotion):
+            forces = whole_numbers(rigid.motion.reaction_forces(fine))
+            arrays |= {"referenceReactionTime": 1e3 * fine, "referenceReactions": forces}
+    arrays |= _others(motion, solution.duration)
     return {"mechanism": described(motion.mechanism), "moving": None}, arrays
+
+
+def _others(motion: MechanismMotion, duration: float) -> dict[str, Any]:
+    """How links that are not struck move along the normal, and bend."""
+    mechanism, offsets = motion.mechanism, motion.mechanism.system.offsets
+    bent = {
+        number: along_normal(mechanism, number)
+        for number, link in enumerate(mechanism.links)
+        if link.flexible and link.name != mechanism.struck.link
+    }
+    if not bent:
+        return {}
+    shapes = sum(len(fields.shape) for fields in bent.values())
+    time = instants(duration, instants_for(shapes, AMOUNTS_BESIDE))
+    coordinates, found = motion.coordinates(time), {"bendTime": 1e3 * time}
+    for number, fields in bent.items():
+        found |= link_told(number, coordinates[:, offsets[number] : offsets[number + 1]], fields)
+    return found
 
 
 def described(mechanism: Mechanism) -> dict[str, Any]:

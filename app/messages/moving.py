@@ -13,7 +13,7 @@ from solvers.methods.multibody.motion import MovingMotion
 from solvers.text.notes import Note
 
 from ..choices.request import Request
-from .bending import PLACES, amounts_told, between_joints, instants_for, shapes_told
+from .bending import PLACES, across, instants_for, link_told
 from .encoding import whole_numbers
 from .mechanism import described, with_rigid_links
 
@@ -107,22 +107,21 @@ def _instants(motion: MovingMotion) -> int:
 def _bends(motion: MovingMotion, time: np.ndarray) -> dict[str, Any]:
     """Of every link that bends its shapes and their amounts; "beside": by how much its ends are off the straight line
     that its deflection is drawn from, (instants, links, ends, 2) [m]."""
-    mechanism, system = motion.mechanism, motion.mechanism.system
-    numbers = [number for number, link in enumerate(mechanism.links) if link.flexible and link.modes]
+    mechanism, offsets = motion.mechanism, motion.mechanism.system.offsets
+    bent = {n: across(mechanism, n) for n, link in enumerate(mechanism.links) if link.flexible}
     beside = np.zeros((time.size, len(mechanism.links), 2, 2))
-    if not numbers:
+    if not bent:
         return {"beside": beside}
-    fine = np.linspace(0.0, float(motion.time[-1]), instants_for(mechanism, numbers))
+    shapes = sum(len(fields.shape) for fields in bent.values())
+    fine = np.linspace(0.0, float(motion.time[-1]), instants_for(shapes))
     coordinates, now = motion.coordinates(fine), motion.coordinates(time)
     found: dict[str, Any] = {"bendTime": MS * fine}
-    for number in numbers:
-        straight, start = between_joints(mechanism, number), int(system.offsets[number])
-        found |= shapes_told(mechanism, number, straight) | amounts_told(mechanism, number, coordinates)
-        link, own = system.links[number], now[:, start : start + system.links[number].size]
-        x = np.linspace(0.0, link.length, len(straight))
-        off = own[:, 3:] @ (link.shapes.displacements(x)[:, :, 1] @ straight)[:, [0, -1]]
-        across = np.stack((-np.sin(own[:, 2]), np.cos(own[:, 2])), axis=1)
-        beside[:, number] = off[:, :, None] * across[:, None]
+    for number, fields in bent.items():
+        first, angle = int(offsets[number]) + 3, now[:, int(offsets[number]) + 2]
+        own = slice(first, first + len(fields.shape))
+        found |= link_told(number, coordinates[:, own], fields)
+        left = np.stack((-np.sin(angle), np.cos(angle)), axis=1)
+        beside[:, number] = (now[:, own] @ fields.shape[:, [0, -1]])[:, :, None] * left[:, None]
     return found | {"beside": beside}
 
 

@@ -43,6 +43,14 @@ def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit:
     return {f"{name}Mass": face / length_unit}
 
 
+def pivot_moments(name: str, solution: Solution, time: np.ndarray) -> dict[str, Any]:
+    """Bending moments of a bar that bends as it swings [N m]: at its pivot and where it strikes, (instants, 2)."""
+    body, motion = solution.scene.impactor, solution.known_motion
+    if not isinstance(body, FlexiblePendulum) or not isinstance(motion, ModalMotion):
+        return {}
+    return {f"{name}Moments": whole_numbers(motion.moment(time, np.array([-NO_PLACE, -body.place])))}
+
+
 def waves_of_force(solution: Solution) -> tuple[Motion | None, float]:
     """The waves that this contact force sends into the struck rods, and their unit over Z v."""
     time, forces = np.linspace(0.0, solution.duration, FORCE_POINTS), solution.known_motion.force

@@ -6,6 +6,7 @@ import numpy as np
 
 from solvers import Solution
 from solvers.bodies import AnyBody, RotatingRod
+from solvers.methods.modal.method import ModalMotion
 
 from .encoding import whole_numbers
 
@@ -43,6 +44,14 @@ def bent_shapes(solution: Solution, time: np.ndarray, length_unit: float) -> dic
         return {}
     places = np.linspace(0.0, rod.length, BAR_PLACES)
     return {"turningBar": whole_numbers(solution.known_motion.displacement(time, places) / length_unit)}
+
+
+def axis_moments(name: str, solution: Solution, time: np.ndarray) -> dict[str, Any]:
+    """Bending moments of a rod that turns and is struck across [N m]: at its axis and at the contact, (instants, 2)."""
+    rod, motion = solution.scene.target, solution.known_motion
+    if not isinstance(rod, RotatingRod) or not rod.across or not isinstance(motion, ModalMotion):
+        return {}
+    return {f"{name}Moments": whole_numbers(motion.moment(time, np.array([0.0, rod.at * rod.length])))}
 
 
 def rotation_told(body: AnyBody) -> dict[str, Any]:

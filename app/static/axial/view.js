@@ -7,6 +7,7 @@ import { family, text } from '../text/catalogue.js';
 import { Cycle, Displacements, drawnFromOther, Force, SpaceTime } from './charts.js';
 import { at, Field, RigidField, SampledField, unitOf, WaveField } from './fields.js';
 import { ModalField } from './modal_field.js';
+import { Moments } from './moments.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
 
@@ -34,7 +35,8 @@ export class AxialView {
     this.spaceTime = new SpaceTime(this.axis, go);
     this.force = new Force(this.axis, go);
     this.displacements = new Displacements(this.axis, go);
-    this.charts = [this.spaceTime, this.force, this.displacements];
+    this.moments = new Moments(this.axis, go);
+    this.charts = [this.spaceTime, this.force, this.displacements, this.moments];
     this.cycle = new Cycle();
     this.story = new Story(
       (t) => page.player.seek(t + this.after),
@@ -51,8 +53,8 @@ export class AxialView {
     this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
     this.spaceTime.chart.title.after(this.colours.root);
-    const [waves, force, moved] = this.charts.map(({ chart }) => chart);
-    this.stack = new Stack('axial', { waves, force, moved }, () => page.redraw());
+    const [waves, force, moved, moments] = this.charts.map(({ chart }) => chart);
+    this.stack = new Stack('axial', { waves, force, moments, moved }, () => page.redraw());
     this.strip = force; // is seen on a phone, whatever else is
     this.buttons = [this.whole];
     this.story.numbers.prepend(this.cycle.chart.root);
@@ -79,9 +81,10 @@ export class AxialView {
     this.spaceTime.chart.root.hidden = !frame.rods.length;
     const methods = [frame.exact.name, frame.other?.name ?? 'rigid'];
     this.force.chart.root.hidden = methods.every((name) => name === 'rigid'); // an impulse without duration
-    this.stack.arrange();
     this.force.load(frame);
     this.displacements.load(frame);
+    this.moments.load(frame);
+    this.stack.arrange();
     this.cycle.load(frame);
     this.dress();
   }

@@ -3,10 +3,12 @@ import { letters } from '../charts/canvas.js';
 import { boxOf, indexAt, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
+import { bendingOf } from './bending.js';
+import { arrow, drawJoint } from './joints.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
-/** @import { BeamFrame, JointTold, MechanismTold } from '../shell/message.js' */
+/** @import { BeamFrame, MechanismTold } from '../shell/message.js' */
 /** @import { Drawn } from '../shell/striker.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */
@@ -17,9 +19,7 @@ const ROOM = 46; // pixels about the mechanism, at most
 const SHARE_OF_ROOM = 0.2; // of the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
-const PIN = 4.5; // pixels
 const LINE = 12; // of words
-const GROUND = 'ground';
 
 export class Mechanism {
   factor = 1; // by which movement is drawn larger
@@ -45,6 +45,7 @@ export class Mechanism {
     this.moves = given(frame.linkMoves, 'linkMoves');
     this.times = given(frame.linkTime, 'linkTime');
     this.places = frame.shapes.linkPoints[1];
+    this.bending = bendingOf(frame); // of links whose fields come as shapes
     this.box = boxOf(this.points);
     this.size = Math.max(this.box[1] - this.box[0], this.box[3] - this.box[2]);
     this.reach = this.furthest(reach);
@@ -189,7 +190,7 @@ export class Mechanism {
   }
   /**
    * @param {Context} c
-   * @param {(j: number) => number} value  that the colours of the struck link show, at a place from 0 to 1
+   * @param {(n: number, share: number) => number} value  that the colours of a link show, at a share of its length
    * @param {number} end  of the colours
    * @param {boolean} fibres  whether both sides of it differ in sign
    */
@@ -197,14 +198,15 @@ export class Mechanism {
     c.lineCap = 'round';
     c.lineJoin = 'round';
     this.placed.forEach((line, n) => {
-      const struck = n === this.told.struck && this.told.links[n].flexible;
       c.strokeStyle = '#4a5968';
       c.lineWidth = this.thick(n) + 2;
       this.#path(c, line);
       c.strokeStyle = '#c3ccd5';
       c.lineWidth = this.thick(n);
       this.#path(c, line);
-      if (struck) this.#coloured(c, line, this.thick(n), value, end, fibres);
+      const told = n === this.told.struck || this.bending[n];
+      if (told && this.told.links[n].flexible)
+        this.#coloured(c, line, this.thick(n), (share) => value(n, share), end, fibres);
     });
     c.lineCap = 'butt';
   }
@@ -218,22 +220,20 @@ export class Mechanism {
     c.stroke();
   }
   /**
-   * Piece by piece, either side of the middle line where fibres differ.
+   * Piece by piece, either side of the middle line where fibres differ: a positive moment presses those to its left.
    * @param {Context} c
    * @param {Point[]} line
    * @param {number} thick
-   * @param {(j: number) => number} value
+   * @param {(share: number) => number} value
    * @param {number} end
    * @param {boolean} fibres
    */
   #coloured(c, line, thick, value, end, fibres) {
-    const [nx, ny] = this.way;
     c.lineCap = 'butt';
     for (let k = 1; k < line.length; k++) {
       const [[a, b], [x, y]] = [line[k - 1], line[k]];
       const length = Math.hypot(x - a, y - b) || 1;
-      let [across, down] = [-(y - b) / length, (x - a) / length];
-      if (across * nx + down * ny < 0) [across, down] = [-across, -down];
+      const [across, down] = [(y - b) / length, (a - x) / length];
       const found = value((k - 0.5) / (line.length - 1));
       for (const side of fibres ? [-1, 1] : [0]) {
         const shift = (side * thick) / 4;
@@ -248,66 +248,7 @@ export class Mechanism {
   }
   /** @param {Context} c */
   joints(c) {
-    for (const joint of this.told.joints) {
-      const [x, y] = this.along(joint.link, joint.share);
-      if (joint.links.includes(GROUND)) this.#ground(c, joint, x, y);
-      if (joint.kind === 'prismatic') this.#slide(c, joint, x, y);
-      c.fillStyle = joint.driven ? COLORS.modal : '#fff';
-      c.strokeStyle = '#33475b';
-      c.lineWidth = 1.6;
-      c.beginPath();
-      if (joint.kind === 'fixed') c.rect(x - PIN, y - PIN, 2 * PIN, 2 * PIN);
-      else c.arc(x, y, PIN, 0, 7);
-      c.fill();
-      c.stroke();
-    }
-  }
-  /**
-   * @param {Context} c
-   * @param {JointTold} joint
-   * @param {number} x
-   * @param {number} y
-   */
-  #ground(c, joint, x, y) {
-    if (joint.kind === 'prismatic') return;
-    c.strokeStyle = '#8a97a3';
-    c.fillStyle = '#d4dce4';
-    c.lineWidth = 1.2;
-    c.beginPath();
-    c.moveTo(x, y);
-    c.lineTo(x - 9, y + 15);
-    c.lineTo(x + 9, y + 15);
-    c.closePath();
-    c.fill();
-    c.stroke();
-    c.beginPath();
-    c.moveTo(x - 14, y + 15);
-    c.lineTo(x + 14, y + 15);
-    for (let s = -10; s <= 14; s += 7) {
-      c.moveTo(x + s, y + 15);
-      c.lineTo(x + s - 5, y + 21);
-    }
-    c.stroke();
-  }
-  /**
-   * The guide of a sliding joint.
-   * @param {Context} c
-   * @param {JointTold} joint
-   * @param {number} x
-   * @param {number} y
-   */
-  #slide(c, { axis }, x, y) {
-    const [across, up] = axis ?? [1, 0];
-    const length = Math.hypot(across, up) || 1;
-    const [dx, dy] = [across / length, -up / length];
-    c.strokeStyle = '#8a97a3';
-    c.lineWidth = 1.4;
-    for (const side of [-9, 9]) {
-      c.beginPath();
-      c.moveTo(x - 26 * dx - side * dy, y - 26 * dy + side * dx);
-      c.lineTo(x + 26 * dx - side * dy, y + 26 * dy + side * dx);
-      c.stroke();
-    }
+    for (const joint of this.told.joints) drawJoint(c, joint, this.along(joint.link, joint.share));
   }
   /**
    * What each joint does to its second link, as an arrow, at the instant that is placed.
@@ -375,26 +316,4 @@ export class Mechanism {
     const code = narrow ? 'beam.stage.reactions-short' : 'beam.stage.reactions';
     c.fillText(text(code, { sudden: this.sudden, most }), x, y);
   }
-}
-
-/**
- * @param {Context} c
- * @param {Point} from
- * @param {Point} way  in pixels
- */
-function arrow(c, [x, y], [dx, dy]) {
-  const length = Math.hypot(dx, dy);
-  const [ux, uy] = [dx / length, dy / length];
-  const head = Math.min(7, length);
-  c.strokeStyle = c.fillStyle = COLORS.halfSpace;
-  c.lineWidth = 2;
-  c.beginPath();
-  c.moveTo(x, y);
-  c.lineTo(x + dx - head * ux, y + dy - head * uy);
-  c.stroke();
-  c.beginPath();
-  c.moveTo(x + dx, y + dy);
-  c.lineTo(x + dx - head * ux - 0.5 * head * uy, y + dy - head * uy + 0.5 * head * ux);
-  c.lineTo(x + dx - head * ux + 0.5 * head * uy, y + dy - head * uy - 0.5 * head * ux);
-  c.fill();
 }

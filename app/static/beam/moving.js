@@ -4,7 +4,6 @@ import { COLORS } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
-import { bendingOf } from './bending.js';
 import { Mechanism } from './mechanism.js';
 
 /** @import { BeamFrame } from '../shell/message.js' */
@@ -22,26 +21,24 @@ export class MovingMechanism extends Mechanism {
 
   /** @param {BeamFrame} frame */
   constructor(frame) {
-    const bends = bendingOf(frame);
-    super(frame, Math.max(0, ...bends.map((bending) => bending?.largest ?? 0)));
-    this.bending = bends;
-    this.rows = bends.map((bending) => (bending ? new Float64Array(bending.places) : null));
+    super(frame, 0);
+    this.rows = this.bending.map((bending) => (bending ? new Float64Array(bending.places) : null));
     const flown = given(frame.massPlaces, 'massPlaces');
     const { points } = this;
     this.mass = { x: flown.filter((_, k) => k % 2 === 0), y: flown.filter((_, k) => k % 2 === 1) };
     const places = this.moves.map((move, k) => points[k % points.length] + move);
     this.box = boxOf(places);
     this.box = boxOf([...places, ...this.#near()]);
-    this.magnify(this.reach);
+    this.#meet();
   }
   /** How far the largest movement goes that is drawn larger: bending alone. */
-  furthest(/** @type {number} */ reach) {
-    return reach;
+  furthest() {
+    return Math.max(0, ...this.bending.map((bending) => bending?.largest ?? 0));
   }
   /** @param {number} reach  the largest deflection of a link [m] */
   magnify(reach) {
     this.factor = reach > 0 ? Math.min(Math.max(roundBelow((SHOWN_BEND * this.size) / reach), 1), MOST) : 1;
-    if (this.bending) this.#meet();
+    if (this.rows) this.#meet(); // else it is being made
   }
   /**
    * Below what is written at the top, where the mass may fly.

@@ -1,38 +1,93 @@
-// What the joints of a mechanism bear over time.
+// What the joints of a mechanism bear over time: forces or moments, with those of rigid links.
 import { Chart } from '../charts/chart.js';
-import { text } from '../text/catalogue.js';
+import { segments } from '../shell/dom.js';
+import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { BeamFrame, Numbers } from '../shell/message.js' */
 
-/** @type {Series['style'][]} */
-const STYLES = ['exact', 'other', 'halfSpace', 'struck', 'record', 'prediction', 'limit'];
+/** @typedef {'force' | 'moment'} Kind */
+
+const KINDS = ['force', 'moment'];
+const JOINTS = 7; // that have a line of their own
+const OVER = 2; // times the height of these curves, which those of rigid links may take
+
+/**
+ * Size of the force of every joint, or its moment, (joint, instant).
+ * @param {Numbers} reactions  (instant, joint, force along x and y and moment), flat
+ * @param {number} joints
+ * @param {Kind} kind
+ */
+const valuesOf = (reactions, joints, kind) =>
+  Array.from({ length: joints }, (_, n) =>
+    Float64Array.from({ length: reactions.length / (3 * joints) }, (_row, k) => {
+      const [x, y, moment] = reactions.subarray(3 * (k * joints + n));
+      return kind === 'moment' ? moment : Math.hypot(x, y);
+    }),
+  );
+
+/**
+ * @param {number} n
+ * @param {boolean} rigid
+ * @returns {Series['style']}
+ */
+const styleOf = (n, rigid) => /** @type {Series['style']} */ (`joint${n}${rigid ? 'rigid' : ''}`);
+
+/** @param {Numbers} values */
+const some = (values) => values.some((value) => value !== 0);
 
 export class Reactions {
+  /** @type {Kind} */ kind = 'force';
+  /** @type {BeamFrame} */ frame;
+
   /**
    * @param {Axis} axis
    * @param {(t: number) => void} go
-   * @param {string} [about]  what is to be seen
    */
-  constructor(axis, go, about = text('beam.chart.reactions-about')) {
-    const title = text('beam.chart.reactions');
+  constructor(axis, go) {
+    const [title, about] = [text('beam.chart.reactions'), text('beam.chart.reactions-about')];
     this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'N', zero: true, pad: [0.04, 0.12], go });
+    const press = (/** @type {string} */ kind) => {
+      this.kind = /** @type {Kind} */ (kind);
+      this.#show();
+      this.chart.redraw();
+    };
+    const names = family('beam.reaction');
+    this.switch = segments(text('beam.chart.shown'), KINDS, press, (kind) => names[kind]);
+    this.switch.root.classList.add('small');
+    this.chart.value.before(this.switch.root);
   }
   /** @param {BeamFrame} frame */
-  load({ contacts, mechanism, reactionTime: x, reactions }) {
-    const some = reactions?.some((force) => force !== 0); // else all is over at once
-    this.chart.root.hidden = !some;
-    if (!mechanism || !reactions || !x || !some) return;
-    const count = mechanism.joints.length;
+  load(frame) {
+    this.frame = frame;
+    const { mechanism, reactions } = frame;
+    const there = Boolean(mechanism && reactions && some(reactions)); // else all is over at once
+    this.chart.root.hidden = !there;
+    if (!mechanism || !reactions || !there) return;
+    const turns = valuesOf(reactions, mechanism.joints.length, 'moment').some(some);
+    this.switch.root.hidden = !turns; // pins that nothing drives bear no moment
+    if (!turns) this.kind = 'force';
+    this.#show();
+  }
+  #show() {
+    const { frame, kind } = this;
+    const { contacts, mechanism, reactionTime, reactions, referenceReactions, referenceReactionTime } = frame;
+    if (!mechanism || !reactions || !reactionTime) return;
+    this.switch.show(kind);
     /** @type {Series[]} */
-    const series = mechanism.joints.slice(0, STYLES.length).map((joint, n) => ({
-      x,
-      y: Array.from(x, (_, k) => Math.hypot(reactions[3 * (k * count + n)], reactions[3 * (k * count + n) + 1])),
-      name: joint.links.join(' – '),
-      style: STYLES[n],
-    }));
-    this.chart.show({ series, shades: contacts });
+    const series = [];
+    const add = (/** @type {Numbers} */ x, /** @type {Numbers} */ given, /** @type {boolean} */ rigid) =>
+      valuesOf(given, mechanism.joints.length, kind).forEach((y, n) => {
+        if (n >= JOINTS || !some(y)) return;
+        const joint = mechanism.joints[n].links.join(' – ');
+        const name = rigid ? text('beam.chart.reactions-rigid') : joint;
+        const reach = series.some((each) => each.name === name) ? 0 : OVER; // or each would widen it anew
+        series.push({ x, y, name, style: styleOf(n, rigid), ...(rigid ? { reach } : {}) });
+      });
+    add(reactionTime, reactions, false);
+    if (referenceReactions && referenceReactionTime) add(referenceReactionTime, referenceReactions, true);
+    this.chart.show({ series, unit: kind === 'moment' ? 'N m' : 'N', shades: contacts });
   }
   draw() {
     this.chart.draw();

@@ -146,10 +146,13 @@ export class BeamStage {
    * @param {number} height
    */
   #linkage(c, mechanism, t, width, height) {
-    const { field, frame, values, what } = this;
+    const { frame, values, what } = this;
     mechanism.fit(width, height);
     mechanism.place(t);
-    const value = (/** @type {number} */ share) => values[Math.round(share * (field.places - 1))];
+    const rows = mechanism.bending.map((bending) => bending?.profile(t, what));
+    rows[mechanism.told.struck] = values;
+    const value = (/** @type {number} */ n, /** @type {number} */ share) =>
+      rows[n]?.[Math.round(share * (rows[n].length - 1))] ?? 0;
     mechanism.links(c, value, this.usual[what], what === 'moment');
     mechanism.joints(c);
     mechanism.striker(c, t, between(frame.time, frame.impactorPath, t), this.touching(t));

@@ -67,8 +67,23 @@ const keptAs = (letter) =>
     [`kept${letter}Thin`]: { color: KEPT[letter], width: 1, dash: [2, 2] },
   });
 
+const JOINTS = [COLORS.waves, COLORS.modal, COLORS.halfSpace, COLORS.struck, COLORS.record, '#8d5524', COLORS.ink];
+/**
+ * Of the joints of a mechanism, and of the same with rigid links.
+ * @type {Record<`joint${0 | 1 | 2 | 3 | 4 | 5 | 6}${'' | 'rigid'}`, Style>}
+ */
+const OF_JOINTS = /** @type {any} */ (
+  Object.fromEntries(
+    JOINTS.flatMap((color, n) => [
+      [`joint${n}`, { color, width: 1.7 }],
+      [`joint${n}rigid`, { color, width: 1.2, dash: [4, 3] }],
+    ]),
+  )
+);
+
 /** @satisfies {Record<string, Style>} */
 const KNOWN = {
+  ...OF_JOINTS,
   ...keptAs('A'),
   ...keptAs('B'),
   ...keptAs('C'),

@@ -179,6 +179,8 @@
  * @property {Numbers} [modalForce]  one for each step
  * @property {Numbers} [exactBar]  (motion, bar places), flat: of a pendulum that bends, from its pivot on [v T]
  * @property {Numbers} [otherBar]
+ * @property {Numbers} [exactMoments]  (instant, 2), flat: of a bar that bends, at its pivot or axis and at the contact
+ * @property {Numbers} [otherMoments]
  * @property {Numbers} [balanceTime]
  * @property {Numbers} [balanceForce]
  * @property {Numbers} [turningBar]  (motion, bar places), flat: of a rod that turns and is struck across

@@ -2,9 +2,13 @@
 
 import numpy as np
 import pytest
+from pytest import approx
 
 import solvers
+from app.choices.request import Request
 from app.choices.scene_of import own_choices
+from app.messages.beam import main_solution
+from app.messages.mechanism import rigid_answer
 from app.messages.solve import solve_frame
 from tests.app.messages.test_axial import arrays
 from tests.catalog import SCENES
@@ -21,3 +25,35 @@ def test_links_that_are_held_still_in_their_directions_are_not_shown_until_they_
     found = arrays(solve_frame(own_choices(name) | {"method": solvers.usual_method(solvers.load(name))}))
     points = found["linkPoints"].reshape(-1, 2)
     assert np.abs(found["linkMoves"]).max() < 0.2 * np.ptp(points, axis=0).max()
+
+
+@pytest.fixture(scope="module")
+def bent_rods():
+    """The message of an impact on the first of two links that bend, and its solution."""
+    chosen = own_choices("bent-rods")
+    return arrays(solve_frame(chosen)), main_solution(Request.of(chosen))[0]
+
+
+def test_a_link_beside_the_struck_one_moves_and_bends_as_the_solution_says(bent_rods):
+    found, solution = bent_rods
+    time, count = 1e-3 * found["bendTime"], found["shapeOf1"].shape[1]
+    amounts = found["amountsOf1"]
+    moved = amounts @ (found["shapeOf1"] * found["shapeScaleOf1"][:, None])
+    places = solution.motion.link_points(time, count - 1)["second"]
+    expected = (places - places[0]) @ solution.scene.target.struck.normal
+    assert moved == approx(expected, abs=1e-3 * np.abs(expected).max())
+    moments = amounts @ (found["momentOf1"] * found["momentScaleOf1"][:, None])
+    shears = amounts @ (found["shearOf1"] * found["shearScaleOf1"][:, None])
+    assert np.abs(moments).max() > 1.0  # N m: an axial wave goes on as bending
+    slope = np.gradient(moments, 0.3 / (count - 1), axis=1)[:, 2:-2]
+    assert slope == approx(shears[:, 2:-2], abs=0.1 * np.abs(shears).max())  # of 8 shapes on 31 places
+    assert np.abs(moments[:, [0, -1]]).max() < 1e-3 * np.abs(moments).max()  # a pin and a free end
+    assert "amountsOf0" not in found  # the struck one has fields of its own
+
+
+def test_reactions_of_rigid_links_stand_beside_and_give_their_impulses(bent_rods):
+    found, solution = bent_rods
+    rigid = rigid_answer(solution)
+    time, forces = 1e-3 * found["referenceReactionTime"], found["referenceReactions"]
+    expected = rigid.reactions[0]["impulse"]
+    assert np.trapezoid(forces[:, 0, :2], time, axis=0) == approx(expected, rel=1e-2, abs=1e-2 * np.hypot(*expected))

@@ -10,6 +10,7 @@ from app.messages.encoding import read_header
 from app.messages.pendulum import pendulum_told, striker_arrays, waves_of_force
 from app.messages.solve import solve_frame
 from solvers.accuracy.reference import exact_solution
+from tests.app.messages.test_axial import arrays
 
 SCENES = ["rigid-pendulum", "figure-9.2", *(f"figure-9.{k}" for k in (10, 11, 14))]
 SCENES += [f"figure-10.{k}" for k in range(8, 13)]
@@ -75,3 +76,18 @@ def test_rods_that_turn_are_drawn():
     assert rotation["axial"] == approx([23379.0, 79854.4, 134302.0], rel=1e-5)
     assert rotation["stretch"] == approx(0.0819718, rel=1e-5)
     assert rotation["simplified"][:2] == [None, None]
+
+
+def test_moments_at_the_pivot_over_time_are_those_of_the_solution():
+    """Shapes clamped there make one that a pivot cannot bear, figure 10.11; many that are pinned make none."""
+    message = solve_frame(own_choices("figure-10.11"))
+    found, told = arrays(message), read_header(message)["other"]["diagnostics"]
+    exact, other = (np.abs(found[f"{name}Moments"]).max(axis=0) for name in ("exact", "other"))
+    assert other == approx([told["pivot_moment"], told["contact_moment"]], rel=2e-2)  # on 151 instants
+    assert exact[0] < 1e-9 * exact[1]
+
+
+def test_a_rod_that_turns_bends_at_its_axis():
+    found = arrays(solve_frame(own_choices("figure-5.22")))
+    axis, tip = np.abs(found["exactMoments"]).max(axis=0)
+    assert axis > 100.0 and tip < 1e-6 * axis  # it is struck at its free end

@@ -60,3 +60,27 @@ def test_it_plays_as_it_opens_and_fits_on_a_phone(open_page):
     page = open_page("?scene=slider-crank&method=multibody", size=(390, 844), reduced_motion="no-preference")
     page.fits(390)
     page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
+
+
+def test_moments_at_joints_and_pivots_have_their_charts(open_page):
+    page = open_page("?scene=rotating-bar")
+    chart = "strikewave.page.beam.reactions.chart"
+    assert page.evaluate(f"() => {chart}.content.series.map(({{ name }}) => name)") == ["ground – bar", "rigid links"]
+    page.tab.get_by_role("button", name="moment", exact=True).last.click()
+    assert page.evaluate(f"() => {chart}.content.unit") == "N m"
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("figure-10.11"))
+    expect(page.tab.get_by_role("heading", name="Bending moments")).to_be_visible()
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("fixed-rod"))
+    expect(page.tab.get_by_role("heading", name="Bending moments")).to_be_hidden()
+
+
+def test_links_beside_the_struck_one_show_their_waves(open_page):
+    page = open_page("?scene=bent-rods")
+    coloured = page.evaluate(
+        """() => { const { stage } = strikewave.page.beam, { mechanism } = stage;
+          strikewave.page.player.go(0.3);
+          const ratio = stage.canvas.width / stage.canvas.clientWidth, c = stage.canvas.getContext('2d');
+          return [0.3, 0.5, 0.7].map((share) => { const [x, y] = mechanism.along(1, share);
+            const [r, , b] = c.getImageData(x * ratio, y * ratio, 1, 1).data; return Math.abs(r - b); }); }"""
+    )
+    assert max(coloured) > 40  # grey links have next to none

@@ -1,0 +1,45 @@
+// Bending moments of a bar on a pivot or an axis, over time: there, where none may be, and at the contact.
+import { Chart } from '../charts/chart.js';
+import { even } from '../charts/scale.js';
+import { text } from '../text/catalogue.js';
+import { naming } from '../text/words.js';
+
+/** @import { Axis } from '../charts/axis.js' */
+/** @import { Series } from '../charts/chart.js' */
+/** @import { AxialFrame, Numbers } from '../shell/message.js' */
+
+/** @typedef {[there: Series['style'], contact: Series['style']]} Styles */
+
+export class Moments {
+  /**
+   * @param {Axis} axis
+   * @param {(t: number) => void} go
+   */
+  constructor(axis, go) {
+    const [title, about] = [text('axial.chart.moments'), text('axial.chart.moments-about')];
+    this.chart = new Chart({ title, about, axis, xUnit: 'T', unit: 'N m', zero: true, go });
+  }
+  /** @param {AxialFrame} frame */
+  load({ duration, exact, exactMoments, other, otherMoments, target }) {
+    this.chart.root.hidden = !exactMoments && !otherMoments;
+    /** @type {Series[]} */
+    const series = [];
+    const add = (/** @type {Numbers} */ moments, /** @type {string} */ name, /** @type {Styles} */ styles) => {
+      const x = even(moments.length / 2, duration);
+      ['pivot', 'contact'].forEach((where, k) => {
+        const told = text('axial.chart.moment', { where, turns: Boolean(target.rotation), method: naming(name) });
+        series.push({ x, y: moments.filter((_, i) => i % 2 === k), name: told, style: styles[k] });
+      });
+    };
+    if (exactMoments) add(exactMoments, exact.name, ['exact', 'struck']);
+    if (otherMoments && other) add(otherMoments, other.name, ['other', 'dashedOther']);
+    this.chart.show({ series, shades: exact.contacts });
+  }
+  draw() {
+    this.chart.draw();
+  }
+  /** @param {number} t */
+  cursor(t) {
+    this.chart.cursor(t);
+  }
+}

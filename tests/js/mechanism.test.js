@@ -1,0 +1,86 @@
+// Mechanisms on the stage: fields of links from amounts of shapes, which side is pressed, links that move on.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Bending } from '../../app/static/beam/bending.js';
+import { Mechanism } from '../../app/static/beam/mechanism.js';
+import { MovingMechanism } from '../../app/static/beam/moving.js';
+import { css } from '../../app/static/charts/styles.js';
+
+const LINK = { name: 'bar', flexible: true, depth: 0.01 };
+const TOLD = { links: [LINK], joints: [], struck: 0, at: 1, contact: [1, 0], normal: [0, -1], mass: 1 };
+const SHAPES = {
+  bendTime: [0, 1, 2],
+  amountsOf0: [0, 1, 0],
+  shapeOf0: [0, 0.5, 1],
+  shapeScaleOf0: [0.02],
+  momentOf0: [1, 0.5, 0],
+  momentScaleOf0: [30],
+  shearOf0: [1, 1, 1],
+  shearScaleOf0: [7],
+};
+const numbers = (table) => Object.fromEntries(Object.entries(table).map(([key, row]) => [key, Float64Array.from(row)]));
+const frameOf = (more = {}, shapes = {}) => ({
+  mechanism: TOLD,
+  impactor: { kind: 'mass', mass: 1 },
+  main: { joints: [] },
+  contacts: [[1, 1, 1, 0]],
+  duration: 2,
+  ...numbers({ linkTime: [0, 2], ...more }),
+  shapes: { linkPoints: [1, 2, 2], ...shapes },
+});
+const still = { linkPoints: [0, 0, 1, 0], linkMoves: [0, 0, 0, 0, 0, 0, 0, 0] };
+/** A canvas that notes its strokes: colour, and where they begin and end. */
+function canvas() {
+  const strokes = [];
+  let points = [];
+  const c = {
+    beginPath: () => (points = []),
+    moveTo: (x, y) => points.push([x, y]),
+    lineTo: (x, y) => points.push([x, y]),
+    stroke: () => strokes.push({ color: c.strokeStyle, points }),
+  };
+  return { c, strokes };
+}
+
+test('fields of a link are amounts of its shapes, straight between the instants', () => {
+  const bending = new Bending(frameOf(SHAPES, { shapeOf0: [1, 3] }), 0);
+  assert.deepEqual([...bending.profile(0.5, 'deflection')], [0, 0.005, 0.01]);
+  assert.deepEqual([...bending.profile(1, 'moment')], [30, 15, 0]);
+  assert.deepEqual([...bending.profile(1.5, 'shear')], [3.5, 3.5, 3.5]);
+  assert.deepEqual([...bending.profile(0.5, 'velocity')], [0, 10, 20]); // m/s, as times are in ms
+  assert.ok(Math.abs(bending.largest - 0.02) < 2e-4);
+});
+
+test('a positive moment presses the left side of a link, wherever it is struck from', () => {
+  for (const normal of [
+    [0, -1],
+    [0, 1],
+  ]) {
+    const frame = { ...frameOf(still), mechanism: { ...TOLD, normal } };
+    const mechanism = new Mechanism(frame, 0.01);
+    mechanism.fit(400, 200);
+    mechanism.place(0);
+    const { c, strokes } = canvas();
+    mechanism.links(c, () => 1, 1, true);
+    const height = (sign) => strokes.find(({ color }) => color === css(sign, 1)).points[0][1];
+    assert.ok(height(1) < height(-1)); // downwards: of a bar to the right, its left is above
+  }
+});
+
+test('links that move on are to scale, bent larger, and the mass meets them where they are drawn', () => {
+  const turned = [0, 0, 0, 0, 0, 0, -1, 1]; // the bar stands upright at the end
+  const flown = { massPlaces: [1, 0, 1, 0], normals: [1, 1, -1, -1] };
+  const frame = frameOf({ linkPoints: [0, 0, 1, 0], linkMoves: turned, ...flown, ...SHAPES }, { shapeOf0: [1, 3] });
+  const mechanism = new MovingMechanism(frame);
+  mechanism.fit(400, 200);
+  assert.equal(mechanism.factor, 2); // 6 % of its size over 2 cm, and not more than a round number
+  mechanism.place(0);
+  const [[x0, y0], , [x1]] = mechanism.placed[0];
+  assert.ok(Math.abs(x1 - x0 - mechanism.scale) < 1e-9);
+  mechanism.place(2);
+  const [, , [x2, y2]] = mechanism.placed[0];
+  assert.ok(Math.abs(x2 - x0) < 1e-6 && Math.abs(y0 - y2 - mechanism.scale) < 1e-6);
+  const { time, x, y } = mechanism.beside;
+  assert.deepEqual(time, [1, 1]);
+  assert.ok(Math.abs(Math.hypot(x[0], y[0]) - 0.02) < 1e-12); // once more the deflection of the tip
+});
