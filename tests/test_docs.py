@@ -48,6 +48,7 @@ def commands(text: str) -> Iterator[tuple[list[str], str]]:
         yield shlex.split(line), wanted
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", pages_with("python", "console", "toml"), ids=lambda page: page.stem)
 def test_examples_print_what_stands_below_them(page, capsys, monkeypatch):
     monkeypatch.chdir(ROOT)

@@ -21,6 +21,7 @@ def objects(tree):
             yield from objects(item)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIGURES)
 def test_a_figure_holds_no_code_and_fetches_nothing(name):
     text = drawn(FIGURES[name])

@@ -125,6 +125,7 @@ def test_an_estimate_of_a_force_within_a_time_gets_a_note_where_nothing_gives_wa
     assert soft.diagnostics["chosen"]["estimated_error"] is not None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tolerance", [{}, {"tolerance": 1e-3}])
 @pytest.mark.parametrize("budget", [0.1, 0.5, 5.0])  # s; with the last no method is cut short, even here
 def test_a_time_for_a_force_that_modes_get_wrong_is_shared_with_a_second_method(budget, tolerance):

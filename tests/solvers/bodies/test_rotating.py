@@ -64,6 +64,7 @@ def test_slow_rotation_stretches_without_cancelling():
     assert turning(0.0).target.steady_stretch == 0.0
 
 
+@pytest.mark.slow
 def test_bending_and_the_simplified_equation():
     """In units of the beam at rest: right by 0.193 Omega^2, (5.56) unstable above the lowest frequency."""
     unit = 1744.355409282128 / 3.516015268500151

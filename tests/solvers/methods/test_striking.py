@@ -170,6 +170,7 @@ def test_a_trade_off_and_a_plan_are_those_of_the_mechanism():
     assert solvers.stored_tradeoff(HAMMER).points == solvers.stored_tradeoff(HAMMER.struck).points
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", [{"kind": "mass", "mass": 2.0, "radius": 0.05}, None])
 def test_studies_know_it(target):
     """An ensemble changes what it strikes; a map of stability is that of the impact seen the other way round."""

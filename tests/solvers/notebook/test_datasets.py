@@ -109,6 +109,7 @@ def test_one_impulse_between_bodies_in_space_has_no_history():
             asked()
 
 
+@pytest.mark.slow
 def test_without_xarray_the_sentence_names_the_extra():
     call = (
         "import sys; sys.modules['xarray'] = None\n"

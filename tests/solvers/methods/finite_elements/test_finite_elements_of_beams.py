@@ -58,6 +58,7 @@ def test_accounts_balance(method, options, law, beam):
     json.dumps(solution.table())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beam", IMPACTS, ids=lambda beam: " ".join(map(str, beam.values())))
 def test_a_soft_impact_is_that_of_the_exact_modes(beam):
     scene = struck_beam(1.0, SOFT, **beam)
@@ -81,6 +82,7 @@ def test_a_soft_impact_is_that_of_the_exact_modes(beam):
             assert found.energy[part] == approx(exact.energy[part], abs=3e-3 * scene.initial_energy)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("beam", IMPACTS, ids=lambda beam: " ".join(map(str, beam.values())))
 def test_supports_carry_what_the_modes_left_out_pass_on(beam):
     scene = struck_beam(1.0, SOFT, **beam)

@@ -56,6 +56,7 @@ def _attached(struck_end):
     return lambda length, mass, speed, _, count: attached_rod_modes(length, mass, speed, count, struck_end)
 
 
+@pytest.mark.slow
 def test_static_compliance_is_complete():
     for struck_end in (True, False):
         few, many = (attached_rod_modes(1.0, 1.0, 1.0, count, struck_end) for count in (4, 600))

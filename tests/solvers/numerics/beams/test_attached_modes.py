@@ -31,6 +31,7 @@ def mass_products(line, modes, place, rider, end_mass=0.0, others=None):
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("theory", LINES)
 @pytest.mark.parametrize("support", SUPPORTS)
 @settings(max_examples=6, deadline=None)

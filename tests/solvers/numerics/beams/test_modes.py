@@ -208,6 +208,7 @@ def test_motion_as_a_whole(theory, at):
     assert beam_modes(line, "cantilever", 0.1, 3).rigid_mass == np.inf
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support, ratio", [*CASES[:-1], *(("cantilever", ratio) for ratio in (1e-9, 1.0, 1e6))])
 @pytest.mark.parametrize(
     "line",

@@ -69,6 +69,7 @@ def test_modes_kept_and_left_out_make_the_whole_compliance(support, massless):
 STEEL_RODS = [(0.3, 2.1, 6.3e8), (0.2, 0.6, 4.2e8), (0.25, 1.2, 5.0e8)]  # length, mass, E A / L
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lumping", [CONSISTENT, AVERAGED, LUMPED])
 @pytest.mark.parametrize("massless", [False, True])
 @pytest.mark.parametrize("fixed", [False, True])

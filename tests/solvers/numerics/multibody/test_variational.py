@@ -87,6 +87,7 @@ def spun(shapes: str) -> Follower:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shapes", ["mean-axis", "clamped-free"])
 def test_a_free_bar_keeps_energy_and_momenta(shapes):
     bar = spun(shapes)
