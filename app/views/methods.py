@@ -3,7 +3,7 @@
 import json
 from typing import Any
 
-from solvers import Row, Scene, compare
+from solvers import Row, Scene, Solution, compare
 from solvers.accuracy.reference import exact_solution
 
 from ..choices.request import Request
@@ -14,15 +14,20 @@ def methods_table(chosen: dict[str, Any]) -> str:
     """The comparison for these choices as JSON: `chosen` and `rows`, or `error`, a sentence why there is none."""
     answer: dict[str, Any] = {"chosen": chosen}
     try:
-        answer["rows"] = [_shown(row) for row in compare(_with_method(Request.of(chosen)), repeats=1)]
+        request = Request.of(chosen)
+        exact = exact_solution(
+            request.scene, request.restitution
+        )  # as long as this the page shows each method beside it
+        rows = compare(_with_method(request, exact), repeats=1, duration=exact.duration)
+        answer["rows"] = [_shown(row) for row in rows]
     except ValueError as refusal:  # SceneError: no exact solution to measure by
         answer["error"] = str(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
-def _with_method(request: Request) -> Scene:
+def _with_method(request: Request, exact: Solution) -> Scene:
     """The chosen scene, naming the method beside the exact one with its options as they are set on the page."""
-    name, exact = request.method_beside, exact_solution(request.scene, request.restitution)
+    name = request.method_beside
     options = method_options(name, request, exact)
     return request.scene.replace({"method": {"name": name, **options}})
 

@@ -61,9 +61,15 @@ class Row:
         return asdict(self) | {"reason": self.reason and str(self.reason)}
 
 
-def compare(scene: Scene, methods: Sequence[str | Method] | None = None, repeats: int = 5) -> list[Row]:
+def compare(
+    scene: Scene,
+    methods: Sequence[str | Method] | None = None,
+    repeats: int = 5,
+    duration: float | None = None,
+) -> list[Row]:
     """Every method on one scene, with its usual resolution, or with the one that the scene gives; or those named.
 
+    duration: of every solve [s]; else until the bodies have parted by that method.
     Raises SceneNotSupported where not even `reference` has a solution.
     """
     exact = reference(scene)
@@ -71,7 +77,7 @@ def compare(scene: Scene, methods: Sequence[str | Method] | None = None, repeats
         chosen = chosen_methods(scene)
     else:
         chosen = [METHODS[given].read({}) if isinstance(given, str) else given for given in methods]
-    return [_row(scene, exact, method, repeats) for method in chosen]
+    return [_row(scene, exact, method, repeats, duration) for method in chosen]
 
 
 def chosen_methods(scene: Scene) -> list[Method]:
@@ -84,9 +90,9 @@ def chosen_methods(scene: Scene) -> list[Method]:
     return sorted(chosen, key=lambda method: list(METHODS).index(method.NAME))
 
 
-def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
+def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: float | None) -> Row:
     try:
-        found = method.solve(scene)
+        found = method.solve(scene, duration)
     except SceneError as refusal:
         return Row(method.table(), reason=method.refusal(scene) or refused(refusal))
     seen = overlapping(exact.contacts, found.contacts)
@@ -106,7 +112,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int) -> Row:
         raw_contacts=found.diagnostics.get("raw_contacts", counted),
         force_error=None if instant else force_error(exact, until, _until_the_end(found, found.known_motion.force)),
         resolved_force_error=None if resolved is None else force_error(exact, until, _until_the_end(found, resolved)),
-        wall_time=_wall_time(lambda: method.solve(scene), repeats),
+        wall_time=_wall_time(lambda: method.solve(scene, duration), repeats),
     )
 
 

@@ -116,7 +116,7 @@ def summary(scene: Scene, key: str, spread: float, table: list[Spread], ill: boo
     verdicts = {"lowest": lowest, "highest": highest, "varies": highest > lowest} | changed
     verdicts |= {"firm": firm, "loose": loose, "untrusted": untrusted}
     if velocity.verdict == "firm":
-        return Note("marginal-contact", Severity.WARNING, **verdicts)
+        return Note("marginal-contact", Severity.WARNING, **verdicts, several=highest > lowest + 1)
     return Note("ill-conditioned", Severity.WARNING, **verdicts, rigid=scene.rigid_contact)
 
 

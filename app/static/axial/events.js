@@ -1,6 +1,6 @@
 // What happens in an impact along an axis, one event after the other.
 import { text } from '../text/catalogue.js';
-import { pretty, signed } from '../text/format.js';
+import { engineering, pretty, signed } from '../text/format.js';
 
 /** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -75,7 +75,10 @@ function eventsOnOneRod(frame) {
   const found = [[0, text(rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', said)]];
   if (duration > 0.5) found.push([0.5, text(fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid })]);
   if (exact.contacts[0][1] > 1 + 1e-9)
-    found.push([1, text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back')]);
+    found.push([
+      1,
+      text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back', { spread: spreadOf(frame) }),
+    ]);
   exact.contacts.forEach(([start, end], k) => {
     if (k > 0) found.push([start, text('axial.event.recontact', { number: k + 1 })]);
     const last = k === exact.contacts.length - 1;
@@ -83,6 +86,15 @@ function eventsOnOneRod(frame) {
   });
   return found;
 }
+
+/**
+ * Over how long the modes beside draw a jump of the force; none where no modes are shown.
+ * @param {AxialFrame} frame
+ */
+const spreadOf = ({ modalForce, other }) => {
+  const time = modalForce && other?.diagnostics.resolved_time;
+  return time ? engineering(time, 's') : 'none';
+};
 
 /**
  * How a contact on a rod ends.

@@ -6,7 +6,7 @@ import { averaged, between, pair, stairs } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { given } from '../shell/message.js';
 import { family, named, text } from '../text/catalogue.js';
-import { figures, prefixed, signed } from '../text/format.js';
+import { engineering, figures, prefixed, signed } from '../text/format.js';
 import { called } from '../text/words.js';
 
 const END = family('beam.end');
@@ -21,7 +21,7 @@ const ENDS = {
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Content, Picture, Series } from '../charts/chart.js' */
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { BeamFigures, BeamFrame } from '../shell/message.js' */
 /** @import { BeamField, What } from './field.js' */
 
 /**
@@ -221,8 +221,10 @@ export class BeamForce {
     /** @type {Series[]} */
     const series = [{ ...this.main, name: called(frame.main), cursor: '', style: 'exact' }];
     const reference = pair(frame.referenceTime, frame.referenceForce);
-    if (reference && frame.reference)
-      series.push({ ...reference, reach: OVER, name: toCompare(frame.reference), style: 'other' });
+    if (reference && frame.reference) {
+      const far = (frame.reference.peakForce ?? 0) > OVER * (frame.main.peakForce ?? Infinity);
+      series.push({ ...reference, reach: OVER, name: toCompare(frame.reference, far), style: 'other' });
+    }
     const half = this.shown && pair(frame.halfTime, frame.halfForce);
     if (half) {
       const most = Math.max(...Array.from(half.y));
@@ -253,8 +255,12 @@ export class BeamForce {
 
 /** @typedef {'displacement' | 'velocity'} Kind */
 
-/** @param {Parameters<typeof called>[0]} reference */
-const toCompare = (reference) => text('beam.chart.to-compare', { method: called(reference) });
+/**
+ * @param {BeamFigures} reference
+ * @param {boolean} far  whether its force leaves the chart
+ */
+const toCompare = (reference, far = false) =>
+  text('beam.chart.to-compare', { method: called(reference), far, force: engineering(reference.peakForce ?? 0, 'N') });
 
 // Impactor and struck place: where they are, or how fast they go.
 export class BeamMotion {

@@ -13,6 +13,11 @@ const DIAGRAMS = [
   ['shear', text('beam.stage.shear'), 'N'],
   ['moment', text('beam.stage.moment'), 'N m'],
 ];
+/** Colours above and below the line as in the picture over time, and where they begin. */
+const SIGNS = /** @type {const} */ ([
+  ['rgba(222,105,62,.38)', -1],
+  ['rgba(66,133,200,.38)', 0],
+]);
 const SMALL = letters(11);
 const LEAST_FOR_PLACE = 260; // pixels of length, below which the place of the largest value is left out
 
@@ -46,7 +51,7 @@ function diagram(c, stage, t, name, label, unit, top, height) {
   const most = stage.scales[name];
   const zero = top + 0.54 * height;
   const reach = (0.32 * height) / most;
-  curve(c, stage, values, name, zero, reach, 0.42 * height);
+  curve(c, stage, values, zero, reach, 0.42 * height);
   const [factor, prefix] = prefixed(most);
   const { left, long, narrow } = stage;
   c.strokeStyle = COLORS.edge;
@@ -83,21 +88,27 @@ function diagram(c, stage, t, name, label, unit, top, height) {
  * @param {CanvasRenderingContext2D} c
  * @param {BeamStage} stage
  * @param {Out} values
- * @param {Name} name
  * @param {number} zero
  * @param {number} reach  pixels for a unit
  * @param {number} room  pixels to both sides
  */
-function curve(c, stage, values, name, zero, reach, room) {
+function curve(c, stage, values, zero, reach, room) {
   const last = values.length - 1;
   const at = (/** @type {number} */ j) => zero - Math.min(Math.max(values[j] * reach, -room), room);
-  c.fillStyle = name === 'moment' ? 'rgba(222,105,62,.30)' : 'rgba(66,133,200,.30)';
-  c.beginPath();
-  c.moveTo(stage.px(0), zero);
-  for (let j = 0; j <= last; j++) c.lineTo(stage.px(j), at(j));
-  c.lineTo(stage.px(last), zero);
-  c.fill();
-  c.strokeStyle = name === 'moment' ? '#b4481f' : COLORS.waves;
+  for (const [colour, top] of SIGNS) {
+    c.save();
+    c.beginPath();
+    c.rect(stage.px(0), zero + top * room, stage.px(last) - stage.px(0), room);
+    c.clip();
+    c.fillStyle = colour;
+    c.beginPath();
+    c.moveTo(stage.px(0), zero);
+    for (let j = 0; j <= last; j++) c.lineTo(stage.px(j), at(j));
+    c.lineTo(stage.px(last), zero);
+    c.fill();
+    c.restore();
+  }
+  c.strokeStyle = COLORS.waves;
   c.lineWidth = 1.6;
   c.beginPath();
   for (let j = 0; j <= last; j++) c.lineTo(stage.px(j), at(j));

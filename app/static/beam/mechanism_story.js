@@ -2,7 +2,7 @@
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { heading, scrolled } from '../shell/story.js';
 import { family, text } from '../text/catalogue.js';
-import { duration, figures, speed } from '../text/format.js';
+import { duration, engineering, figures, speed } from '../text/format.js';
 import { given } from '../shell/message.js';
 
 /** @import { BeamFrame } from '../shell/message.js' */
@@ -42,6 +42,12 @@ export function mechanismEvents(frame) {
   const { links, struck } = given(frame.mechanism, 'mechanism');
   const last = contacts.length - 1;
   const bends = links[struck].flexible;
+  const leaves = speed(main.final ?? 0);
+  const [first, over, impulse] = contacts[0];
+  if (last === 0 && first === over) {
+    const values = { approach: speed(approach), impulse: engineering(impulse, 'N s'), leaves };
+    return [[first, tell('impulse', frame, values)]];
+  }
   /** @type {Event[]} */
   const found = [[contacts[0][0], tell('meets', frame, { approach: speed(approach), bends })]];
   contacts.slice(0, LISTED).forEach(([start, end], k) => {
@@ -52,7 +58,7 @@ export function mechanismEvents(frame) {
     found.push([contacts[LISTED][0], tell('repeated', frame, { first: LISTED + 1, last: main.contacts })]);
   if (main.stillTouching) found.push([contacts[last][1], text('beam.event.still-touching')]);
   else if (main.contacts <= contacts.length)
-    found.push([contacts[last][1], tell('ends', frame, { leaves: speed(main.final ?? 0), last: last > 0 })]);
+    found.push([contacts[last][1], tell('ends', frame, { leaves, last: last > 0 })]);
   return found.sort((a, b) => a[0] - b[0]);
 }
 

@@ -106,7 +106,10 @@ export class BeamStory {
       ['impactor', (s) => given(s.final)],
     ];
     if (!beam.held) rows.push(['target', (s) => given(s.targetFinal)]);
-    rows.push(['restitution', (s) => given(s.restitution.newton)], ['impulse', (s) => given(s.impulse)]);
+    if (main.restitution.newton === null)
+      rows.push(['restitution-at-contact', (s) => given(s.restitution.newton_at_contact)]);
+    else rows.push(['restitution', (s) => given(s.restitution.newton)]);
+    rows.push(['impulse', (s) => given(s.impulse)]);
     if (!moving)
       rows.push(
         ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
@@ -157,7 +160,8 @@ export class BeamStory {
     this.events.at(t);
     const here = frame.contacts.findIndex(([start, end]) => t >= start && t <= end);
     const now = this.#now(t, here);
-    this.now.textContent = this.page.player.played ? now : `${now} ${text('beam.now.play')}`;
+    const { played, playing } = this.page.player;
+    this.now.textContent = played || playing ? now : `${now} ${text('beam.now.play')}`;
     this.now.classList.toggle('touching', here >= 0);
   }
   /**

@@ -29,6 +29,13 @@ const SLOW_CONTACTS = 4;
 const OF_BENDING = ['moment', 'shear'];
 const LEAST_ROOM = 1e-5; // of the whole impact, about what is looked at closely
 
+/**
+ * Whether all impacts are impulses without duration, and there is nothing beside that has a force.
+ * @param {BeamFrame} frame
+ */
+const withoutForce = ({ halfForce, main, moving, reference }) =>
+  moving ? moving.restitution !== null : main.name === 'rigid' && !reference && !halfForce;
+
 export class BeamView {
   /** @type {What} */ what = 'moment'; // that the colours show
   usual = 'moment';
@@ -102,9 +109,10 @@ export class BeamView {
     this.cycle.load(frame);
     this.reactions.load(frame);
     this.energies.load(frame);
-    const sudden = Boolean(frame.moving) && frame.moving?.restitution !== null; // impulses without duration
-    this.force.chart.root.hidden = sudden;
-    this.strip = sudden ? this.reactions.chart : this.force.chart; // is seen on a phone, whatever else is
+    const { chart: force } = this.force;
+    force.root.hidden = withoutForce(frame);
+    const first = [force, this.reactions.chart, this.motion.chart].find(({ root }) => !root.hidden);
+    this.strip = first ?? force; // is seen on a phone, whatever else is
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
     this.stack.arrange();

@@ -12,7 +12,7 @@ export const COLORS = {
   cursor: '#c81e4a',
   contact: 'rgba(11,79,138,.09)',
   record: '#2e7d4f',
-  struck: '#4f9bd8',
+  struck: '#7a8f1f',
   halfSpace: '#7a5ea8',
 };
 

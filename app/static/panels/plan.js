@@ -28,6 +28,7 @@ import { percentField } from './unit_field.js';
  * @property {boolean} measured
  */
 
+const RIGID = 'rigid-impulse'; // among the models
 const QUESTIONS = family('name.question');
 
 /**
@@ -52,16 +53,19 @@ function aboutMap(map, measured) {
 }
 
 /**
- * From when on a body that rings is as good as rigid, and where this impact lies.
+ * What the errors are, from when on a body that rings is as good as rigid, and where this impact lies.
  * @param {Frame} frame
  * @param {Plan} found
  */
-function ruleOf(frame, { groups }) {
+function ruleOf(frame, { candidates, chosen, groups }) {
   const beam = frame.kind === 'beam';
   if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
   if (beam && frame.mechanism) return ''; // of which no such time is known
   const { contact_time: lasts } = groups;
-  return lasts === undefined ? '' : text('plan.rule', { beam, rigid: lasts === 0, time: pretty(lasts) });
+  if (lasts === undefined) return '';
+  const light = candidates.some(({ error, model }) => model.name === RIGID && (error ?? 1) <= chosen.plan_tolerance);
+  const rule = text('plan.rule', { beam, light, rigid: lasts === 0, time: pretty(lasts) });
+  return `${text('plan.around', { beam })} ${rule}`;
 }
 
 class Needs {

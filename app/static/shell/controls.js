@@ -85,6 +85,8 @@ export class Controls {
       option.title = reason ? said(reason) : '';
       option.hidden = reason?.code === 'refusals.no-mechanism'; // of all other scenes
     }
+    const restitution = this.fields.restitution.root.querySelector('label');
+    if (restitution) restitution.textContent = predicts(frame) ? text('controls.predicted') : LABELS.restitution.title;
     if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
     else if (frame.kind === 'beam')
       this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
@@ -98,6 +100,13 @@ export class Controls {
  */
 const inSpaceNote = ({ chosen, friction }) =>
   text('controls.in-space', { model: friction > 0 ? chosen.restitution_model : '' });
+
+/**
+ * Whether the restitution sets nothing but the prediction of rigid bodies.
+ * @param {Frame} frame
+ */
+const predicts = (frame) =>
+  frame.kind === 'axial' && !frame.damps && frame.chosen.method !== 'balance' && frame.exact.name !== 'rigid';
 
 /**
  * What the restitution does in an impact along an axis.

@@ -17,7 +17,12 @@ const TRIES = family('first.tries');
  * @param {Frame} frame
  */
 export function seenIn(frame) {
-  if (frame.kind === 'beam' && frame.mechanism) return frame.moving ? SEEN.moving : SEEN.mechanism;
+  if (frame.kind === 'beam' && frame.mechanism) {
+    if (frame.main.name === 'rigid') return SEEN['rigid-links'];
+    const bends = frame.mechanism.links.some(({ flexible }) => flexible) && !frame.moving?.rigid;
+    if (frame.moving) return bends ? SEEN.moving : SEEN['moving-rigid'];
+    return SEEN.mechanism;
+  }
   if (frame.kind !== 'axial') return SEEN[frame.kind];
   if (frame.impactor.kind === 'pendulum') return SEEN.pendulum;
   return frame.rods.length > 1 ? SEEN.rods : frame.rods.length ? SEEN.rod : SEEN.compact;
@@ -71,11 +76,12 @@ export class First {
   load(frame) {
     if (this.root.hidden) return;
     const tries = triesOf(frame).slice(0, 3);
-    const kind = [frame.kind, frame.chosen.scene, ...tries.map(([words]) => words)].join();
+    const seen = seenIn(frame);
+    const kind = [frame.chosen.scene, seen, ...tries.map(([words]) => words)].join();
     this.offered = tries;
     if (kind === this.kind) return; // what the buttons do changes with every solve, what they say does not
     this.kind = kind;
-    this.seen.textContent = seenIn(frame);
+    this.seen.textContent = seen;
     this.compare.hidden = !questionsOf(frame).length;
     this.tries.replaceChildren(
       ...tries.map(([textContent], k) => {

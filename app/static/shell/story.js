@@ -7,6 +7,8 @@ import { columnHead, make } from './dom.js';
 
 /** @typedef {[t: number, sentence: string]} Event */
 
+const LEAST_SHARE = 5e-5; // of the energy, that is worth a word
+
 /** @param {string} [textContent] */
 export const heading = (textContent = '') => make('h2', { textContent });
 
@@ -74,23 +76,29 @@ export class Warnings {
  * @param {HTMLElement} root
  * @param {Energies} energy
  * @param {[key: string, name: string][]} names
- * @param {boolean} [joules]  instead of shares of the energy at first: where more is fed in
+ * @param {boolean} [joules]  besides shares of the energy at first: where more is fed in
  */
 export function showEnergy(root, energy, names, joules = false) {
+  const fed = joules ? Math.max(-(energy.drives ?? 0), 0) : 0; // by drives, which take up what is positive
+  const whole = energy.initial + fed;
+  const shown = names.filter(
+    ([key]) => Math.abs(energy[key] ?? 0) >= LEAST_SHARE * whole && !(fed && key === 'drives'),
+  );
+  const shared = shown.every(([key]) => energy[key] > 0); // heights are counted from anywhere
   const bar = make('div', { className: 'bar' });
-  const parts = [];
-  for (const [key, name] of names) {
-    const share = (energy[key] ?? 0) / energy.initial;
-    if (Math.abs(share) < 5e-5) continue;
+  const parts = shown.map(([key, name]) => {
+    const share = energy[key] / whole;
     const piece = make('i', { className: key });
     piece.style.flexGrow = String(Math.max(share, 0));
     bar.append(piece);
+    const size = `${figures(energy[key])} J`;
+    const both = shared ? `${size} (${percent(share)})` : size;
     const chip = make('i', { className: `chip ${key}` });
-    parts.push(
-      make('span', { className: 'key' }, chip, `${name} ${joules ? `${figures(energy[key])} J` : percent(share)}`),
-    );
-  }
-  root.replaceChildren(bar, make('p', {}, ...parts));
+    return make('span', { className: 'key' }, chip, `${name} ${joules ? both : percent(share)}`);
+  });
+  const before = { initial: `${figures(energy.initial)} J`, given: Boolean(fed), fed: `${figures(fed)} J` };
+  const total = joules ? [make('p', { textContent: text('story.energy-before', before) })] : [];
+  root.replaceChildren(...total, bar, make('p', {}, ...parts));
 }
 
 /**

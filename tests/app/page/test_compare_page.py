@@ -60,6 +60,15 @@ def test_a_question_is_answered_in_two_clicks(open_page, query, question, name, 
     page.fits(size[0])
 
 
+def test_on_a_phone_a_kept_run_can_be_removed(open_page):
+    page = open_page(size=(390, 844))
+    ask(page, "Is restitution a constant?")
+    expect(page.tab.locator(".tab-panel .teaches").first).to_contain_text("Restitution e is the speed at which")
+    box = page.tab.get_by_role("button", name="Remove A").bounding_box()
+    assert box["x"] >= 0 and box["x"] + box["width"] <= 390
+    page.fits(390)
+
+
 def test_a_heavier_hammer_hits_harder_and_the_percentage_is_right(open_page):
     page = open_page()
     ask(page, "Does a heavier hammer hit harder?")

@@ -31,6 +31,36 @@ def test_a_linkage_is_drawn_with_reactions_and_the_answer_of_rigid_links(open_pa
     settled(page)
 
 
+def test_what_drives_give_is_told_beside_what_was_there(open_page):
+    page = open_page("?scene=four-bar")
+    energy = page.header("main")["energy"]
+    given = -energy["drives"]
+    assert given > 0.0
+    told = page.tab.locator(".tab-panel .energy")
+    expect(told).to_contain_text(f"Before the impact {energy['initial']:.3g} J; the drives have given {given:.3g} J")
+    expect(told).to_contain_text(f"({100 * energy['impactor'] / (energy['initial'] + given):.1f} %)")
+    expect(told).not_to_contain_text("−")
+    expect(page.tab.get_by_text("rigid links, to compare, up to").first).to_be_visible()
+    page.turn_to("Numbers")
+    row = page.tab.locator("tr", has_text="restitution e of the struck points")
+    expect(row).to_contain_text(f"{page.header('main')['restitution']['newton_at_contact']:.4g}")
+
+
+def test_a_run_of_another_kind_of_impact_is_kept_and_not_compared(open_page):
+    page = open_page("?scene=four-bar")
+    page.evaluate("() => strikewave.page.compare.keep()")
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('scene', 'timoshenko-1913-long')"))
+    told = page.tab.locator(".tab-panel .compared").first
+    expect(told).to_contain_text("another kind of impact")
+    expect(told.locator("li")).to_have_count(0)
+    laid = page.evaluate(
+        "() => strikewave.page.view.stack.charts.flatMap(([, { content }]) => content.series.map(({ name }) => name))"
+    )
+    assert "A" not in laid
+    page.turn_to("Numbers")
+    expect(page.tab.locator("table.side-by-side")).to_be_hidden()
+
+
 def test_links_move_as_the_library_says(open_page):
     page = open_page("?scene=four-bar")
     moved = page.evaluate(

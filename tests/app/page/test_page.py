@@ -48,10 +48,11 @@ def test_the_first_view_shows_the_story_of_the_fixed_rod(open_page):
     expect(page.tab.locator(".story table.figures")).to_contain_text("< 1e-9")
 
 
+PREDICTED = "Restitution of the rigid prediction"  # where it sets nothing else
 SLIDERS = [
     ("Mass ratio", "mass_ratio", 0.2, ""),
     ("Impact speed", "speed", 0.9, ""),
-    ("Restitution", "restitution", 0.3, ""),
+    (PREDICTED, "restitution", 0.3, ""),
     ("Modes", "modes", 0.2, ""),
     ("Stiffness", "linear_stiffness", 0.3, "?law=linear"),
     ("Stiffness", "hertz_stiffness", 0.8, "?law=hertz"),
@@ -116,7 +117,7 @@ def test_a_note_that_names_keys_without_a_control_says_where_they_are_set(open_p
 def test_restitution_moves_the_prediction_in_every_law_and_the_waves_only_where_it_acts(open_page):
     page = open_page("?law=hertz&hertz_stiffness=1e10")
     before = page.header("exact")["final"]
-    page.answered(lambda: drag(page, "Restitution", 0.5))
+    page.answered(lambda: drag(page, PREDICTED, 0.5))
     settled(page)
     chosen = page.header("chosen")["restitution"]
     assert page.header("prediction")["impactor"] == pytest.approx(-chosen)
@@ -291,7 +292,7 @@ def test_extremes_are_drawn(open_page, query):
 
 def test_controls_have_names_and_keys_work(open_page):
     page = open_page()
-    for name in ("Mass ratio", "Impact speed", "Restitution", "Modes", "Time"):
+    for name in ("Mass ratio", "Impact speed", PREDICTED, "Modes", "Time"):
         expect(page.tab.get_by_role("slider", name=name, exact=True)).to_have_count(1)
     modes = page.tab.get_by_role("slider", name="Modes", exact=True)
     modes.focus()

@@ -10,7 +10,7 @@ from pytest import approx
 import solvers
 from solvers import Modal, SceneError, ensemble
 from solvers.studies.ensemble import perturbations
-from solvers.studies.sensitivity import FIGURES, FIRM, LOOSE, spread_table
+from solvers.studies.sensitivity import FIGURES, FIRM, LOOSE, spread_table, summary
 from tests.catalog import bronze_rod, contact_table, struck_beam, struck_rod
 
 LAWS = ("rigid", "hertz", "linear", "hunt-crossley", "lankarani-nikravesh", "plastic-power")
@@ -97,6 +97,15 @@ def test_where_a_contact_comes_and_goes_its_figures_are_not_trusted():
     assert rows["contacts"].verdict == rows["last_parting"].verdict == "not to be trusted"
     assert rows["final_velocity"].verdict == rows["impulse"].verdict == rows["peak_force"].verdict == "firm"
     assert found.ill_conditioned and found.summary.code == "marginal-contact"
+    assert str(found.summary).startswith("One contact is marginal")
+
+
+def test_where_several_contacts_come_and_go_not_one_alone_is_said_to():
+    changes = np.array([-1e-3, 1e-5, 1e-3])
+    figures = {"final_velocity": np.full(3, 0.5), "contacts": np.array([13.0, 14.0, 16.0])}
+    table = spread_table({"final_velocity": 0.5, "contacts": 15.0}, figures, changes, {"final_velocity": 1.0})
+    said = str(summary(struck_rod(1.0), "impactor.mass", 1e-3, table, True))
+    assert said.startswith("Some contacts are marginal") and "13 to 16 contacts" in said
 
 
 def test_bands_are_ordered_and_keep_the_impulse():
