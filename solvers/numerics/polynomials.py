@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..jit.kernels import kernel
+from ..jit.kernels import inner_kernel
 
 SPLITS = np.array([0.4872, 0.4139, 0.5571, 0.3433])  # tried in turn
 GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
@@ -24,7 +24,7 @@ class RootWork(NamedTuple):
         return cls(np.empty((MAX_INTERVALS, terms)), np.empty(MAX_INTERVALS), np.empty(MAX_INTERVALS), np.empty(terms))
 
 
-@kernel
+@inner_kernel
 def value(coefficients, degree, x):
     total = coefficients[degree]
     for k in range(degree - 1, -1, -1):
@@ -32,7 +32,7 @@ def value(coefficients, degree, x):
     return total
 
 
-@kernel
+@inner_kernel
 def shift(coefficients, degree, by, shifted):
     """Write the coefficients of p(by + x) into `shifted` (Taylor shift by repeated synthetic division)."""
     for k in range(degree + 1):
@@ -42,7 +42,7 @@ def shift(coefficients, degree, by, shifted):
             shifted[j] += by * shifted[j + 1]
 
 
-@kernel
+@inner_kernel
 def trim(coefficients, degree, reach):
     """The degree without the tail that no double can see for |x| <= reach."""
     largest, power = 0.0, 1.0
@@ -57,7 +57,7 @@ def trim(coefficients, degree, reach):
     return degree
 
 
-@kernel
+@inner_kernel
 def roots(coefficients, degree, length, found, work):
     """Every root of the polynomial in (0, length), ascending, into `found`; returns how many.
 
@@ -118,7 +118,7 @@ def roots(coefficients, degree, length, found, work):
     return count
 
 
-@kernel
+@inner_kernel
 def bracketed_root(coefficients, degree, a, b, rising):
     """The only root in [a, b], where the polynomial rises or falls, by Newton's method kept inside by halving."""
     x = 0.5 * (a + b)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.polynomial import Legendre
 
-from ...jit.kernels import kernel
+from ...jit.kernels import inner_kernel
 
 STAGES = 6
 
@@ -48,7 +48,7 @@ SLOPE_AT_START = _slope_weights(NODES, _WEIGHTS, 0)
 SLOPE_AT_END = _slope_weights(NODES, _WEIGHTS, STAGES)
 
 
-@kernel
+@inner_kernel
 def interpolate(values, place):
     """The polynomial through `values` (at NODES) at `place`, in [0, 1]."""
     above, below = 0.0, 0.0
@@ -62,7 +62,7 @@ def interpolate(values, place):
     return above / below
 
 
-@kernel
+@inner_kernel
 def solve_in_place(matrix, right, size):
     """Gaussian elimination with row exchange; the solution replaces `right`. False if the matrix is singular."""
     for k in range(size):

@@ -59,7 +59,7 @@ def _first_fall_below_zero(p, degree, length, work):
     return np.inf
 
 
-@kernel
+@inner_kernel
 def _highest(p, degree, length, work):
     """The largest value of exp(-x) p(x) on [0, length]."""
     slope, found = work.slope, work.found

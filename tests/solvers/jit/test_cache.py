@@ -15,10 +15,10 @@ ROOT = Path(__file__).parents[3]
 TRY = """
 import numpy as np
 from solvers.jit.compiling import NotCompiled, compiled_only
-from solvers.numerics.polynomials import value
+from solvers.numerics.multibody.moving import arm_of
 
 def found():
-    return value(np.array([1.0, 2.0]), 1, 3.0)
+    return arm_of(np.zeros(3), 0, np.array([7.0, 2.0]))[0]
 
 try:
     with compiled_only():
@@ -36,7 +36,7 @@ def test_a_kernel_is_refused_until_it_is_in_the_cache(tmp_path):
         where = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
         return subprocess.run(call, cwd=ROOT, env=where, capture_output=True, text=True, check=True).stdout.split()
 
-    assert answers() == ["value", "7.0"]
+    assert answers() == ["arm_of", "7.0"]
     assert answers() == ["7.0"]
 
 
@@ -94,8 +94,8 @@ def key_changes(tmp_path, monkeypatch, kernels: str, changed: str, again: bool) 
 
 FOUND = """
 import numpy as np
-from solvers.numerics.polynomials import value
-print(value(np.array([1.0, 2.0]), 1, 3.0))
+from solvers.numerics.multibody.moving import arm_of
+print(arm_of(np.zeros(3), 0, np.array([7.0, 2.0]))[0])
 """
 
 

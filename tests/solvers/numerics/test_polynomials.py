@@ -7,9 +7,39 @@ from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from pytest import approx
 
-from solvers.numerics.polynomials import RootWork, bracketed_root, roots, shift, trim, value
+from solvers.jit.kernels import kernel
+from solvers.numerics import polynomials
+from solvers.numerics.polynomials import RootWork
 
 COEFFICIENTS = st.lists(st.floats(-10.0, 10.0), min_size=1, max_size=9).map(np.array)
+
+
+# what kernels call, for Python
+
+
+@kernel
+def value(coefficients, degree, x):
+    return polynomials.value(coefficients, degree, x)
+
+
+@kernel
+def shift(coefficients, degree, by, shifted):
+    polynomials.shift(coefficients, degree, by, shifted)
+
+
+@kernel
+def trim(coefficients, degree, reach):
+    return polynomials.trim(coefficients, degree, reach)
+
+
+@kernel
+def roots(coefficients, degree, length, found, work):
+    return polynomials.roots(coefficients, degree, length, found, work)
+
+
+@kernel
+def bracketed_root(coefficients, degree, a, b, rising):
+    return polynomials.bracketed_root(coefficients, degree, a, b, rising)
 
 
 def found_roots(coefficients, length: float) -> np.ndarray:

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from pytest import approx
 
+from solvers.jit.kernels import kernel
+from solvers.numerics.waves import collocation
 from solvers.numerics.waves.collocation import (
     BACK_TO_START,
     INTEGRATE,
@@ -11,9 +13,19 @@ from solvers.numerics.waves.collocation import (
     NODES,
     STAGE_NODES,
     STAGES,
-    interpolate,
-    solve_in_place,
 )
+
+
+@kernel
+def interpolate(values, place):
+    """For Python."""
+    return collocation.interpolate(values, place)
+
+
+@kernel
+def solve_in_place(matrix, right, size):
+    """For Python."""
+    return collocation.solve_in_place(matrix, right, size)
 
 
 def test_nodes_of_radau():
