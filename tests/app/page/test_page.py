@@ -294,6 +294,8 @@ def test_controls_have_names_and_keys_work(open_page):
     page = open_page()
     for name in ("Mass ratio", "Impact speed", PREDICTED, "Modes", "Time"):
         expect(page.tab.get_by_role("slider", name=name, exact=True)).to_have_count(1)
+    title = page.tab.locator("label", has_text=PREDICTED).bounding_box()
+    assert title["x"] >= page.tab.locator(".field-restitution").bounding_box()["x"]  # long, and not cut
     modes = page.tab.get_by_role("slider", name="Modes", exact=True)
     modes.focus()
     page.answered(lambda: page.tab.keyboard.press("ArrowRight"))
