@@ -7,7 +7,9 @@ from collections.abc import Callable, Coroutine
 from typing import Any
 
 import panel as pn
+import param
 
+from ..choices.choices import Choices
 from ..choices.request import DRAFT
 from ..messages.encoding import read_header
 
@@ -71,11 +73,17 @@ class Drafts:
         same = name == self._slider and now - max(self._moved_at, self.answered) < MOVING_SECONDS
         self._slider, self._moved_at = name, now
         self._in_a_row = self._in_a_row + 1 if same else 1
-        if self._in_a_row < IN_A_ROW:
+        if self._in_a_row == 1:
             self._share = 1.0
-        elif self.frame and (share := self._share * draft_share(solve_seconds(self.frame))) < self._share:
+        enough = self._in_a_row >= (1 if self._moves_on(name) else IN_A_ROW)
+        if enough and self.frame and (share := self._share * draft_share(solve_seconds(self.frame))) < self._share:
             self._share = max(share, SHARES[-1])
-        return bool(name) and self._in_a_row >= IN_A_ROW
+        return bool(name) and enough
+
+    def _moves_on(self, name: str) -> bool:
+        """Whether this sets a number of a mechanism that moves on: its answers may take seconds, even the first two."""
+        number = name in Choices.CHOSEN and isinstance(Choices.param[name], param.Number)
+        return number and bool(self.frame) and read_header(self.frame).get("moving") is not None
 
     async def _refine_at_rest(self) -> None:
         moves = None

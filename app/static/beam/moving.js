@@ -13,6 +13,7 @@ const SHOWN_BEND = 0.06; // of the mechanism, that the largest deflection is dra
 const MOST = 100; // times that bending is drawn larger
 const AROUND = 0.35; // of the mechanism, as far as which the mass is followed
 const TOP = 26; // pixels
+const GROUND = 8; // more below, where the ground is drawn
 const SEEN = 0.012; // of the whole time for which an impact is marked
 
 export class MovingMechanism extends Mechanism {
@@ -47,7 +48,7 @@ export class MovingMechanism extends Mechanism {
    */
   fit(width, height) {
     super.fit(width, height - TOP);
-    this.center[1] += TOP;
+    this.center[1] += TOP - GROUND;
   }
   /** Where the mass flies, as long as it is near the links. */
   #near() {

@@ -47,7 +47,9 @@ export function triesOf({ chosen, kind, acting, refusals }) {
   if (['fixed-rod', 'free-rod'].includes(String(chosen.scene))) all.push([TRIES[far], 'scene', `${far}-rod`]);
   if (kind === 'axial') all.push([TRIES.losing, 'law', 'hunt-crossley'], [TRIES.softer, 'law', 'hertz']);
   const acts = (/** @type {string} */ name) => name === 'scene' || acting.includes(name);
-  return all.filter(([, name, value]) => acts(name) && chosen[name] !== value);
+  const more = (/** @type {string} */ name, /** @type {number | string} */ value) =>
+    name === 'modes' && Number(value) > Number(chosen.modes);
+  return all.filter(([, name, value]) => acts(name) && chosen[name] !== value && !more(name, value));
 }
 
 export class First {

@@ -65,6 +65,14 @@ def test_one_slider_that_changes_again_and_again_is_answered_by_drafts():
     assert moved("speed", "speed", "mass_ratio", "speed", "speed") == 5 * [False]
 
 
+def test_a_mechanism_that_moves_on_is_answered_by_drafts_from_the_first_change_of_a_number():
+    lab = Lab(**chosen("four-bar-moves", motion_seconds=0.06))
+    lab.frame, lab._resting = solve_frame(lab.chosen()), True
+    assert [DRAFT in lab.wish(name) for name in ("method", "speed", "speed", "motion_links")] == [
+        *(False, True, True, False)
+    ]
+
+
 @pytest.mark.parametrize("answered", [True, False])
 def test_a_movement_goes_on_while_the_page_waits_for_a_slow_answer(answered):
     lab = Lab(**chosen(SLOW))
