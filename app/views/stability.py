@@ -31,7 +31,10 @@ QUESTIONS = {
 
 
 def stability_data(asked: dict[str, Any], cancelled: Callable[[], bool], report: Callable[[str], None]) -> str:
-    """The maps over step and `stability_axis` as JSON; `report` gets how much is done. Raises SceneError."""
+    """The maps over step and `stability_axis` as JSON, or `error`, a sentence why there are none.
+
+    `report` gets how much is done.
+    """
 
     def progress(done: int, columns: int) -> None:
         report(json.dumps({"chosen": asked, "done": done, "of": columns}))
@@ -39,16 +42,22 @@ def stability_data(asked: dict[str, Any], cancelled: Callable[[], bool], report:
     scene, axis = Request.of(asked).scene, asked["stability_axis"]
     grid = STEPS, MODES if axis == "modes" else ACROSS
     axes = "step", axis
-    found = stability(scene, None, axes, grid, modes=_modes(scene), workers=1, cancel=cancelled, progress=progress)
+    try:
+        found = stability(scene, None, axes, grid, modes=_modes(scene), workers=1, cancel=cancelled, progress=progress)
+    except ValueError as refusal:  # SceneError
+        return json.dumps({"chosen": asked, "error": str(refusal)})
     return json.dumps({"chosen": asked, "cancelled": cancelled()} | _shown(found), allow_nan=False)
 
 
 def stability_kernels(asked: dict[str, Any]) -> None:
-    """One short run of every integrator, at the right end of the axis. Raises SceneError."""
+    """One short run of every integrator, at the right end of the axis; none of a scene that has no maps."""
     scene, axis = Request.of(asked).scene, asked["stability_axis"]
     modes = _modes(scene)
-    check_axes(scene, ("step", axis))
-    problem = problem_of(scene, {axis: float(modes if axis == "modes" else AXES[axis][2])}, modes)
+    try:
+        check_axes(scene, ("step", axis))
+        problem = problem_of(scene, {axis: float(modes if axis == "modes" else AXES[axis][2])}, modes)
+    except ValueError:  # SceneError, which `stability_data` says
+        return
     for name in INTEGRATORS:
         run(name, problem, problem.usual_step, 20)
 

@@ -25,7 +25,7 @@ const ENDS = {
 }; // of the scale of colours
 const SMALL = letters(11);
 const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
-const LEAST_FOR_DIAGRAMS = 180; // pixels of height, below which their words would lie on each other
+const LEAST_FOR_DIAGRAMS = [180, 140]; // pixels of height, below which their words would lie on each other; if narrow
 
 export class BeamStage {
   /** @type {BeamFrame} */ frame;
@@ -100,7 +100,7 @@ export class BeamStage {
   /** Whether there are forces within the beam to draw, and room for them. */
   get diagrams() {
     if (this.field.lengthwise) return false;
-    return this.mechanism ? this.mechanism.bends && !this.narrow : this.narrow || !this.low;
+    return this.mechanism ? this.mechanism.bends && !this.narrow : !this.low;
   }
   /** @param {number} t */
   draw(t) {
@@ -112,7 +112,7 @@ export class BeamStage {
     const narrow = width < 560;
     this.width = width;
     this.narrow = narrow;
-    this.low = height < LEAST_FOR_DIAGRAMS;
+    this.low = height < LEAST_FOR_DIAGRAMS[Number(narrow)];
     const margin = narrow ? 30 : 64;
     const beside = this.mechanism && !narrow; // the diagrams, as a mechanism is about as high as wide
     const room = beside && this.diagrams ? 0.54 * width : width;

@@ -50,7 +50,7 @@ const LEGEND = {
   border_line_color: null,
   padding: 0,
   margin: 4,
-  spacing: 9, // of columns, and of rows
-  label_height: 11,
-  glyph_height: 14,
+  spacing: 8, // of columns, and of rows
+  label_height: 12,
+  glyph_height: 17, // or marks are too small to be told apart
 };

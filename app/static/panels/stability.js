@@ -99,6 +99,8 @@ class Stability extends Panel {
     const notes = known && !stale && !running ? known.notes.map(said) : [];
     this.notes.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
     this.key.hidden = this.grid.hidden = !known;
+    const refused = this.fresh(found) ? found?.error : '';
+    if (refused) this.said.textContent = refused;
   }
   /**
    * @param {boolean} running

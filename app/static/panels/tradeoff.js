@@ -84,7 +84,7 @@ function wordsOf(found, running) {
 }
 
 class TradeOff extends Panel {
-  quantity = 'peak-force';
+  wanted = 'peak-force'; // quantity
   drawn = ''; // what the points depend on
   /** @type {Point[]} */ points = [];
   /** @type {Point | null} */ picked = null;
@@ -93,7 +93,7 @@ class TradeOff extends Panel {
   constructor(page) {
     super(page, 'tradeoff', text('tradeoff.button'), text('tradeoff.title'), text('tradeoff.heading'));
     const press = (/** @type {string} */ name) => {
-      this.quantity = name;
+      this.wanted = name;
       this.plot();
       this.pick(null);
     };
@@ -113,6 +113,16 @@ class TradeOff extends Panel {
     this.root.append(this.said, form, this.sides, this.remarks);
     page.model.on('tradeoff_running', () => this.fill());
     this.listen();
+  }
+  /** Of which errors are shown: the one that is wanted, unless no method has any of it. */
+  get quantity() {
+    const { known } = this;
+    return known.includes(this.wanted) ? this.wanted : (known[0] ?? this.wanted);
+  }
+  /** Quantities of which there are errors. */
+  get known() {
+    const rows = /** @type {Table | null} */ (this.answer)?.points ?? [];
+    return Object.keys(QUANTITIES).filter((name) => rows.some(({ errors }) => Number.isFinite(errors[name] ?? NaN)));
   }
   listen() {
     const { area } = this;

@@ -138,6 +138,7 @@ export class Study {
     if (this.root.hidden) return;
     this.root.ariaBusy = String(!found);
     this.said.textContent = !found ? this.texts.idle : (found.error ?? this.words(found));
+    if (this.figure) this.figure.root.hidden = Boolean(found?.error);
     if (found?.error) this.table.replaceChildren();
     else if (found) this.rows(found);
   }

@@ -137,6 +137,14 @@ SAID = """(name) => {
 }"""
 
 
+def test_a_panel_that_has_nothing_says_why_and_draws_nothing(open_page):
+    page = open_page("?scene=double-pendulum&panel=stability,convergence")
+    for name in ("stability", "convergence"):
+        page.wait("name => strikewave.page.analyses[name].root.textContent.includes('allowed:')", name)
+    assert page.evaluate("() => strikewave.page.analyses.convergence.figure.root.hidden")
+    expect(page.tab.locator(".toast")).to_be_hidden()
+
+
 def test_where_the_waves_of_a_shorter_impact_end_is_said(open_page):
     page = open_page("?scene=fixed-rod&mass_ratio=0.2")
     page.evaluate("() => strikewave.page.compare.keep()")
