@@ -3,12 +3,11 @@
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { Axis } from './axis.js';
-import { letters } from './canvas.js';
 import { listen } from './gestures.js';
 import { keysOf } from './legend.js';
 import * as marks from './marks.js';
 import { Numbers } from './numbers.js';
-import { Plot } from './plot.js';
+import { CHARACTER, FONT, Plot } from './plot.js';
 import { between, rangeOf, ticks } from './scale.js';
 import { COLORS, STYLES } from './styles.js';
 import { Tip } from './tip.js';
@@ -225,11 +224,11 @@ export class Chart extends Plot {
   #say(c, from, said) {
     const { x, y, w, h } = this.frame;
     const left = this.px(from);
-    c.font = letters(11);
+    c.font = FONT;
     c.fillStyle = COLORS.faint;
     c.textAlign = 'center';
     c.textBaseline = 'middle';
-    if (x + w - left > c.measureText(said).width + 8) c.fillText(said, (left + x + w) / 2, y + h / 2);
+    if (x + w - left > said.length * CHARACTER) c.fillText(said, (left + x + w) / 2, y + h / 2);
   }
 
   /**

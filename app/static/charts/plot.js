@@ -10,7 +10,7 @@ import { COLORS } from './styles.js';
 /** @typedef {import('./legend.js').Key} Key */
 
 export const FONT = letters(11);
-const CHARACTER = 6 * scale; // pixels of a digit in it
+export const CHARACTER = 6 * scale; // pixels of a digit in it
 
 export class Plot {
   /** @type {Range} */ x = [0, 1];
