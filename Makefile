@@ -31,10 +31,11 @@ docs: $(VENV)/.installed-test
 bench: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench
 
-# Other programs on the same impact, on one thread; `make bench` runs them too once they are installed.
+# Other programs on the same impacts, on one thread; `make bench` runs them too once they are installed.
 peers: $(VENV)/.installed-test
 	$(PIP_INSTALL) --editable '.[test,peers]'
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench --only peers
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench --only peer-mechanisms
 
 screenshot: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench.screenshot docs/page.png

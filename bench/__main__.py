@@ -19,6 +19,7 @@ from . import (
     mechanisms,
     methods,
     page,
+    peer_mechanisms,
     peers,
     random_chains,
     random_estimates,
@@ -53,6 +54,7 @@ PARTS = {
     "compiling": compiling,
     "random": random_chains,
     "peers": peers,
+    "peer-mechanisms": peer_mechanisms,
     "page": page,
     "visitors": visitors,
 }

@@ -156,7 +156,7 @@ def exudyn_verlet(problem: Problem, elements: int) -> Run:
 
 def _exudyn(problem: Problem, elements: int, solver: str, courant: float, lumped: bool) -> Run:
     sys.exudynFast = True  # its build without range checks
-    with _silent():
+    with silent():
         exudyn = importlib.import_module("exudyn")
     items = importlib.import_module("exudyn.itemInterface")
     element_mass, stiffness, transit = problem.element(elements)
@@ -191,7 +191,7 @@ def _exudyn(problem: Problem, elements: int, solver: str, courant: float, lumped
     settings = _exudyn_settings(exudyn, problem.duration, math.ceil(problem.duration / (courant * transit)))
 
     def run() -> Record:
-        with _silent():
+        with silent():
             system.SolveDynamic(settings, solverType=getattr(exudyn.DynamicSolverType, solver))
         velocity, acceleration = (system.GetSensorStoredData(sensor) for sensor in sensors)
         force = np.maximum(-problem.mass * acceleration[:, 1], 0.0)
@@ -233,7 +233,7 @@ def elwaspatid_bars(problem: Problem, elements: int) -> Run:
     elwaspatid = importlib.import_module("elwaspatid")
     length = problem.length / elements
     areas = np.array([problem.mass / (problem.density * length), problem.area])
-    with _silent():
+    with silent():
         bars = elwaspatid.BarSet(
             [problem.young] * 2,
             [problem.density] * 2,
@@ -245,7 +245,7 @@ def elwaspatid_bars(problem: Problem, elements: int) -> Run:
     steps = math.ceil(problem.duration / bars.dt)
 
     def run() -> Record:
-        with _silent():
+        with silent():
             elwaspatid.WP2(bars, nstep=steps, left="free", right="fixed", Vinit=problem.speed)
         striker, rod = bars.seg
         return Record(striker.time, np.maximum(-rod.Force[:, 0], 0.0), float(striker.Veloc[-2:].mean()))
@@ -254,7 +254,7 @@ def elwaspatid_bars(problem: Problem, elements: int) -> Run:
 
 
 @contextlib.contextmanager
-def _silent():
+def silent():
     with warnings.catch_warnings(), contextlib.redirect_stdout(io.StringIO()):
         warnings.simplefilter("ignore")
         yield

@@ -151,11 +151,11 @@ def _timed(work: Callable[[], Any]) -> tuple[Any, float | None]:
     return found, median(work, REPEATS if once < SLOW else SLOW_REPEATS)
 
 
-def reached(runs: list[Run], error: float) -> Run | None:
-    """The coarsest run from which on every finer one stays within the error: a chance hit does not count."""
+def reached(runs: list[Any], error: float, off_by: Callable[[Any], float] = lambda run: run.rebound_error) -> Any:
+    """The coarsest run from which on every finer one stays within the error, or None: a chance hit does not count."""
     good = None
     for run in reversed(runs):
-        if not abs(run.rebound_error) <= error:
+        if not abs(off_by(run)) <= error:
             break
         good = run
     return good
