@@ -173,13 +173,15 @@ def off_by(found: Figures, right: Figures) -> float:
 
 
 def runs(right: Figures, tried: Tried) -> list[Run]:
-    """In all its numbers of steps but those at which it gives up."""
+    """In all its numbers of steps but those at which it gives up or finds no numbers."""
     found = []
     for steps in tried.ladder:
         works = tried.prepare(steps)
         try:
             error = off_by(works.whole(), right)
         except ArithmeticError:
+            continue
+        if not math.isfinite(error):
             continue
         times = processor_times([works.whole] if works.whole is works.integration else works)
         found.append(Run(steps, error, times[0], times[-1]))
