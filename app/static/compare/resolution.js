@@ -93,7 +93,7 @@ export function ofBeamResolution(now, kept, name) {
     contacts: coarse.main.contacts,
   };
   const alike = miss.velocity <= ENOUGH && miss.force <= ENOUGH && miss.contacts === contacts;
-  const judged = text('compare.verdict.judged', { high, contacts, what: name });
+  const judged = text('compare.verdict.judged', { high, contacts, what: name, alone: !now.mechanism });
   const why = alike && name === 'modes' ? [slowerThan(coarse, low)].filter(Boolean) : [];
   const at = percent(instantOf(coarse, fine) / now.speed);
   const instants = alike ? [text('compare.verdict.instants', { at })] : [];

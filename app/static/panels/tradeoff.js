@@ -320,8 +320,14 @@ class TradeOff extends Panel {
     const head = headOf([COLUMNS.best, COLUMNS.solve, COLUMNS.error]);
     return [
       make('table', { className: 'methods' }, head, make('tbody', {}, ...rows)),
-      make('p', { className: 'help', textContent: text('tradeoff.help') }),
+      make('p', { className: 'help', textContent: text('tradeoff.help', { ripples: this.#ripples() }) }),
     ];
+  }
+  /** Whether the error is that of a peak which modes only draw as a ripple. */
+  #ripples() {
+    const { frame } = this.page;
+    const jumps = frame.kind === 'axial' && frame.rods.length > 0 && frame.chosen.law === 'rigid';
+    return jumps && this.quantity === 'peak-force';
   }
   /**
    * One point.
