@@ -20,7 +20,7 @@ IN_VIEW = """() => {
   };
   return [page.view.stage.root, page.player.root, page.caption].every(seen);
 }"""
-CHARTS = """() => strikewave.page.view.stack.charts.map(([, { area, root }]) => {
+CHARTS = """() => strikewave.page.view.stack.charts.filter(([, { root }]) => !root.hidden).map(([, { area, root }]) => {
   const { bottom } = root.getBoundingClientRect();
   return bottom <= innerHeight ? area.clientHeight : -1;
 })"""
