@@ -26,6 +26,7 @@ test('a box holds all places', () => {
 test('ticks are round, within the range, and as many as fit', () => {
   assert.deepEqual(ticks(0, 1, 5), { found: [0, 0.2, 0.4, 0.6000000000000001, 0.8, 1], digits: 1 });
   assert.deepEqual(ticks(-250, 90, 3).found, [-200, 0]);
+  assert.deepEqual(ticks(-0.2, 4.8, 2).found, [0, 2, 4]); // never one alone
   assert.deepEqual(ticks(0.3, 3.2, 3), { found: [1, 2, 3], digits: 0 });
   assert.deepEqual(ticks(2e-6, 9e-6, 3).digits, 6);
   for (const [low, high] of [

@@ -14,7 +14,7 @@ const LOOKS = {
     links: 'other',
     weight: 'struck',
     springs: 'record',
-    local: 'thinOther',
+    local: 'dashedOther',
     drives: 'halfSpace',
   },
   ...{ dissipated: 'limit', sum: 'prediction' },

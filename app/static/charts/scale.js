@@ -19,7 +19,11 @@ export const within = (value, [low, high]) => Math.min(Math.max(value, low), hig
 export function ticks(low, high, about) {
   const rough = (high - low) / Math.max(about, 1);
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5, 10].find((f) => f * power >= rough * 0.999) ?? 10);
+  const steps = [1, 2, 5, 10].map((f) => f * power);
+  const wanted = steps.find((each) => each >= rough * 0.999) ?? 10 * power;
+  const count = (/** @type {number} */ each) => Math.floor(high / each + 1e-9) - Math.ceil(low / each - 1e-9) + 1;
+  // One tick alone gives no scale; in so few places of a small chart two steps on there is room for two.
+  const step = about >= 1.5 && count(wanted) < 2 ? (steps.findLast((each) => count(each) >= 2) ?? wanted) : wanted;
   const found = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + step * 1e-9; k++) found.push(k === 0 ? 0 : k * step);
   return { found, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
