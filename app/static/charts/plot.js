@@ -118,7 +118,7 @@ export class Plot {
     across.found.forEach((v, k) => {
       const last = k === across.found.length - 1;
       const text = `${signed(v, across.digits)}${last && this.xUnit ? ` ${this.xUnit}` : ''}`;
-      c.fillText(text, Math.min(xs[k], this.width - 2 - (text.length * CHARACTER) / 2), top + h + 5);
+      c.fillText(text, Math.min(xs[k], this.width - 5 - (text.length * CHARACTER) / 2), top + h + 5);
     });
     c.strokeStyle = COLORS.edge;
     c.strokeRect(left + 0.5, top + 0.5, w - 1, h - 1);

@@ -36,12 +36,16 @@ export class Stack {
   gather() {
     this.root.append(...this.charts.map(([, chart]) => chart.root));
   }
+  /** Which of them this scene has, in this place. */
+  get here() {
+    return this.charts.map(([, chart]) => chart.root.parentElement === this.root && !chart.root.hidden);
+  }
   /**
    * Which are open: as a hand has left them, else as many as there is room for.
    * @returns {boolean[]}
    */
   get open() {
-    const here = this.charts.map(([, chart]) => chart.root.parentElement === this.root && !chart.root.hidden);
+    const { here } = this;
     let room = this.root.clientHeight - HEAD * here.filter(Boolean).length;
     return this.charts.map(([key], k) => {
       if (!here[k]) return true;
@@ -69,8 +73,9 @@ export class Stack {
     const opening = !this.open[k];
     this.folded[key] = !opening;
     // where there is no room for another, the last of the others that are open gives its own
-    const open = this.open;
-    const room = Math.floor((this.root.clientHeight - HEAD * open.length) / (LEAST - HEAD));
+    const { here } = this;
+    const open = this.open.map((each, i) => each && here[i]);
+    const room = Math.floor((this.root.clientHeight - HEAD * here.filter(Boolean).length) / (LEAST - HEAD));
     const last = open.findLastIndex((each, i) => each && i !== k);
     if (opening && open.filter(Boolean).length > Math.max(room, 1) && last >= 0)
       this.folded[this.charts[last][0]] = true;
