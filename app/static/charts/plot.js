@@ -90,7 +90,7 @@ export class Plot {
    */
   axes(c, grid = true) {
     const { x: left, y: top, w, h } = this.frame;
-    const vertical = ticks(Math.min(...this.y), Math.max(...this.y), h / 34);
+    const vertical = ticks(Math.min(...this.y), Math.max(...this.y), Math.max(h / 34, Math.min(2, h / 18)));
     const across = ticks(this.x[0], this.x[1], w / 70);
     c.font = FONT;
     c.lineWidth = 1;
