@@ -51,9 +51,10 @@ $(VENV)/.installed: $(VENV)/.created pyproject.toml constraints.txt
 	@$(PIP_INSTALL) --editable .
 	@touch $@
 
-$(VENV)/.installed-test: $(VENV)/.installed
+$(VENV)/.installed-test: $(VENV)/.created pyproject.toml constraints.txt
+	@echo "Installing, with what tests need (once, a minute or two)"
 	@$(PIP_INSTALL) --editable '.[test,docs]'
-	@touch $@
+	@touch $(VENV)/.installed $@
 
 # Debian's own Chromium where there is one; elsewhere the build that Playwright brings.
 chromium: $(VENV)/.installed-test

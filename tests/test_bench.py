@@ -7,6 +7,7 @@ from bench import kernels, sweep, waves
 
 @pytest.mark.slow
 @pytest.mark.parametrize("measure", [kernels._waves, sweep.measure, waves.measure], ids=lambda each: each.__module__)
-def test_a_part_runs(measure):
+def test_a_part_runs(measure, monkeypatch):
+    monkeypatch.setattr(sweep, "MANY", 2_000)
     rows = dict(measure())
     assert rows and all(row["value"] == row["value"] for row in rows.values())

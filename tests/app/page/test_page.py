@@ -149,15 +149,19 @@ def test_scrubbing_moves_one_cursor_in_all_views(open_page):
     t = page.evaluate("() => strikewave.page.player.t")
     assert t == pytest.approx(0.5 * page.header("duration"))
     # the cursor is the only thing drawn in its colour on the upper canvas of each chart
-    columns = page.evaluate(
-        """() => strikewave.page.view.charts.map(({ chart }) => {
-          const { above, ratio, box } = chart, c = above.getContext('2d');
-          const row = c.getImageData(0, Math.round((box.y + 3) * ratio), above.width, 1).data, hits = [];
-          for (let x = 0; x < above.width; x++) if (row[4 * x + 3] > 60) hits.push(x / ratio);
-          return hits.reduce((a, b) => a + b, 0) / hits.length;
-        })"""
+    columns, expected = page.evaluate(
+        """() => {
+          const charts = strikewave.page.view.charts.map(({ chart }) => chart).filter(({ root }) => !root.hidden);
+          const cursor = ({ above, ratio, box }) => {
+            const row = above.getContext('2d').getImageData(0, Math.round((box.y + 3) * ratio), above.width, 1).data;
+            const hits = [];
+            for (let x = 0; x < above.width; x++) if (row[4 * x + 3] > 60) hits.push(x / ratio);
+            return hits.reduce((a, b) => a + b, 0) / hits.length;
+          };
+          return [charts.map(cursor), charts.map((chart) => chart.px(strikewave.page.player.t))];
+        }"""
     )
-    expected = page.evaluate("() => strikewave.page.view.charts.map(({ chart }) => chart.px(strikewave.page.player.t))")
+    assert len(expected) == 3
     assert columns == pytest.approx(expected, abs=1.0)
     assert max(expected) - min(expected) < 1.0
     expect(page.tab.locator(".clock").first).to_contain_text(f"{t:.3f} T")
