@@ -200,6 +200,7 @@ def test_an_address_names_values_as_a_scene_file_does():
     assert kept["bodies"] == "" and len(refused) == 2
 
 
+@pytest.mark.slow
 @given(
     st.sampled_from(["fixed-rod", "two-balls", "split-hopkinson", "four-bar", "slider-crank"]),
     st.integers(0, 100),
@@ -216,6 +217,7 @@ def test_no_value_breaks_anything(scene, number, value):
         chosen_scene(chosen)
 
 
+@pytest.mark.slow
 def test_every_value_of_every_kind_of_body_can_be_changed_and_set_back():
     kinds = {(scene.impactor.kind, scene.target.kind): name for name, scene in SCENES.items()}
     for name in kinds.values():

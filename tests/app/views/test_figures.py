@@ -32,6 +32,7 @@ def test_a_figure_holds_no_code_and_fetches_nothing(name):
     assert "http" not in text and "<script" not in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FIGURES)
 def test_what_the_browser_fills_and_moves_has_a_name_of_its_own(name):
     models = list(objects(json.loads(drawn(FIGURES[name]))["doc"]))

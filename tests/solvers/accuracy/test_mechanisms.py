@@ -30,6 +30,7 @@ def table(tmp_path_factory):
         yield tradeoff(FOUR_BAR, fresh=True, seconds=100.0)
 
 
+@pytest.mark.slow
 def test_time_against_error_from_rigid_links_to_many_modes(table):
     """Against links of 20 modes; the errors of the rigid link and of few modes are those that `plan` finds."""
     errors = {point.label: point.errors for point in table.points}

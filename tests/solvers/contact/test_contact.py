@@ -135,6 +135,7 @@ def test_plastic_power_as_printed(deepest):
     assert law.force(down, 0.0, deepest) == approx(unloading * (down - dent) ** 1.5, rel=1e-11)  # (7.40)
 
 
+@pytest.mark.slow
 @each_law
 @given(indentation=DEPTHS, rate=st.floats(-2.0, 2.0), deepest=DEPTHS)
 def test_slopes_are_derivatives_of_the_force(law, indentation, rate, deepest):
@@ -188,6 +189,7 @@ def test_dent_and_loss_grow_with_the_deepest_indentation(law, deepest):
     assert law.corner(0.5, 0.7) == 1.0
 
 
+@pytest.mark.slow
 @each_law
 @given(length=SCALES, speed=SCALES, force=SCALES, indentation=DEPTHS, rate=st.floats(-1.0, 1.0), deepest=DEPTHS)
 def test_a_scaled_law_is_the_same_law_in_other_units(law, length, speed, force, indentation, rate, deepest):
@@ -223,6 +225,7 @@ def mean_by_quadrature(law, start, end, rate, deepest):
     return total / (high - low)
 
 
+@pytest.mark.slow
 @each_unit_law
 @settings(max_examples=200)
 @given(
@@ -272,6 +275,7 @@ def wandered(law, marks, rates):
     return work, lost, deepest, least
 
 
+@pytest.mark.slow
 @each_unit_law
 def test_no_energy_from_random_paths(law):
     # 1e5 steps of loading, unloading, parting and meeting again, a few of them deeper than ever before

@@ -134,6 +134,7 @@ class OutsideKernels(ast.NodeVisitor):
         self.generic_visit(node)
 
 
+@pytest.mark.slow
 def test_inner_kernels_are_called_by_kernels_alone():
     """Python would crash: they are compiled without what takes arguments from it."""
     sources = [source for folder in ("solvers", "app", "bench", "tests") for source in (ROOT / folder).rglob("*.py")]

@@ -102,6 +102,7 @@ def test_free_rod_of_moderate_mass_parts_exactly_at_the_front():
         assert course(mass_ratio, "free").contacts[0].end == approx(1.0, abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("modes", [20, 50, 200])
 def test_truncated_series_separates_falsely_before_the_front_returns(modes):
     """At mass ratio 1 the force just before T is 0.135, but the undershoot of its series is 0.18 (Gibbs)."""

@@ -119,6 +119,7 @@ def test_contact_times_are_located_inside_the_steps(law):
 # --- what must be conserved -------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support", SUPPORTS)
 @pytest.mark.parametrize("law", solvers.LAWS)
 @settings(max_examples=50)

@@ -77,6 +77,7 @@ def products(line, modes, end_mass):
     return mass, stiffness / np.multiply.outer(modes.frequencies, modes.frequencies), mean
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("theory", LINES)
 @pytest.mark.parametrize("support, mass", CASES)
 @pytest.mark.parametrize("count, error", [(20, 1e-12), (120, 1e-11)])
