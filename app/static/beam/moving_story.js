@@ -68,7 +68,11 @@ export function keptOf(frame) {
  * @param {{ own: string, ahead: string }} values  velocities along the first normal
  */
 export const movingNow = (frame, t, values) =>
-  tell('now', frame, { before: frame.contacts.filter(([start]) => start <= t).length, ...values });
+  tell('now', frame, {
+    touching: frame.contacts.findIndex(([start, end]) => start <= t && t < end) + 1,
+    before: frame.contacts.filter(([, end]) => end <= t).length,
+    ...values,
+  });
 
 /**
  * Every impact with what the joints get of it.

@@ -103,9 +103,9 @@ export class BeamStory {
     /** @type {[name: string, show: (s: BeamFigures) => string | number][]} */
     const rows = [
       ['contacts', (s) => s.contacts],
-      ['impactor', (s) => given(s.final)],
+      [moving ? 'impactor-at-end' : 'impactor', (s) => given(s.final)],
     ];
-    if (!beam.held) rows.push(['target', (s) => given(s.targetFinal)]);
+    if (!beam.held) rows.push([moving ? 'target-at-end' : 'target', (s) => given(s.targetFinal)]);
     if (main.restitution.newton === null)
       rows.push(['restitution-at-contact', (s) => given(s.restitution.newton_at_contact)]);
     else rows.push(['restitution', (s) => given(s.restitution.newton)]);
