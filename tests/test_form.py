@@ -1,5 +1,6 @@
-"""One form for all sources: ruff's rules and layout, and pyright's types, as pyproject.toml sets them."""
+"""One form for all sources: ruff's rules and layout, and pyright's types, as pyproject.toml sets them, and lengths."""
 
+import ast
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,25 @@ def test_ruff(arguments):
     call = [sys.executable, "-m", "ruff", *arguments, "--no-cache", "solvers", "app", "tests"]
     done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+SOURCES = [
+    path
+    for folder, ends in (("solvers", ".py"), ("app", ".py .js .css"), ("bench", ".py"), ("tests", ".py .js"))
+    for path in sorted((ROOT / folder).rglob("*"))
+    if path.suffix in ends.split()
+]
+
+
+def test_no_function_is_longer_than_60_lines():
+    functions = [
+        (path.relative_to(ROOT), found.name, found.end_lineno - found.lineno + 1)
+        for path in SOURCES
+        if path.suffix == ".py" and "tests" not in path.parts
+        for found in ast.walk(ast.parse(path.read_text()))
+        if isinstance(found, (ast.FunctionDef, ast.AsyncFunctionDef))
+    ]
+    assert [function for function in functions if function[-1] > 60] == []
 
 
 @pytest.mark.slow

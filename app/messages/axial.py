@@ -35,37 +35,20 @@ INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and mod
 
 def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
     """The message for one scene on an axis."""
-    scene = request.scene
-    speed, trip = scene.speed, scene.time_unit
+    scene, trip = request.scene, request.scene.time_unit
     force_unit, stress_unit = _units(scene)
-    reach = exact.duration
-    even = np.linspace(0.0, reach, MOTION_POINTS + 1)
-    length_unit = speed * trip
     rods, arrays = _rods(scene, exact)
     carried = None if other is None else _carried_by_the_browser(other)
-    for name, solution in (("exact", exact), ("other", other)):
-        if solution is None:
-            continue
-        arrays |= striker_arrays(name, solution, even, length_unit)
-        coarse = even[:: 5 if request.draft else 2]
-        arrays |= pivot_moments(name, solution, coarse) | axis_moments(name, solution, coarse)
-        arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
-        if solution is exact and isinstance(solution.motion, RowMotion):
-            before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])
-            arrays["exactRow"] = (solution.motion.ball_positions(even) + before) / length_unit
-        if solution is exact or not carried:
-            time, force = force_history(solution)
-            arrays |= {f"{name}Time": time / trip, f"{name}Force": force / force_unit}
-    arrays |= bent_shapes(exact, even, length_unit)
+    arrays |= _histories(request, exact, other, carried is not None)
     if turns(scene.target):
-        rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, length_unit)
+        rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, scene.speed * trip)
     arrays |= cycle(exact) | _balances(other, trip, force_unit)
     steps = None
     if carried is not None:
         arrays["modalForce"] = carried.record.contact_force / force_unit
         steps = carried.step / trip
     elif other is not None and request.method == other.method["name"] and knows_field(other.known_motion):
-        arrays |= _sampled_fields(other, stress_unit, length_unit)
+        arrays |= _sampled_fields(other, stress_unit, scene.speed * trip)
     header = {
         "kind": "axial",
         "chosen": request.chosen,
@@ -79,7 +62,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "parts": parts_told(request),
         "unshown": unshown(scene),
         "trip": trip,
-        "duration": reach / trip,
+        "duration": exact.duration / trip,
         "rods": rods,
         "impactor": {
             "kind": scene.impactor.kind,
@@ -88,7 +71,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         }
         | pendulum_told(scene.impactor),
         "target": _target(scene),
-        "speed": speed,
+        "speed": scene.speed,
         "forceUnit": force_unit,
         "stressUnit": stress_unit,
         "modes": request.modes,
@@ -103,6 +86,28 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "leastRestitution": LEAST_RESTITUTION,
     }
     return packed(header, arrays)
+
+
+def _histories(request: Request, exact: Solution, other: Solution | None, carried: bool) -> dict[str, Any]:
+    """Motions and forces over time of both solutions; `carried`: the browser finds the other's force by itself."""
+    scene = request.scene
+    force_unit, length_unit = _units(scene)[0], scene.speed * scene.time_unit
+    even = np.linspace(0.0, exact.duration, MOTION_POINTS + 1)
+    coarse = even[:: 5 if request.draft else 2]
+    arrays: dict[str, Any] = {}
+    for name, solution in (("exact", exact), ("other", other)):
+        if solution is None:
+            continue
+        arrays |= striker_arrays(name, solution, even, length_unit)
+        arrays |= pivot_moments(name, solution, coarse) | axis_moments(name, solution, coarse)
+        arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
+        if solution is exact and isinstance(solution.motion, RowMotion):
+            before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])
+            arrays["exactRow"] = (solution.motion.ball_positions(even) + before) / length_unit
+        if solution is exact or not carried:
+            time, force = force_history(solution)
+            arrays |= {f"{name}Time": time / scene.time_unit, f"{name}Force": force / force_unit}
+    return arrays | bent_shapes(exact, even, length_unit)
 
 
 def in_row(scene: Scene) -> bool:

@@ -177,13 +177,9 @@ def _march(
     deepest = max(largest(record.indentation, begin + 1), 0.0)
     memory, usual = law.unloading(deepest), 1.0 / (0.5 + residual.settling)
     touched = begin == 0 or record.indentation[begin - 1] <= 0.0
-    bending = q.sum()
-    modes = q.size
-    force, force_before = 0.0, 0.0
+    bending, force, force_before = q.sum(), 0.0, 0.0
     until_checkpoint = stride - begin % stride
     forces, indentations, springs, losses = record.contact_force, record.indentation, record.spring_force, record.lost
-    positions, velocities = record.position, record.velocity
-    rigid_positions, rigid_velocities = record.rigid_position, record.rigid_velocity
     for k in range(begin, end):
         sped_up = step * (fall + surge * step * (k + 0.5))
         free = (x - rigid_x) + step * (v + 0.5 * sped_up - rigid_v) - bending
@@ -212,21 +208,21 @@ def _march(
             _check_in(bank, record, (k + 1) // stride, stride, force, q, p)
         bending = 0.0
         if force != 0.0:
-            for i in range(modes):
+            for i in range(q.size):
                 turned = cosine[i] * q[i] + sine[i] * p[i] + q_kick[i] * force
                 p[i] = cosine[i] * p[i] - sine[i] * q[i] + p_kick[i] * force
                 q[i] = turned
                 bending += turned
         else:
-            for i in range(modes):
+            for i in range(q.size):
                 turned = cosine[i] * q[i] + sine[i] * p[i]
                 p[i] = cosine[i] * p[i] - sine[i] * q[i]
                 q[i] = turned
                 bending += turned
         forces[k] = force
         indentations[k + 1], springs[k + 1], losses[k + 1] = indentation, spring, lost
-        positions[k + 1], velocities[k + 1] = x, v
-        rigid_positions[k + 1], rigid_velocities[k + 1] = rigid_x, rigid_v
+        record.position[k + 1], record.velocity[k + 1] = x, v
+        record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
 
 
 @kernel

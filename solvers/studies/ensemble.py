@@ -97,39 +97,32 @@ def ensemble(
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)
     if scene.normal is not None or scene.prescribed_force:
         raise SceneNotSupported("scene", scene.title, allowed("two-on-axis"))
-    name, body = ("impactor", scene.impactor) if scene.struck is scene else ("target", scene.target)
-    key = key or f"{name}.{next(iter(body.of_mass(body.mass)), 'length')}"
+    key = key or _usual_key(scene)
     chosen, duration, notes = _method(scene, method)
-    value = _value(scene, key)
     changes = perturbations(runs, spread, seed)
-    scenes = [scene.replace({key: value * (1.0 + change)}) for change in changes.tolist()]  # all before any is solved
+    scenes = _changed(scene, key, changes)  # all before any is solved
     base = chosen.solve(scene, duration)
     instants = np.linspace(0.0, base.duration, BAND_INTERVALS + 1)
     found: list[Any] = _Runs(base, chosen, instants, _lean(scene, chosen, key), cancel).solve(scenes, progress)
     done = [number for number, run in enumerate(found) if run is not None]
-    if len(done) < runs:
-        validation.whole_number("runs", len(done), LEAST_RUNS, runs)
-        notes.append(Note("runs-left-out", Severity.WARNING, done=len(done), runs=runs))
-        runs, changes, found = len(done), changes[done], [found[number] for number in done]
+    notes += _left_out(len(done), runs)
+    changes, found = changes[done], [found[number] for number in done]
     figures = {name: np.array([row[i] for row, _ in found]) for i, name in enumerate(FIGURES)}
     table = spread_table(_figures(base), figures, changes, _scales(scene, base))
-    ill = ill_conditioned(table)
-    late = int(np.sum(figures["last_parting"] >= base.duration * (1.0 - 1e-12)))
-    if late:
-        lasts = base.duration
-        notes.append(Note("runs-still-touching", Severity.WARNING, late=late, runs=runs, duration=lasts))
+    notes += _late(figures["last_parting"], base.duration)
+    force, struck_position, impactor_velocity = (band_of([histories[i] for _, histories in found]) for i in range(3))
     return Ensemble(
         key,
         chosen.table(),
         changes,
         **figures,
         time=instants,
-        force=band_of([histories[0] for _, histories in found]),
-        struck_position=band_of([histories[1] for _, histories in found]),
-        impactor_velocity=band_of([histories[2] for _, histories in found]),
+        force=force,
+        struck_position=struck_position,
+        impactor_velocity=impactor_velocity,
         spread=table,
-        ill_conditioned=ill,
-        summary=summary(scene, key, spread, table, ill),
+        ill_conditioned=ill_conditioned(table),
+        summary=summary(scene, key, spread, table, ill_conditioned(table)),
         notes=notes,
         wall_time=time.perf_counter() - begun,
     )
@@ -140,6 +133,27 @@ def perturbations(runs: int, spread: float, seed: int = 0) -> np.ndarray:
     shares = (np.arange(runs) + np.random.default_rng(seed).random(runs)) / runs
     sizes = spread * 10.0 ** (-DECADES * shares)
     return np.sort(np.where(np.arange(runs) % 2 == 0, sizes, -sizes))
+
+
+def _usual_key(scene: Scene) -> str:
+    """What is changed where nothing is named."""
+    name, body = ("impactor", scene.impactor) if scene.struck is scene else ("target", scene.target)
+    return f"{name}.{next(iter(body.of_mass(body.mass)), 'length')}"
+
+
+def _left_out(done: int, runs: int) -> list[Note]:
+    """That runs were cancelled; too few that are done are refused."""
+    if done == runs:
+        return []
+    validation.whole_number("runs", done, LEAST_RUNS, runs)
+    return [Note("runs-left-out", Severity.WARNING, done=done, runs=runs)]
+
+
+def _late(last_parting: np.ndarray, duration: float) -> list[Note]:
+    """That some runs have not ended by the end of the time that is solved."""
+    late = int(np.sum(last_parting >= duration * (1.0 - 1e-12)))
+    said = {"late": late, "runs": last_parting.size, "duration": duration}
+    return [Note("runs-still-touching", Severity.WARNING, **said)] if late else []
 
 
 def _method(scene: Scene, given: str | Method | None) -> tuple[Method, float | None, list[Note]]:
@@ -154,6 +168,12 @@ def _method(scene: Scene, given: str | Method | None) -> tuple[Method, float | N
         notes.append(Note("runs-by-modal", Severity.REMARK, method=named.NAME))
         named = Modal()
     return named.without_estimate(), duration, notes
+
+
+def _changed(scene: Scene, key: str, changes: np.ndarray) -> list[Scene]:
+    """The scene with each relative change of one of its numbers."""
+    value = _value(scene, key)
+    return [scene.replace({key: value * (1.0 + change)}) for change in changes.tolist()]
 
 
 def _value(scene: Scene, key: str) -> float:

@@ -185,6 +185,74 @@ class Pieces(NamedTuple):
         return *wave, self.contacts[:contacts]
 
 
+@inner_kernel
+def _offset(t, j, first, kappa, start):
+    """How far piece j, which arrives at `t`, has passed; 0 at its `first` moment."""
+    return 0.0 if first or j < 0 else kappa * (t - 1.0 - start[j])
+
+
+@inner_kernel
+def _arriving(j, offset, reflection, coefficients, degrees, incoming):
+    """Write the wave that comes back, from `offset` in piece j on; returns its degree."""
+    incoming[0] = 0.0
+    if j < 0:
+        return 0
+    degree = degrees[j]
+    shift(coefficients[j], degree, offset, incoming)
+    damp = reflection * np.exp(-offset)
+    for k in range(degree + 1):
+        incoming[k] *= damp
+    return degree
+
+
+@inner_kernel
+def _pressing(v1, arrives, degree, length, work):
+    """Write the wave sent while the bodies touch.
+
+    Returns where they part (beyond `length` if they do not), its degree, velocity of the mass at the end, peak stress.
+    """
+    incoming, outgoing, pressure = work.incoming, work.outgoing, work.pressure
+    outgoing[0] = v1  # Q: the velocity of the mass is exp(-x) Q(x)
+    for k in range(degree + 1):
+        outgoing[k + 1] = -2.0 * incoming[k] / (k + 1)
+    incoming[degree + 1] = 0.0
+    degree = degree + 1 if arrives else 0
+    for k in range(degree + 1):
+        pressure[k] = outgoing[k] + 2.0 * incoming[k]
+    if pressure[0] < 0.0 or (pressure[0] == 0.0 and degree > 0 and pressure[1] <= 0.0):
+        return 0.0, degree, v1, 0.0
+    x = _first_fall_below_zero(pressure, degree, length, work)
+    if x <= 0.0:
+        return 0.0, degree, v1, 0.0
+    end = min(x, length)
+    peak = _highest(pressure, degree, end, work)
+    v1 = np.exp(-end) * value(outgoing, degree, end)
+    for k in range(degree + 1):
+        outgoing[k] += incoming[k]
+    return x, degree, v1, peak
+
+
+@inner_kernel
+def _write(n, degree, end, kappa, outgoing, coefficients, degrees, integral):
+    """Piece n of the wave sent, of length `end`."""
+    degree = trim(outgoing, min(degree, coefficients.shape[1] - 2), end)
+    for k in range(degree + 1):
+        coefficients[n, k] = outgoing[k]
+    degrees[n] = degree
+    integral[n + 1] = integral[n] + decaying_integral(coefficients[n], degree, 0.0, end) / kappa
+
+
+@inner_kernel
+def _write_parting(contact, t, v1, n, j, offset, reflection, kappa, coefficients, degrees, integral):
+    """What holds at the end of a contact (see `Pieces.contacts`): the mass stands where the struck end does."""
+    returned = arriving = 0.0
+    if j >= 0:
+        returned = integral[j] + decaying_integral(coefficients[j], degrees[j], 0.0, offset) / kappa
+        arriving = np.exp(-offset) * value(coefficients[j], degrees[j], offset)
+    contact[1], contact[3] = t, v1
+    contact[5], contact[6] = integral[n] - reflection * returned, -2.0 * reflection * arriving
+
+
 @kernel
 def strike(beta, reflection, until, sent):
     """The impact of a mass at unit speed, up to `until` or until the bodies part for good.
@@ -192,94 +260,44 @@ def strike(beta, reflection, until, sent):
     Returns status, number of pieces and of contacts, which are written into `sent`.
     """
     start, coefficients, degrees, integral, contacts, work = sent
-    incoming, outgoing, pressure = work.incoming, work.outgoing, work.pressure
-    pieces, terms, max_contacts = degrees.size, coefficients.shape[1], contacts.shape[0]
-    kappa = 2.0 * beta
-    integral[0] = 0.0
-    t, v1, gap, x1 = 0.0, 1.0, 0.0, 0.0
+    kappa, period = 2.0 * beta, 2.0 if reflection > 0.0 else 1.0
+    t, v1, gap = 0.0, 1.0, 0.0
     touching, opened, first = True, gap < 0.0, True  # no literal: it would be compiled twice
-    j, n, count = -1, 0, 0
-    contacts[0, 0], contacts[0, 2], contacts[0, 4] = 0.0, 1.0, 0.0
-    count, start[0] = 1, 0.0
-    period = 2.0 if reflection > 0.0 else 1.0
-    status = FULL
-    while n < pieces and count < max_contacts:
+    j, n, count, status = -1, 0, 1, FULL
+    contacts[0, 0], contacts[0, 2], contacts[0, 4] = t, v1, 0.0
+    start[0], integral[0] = t, 0.0
+    while n < degrees.size and count < contacts.shape[0]:
         # the wave that arrives: piece j, from its own origin to ours
         arrival_end = 1.0 if j < 0 else (start[j + 1] if j + 1 < n else t) + 1.0
         if arrival_end - t <= 1e-15 * arrival_end:
             j += 1
             first = True
             continue
-        degree = 0
-        incoming[0] = 0.0
-        if j >= 0:
-            offset = kappa * (t - 1.0 - start[j]) if not first else 0.0
-            degree = degrees[j]
-            shift(coefficients[j], degree, offset, incoming)
-            damp = reflection * np.exp(-offset)
-            for k in range(degree + 1):
-                incoming[k] *= damp
+        degree = _arriving(j, _offset(t, j, first, kappa, start), reflection, coefficients, degrees, work.incoming)
         length = kappa * (min(arrival_end, until) - t)
         if length <= 0.0:
             status = STOPPED
             break
         if touching:
-            outgoing[0] = v1  # Q: the velocity of the mass is exp(-x) Q(x)
-            for k in range(degree + 1):
-                outgoing[k + 1] = -2.0 * incoming[k] / (k + 1)
-            incoming[degree + 1] = 0.0
-            degree = degree + 1 if j >= 0 else 0
-            for k in range(degree + 1):
-                pressure[k] = outgoing[k] + 2.0 * incoming[k]
-            if pressure[0] < 0.0 or (pressure[0] == 0.0 and degree > 0 and pressure[1] <= 0.0):
-                x = 0.0
-            else:
-                x = _first_fall_below_zero(pressure, degree, length, work)
-            if x > 0.0:
-                end = min(x, length)
-                peak = _highest(pressure, degree, end, work)
-                contacts[count - 1, 4] = max(contacts[count - 1, 4], peak)
-                v1 = np.exp(-end) * value(outgoing, degree, end)
-                for k in range(degree + 1):
-                    outgoing[k] += incoming[k]
-            else:
-                end = 0.0
-            parts, touches = x <= length, False
+            x, degree, v1, peak = _pressing(v1, j >= 0, degree, length, work)
+            contacts[count - 1, 4] = max(contacts[count - 1, 4], peak)
         else:
             for k in range(degree + 1):
-                outgoing[k] = -incoming[k]
-            x, gap, opened = _first_touch(gap, opened, v1, incoming, degree, length, kappa, work)
-            end = min(x, length)
-            parts, touches = False, x <= length
+                work.outgoing[k] = -work.incoming[k]
+            x, gap, opened = _first_touch(gap, opened, v1, work.incoming, degree, length, kappa, work)
+        changes, end = x <= length, min(x, length)
         if end > 0.0:
-            if degree >= terms - 1:
-                degree = terms - 2
-            degree = trim(outgoing, degree, end)
-            for k in range(degree + 1):
-                coefficients[n, k] = outgoing[k]
-            degrees[n] = degree
-            integral[n + 1] = integral[n] + decaying_integral(coefficients[n], degree, 0.0, end) / kappa
-            n += 1
+            _write(n, degree, end, kappa, work.outgoing, coefficients, degrees, integral)
             reached = arrival_end if end == length and arrival_end <= until else t + end / kappa
             first = reached == arrival_end
-            if first:
-                j += 1
-            t = reached
-            start[n] = t
-        if parts:
+            j += 1 if first else 0
+            n += 1
+            t = start[n] = reached
+        if changes and touching:
             touching, opened, gap = False, False, 0.0
-            returned = 0.0
-            if j >= 0 and t > 1.0:
-                offset = kappa * (t - 1.0 - start[j]) if not first else 0.0
-                returned = integral[j] + decaying_integral(coefficients[j], degrees[j], 0.0, offset) / kappa
-            x1 = integral[n] - reflection * returned
-            contacts[count - 1, 1], contacts[count - 1, 3], contacts[count - 1, 5] = t, v1, x1
-            arriving = 0.0
-            if j >= 0:
-                offset = kappa * (t - 1.0 - start[j]) if not first else 0.0
-                arriving = reflection * np.exp(-offset) * value(coefficients[j], degrees[j], offset)
-            contacts[count - 1, 6] = -2.0 * arriving
-        elif touches:
+            offset = _offset(t, j, first, kappa, start)
+            _write_parting(contacts[count - 1], t, v1, n, j, offset, reflection, kappa, coefficients, degrees, integral)
+        elif changes:
             touching = True
             contacts[count, 0], contacts[count, 2], contacts[count, 4] = t, v1, 0.0
             count += 1
