@@ -15,7 +15,7 @@ settings.load_profile("repeatable")
 
 # Files of few tests that take longest, begun first: else one core would wait at the end for what the other has begun.
 LONGEST = (
-    "test_form", "test_connection_page", "test_attacks", "test_panels_page", "test_analyses", "test_figures_page",
+    "test_form", "test_connection_page", "test_limits", "test_panels_page", "test_analyses", "test_figures_page",
     "test_workspace_page", "test_provenance", "test_jit", "test_js", "test_docs", "test_workers", "test_main",
 )  # fmt: skip
 

@@ -7,8 +7,8 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers import METHODS, Scene, SceneError, SceneNotSupported, usual_method
-from tests.catalog import STEEL_ROD, contact_table
+from solvers import METHODS, Modal, Scene, SceneError, SceneNotSupported, Waves, usual_method
+from tests.catalog import SCENES, STEEL_ROD, contact_table
 
 ROD = {"kind": "rod"} | STEEL_ROD
 BEAM = {"kind": "beam", "length": 0.3, "section": {"width": 0.03, "height": 0.03}, "material": "steel"}
@@ -111,3 +111,41 @@ def test_a_comparison_of_bodies_without_waves_has_something_to_measure_by(target
     usual = usual_method(scene_of("mass", target, "rigid"))
     assert rows[usual].reason is None and rows[usual].rebound_error == approx(0.0, abs=1e-12)
     assert "rod" in str(rows["waves"].reason)
+
+
+def test_the_method_of_the_scene_is_used_unless_asked_otherwise():
+    scene = SCENES["fixed-rod"].replace({"method": {"name": "modal", "modes": 5, "duration": 1e-4}})
+    solution = solvers.solve(scene)
+    assert solution.method["name"] == "modal" and solution.method["modes"] == 5
+    assert solution.duration == approx(1e-4, rel=1e-15)
+    assert solvers.solve(scene, modes=6).method["modes"] == 6
+    assert solvers.solve(scene, "waves").method["name"] == "waves"
+    assert solvers.solve(scene, duration=2e-4).duration == approx(2e-4, rel=1e-15)
+    assert solvers.solve(scene, Waves()).method["name"] == "waves"
+    assert solvers.solve(scene, Modal(modes=3)).method["modes"] == 3
+
+
+@pytest.mark.parametrize(
+    "arguments, key",
+    [
+        ({"method": "guess"}, "method.name"),
+        ({"method": "waves", "modes": 5}, "method.modes"),
+        ({"method": "modal", "tolerance": 1e-3}, "method.tolerance"),
+        ({"method": "waves", "tolerance": 0.0}, "method.tolerance"),
+        ({"method": "waves", "steps": 5}, "method.steps"),
+        ({"method": "waves", "steps": 1e3}, "method.steps"),
+        ({"duration": -1.0}, "method.duration"),
+        ({"duration": 0.0}, "method.duration"),
+        ({"duration": math.nan}, "method.duration"),
+        ({"duration": math.inf}, "method.duration"),
+        ({"duration": "long"}, "method.duration"),
+        ({"duration": True}, "method.duration"),
+        ({"duration": 1e9}, "method.duration"),
+        ({"method": Modal(modes=3), "modes": 5}, "method"),
+        ({"velocity": 3.0}, "method.velocity"),
+    ],
+)
+def test_solve_refuses(arguments, key):
+    with pytest.raises(SceneError) as refused:
+        solvers.solve(SCENES["fixed-rod"], **arguments)
+    assert refused.value.key == key

@@ -6,7 +6,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from tests.app.command.test_main import answer, refusal
+from tests.app.command.calls import answer, refusal
 
 
 def test_json_has_exactly_the_promised_keys(capsys):

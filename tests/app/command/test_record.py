@@ -9,7 +9,7 @@ from pytest import approx
 
 import solvers
 from solvers.records.record import expected
-from tests.app.command.test_main import answer, refusal
+from tests.app.command.calls import answer, refusal
 
 BALL = solvers.solve(solvers.load("bronze-rod-steel-ball"), duration=2e-3)
 PLACES = (0.5, 1.0)

@@ -11,7 +11,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from tests.app.command.test_main import answer, refusal
+from tests.app.command.calls import answer, refusal
 
 ROOT = Path(__file__).parents[3]
 

@@ -7,7 +7,7 @@ import pytest
 import solvers
 from app.command.main import main
 from app.command.tradeoff import report
-from tests.app.command.test_main import answer, refusal
+from tests.app.command.calls import answer, refusal
 
 QUICK = ("tradeoff", "brick-off-centre")  # one closed form: measured in an instant
 

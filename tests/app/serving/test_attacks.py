@@ -7,33 +7,23 @@ import asyncio
 import base64
 import http.client
 import json
-import os
-import signal
 import socket
-import subprocess
-import sys
-import time
 import urllib.error
 import urllib.request
-from pathlib import Path
 
 import pytest
 from bokeh.util.token import generate_jwt_token, get_session_id
-from playwright.sync_api import expect
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
-from tornado.websocket import websocket_connect
 
 from app.page.lab import VERSION
 from app.serving.guard import REPORTED, SETTABLE, decide
-from app.serving.limits import HASTE_BURST, MAX_BODY, MAX_REFUSED, OVER_PAUSE
+from app.serving.limits import MAX_BODY, MAX_REFUSED
 from app.serving.uploads import MAX_RECEIVED
 
 from .. import example_record
-from ..conftest import Page, free_port
+from ..conftest import Page
 from ..socket_client import SocketClient, run
-
-ROOT = Path(__file__).parents[3]
-SCRIPT = "window.stolen = true; export function render() { window.stolen = true; }"
+from .wires import SCRIPT, closed, with_token
 
 
 def models(tree):
@@ -45,18 +35,6 @@ def models(tree):
     if isinstance(tree, list):
         for item in tree:
             yield from models(item)
-
-
-async def closed(wire, seconds=20.0):
-    """Wait until a socket is closed; its code and reason."""
-    while await asyncio.wait_for(wire.read_message(), seconds) is not None:
-        pass
-    return wire.close_code, wire.close_reason
-
-
-async def with_token(address, token):
-    request = HTTPRequest(f"ws://{address}/ws", request_timeout=20)
-    return await websocket_connect(request, subprotocols=["bokeh", token])
 
 
 # --- another visitor's session ----------------------------------------------------------------------------------------
@@ -207,81 +185,6 @@ def test_headers_name_no_version_and_no_frame_of_others(server):
     run(ask())
 
 
-# --- floods -----------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
-def test_a_socket_that_floods_is_slowed_and_closed_and_the_page_says_why(server):
-    async def attack():
-        client = await SocketClient(server).open()
-        sent = 0
-        try:
-            for k in range(6_000):
-                await asyncio.wait_for(client.set("mass_ratio", 1.0 + k / 6_000), 15.0)
-                sent += 1
-        except (OSError, TimeoutError, ConnectionError, Exception):
-            pass
-        said = None
-        try:
-            while True:
-                _, content = await client.receive(20.0)
-                for event in content.get("events", []):
-                    if event.get("attr") == "disconnected":
-                        said = event["new"]
-        except ConnectionError as error:
-            assert "1008" in str(error)
-        assert said is not None and "Reload" in said
-        assert sent > HASTE_BURST
-        assert (await closed(await with_token(server, client.token)))[0] == 1008  # nor does it come back
-
-    run(attack(), 120)
-
-
-@pytest.mark.slow
-def test_a_page_that_sends_as_soon_as_it_is_answered_is_never_slowed(server):
-    async def drag():
-        client = await SocketClient(server).open()
-        begun = time.monotonic()
-        for k in range(1, 101):
-            await client.set("mass_ratio", 1.0 + k / 256)
-            while f'"mass_ratio":{1.0 + k / 256}'.encode() not in client.last_frame:
-                await client.answer()
-        assert time.monotonic() - begun < 100 * OVER_PAUSE  # each of three parts would wait for that
-        client.close()
-
-    run(drag())
-
-
-@pytest.mark.slow
-def test_refusals_without_end_close_the_socket_and_just_fewer_do_not(server):
-    async def attack(count):
-        client = await SocketClient(server).open()
-        for _ in range(count):
-            await client.set("esm", SCRIPT[:90])
-            await asyncio.sleep(0.002)
-        try:
-            await client.set("mass_ratio", 1.0 + count / 1000)
-            await client.answer()
-            client.close()
-            return True
-        except Exception:
-            return False
-
-    assert run(attack(MAX_REFUSED - 10)) and not run(attack(MAX_REFUSED + 10))
-
-
-def test_a_fetched_page_solves_nothing_and_makes_no_document(server):
-    async def fetch():
-        client, begun = AsyncHTTPClient(), time.monotonic()
-        for k in range(10):
-            queries = (f"http://{server}/?mass_ratio={1 + k / 100 + i / 1000}&modes=200" for i in range(10))
-            pages = await asyncio.gather(*(client.fetch(query, request_timeout=60) for query in queries))
-            assert {page.code for page in pages} <= {200}
-        return time.monotonic() - begun
-
-    assert run(fetch()) < 60.0  # each took a solve before: 37 ms of computing and a document
-
-
 # --- odd requests -----------------------------------------------------------------------------------------------------
 
 
@@ -332,119 +235,6 @@ def test_slow_uploads_hold_nobody_up(server):
 # --- costly choices ---------------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def own_server(tmp_path):
-    """A server that is tried hard: its process, its address and its log."""
-    port, log = free_port(), tmp_path / "log"
-    command = [sys.executable, "-m", "app.command", "serve", "--port", str(port)]
-    with log.open("w") as output:
-        process = subprocess.Popen(command, cwd=ROOT, stdout=output, stderr=subprocess.STDOUT)
-    while True:
-        assert process.poll() is None, log.read_text()
-        try:
-            urllib.request.urlopen(f"http://127.0.0.1:{port}/liveness", timeout=2).read()
-            break
-        except OSError:
-            time.sleep(0.1)
-    yield process, f"127.0.0.1:{port}"
-    if process.poll() is None:
-        process.kill()
-    process.wait(10)
-    assert "Traceback" not in log.read_text(), log.read_text()
-
-
-@pytest.mark.slow
-def test_two_visitors_on_the_costliest_choices_leave_the_others_their_answers(own_server):
-    process, address = own_server
-
-    async def costly(number):
-        client = await SocketClient(address).open()
-        await client.set("method", "mode-switch")
-        await client.set("modes", 200)
-        for k in range(200):
-            await client.set("mass_ratio", 0.001 + 1e-5 * (k + 500 * number))
-            await client.changes(0.4)
-
-    async def attack():
-        honest = await SocketClient(address).open()
-        await honest.changes(1.0)
-        others = [asyncio.ensure_future(costly(number)) for number in range(2)]
-        await asyncio.sleep(3.0)
-        times = []
-        for k in range(30):
-            begun = time.monotonic()
-            await honest.set("mass_ratio", 1.1 + k / 64)
-            await asyncio.wait_for(honest.answer(), 30.0)
-            times.append(time.monotonic() - begun)
-        for task in others:
-            task.cancel()
-        await asyncio.gather(*others, return_exceptions=True)
-        return sorted(times)
-
-    times = run(attack(), 120)
-    assert times[len(times) // 2] < 5.0  # it was 10 s; `python -m bench --only visitors` measures it
-    process.send_signal(signal.SIGTERM)
-    begun = time.monotonic()
-    assert process.wait(30) == 0
-    assert time.monotonic() - begun < 8.0  # it waited for the solves, 13 s; measured 1 s
-
-
-@pytest.mark.slow
-def test_nothing_goes_on_for_who_has_left(own_server):
-    process, address = own_server
-
-    def computing():
-        total = 0.0
-        for status in Path("/proc").glob("[0-9]*/stat"):
-            fields = _fields(status)
-            solves = fields and int(fields[16]) > 0  # workers yield; the server and the compiling process do not
-            if solves and _descends(int(status.parent.name), process.pid):
-                total += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-        return total
-
-    async def leave():
-        client = await SocketClient(address).open()
-        for name, value in (("method", "mode-switch"), ("modes", 200), ("mass_ratio", 0.00123)):
-            await client.set(name, value)
-        await asyncio.sleep(2.0)
-        client.close()
-        await asyncio.sleep(1.0)
-        before = computing()
-        await asyncio.sleep(3.0)
-        return computing() - before
-
-    assert run(leave()) < 1.5  # of the 3 s; the solve would take them whole
-
-
-def _fields(status):
-    try:
-        return status.read_text().rsplit(")", 1)[1].split()
-    except (OSError, IndexError):
-        return None
-
-
-def _descends(pid, of):
-    while pid > 1:
-        if pid == of:
-            return True
-        fields = _fields(Path(f"/proc/{pid}/stat"))
-        pid = int(fields[1]) if fields else 0
-    return False
-
-
-def test_what_takes_too_long_is_given_up_with_a_sentence(browser, server):
-    """The choices before it are still shown, and the page says what the limit did."""
-    page = Page(browser, server)
-    page.evaluate(
-        """() => { const { page } = strikewave;
-          page.send('modes', 200); page.send('method', 'mode-switch'); page.send('mass_ratio', 0.001); }"""
-    )
-    page.wait("() => /takes longer than most/.test(strikewave.page.model.waiting)", timeout=180_000)
-    given_up = "/given up after 10 s of computing/.test(strikewave.page.model.refused)"
-    page.wait(f"() => {given_up} || strikewave.page.frame.chosen.mass_ratio === 0.001", timeout=180_000)
-    page.context.close()
-
-
 def test_tokens_are_not_bombs(server):
     """A token whose payload would unpack to much is refused before it is unpacked."""
     import zlib
@@ -456,35 +246,3 @@ def test_tokens_are_not_bombs(server):
         assert (await closed(await with_token(server, body.rstrip("="))))[0] == 1008
 
     run(attack())
-
-
-def test_a_page_that_is_turned_out_says_why_and_offers_the_way_back(browser, server):
-    page = Page(browser, server)
-    page.evaluate(
-        """async () => {
-          const { model } = strikewave.page;
-          for (let k = 0; k < 9000; k++) {
-            model.mass_ratio = 1 + k / 9000;
-            if (k % 100 === 0) await new Promise((done) => setTimeout(done, 20));
-          }
-        }"""
-    )
-    notice = page.tab.get_by_role("alert")
-    expect(notice).to_contain_text("Too much came from this page at once: it was disconnected.")
-    expect(notice).to_be_in_viewport()
-    page.evaluate("() => { strikewave.page.player.toggle(); }")  # what is shown still plays
-    before = page.evaluate("() => strikewave.page.painted")
-    page.wait("before => strikewave.page.painted > before + 5", before)
-    notice.get_by_role("button", name="Reload").click()
-    page.laid_out()
-    expect(page.tab.get_by_role("alert")).to_be_hidden()
-    page.context.close()
-
-
-def test_a_page_for_which_there_is_no_room_says_so(browser, server):
-    context = browser.new_context()
-    tab = context.new_page()
-    tab.add_init_script("window.WebSocket = class { constructor() { setTimeout(() => this.onerror?.(), 50); } }")
-    tab.goto(f"http://{server}/")
-    expect(tab.get_by_text("The page could not be opened")).to_be_visible()
-    context.close()

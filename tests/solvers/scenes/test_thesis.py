@@ -1,7 +1,7 @@
 """Figures and tables of the thesis on axial impacts: scenes of their names, and the numbers printed there.
 
 Not repeated is what other tests check already: tables 6.1 to 6.5 in test_balances, figures 4.20 to 4.22 in
-test_balance, (4.13) to (4.40) in test_restitution, table 7.1 in test_contact, the bare steps of table 8.1 in
+test_balance, (4.13) to (4.40) in test_restitution, table 7.1 in test_tabor, the bare steps of table 8.1 in
 test_newmark, 10.2 in test_floating_frame, 8.3 in test_beam_impacts.
 """
 

@@ -1,8 +1,6 @@
-"""The method `rigid`: bodies in space and on an axis, from scene files to results, and what scenes are refused."""
+"""The method `rigid`: bodies in space and on an axis, from scene files to results."""
 
-import copy
 import json
-import math
 
 import numpy as np
 import pytest
@@ -11,26 +9,12 @@ from hypothesis import strategies as st
 from pytest import approx
 
 import solvers
-from solvers import Body, RigidImpulse, Scene, SceneError, SceneNotSupported
+from solvers import RigidImpulse, Scene, SceneNotSupported
 from tests.catalog import RIGID, SCENES, STEEL_BEAM, STEEL_ROD_MASS, T, struck_beam, struck_rod
+from tests.solvers.methods.rigid.scenes import BODIES, STRUCK, with_value
 from tests.solvers.numerics.rigid.test_impulses import in_world, random_bodies, rotations
 
 IN_SPACE = [name for name, scene in SCENES.items() if scene.normal is not None]
-NOTE = {
-    "impactor": {"kind": "body", "mass": 0.5, "velocity": [-3.0, 0.0, 0.0]},
-    "target": {"kind": "body", "mass": 2.0, "inertia": [0.24, 0.0, 0.24], "centre": [0.0, -0.6, 0.0]},
-    "contact": {"normal": [-1.0, 0.0, 0.0]},
-}
-
-
-def with_value(key: str, value: object) -> dict:
-    tables = copy.deepcopy(NOTE)
-    *path, last = key.split(".")
-    table = tables
-    for name in path:
-        table = table.setdefault(name, {})
-    table[last] = value
-    return tables
 
 
 # --- bodies in space --------------------------------------------------------------------------------------------------
@@ -194,122 +178,6 @@ def test_other_methods_leave_bodies_in_space_alone():
             solvers.solve(SCENES["note-rod"], name)
 
 
-# --- with friction ----------------------------------------------------------------------------------------------------
-
-RUBBING = [name for name, scene in SCENES.items() if scene.friction]
-
-
-@pytest.mark.parametrize("model", ["stronge", "poisson", "newton"])
-@pytest.mark.parametrize("name", RUBBING)
-def test_scenes_with_friction(name, model):
-    """The parts of the energy add up, the impulse is on the target, and the other models stand beside it."""
-    scene = SCENES[name]
-    solution = solvers.solve(scene, model=model)
-    written = json.loads(json.dumps(solution.table(), allow_nan=False))
-    assert written["method"]["model"] == model
-    energy = written["energy"]
-    assert sum(energy.values()) == approx(2.0 * energy["initial"], rel=1e-14)
-    push = np.array(written["impulse"])
-    gained = scene.impactor.mass * (np.array(scene.impactor.velocity) - written["impactor"]["final_velocity"])
-    assert push == approx(gained, rel=1e-12, abs=1e-14)
-    pressed = push @ scene.normal
-    assert np.linalg.norm(push - pressed * np.array(scene.normal)) <= scene.friction * pressed * (1.0 + 1e-12)
-    assert written["sliding"][-1]["until"] == approx(pressed, rel=1e-14)
-    for part in ("impulse", "impactor", "restitution"):
-        assert written["models"][model][part] == written[part]
-    assert written["models"]["stronge"]["restitution"]["energetic"] == approx(scene.method["restitution"], rel=1e-12)
-    assert written["models"]["poisson"]["restitution"]["poisson"] == approx(scene.method["restitution"], rel=1e-12)
-    parts = scene.method["restitution"] if scene.speed else None
-    assert written["models"]["newton"]["restitution"]["newton_at_contact"] == (parts and approx(parts))
-    assert Scene.from_table(scene.table()) == scene
-
-
-def test_the_scenes_show_what_their_notes_say():
-    """Painlevé's rod jams; the ball turns back at 2/7; the brick's sliding turns by half a circle."""
-    rod, ball, brick = (solvers.solve(SCENES[name]) for name in ("painleve-rod", "spinning-ball", "brick-on-floor"))
-    assert [note.code for note in rod.notes] == ["friction-jams"]
-    assert [each.kind for each in rod.sliding] == ["slip", "stick"]
-    assert rod.sliding[0].until == approx(1.5 / (1.6 * 3.4 - 1.2), rel=1e-12)  # u / (friction t W t - n W t)
-    assert not solvers.solve(SCENES["painleve-rod"].replace({"contact.friction": 1.3})).notes
-    assert ball.impulse == approx((2.0 / 7.0 * 0.1 * 4.6, -0.54, 0.0), rel=1e-12, abs=1e-15)
-    assert ball.impactor_velocity[0] < 0.0
-    assert [each.kind for each in brick.sliding] == ["slip"]
-    body = brick.scene.impactor
-    before, after = (
-        np.add(velocity, np.cross(body.centre, spin))[:2]
-        for velocity, spin in ((body.velocity, body.spin), (brick.impactor_velocity, brick.impactor_spin))
-    )
-    assert before @ after < -0.9 * np.linalg.norm(before) * np.linalg.norm(after)
-
-
-def test_a_rod_that_only_slides_is_thrown_up_above_the_friction_at_which_it_jams():
-    """Painlevé's impact without approach; below 4/3 and at rest nothing happens, and a note says from where on."""
-    scene = SCENES["painleve-sliding"]
-    thrown, slow = solvers.solve(scene), solvers.solve(scene.replace({"impactor.velocity": [-1.5, -1e-9, 0.0]}))
-    assert scene.speed == 0.0 and thrown.contacts[0].impulse == approx(-thrown.impulse[1])
-    assert thrown.impulse == approx(slow.impulse, rel=1e-8, abs=1e-12)
-    assert thrown.impactor_velocity[1] > 0.5 and thrown.energy["impactor"] < thrown.energy["initial"]
-    assert [each.kind for each in thrown.sliding] == ["slip", "stick"]
-    assert thrown.restitution["newton_at_contact"] is None and thrown.restitution["energetic"] == approx(0.5, rel=1e-12)
-    (note,) = thrown.notes
-    assert (note.code, note.severity) == ("impact-without-approach", "warning")
-    assert note.values["friction"] == approx(4.0 / 3.0, rel=1e-12)
-    for friction, rises, codes in (
-        (1.33, 0.0, ["no-impact", "slides-on"]),
-        (1.6, 1e-9, ["no-impact"]),
-    ):
-        still = solvers.solve(scene.replace({"contact.friction": friction, "impactor.velocity": [-1.5, rises, 0.0]}))
-        assert still.impulse == (0.0, 0.0, 0.0) and [note.code for note in still.notes] == codes
-        assert still.impactor_velocity == (-1.5, rises, 0.0)
-    rests = solvers.solve(scene.replace({"impactor.velocity": [0.0, 0.0, 0.0]}))
-    assert not rests.contacts and [note.code for note in rests.notes] == ["no-impact"]
-
-
-def test_where_newtons_law_makes_energy_it_says_so():
-    scene = SCENES["brick-on-floor"].replace({"method.restitution": 1.0})
-    beside, chosen = solvers.solve(scene), solvers.solve(scene, model="newton")
-    for solution, severity in ((beside, "remark"), (chosen, "warning")):
-        (note,) = solution.notes
-        assert (note.code, note.severity) == ("friction-makes-energy", severity)
-        assert note.values["energy"] == approx(chosen.energy["impactor"] - chosen.energy["initial"], rel=1e-12)
-    assert "model 'stronge'" in str(chosen.notes[0])
-    assert beside.energy["impactor"] < beside.energy["initial"]
-
-
-def test_friction_of_nothing_is_no_friction():
-    plain = solvers.solve(SCENES["note-rod"])
-    for model in ("stronge", "poisson", "newton"):
-        found = solvers.solve(SCENES["note-rod"].replace({"contact.friction": 0.0}), model=model)
-        assert found.impulse == approx((-plain.impulse, 0.0, 0.0), rel=1e-12, abs=0.0)
-        assert found.target_spin == approx(plain.target_spin, rel=1e-12)
-        assert found.energy["friction"] == approx(0.0, abs=1e-15)
-
-
-def test_bodies_with_friction_that_move_apart_do_not_meet():
-    found = solvers.solve(SCENES["note-rod-friction"].replace({"impactor.velocity": [3.0, 1.0, 0.0]}))
-    assert found.impulse == (0.0, 0.0, 0.0) and found.sliding == [] and found.contacts == []
-    assert set(found.restitution.values()) == {None}
-    json.dumps(found.table(), allow_nan=False)
-
-
-def test_friction_may_not_turn_a_needle_about_its_axis():
-    """Along its normal the impact would not; across it would, and nothing resists."""
-    tables = with_value("target.centre", [0.0, -0.6, 0.0])
-    tables["impactor"] |= {"inertia": [0.0, 0.1, 0.1], "centre": [0.3, 0.2, 0.0]}
-    tables["contact"]["normal"] = [-1.0, 0.0, 0.0]
-    Scene.from_table(tables)
-    tables["contact"]["friction"] = 0.3
-    with pytest.raises(SceneError) as refused:
-        Scene.from_table(tables)
-    assert refused.value.key == "impactor.inertia"
-
-
-def test_bodies_on_an_axis_know_no_friction():
-    with pytest.raises(SceneError) as refused:
-        Scene.from_table({"impactor": BODIES["sphere"], "target": STRUCK["mass"], "contact": {"friction": 0.3}})
-    assert refused.value.key == "contact.friction"
-
-
 # --- on an axis -------------------------------------------------------------------------------------------------------
 
 
@@ -332,20 +200,6 @@ def test_a_mass_against_a_rod_that_moves_as_a_whole(support, restitution):
     assert solution.restitution["newton"] == approx(restitution, abs=1e-15)
     assert abs(solution.diagnostics["energy_error"]) < 1e-15
     assert isinstance(solution.table()["impactor"]["final_velocity"], float)
-
-
-BODIES = {
-    "sphere": {"kind": "sphere", "radius": 0.02, "velocity": 5.0},
-    "rod": {"kind": "rod", "length": 0.2, "section": {"radius": 0.01}, "material": "steel", "velocity": 5.0},
-}
-STRUCK = {
-    "mass": {"kind": "mass", "mass": 0.3, "velocity": -1.0},
-    "rod": {**BODIES["rod"], "velocity": 2.0, "support": "free"},
-    "rods": {"kind": "rods", "rods": [BODIES["rod"], BODIES["rod"]], "support": "free"},
-    "stop": {"kind": "stop"},
-    "half-space": {"kind": "half-space", "material": "steel"},
-}
-STRUCK["rods"]["rods"] = [{k: v for k, v in BODIES["rod"].items() if k not in ("kind", "velocity")}] * 2
 
 
 @pytest.mark.parametrize("impactor", BODIES)
@@ -427,110 +281,3 @@ def test_what_does_not_move_as_a_whole_is_refused():
         scene = Scene.from_table({"impactor": BODIES["sphere"], "target": target})
         with pytest.raises(SceneNotSupported, match=said):
             solvers.solve(scene, "rigid")
-
-
-# --- refusals ---------------------------------------------------------------------------------------------------------
-
-TILTED = [[0.24, 0.1, 0.0], [0.0, 0.24, 0.0], [0.0, 0.0, 0.24]]
-
-
-@pytest.mark.parametrize(
-    "key, value, named, allowed",
-    [
-        ("contact.normal", [0.0, 0.0, 0.0], "contact.normal", "not all zero"),
-        ("contact.normal", [1.0, 0.0], "contact.normal", "three numbers"),
-        ("contact.normal", 1.0, "contact.normal", "three numbers"),
-        ("contact.normal", "x", "contact.normal", "three numbers"),
-        ("contact.normal", [1.0, math.nan, 0.0], "contact.normal[1]", "a number from"),
-        ("contact.normal", [1.0, True, 0.0], "contact.normal[1]", "a number from"),
-        ("contact.law", "hertz", "contact.law", "'rigid'"),
-        ("contact.friction", -0.1, "contact.friction", "0 to 1e+06"),
-        ("contact.friction", math.nan, "contact.friction", "0 to 1e+06"),
-        ("contact.friction", "rough", "contact.friction", "0 to 1e+06"),
-        ("contact.roughness", 0.3, "contact.roughness", "law, normal, friction"),
-        ("method.model", "kane", "method.model", "'stronge', 'poisson', 'newton'"),
-        ("contact", {}, "contact.normal", "the key is missing"),
-        ("contact", "rigid", "contact", "a table"),
-        ("impactor.velocity", 3.0, "impactor.velocity", "three numbers"),
-        ("impactor.velocity", [3.0, 0.0, 0.0, 0.0], "impactor.velocity", "three numbers"),
-        ("impactor.velocity", [3.0, math.inf, 0.0], "impactor.velocity[1]", "m/s"),
-        ("impactor.mass", 0.0, "impactor.mass", "kg"),
-        ("impactor.mass", math.inf, "impactor.mass", "kg"),
-        ("impactor.mass", 1e-10, "impactor.mass", "does not feel"),
-        ("impactor.radius", 0.1, "impactor.radius", "no such key"),
-        ("impactor.kind", "mass", "impactor.velocity", "a number"),
-        ("target.spin", [0.0, 0.0, "fast"], "target.spin[2]", "rad/s"),
-        ("target.spin", None, "target.spin", "three numbers"),
-        ("target.centre", [10**400, 0, 0], "target.centre[0]", "m"),
-        ("target.inertia", -1.0, "target.inertia", "three principal moments"),
-        ("target.inertia", [1.0, 1.0], "target.inertia", "three principal moments"),
-        ("target.inertia", [-0.1, 0.2, 0.2], "target.inertia", "not negative"),
-        ("target.inertia", [-0.1, -0.1, -0.1], "target.inertia", "not negative"),
-        ("target.inertia", [0.0, 0.0, 0.24], "target.inertia", "(here 0, 0 and 0.24) exceeds the sum"),
-        ("target.inertia", [0.1, 0.1, 0.201], "target.inertia", "exceeds the sum"),
-        ("impactor.inertia", [[0.2, 0.1, 0.0], [0.1, 0.2, 0.0], [0.0, 0.0, 0.01]], "impactor.inertia", "exceeds"),
-        ("target.inertia", [0.24, math.nan, 0.24], "target.inertia[1]", "kg m2"),
-        ("target.inertia", TILTED, "target.inertia", "symmetric"),
-        ("target.inertia", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], 1.0], "target.inertia[2]", "three numbers"),
-        ("target.inertia", [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]], "target.inertia[0]", "three numbers"),
-        ("target.axes", [1.0, 0.0, 0.0], "target.axes[0]", "three numbers"),
-        ("target.axes", [[1.0, 0.0, 0.0]] * 3, "target.axes", "right angles"),
-        ("target.axes", [[1, 0, 0], [0, 0, 0], [0, 0, 1]], "target.axes[1]", "not all zero"),
-        ("target.centre", [0.0, -0.6, 0.01], "target.inertia", "struck across"),
-        ("target.kind", "rod", "target.mass", "no such key"),
-        ("method.name", "waves", "method.name", "use 'rigid'"),
-        ("method.restitution", 1.1, "method.restitution", "0 to 1"),
-        ("method.restitution", -0.1, "method.restitution", "0 to 1"),
-        ("method.restitution", math.nan, "method.restitution", "0 to 1"),
-        ("method.modes", 3, "method.modes", "restitution"),
-    ],
-)
-def test_refusals(key, value, named, allowed):
-    with pytest.raises(SceneError) as refused:
-        solvers.solve(Scene.from_table(with_value(key, value)))
-    assert refused.value.key == named
-    assert allowed in refused.value.allowed
-    assert len(str(refused.value)) < 400 and "\n" not in str(refused.value)
-
-
-def test_axes_belong_to_principal_moments():
-    tables = with_value("target.inertia", np.diag([0.3, 0.4, 0.5]).tolist())
-    tables["target"]["axes"] = np.eye(3).tolist()
-    with pytest.raises(SceneError) as refused:
-        Scene.from_table(tables)
-    assert refused.value.key == "target.axes"
-
-
-@pytest.mark.parametrize(
-    "impactor, target, key",
-    [
-        (NOTE["impactor"], STRUCK["mass"], "target.kind"),
-        (NOTE["impactor"], {"kind": "half-space", "material": "steel"}, "target.kind"),
-        (BODIES["sphere"], NOTE["target"], "impactor.kind"),
-    ],
-)
-def test_bodies_in_space_meet_their_like_or_a_stop(impactor, target, key):
-    with pytest.raises(SceneError) as refused:
-        Scene.from_table({"impactor": impactor, "target": target, "contact": NOTE["contact"]})
-    assert refused.value.key == key
-
-
-@pytest.mark.parametrize("name", ["mass", "velocity"])
-def test_missing_keys(name):
-    tables = copy.deepcopy(NOTE)
-    del tables["impactor"][name]
-    with pytest.raises(SceneError, match="the key is missing") as refused:
-        Scene.from_table(tables)
-    assert refused.value.key == f"impactor.{name}"
-
-
-def test_a_plate_in_four_digits_is_a_body():
-    """Its moments reach the triangle inequality; so do those of a thin rod, in any axes."""
-    plate = Scene.from_table(with_value("target.inertia", [0.3333, 0.3333, 0.6667]))
-    assert plate.target == Body(
-        2.0, (0.0, 0.0, 0.0), ((0.3333, 0.0, 0.0), (0.0, 0.3333, 0.0), (0.0, 0.0, 0.6667)), (0.0, -0.6, 0.0)
-    )
-    assert solvers.solve(plate).notes == []
-    axes = rotations(np.random.default_rng(5), 20)
-    for rod in in_world(np.array([0.0, 0.24, 0.24]), axes):
-        Scene.from_table(with_value("target", NOTE["target"] | {"inertia": rod.tolist(), "centre": [0.0, 0.0, 0.0]}))
