@@ -143,8 +143,20 @@ test('of numbers of modes it says which is enough for what', () => {
   const told = verdictOf(now, kept, ['modes']);
   assert.match(told, /^For the last velocity 5 modes are enough.*contacts 100; the peak force does not settle/);
   assert.match(told, /5 modes miss.*by 40\.0 %.*100 modes miss.*by 2\.00 %/);
+  assert.match(told, /for the number of contacts 100.*impulse and contacts\./);
   const soft = [now, kept].map((frame) => ({ ...frame, chosen: { ...frame.chosen, law: 'hertz' } }));
   assert.match(verdictOf(soft[0], soft[1], ['modes']), /for the peak force not even 100\./);
+});
+
+test('where a warning says not to trust the number of contacts, modes are judged by velocity and impulse', () => {
+  const frames = [rod({ modes: 100 }), rod({ modes: 5 })].map((frame, k) => {
+    const other = { ...frame.other, contacts: [[0, 1.5, k ? 3.01 : 3, 1e4]], notes: [{ code: 'near-grazing' }] };
+    return { ...frame, exact: { ...frame.exact, name: 'waves', notes: [] }, other };
+  });
+  const told = verdictOf(frames[0], frames[1], ['modes']);
+  assert.match(told, /^For the last velocity 5 modes are enough.*for the impulse 5.*contacts is no measure here/);
+  assert.match(told, /judge by velocity, impulse\..*go by velocity and impulse\..*the impulse by 0\.33 %/s);
+  assert.doesNotMatch(told, /for the number of contacts|and contacts\./);
 });
 
 test('of a beam the larger number of modes judges the smaller, and says why', () => {

@@ -52,6 +52,25 @@ test('a mass that goes on is not said to come back', () => {
   assert.match(sentence ?? '', /goes on in the same direction at 0\.135 v/);
 });
 
+test('of rods that are drawn rigid no waves are told', () => {
+  const other = { name: 'rigid', contacts: [[0, 0, 1, null]], left: [-0.5], cutOff: [false], stillTouching: false };
+  const by = (/** @type {string} */ method) =>
+    eventsOf(rod({ target: { kind: 'rod' }, other, chosen: { law: 'rigid', method } }));
+  assert.match(by('waves')[0][1], /front/);
+  const events = by('rigid');
+  assert.equal(events.length, 2);
+  assert.doesNotMatch(events.map(([, sentence]) => sentence).join(' '), /wave|front/i);
+  assert.match(events[1][1], /in no time.*goes back at 0.5/);
+});
+
+test('charts of force are promised where there are any', () => {
+  /** @type {any} */
+  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, rods: [], exact: { name: 'rigid' } };
+  assert.doesNotMatch(seenIn(pendulum), /force/);
+  assert.match(seenIn({ ...pendulum, exact: { name: 'compliant' } }), /force/);
+  assert.match(seenIn({ ...pendulum, rods: [{}] }), /waves/);
+});
+
 test('where the force jumps, it is said over how long modes spread the jump', () => {
   const jump = (/** @type {any} */ frame) => eventsOf(frame).find(([t]) => t === 1)?.[1] ?? '';
   const other = { diagnostics: { resolved_time: 2.35e-6 } };

@@ -7,6 +7,7 @@ import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { naming } from '../text/words.js';
+import { drawnFromOther } from './drawn.js';
 import { RigidField } from './fields.js';
 
 /** @import { Axis } from '../charts/axis.js' */
@@ -20,13 +21,6 @@ const ROWS = 121;
 const MODAL_COLUMNS = 200; // fewer for modes, which cost a sum each
 const MODAL_ROWS = 61;
 const TRAINS = 2.5; // heights of the exact force that another may take: trains of impulses have no height
-
-/**
- * Whether the pictures show the other method.
- * @param {AxialFrame} frame
- */
-export const drawnFromOther = (frame) =>
-  Boolean(frame.other && frame.chosen.method === frame.other.name && frame.other.name !== frame.exact.name);
 
 /**
  * A tick beside one rod.
@@ -131,7 +125,8 @@ export class Force {
   load(frame) {
     const { modalForce, other } = frame;
     this.exact = { x: frame.exactTime, y: frame.exactForce };
-    this.other = pair(frame.otherTime, frame.otherForce);
+    const impulse = other?.name === 'rigid'; // without a height
+    this.other = impulse ? null : pair(frame.otherTime, frame.otherForce);
     this.raw = null;
     if (modalForce && other) {
       const step = given(frame.step, 'step');

@@ -1,6 +1,7 @@
 // What happens in an impact along an axis, one event after the other.
 import { text } from '../text/catalogue.js';
 import { engineering, pretty, signed } from '../text/format.js';
+import { drawnRigid, toldOf } from './drawn.js';
 
 /** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -13,7 +14,8 @@ const STANDS = 5e-4; // of the impact speed; what is slower stands
  * @returns {Event[]}
  */
 export function eventsOf(frame) {
-  const found = frame.rods.length === 1 && frame.rods[0].mirror ? eventsOnOneRod(frame) : plainEvents(frame);
+  const waves = frame.rods.length === 1 && frame.rods[0].mirror && !drawnRigid(frame);
+  const found = waves ? eventsOnOneRod(frame) : plainEvents(frame);
   return found.filter(([t]) => t <= frame.duration + 1e-9).sort((a, b) => a[0] - b[0]);
 }
 
@@ -32,20 +34,22 @@ const going = (velocity) => ({
  * @returns {Event[]}
  */
 function plainEvents(frame) {
-  const { exact, rods, impactor, target } = frame;
-  if (impactor.kind === 'pulse') return pulseEvents(exact.contacts);
+  const { rods, impactor, target } = frame;
+  const { contacts, left, stillTouching } = toldOf(frame);
+  if (impactor.kind === 'pulse') return pulseEvents(contacts);
   const striker = impactor.kind;
-  return exact.contacts.flatMap(([start, end], k) => {
+  const waves = rods.length > 0 && !drawnRigid(frame);
+  return contacts.flatMap(([start, end], k) => {
     const touches = k
       ? text('axial.event.meets-again', { number: k + 1 })
-      : text('axial.event.touches', { striker, target: target.kind, waves: rods.length > 0 });
-    const last = k === exact.contacts.length - 1;
-    const gone = { striker, last, ...going(exact.left[k]) };
+      : text('axial.event.touches', { striker, target: target.kind, waves });
+    const last = k === contacts.length - 1;
+    const gone = { striker, last, ...going(left[k]) };
     const parts = text(end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);
     /** @type {Event[]} */
     const both = [
       [start, touches],
-      [end, last && exact.stillTouching ? text('axial.event.still-touching') : parts],
+      [end, last && stillTouching ? text('axial.event.still-touching') : parts],
     ];
     return both;
   });

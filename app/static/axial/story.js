@@ -4,6 +4,7 @@ import { contactHead, Warnings, Events, heading, lookCloser, scrolled, showEnerg
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { noteOf, shortly } from '../text/words.js';
+import { toldOf } from './drawn.js';
 import { eventsOf } from './events.js';
 
 /** @import { AxialFigures, AxialFrame, Rotation } from '../shell/message.js' */
@@ -79,7 +80,7 @@ export class Story {
     this.warnings = new Warnings();
     const { heading: warningsHeading, list: warnings } = this.warnings;
     this.root = make('div', { className: 'story' }, heading(text('story.events')), this.units, this.events.root);
-    this.asks = heading(text('axial.one-number'));
+    this.asks = heading();
     this.root.append(warningsHeading, warnings, this.asks, this.match);
     this.root.append(heading(text('story.energy')), this.energy);
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
@@ -92,9 +93,10 @@ export class Story {
     this.units.textContent = unitsOf(frame);
     this.contacts();
     this.answers();
-    this.asks.textContent = text(frame.exact.name === 'rigid' ? 'axial.one-impulse' : 'axial.one-number');
+    const asks = text('axial.one-number', { waves: frame.rods.length > 0 });
+    this.asks.textContent = frame.exact.name === 'rigid' ? text('axial.one-impulse') : asks;
     this.match.replaceChildren(...this.#match());
-    showEnergy(this.energy, frame.exact.energy, ENERGIES);
+    showEnergy(this.energy, toldOf(frame).energy, ENERGIES);
     this.warn();
     this.tell();
   }

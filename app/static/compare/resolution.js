@@ -3,12 +3,15 @@ import { between } from '../charts/scale.js';
 import { engineering, percent, signed } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { AxialFrame, BeamFrame } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, BeamFrame } from '../shell/message.js' */
 
-/** What is asked of both numbers: error of the last velocity as a share of the impact speed, and of the peak force. */
-/** @typedef {{ count: number, velocity: number, force: number, contacts: number }} Miss */
+/**
+ * What is asked of both numbers: error of the last velocity as a share of the impact speed, of impulse and peak force.
+ * @typedef {{ count: number, velocity: number, impulse: number, force: number, contacts: number }} Miss
+ */
 
 const ENOUGH = 0.01; // error that is small enough
+const GRAZING = 'near-grazing'; // the note that warns of the number of contacts
 
 /**
  * The smaller number that is enough, or that none is.
@@ -25,25 +28,32 @@ const enoughOf = (misses, fits) => {
  * @param {Miss[]} misses
  * @param {number} contacts  that there are
  * @param {string} what  modes, elements
- * @param {boolean} jumps  whether the force does, so that its peak does not settle
+ * @param {boolean} [jumps]  whether the force does, so that its peak does not settle
+ * @param {boolean} [grazing]  whether the contacts are too near to another number of them to be judged by
  */
-function verdict(misses, contacts, what, jumps) {
+function verdict(misses, contacts, what, jumps = false, grazing = false) {
   const velocity = enoughOf(misses, (miss) => miss.velocity <= ENOUGH);
+  const impulse = enoughOf(misses, (miss) => miss.impulse <= ENOUGH);
   const found = enoughOf(misses, (miss) => miss.contacts === contacts);
   const force = enoughOf(misses, (miss) => miss.force <= ENOUGH);
-  return text('compare.verdict.enough-for', { what, velocity, contacts: found, force, jumps });
+  return text('compare.verdict.enough-for', { what, velocity, impulse, contacts: found, force, grazing, jumps });
 }
+
+/** @param {AxialFigures} told */
+const impulseOf = ({ contacts }) => contacts.reduce((sum, [, , impulse]) => sum + impulse, 0);
 
 /**
  * How far either is from the exact solution.
  * @param {Miss[]} misses
  * @param {string} what
+ * @param {boolean} [grazing]
  */
-const listed = (misses, what) =>
+const listed = (misses, what, grazing = false) =>
   misses
-    .map(({ contacts, count, force, velocity }) =>
-      text('compare.verdict.miss', { contacts, count, what, velocity: percent(velocity), force: percent(force) }),
-    )
+    .map(({ contacts, count, force, impulse, velocity }) => {
+      const by = { velocity: percent(velocity), impulse: percent(impulse), force: percent(force) };
+      return text('compare.verdict.miss', { contacts, count, grazing, what, ...by });
+    })
     .join(' ');
 
 /**
@@ -60,6 +70,7 @@ export function ofResolution(now, kept, name) {
           {
             count: Number(chosen[name]),
             velocity: Math.abs((other.final ?? 0) - (final ?? 0)),
+            impulse: Math.abs(impulseOf(other) / impulseOf(now.exact) - 1),
             force: Math.abs(other.peakForce / peakForce - 1),
             contacts: other.contacts.length,
           },
@@ -71,9 +82,18 @@ export function ofResolution(now, kept, name) {
   const jumps = now.chosen.law === 'rigid' && now.rods.length > 0;
   const values = { contacts: contacts.length, velocity: signed(final ?? 0), force: engineering(peakForce, 'N') };
   const exact = text('compare.verdict.exact', { ...values, waves: reference === 'waves' });
-  const why = jumps && name === 'modes' ? [text('compare.verdict.jumps')] : [];
-  return [verdict(misses, contacts.length, name, jumps), ...why, exact, listed(misses, name)].join(' ');
+  const grazing = [now, kept].some((frame) => warnsOfCount(frame));
+  const why = jumps && name === 'modes' ? [text('compare.verdict.jumps', { grazing })] : [];
+  const first = verdict(misses, contacts.length, name, jumps, grazing);
+  return [first, ...why, exact, listed(misses, name, grazing)].join(' ');
 }
+
+/**
+ * Whether a warning stands beside it not to trust the number of contacts.
+ * @param {AxialFrame} frame
+ */
+const warnsOfCount = ({ exact, other }) =>
+  [exact, other].some((told) => (told?.notes ?? []).some(({ code }) => code === GRAZING));
 
 /**
  * Of a beam, which has no exact solution: the larger number judges the smaller.
@@ -89,6 +109,7 @@ export function ofBeamResolution(now, kept, name) {
   const miss = {
     count: low,
     velocity: Math.abs((coarse.main.final ?? 0) - (final ?? 0)) / now.speed,
+    impulse: Math.abs(coarse.main.impulse / fine.main.impulse - 1),
     force: Math.abs(coarse.main.peakForce / peakForce - 1),
     contacts: coarse.main.contacts,
   };
@@ -97,7 +118,7 @@ export function ofBeamResolution(now, kept, name) {
   const why = alike && name === 'modes' ? [slowerThan(coarse, low)].filter(Boolean) : [];
   const at = percent(instantOf(coarse, fine) / now.speed);
   const instants = alike ? [text('compare.verdict.instants', { at })] : [];
-  return [verdict([miss], contacts, name, false), ...why, judged, listed([miss], name), ...instants].join(' ');
+  return [verdict([miss], contacts, name), ...why, judged, listed([miss], name), ...instants].join(' ');
 }
 
 /**

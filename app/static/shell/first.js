@@ -24,8 +24,10 @@ export function seenIn(frame) {
     return SEEN.mechanism;
   }
   if (frame.kind !== 'axial') return SEEN[frame.kind];
-  if (frame.impactor.kind === 'pendulum') return SEEN.pendulum;
-  return frame.rods.length > 1 ? SEEN.rods : frame.rods.length ? SEEN.rod : SEEN.compact;
+  const shown = frame.rods.length ? 'waves' : frame.exact.name === 'rigid' ? 'impulse' : 'force';
+  if (frame.impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
+  if (!frame.rods.length) return text('first.seen.compact', { shown });
+  return frame.rods.length > 1 ? SEEN.rods : SEEN.rod;
 }
 
 /**

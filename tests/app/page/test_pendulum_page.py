@@ -23,6 +23,21 @@ def test_a_pendulum_bends_by_as_many_modes_as_are_chosen(open_page):
     expect(page.tab.get_by_text("moment at the pivot, N m")).to_be_visible()
 
 
+def test_picture_caption_and_charts_of_bodies_without_waves_tell_one_solution(open_page):
+    """The contact that gives way, also where rigid bodies are compared: these are dashed in the picture."""
+    page = open_page("?scene=rigid-pendulum&law=hertz&method=rigid")
+    assert (page.header("exact")["name"], page.header("other")["name"]) == ("compliant", "rigid")
+    page.evaluate(AT, 0.5)
+    shown = "() => [strikewave.page.view.field.mass(0.5), strikewave.page.view.stage.touching(0.5)]"
+    moved, touching = page.evaluate(shown)
+    assert moved > 0.2 and touching  # it presses on; a rigid impulse would have thrown it back by then
+    expect(page.tab.locator(".caption")).to_have_text("The pendulum touches the other mass.")
+    assert page.evaluate("() => strikewave.page.view.force.at(0.5)") > 0
+    legend = page.tab.locator(".chart:visible", has_text="Contact force").locator(".legend")
+    expect(legend).to_contain_text("compliant contact")
+    expect(legend).not_to_contain_text("rigid")  # whose impulse has no force
+
+
 @pytest.mark.parametrize("scene, words", [("figure-5.24", "27000 rad/s are critical"), ("figure-5.22", "(5.56)")])
 def test_a_rod_turns(open_page, scene, words):
     page = open_page(f"?scene={scene}")

@@ -1,0 +1,25 @@
+// Which solution of an impact along an axis the picture shows, and the words with it.
+
+/** @import { AxialFigures, AxialFrame } from '../shell/message.js' */
+
+/**
+ * Whether the pictures show the other method: where bodies have an inside that it can show, or fail to. Bodies that
+ * move as wholes have none: there they show the solution that all else tells, and the charts have the other beside.
+ * @param {AxialFrame} frame
+ */
+export const drawnFromOther = ({ chosen, exact, other, otherBar, rods }) =>
+  Boolean(other && chosen.method === other.name && other.name !== exact.name && (rods.length || otherBar));
+
+/**
+ * Whether they show rods as rigid lines, by a method that tells no places apart.
+ * @param {AxialFrame} frame
+ */
+export const drawnRigid = (frame) =>
+  drawnFromOther(frame) && frame.rods.length > 0 && !frame.modalForce && !frame.fieldStress;
+
+/**
+ * The solution whose events are told: of rods that are drawn rigid no waves are.
+ * @param {AxialFrame} frame
+ * @returns {AxialFigures}
+ */
+export const toldOf = (frame) => (drawnRigid(frame) && frame.other) || frame.exact;
