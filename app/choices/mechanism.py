@@ -42,7 +42,7 @@ def mechanism_changes(base: Scene, chosen: dict[str, Any]) -> dict[str, Any]:
     target = base.target.table()
     target["links"] = [link | {"modes": chosen["modes"]} if link.get("modes") else link for link in target["links"]]
     target["struck"] |= {"at": chosen["place"]}
-    velocity = Mechanism.read("target", target).velocity
+    velocity = base.target.known_as(Mechanism).velocity_at(chosen["place"])
     return {"target": target, "impactor.velocity": velocity + chosen["speed"]}
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from solvers import METHODS, Bending, Method, Modal, RigidImpulse, Scene, SceneError, Solution
 from solvers.accuracy.reference import MODES_BESIDE, modes_beside
 from solvers.methods import usual_method
+from solvers.methods.mechanisms import MechanismMotion
 from solvers.methods.modal.method import ModalMotion
 from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
@@ -223,12 +224,15 @@ def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
 
 def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
     """Contact force [N] over time [ms]; of modes in rigid contact as far as they resolve it."""
-    if isinstance(solution.motion, ModalMotion) and solution.scene.rigid_contact:
+    motion = solution.known_motion
+    if isinstance(motion, MechanismMotion):  # who looks from elsewhere sees the same force
+        motion = motion.relative
+    if isinstance(motion, ModalMotion) and solution.scene.rigid_contact:
         time = instants(solution.duration, FORCE_POINTS)
-        force = solution.motion.resolved_force(time)
-    elif isinstance(solution.motion, ModalMotion):
-        time, force = extremes(solution.motion.step, solution.motion.record.contact_force)
-    elif isinstance(solution.motion, MovingMotion) and solution.scene.rigid_contact:
+        force = motion.resolved_force(time)
+    elif isinstance(motion, ModalMotion):
+        time, force = extremes(motion.step, motion.record.contact_force)
+    elif isinstance(motion, MovingMotion) and solution.scene.rigid_contact:
         time, force = np.array([0.0, solution.duration]), np.zeros(2)  # impulses without duration
     else:
         time, force = force_history(solution)
@@ -236,11 +240,14 @@ def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
 
 
 def extremes(step: float, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and least and largest values of a force in groups of steps, so that no contact is thinned away."""
+    """Times [s] and least and largest values of a force in groups of steps, so that no contact is thinned away; one
+    where they are the same."""
     group = -(-2 * force.size // FORCE_POINTS)
     groups = np.pad(force, (0, -force.size % group), mode="edge").reshape(-1, group)
+    values = np.stack([groups.min(axis=1), groups.max(axis=1)], axis=1)
+    differ = np.stack((np.ones(values.shape[0], bool), values[:, 1] > values[:, 0]), axis=1)
     middles = (np.arange(groups.shape[0]) + 0.5) * group * step
-    return np.repeat(middles, 2), np.stack([groups.min(axis=1), groups.max(axis=1)], axis=1).ravel()
+    return np.repeat(middles, differ.sum(axis=1)), values[differ]
 
 
 def _contacts(solution: Solution) -> dict[str, np.ndarray]:

@@ -143,6 +143,4 @@ def rigid_answer(solution: Solution) -> Solution | None:
 
 def with_rigid_links(scene: Scene) -> Scene:
     """The scene with a mechanism of which no link bends."""
-    mechanism = scene.target.known_as(Mechanism)
-    links = tuple(replace(link, modes=0, axial=0) for link in mechanism.links)
-    return replace(scene, target=replace(mechanism, links=links))
+    return replace(scene, target=scene.target.known_as(Mechanism).with_rigid_links)

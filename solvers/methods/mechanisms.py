@@ -1,6 +1,7 @@
 """Impacts on mechanisms: what was solved at the struck point, seen in the laboratory with links and joints."""
 
 from copy import copy
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -250,14 +251,18 @@ class MechanismMotion:
     def _done(self, time):
         """Work of the contact force at the speed of the struck point without the impact [J]."""
         done = self.speed(time) * self.impulse(time)
-        if not (self.acceleration or self.jerk):
-            return done
-        instants = self.relative.force_history()[0]  # between them the impulse grows steadily
+        return done - np.interp(time, *self._sped_up) if self.acceleration or self.jerk else done
+
+    @cached_property
+    def _sped_up(self) -> tuple[np.ndarray, np.ndarray]:
+        """Instants, and how much of that is not work, as the speed was less before, up to each [J]."""
+        history = self.relative.force_history()[0]
+        instants = history[np.append(True, np.diff(history) > 0.0)]  # between them the impulse grows steadily
         before, after = self.impulse(instants[1:], False), self.impulse(instants[:-1])
         width, middle = np.diff(instants), 0.5 * (instants[1:] + instants[:-1])
         grown = (self.acceleration + self.jerk * middle) * 0.5 * (before + after)
         cells = width * (grown + self.jerk * width * (before - after) / 12.0)
-        return done - np.interp(time, instants, np.append(0.0, np.cumsum(cells)))
+        return instants, np.append(0.0, np.cumsum(cells))
 
     def energies(self, time):
         """Parts of the energy [J]; "drives" is what the drives have taken up, and gravity from the impactor, negative

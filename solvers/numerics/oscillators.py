@@ -45,7 +45,10 @@ class Turn(NamedTuple):
 
 
 def turn(angle: np.ndarray, softness: np.ndarray, damping: np.ndarray | float = 0.0) -> Turn:
-    """For angles omega * time, softness (at_contact / omega)^2 [m/N] and damping ratios below 1, of one shape."""
+    """For angles omega * time, softness (at_contact / omega)^2 [m/N] and damping ratios below 1, broadcast."""
+    if not np.any(damping):
+        sine = np.sin(angle)
+        return Turn(np.cos(angle), sine, softness * (2.0 * np.sin(0.5 * angle) ** 2), softness * sine)
     root = np.sqrt(1.0 - np.square(damping))
     lag, shrink = damping / root, np.exp(-damping * angle)
     sine = np.sin(root * angle)
@@ -225,11 +228,30 @@ def _march(
         record.rigid_position[k + 1], record.rigid_velocity[k + 1] = rigid_x, rigid_v
 
 
-@kernel
-def advance(bank, displacement, velocity, force):
-    """Carry the oscillators through len(force) further steps from a checkpoint, in place."""
-    for k in range(force.size):
+@inner_kernel
+def _advance(bank, displacement, velocity, force, begin, end):
+    """Carry the oscillators (modes,) from one instant to another, in place."""
+    for k in range(begin, end):
         for i in range(displacement.size):
             q, p = displacement[i], velocity[i]
             displacement[i] = bank.cosine[i] * q + bank.sine[i] * p + bank.kick_displacement[i] * force[k]
             velocity[i] = bank.cosine[i] * p - bank.sine[i] * q + bank.kick_velocity[i] * force[k]
+
+
+@kernel
+def carried(bank, saved_displacement, saved_velocity, stride, force, cells, displacement, velocity):
+    """Writes the oscillators at these instants (rows,), before the next step, as (rows, modes) each: carried through
+    the steps before from what is saved of every stride-th instant, or from the row before where that is nearer."""
+    bank = refer(bank)
+    for row in range(cells.size):
+        cell = cells[row]
+        saved = cell // stride
+        begin, q, p = saved * stride, displacement[row], velocity[row]
+        if row > 0 and begin <= cells[row - 1] <= cell:
+            begin = cells[row - 1]
+            copy_to(q, displacement[row - 1])
+            copy_to(p, velocity[row - 1])
+        else:
+            copy_to(q, saved_displacement[saved])
+            copy_to(p, saved_velocity[saved])
+        _advance(bank, q, p, force, begin, cell)

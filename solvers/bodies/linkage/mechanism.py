@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -98,9 +98,7 @@ class Mechanism(AnyBody):
             for i, each in enumerate(_listed(key, given, "springs", 0, len(joints)))
         )
         radius = read_radius(f"{key}.radius", given.get("radius"))
-        found = cls(links, joints, drives, struck, gravity, radius, springs)
-        check_mobility(key, found.system, joints, drives, size)
-        return found
+        return _checked(cls(links, joints, drives, struck, gravity, radius, springs), key)
 
     @property
     def struck_link(self) -> Link:
@@ -183,6 +181,11 @@ class Mechanism(AnyBody):
         )
         return replace(self, links=tuple(links))
 
+    @cached_property
+    def with_rigid_links(self) -> "Mechanism":
+        """The same, of which no link bends or stretches."""
+        return replace(self, links=tuple(replace(link, modes=0, axial=0, nodes=()) for link in self.links))
+
     @property
     def flexible(self) -> bool:
         """Whether any link is."""
@@ -196,6 +199,13 @@ class Mechanism(AnyBody):
     @property
     def velocity(self) -> float:
         return self.frozen.velocity
+
+    def velocity_at(self, share: float) -> float:
+        """Along the normal before the impact of any point of the struck link, a fraction of it from its first end on
+        [m/s]."""
+        link, frozen = self.struck_link, self.frozen
+        at = np.array(link.start) + share * (np.array(link.end) - np.array(link.start))
+        return float(frozen.normal @ self.system.point(frozen.link, at) @ frozen.rates)
 
     @property
     def kinetic_energy(self) -> float:
@@ -241,6 +251,14 @@ class Mechanism(AnyBody):
         if self.gravity != NO_GRAVITY:
             written["gravity"] = list(self.gravity)
         return written | ({} if self.radius is None else {"radius": self.radius})
+
+
+@lru_cache(maxsize=32)
+def _checked(mechanism: Mechanism, key: str) -> Mechanism:
+    """The first of equal mechanisms, if it can move as it is asked to: all that is worked out of it serves every impact
+    on it. Raises SceneError as `check_mobility`."""
+    check_mobility(key, mechanism.system, mechanism.joints, mechanism.drives, _size(mechanism.links))
+    return mechanism
 
 
 def _listed(key: str, given: Mapping[str, Any], name: str, low: int, high: int) -> Sequence[object]:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...bodies import FlexiblePendulum, Waveguide
-from ...numerics.oscillators import advance
+from ...numerics.oscillators import carried
 from .motion import ModalMotion
 
 FRAME_SAMPLES = 500  # at which the frame of a rod is watched after the contact
@@ -53,10 +53,11 @@ def pivot_figures(motion: ModalMotion) -> dict[str, float]:
 
 def _at_steps(motion: ModalMotion, stride: int) -> tuple[np.ndarray, np.ndarray]:
     """Every so many instants (instants,) [s], and at_contact * q there (instants, modes), all in one run."""
-    firsts, force = np.arange(0, motion.steps, stride), motion.record.contact_force
-    displacement, velocity = np.zeros((2, motion.pair.frequencies.size))
-    found = np.zeros((firsts.size + 1, displacement.size))
-    for row, first in enumerate(firsts.tolist(), 1):
-        advance(motion.bank, displacement, velocity, force[first : first + stride])
-        found[row] = displacement
-    return motion.step * np.append(firsts, motion.steps), found
+    instants, nothing = (
+        np.append(np.arange(0, motion.steps, stride), motion.steps),
+        np.zeros((1, motion.pair.frequencies.size)),
+    )
+    displacement, velocity = np.empty((2, instants.size, nothing.size))
+    force = motion.record.contact_force
+    carried(motion.bank, nothing, nothing, motion.steps + 1, force, instants, displacement, velocity)
+    return motion.step * instants, displacement

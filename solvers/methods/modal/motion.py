@@ -4,7 +4,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...numerics.oscillators import Bank, Record, advance, turn
+from ...numerics.oscillators import Bank, Record, carried, turn
 from ...scene import Scene
 from ...solution.motion import TargetState
 from ...solution.sampled_motion import given_up, growth, run_out
@@ -71,20 +71,18 @@ class ModalMotion:
 
     def amplitudes(self, time):
         """at_contact * q and what turns with it, see `Bank`, each (time, modes)."""
-        time = np.asarray(time, float)
-        cells = self._cell(time)
-        found = np.empty((2, time.size, self.pair.frequencies.size))
-        for row, (t, cell) in enumerate(zip(time.tolist(), cells.tolist(), strict=True)):
-            saved = cell // self.stride
-            displacement = self.record.checkpoint_displacement[saved].copy()
-            velocity = self.record.checkpoint_velocity[saved].copy()
-            push = self.record.contact_force[cell]
-            advance(self.bank, displacement, velocity, self.record.contact_force[saved * self.stride : cell])
-            angle = self.pair.frequencies * (t - cell * self.step)
-            cosine, sine, kick, velocity_kick = turn(angle, self._softness, self.pair.damping)
-            found[0, row] = cosine * displacement + sine * velocity + kick * push
-            found[1, row] = cosine * velocity - sine * displacement + velocity_kick * push
-        return found
+        time = np.atleast_1d(np.asarray(time, float))
+        cells, record = self._cell(time), self.record
+        displacement, velocity = np.empty((2, time.size, self.pair.frequencies.size))
+        saved = record.checkpoint_displacement, record.checkpoint_velocity
+        carried(self.bank, *saved, self.stride, record.contact_force, cells, displacement, velocity)
+        angle = np.multiply.outer(time - cells * self.step, self.pair.frequencies)
+        push = record.contact_force[cells][:, None]
+        cosine, sine, kick, velocity_kick = turn(angle, self._softness, self.pair.damping)
+        return (
+            cosine * displacement + sine * velocity + kick * push,
+            cosine * velocity - sine * displacement + velocity_kick * push,
+        )
 
     def _coordinates(self, time):
         """at_contact * q and at_contact * q', each (time, modes)."""

@@ -109,7 +109,7 @@ class Frozen:
         """Of the struck point along the normal before the impact [m/s]."""
         return float(self.closing @ self.rates)
 
-    @property
+    @cached_property
     def acceleration(self) -> float:
         """The same of its acceleration [m/s2]."""
         return self._acceleration_after(0.0)

@@ -7,7 +7,7 @@ from pytest import approx
 import solvers
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
-from app.messages.beam import main_solution
+from app.messages.beam import extremes, main_solution
 from app.messages.mechanism import rigid_answer
 from app.messages.solve import solve_frame
 from tests.app.messages.test_axial import arrays
@@ -32,6 +32,19 @@ def bent_rods():
     """The message of an impact on the first of two links that bend, and its solution."""
     chosen = own_choices("bent-rods")
     return arrays(solve_frame(chosen)), main_solution(Request.of(chosen))[0]
+
+
+def test_a_force_keeps_what_is_least_and_most_in_every_stretch():
+    force = np.where(np.arange(6_000) % 3_000 < 40, 5.0 + np.sin(np.arange(6_000)), 0.0)  # two contacts
+    time, seen = extremes(1e-3, force)
+    assert seen.max() == force.max() and seen.min() == 0.0 and time[0] > 0.0 and time[-1] < 6.0
+    assert np.all(np.diff(time) >= 0.0) and seen.size < 700  # of 600 stretches; at rest each once
+    assert np.all(seen[(time > 0.05) & (time < 2.99)] == 0.0)
+
+
+@pytest.mark.parametrize("name", ["four-bar", "rotating-bar"])
+def test_messages_of_links_that_bend_are_short(name):
+    assert len(solve_frame(own_choices(name))) <= 100_000
 
 
 def test_a_link_beside_the_struck_one_moves_and_bends_as_the_solution_says(bent_rods):

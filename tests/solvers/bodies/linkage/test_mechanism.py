@@ -28,6 +28,22 @@ def test_what_is_written_is_read_back():
     assert again.speed == approx(1.00028, rel=1e-12)
 
 
+def test_what_is_worked_out_of_a_mechanism_serves_every_impact_on_it():
+    scene = four_bar(5)
+    faster = scene.replace({"impactor.velocity": 2.0})
+    assert faster.target is scene.replace({"impactor.velocity": 3.0}).target
+    assert scene.replace({"target.struck.at": 0.6, "impactor.velocity": 3.0}).target != faster.target
+    for _ in range(2):  # what is refused is refused again
+        refusal(scene, "target.joints.2.kind", "fixed")
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
+def test_velocity_of_any_point_of_the_struck_link(share):
+    scene = four_bar(5)
+    there = scene.replace({"target.struck.at": share, "impactor.velocity": 5.0})
+    assert scene.target.velocity_at(share) == approx(there.target.velocity, rel=1e-14, abs=1e-15)
+
+
 def test_mass_and_inertia_of_a_bar_follow_from_its_section_and_material():
     bar = {key: value for key, value in BAR.items() if key != "mass"} | {"material": STEEL}
     scene = four_bar(**{"target.links": [CRANK, four_bar().table()["target"]["links"][1], bar]})

@@ -105,6 +105,10 @@ def test_fields_between_instants_and_from_checkpoints():
     assert beside == approx(at, abs=1e-6)
     alone = np.vstack([motion.velocity(instants[k : k + 1], x) for k in range(3)])
     assert at == approx(alone, abs=1e-13)
+    times = np.random.default_rng(5).uniform(0.0, motion.duration, 60)  # in any order, and twice the same
+    times = np.concatenate((times, np.sort(times), times[:1] + np.arange(5) * motion.step))
+    alone = np.vstack([motion.amplitudes(times[k : k + 1]) for k in range(times.size)])
+    assert np.array_equal(np.stack(motion.amplitudes(times), axis=1).reshape(alone.shape), alone)
 
 
 @pytest.mark.parametrize("support", SUPPORTS)
