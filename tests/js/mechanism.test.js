@@ -84,3 +84,60 @@ test('links that move on are to scale, bent larger, and the mass meets them wher
   assert.deepEqual(time, [1, 1]);
   assert.ok(Math.abs(Math.hypot(x[0], y[0]) - 0.02) < 1e-12); // once more the deflection of the tip
 });
+
+/** A canvas that notes its words and their middles; a letter is 6 pixels wide. */
+function sheet() {
+  const words = [];
+  const c = {
+    ...{ stroke() {}, fill() {}, beginPath() {}, moveTo() {}, lineTo() {}, setLineDash() {}, strokeText() {} },
+    measureText: (text) => ({ width: 6 * text.length }),
+    fillText: (text, x, y) => words.push({ text, x, y }),
+  };
+  return { c, words };
+}
+
+test('names of links lie on no link, within the picture, and stay where they need not move', () => {
+  const points = [0, 0, 0.5, 1, 0.5, 1, 1, 0, 1, 0, 1.5, 1]; // three bars, up and down
+  const links = ['crank', 'coupler', 'bar'].map((name) => ({ ...LINK, name, flexible: false }));
+  const told = { ...TOLD, links, struck: 2, contact: [1.5, 1] };
+  const linkMoves = Array.from({ length: 24 }, () => 0);
+  const frame = { ...frameOf({ linkPoints: points, linkMoves }), mechanism: told };
+  const mechanism = new Mechanism(frame, 0.01);
+  mechanism.fit(300, 120);
+  mechanism.place(0);
+  const { c, words } = sheet();
+  mechanism.labels.draw(c, []);
+  assert.deepEqual(
+    words.map(({ text }) => text),
+    ['crank', 'coupler', 'bar'],
+  );
+  for (const { text, x, y } of words) {
+    const half = 3 * text.length;
+    assert.ok(x - half > 0 && x + half < 300 && y > 6 && y < 114);
+    for (const [[ax, ay], [bx, by]] of mechanism.placed)
+      for (let share = 0; share <= 1; share += 0.01) {
+        const [px, py] = [ax + share * (bx - ax), ay + share * (by - ay)];
+        assert.ok(Math.abs(px - x) > half || Math.abs(py - y) > 6, `${text} lies on a link`);
+      }
+  }
+  const before = words.splice(0);
+  mechanism.labels.draw(c, []);
+  assert.deepEqual(words, before);
+});
+
+test('of a mass that has left the picture it is said how far it is', () => {
+  const flown = { massPlaces: [1, 0, 61, 0], normals: [1, 1, -1, -1] };
+  const moves = { linkPoints: [0, 0, 1, 0], linkMoves: [0, 0, 0, 0, 0, 0, 0, 0] };
+  const mechanism = new MovingMechanism(
+    frameOf({ ...moves, ...flown, linkTime: [0, 2], ...SHAPES }, { shapeOf0: [1, 3] }),
+  );
+  mechanism.fit(400, 200);
+  mechanism.place(2);
+  const { c, words } = sheet();
+  mechanism.striker(c, 2);
+  const [{ text, x }] = words;
+  const beyond = 60.5 - (200 - 10) / mechanism.scale; // from the middle of the bar to the edge of the picture
+  assert.equal(text, `mass: ${beyond.toPrecision(2)} m beyond`);
+  assert.ok(x < 400);
+  assert.equal(mechanism.held, null); // nothing to take hold of
+});

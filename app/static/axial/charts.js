@@ -254,6 +254,7 @@ export class Displacements {
       xUnit: 'T',
       unit: 'm',
       zero: 'whole',
+      caption: (unit) => text('axial.chart.motion-axes', { unit }),
       go,
     });
   }

@@ -17,7 +17,6 @@ import { pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
 const SLICES = 241;
 const RINGS = 24; // over all rods; half as many on one
-
 const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
@@ -265,12 +264,13 @@ export class Stage {
     const perMetre = this.scale / (frame.speed * frame.trip);
     const long = roundBelow(90 / perMetre);
     const [times, unit] = scaled(long, 'm');
+    const top = frame.impactor.kind === 'pendulum' ? height - 24 : 8; // away from its pivot
     c.lineWidth = 2;
     c.beginPath();
-    c.moveTo(12, 8);
-    c.lineTo(12 + long * perMetre, 8);
+    c.moveTo(12, top);
+    c.lineTo(12 + long * perMetre, top);
     c.stroke();
-    c.fillText(text('axial.stage.of-movement', { length: `${figures(long * times)} ${unit}` }), 12, 22);
+    c.fillText(text('axial.stage.of-movement', { length: `${figures(long * times)} ${unit}` }), 12, top + 14);
   }
   /**
    * Every rod slice by slice, its height by the side of its section; returns where the struck face is at rest.

@@ -274,7 +274,8 @@ export class BeamMotion {
    */
   constructor(axis, go) {
     const [title, about] = [text('beam.chart.motion'), text('beam.chart.motion-about')];
-    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'm', go });
+    const caption = (/** @type {string} */ unit) => text('beam.chart.motion-axes', { unit });
+    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'm', caption, go });
     const press = (/** @type {string} */ kind) => {
       this.kind = /** @type {Kind} */ (kind);
       this.#show();

@@ -8,18 +8,19 @@ import { figures, prefixed } from '../text/format.js';
 /** @import { BeamStage } from './stage.js' */
 
 /** @typedef {'shear' | 'moment'} Name */
-/** @type {[Name, label: string, unit: string][]} */
+/** @type {[Name, symbol: string, unit: string][]} */
 const DIAGRAMS = [
-  ['shear', text('beam.stage.shear'), 'N'],
-  ['moment', text('beam.stage.moment'), 'N m'],
+  ['shear', 'V', 'N'],
+  ['moment', 'M', 'N m'],
 ];
+const TITLES = { shear: text('beam.stage.shear'), moment: text('beam.stage.moment') };
 /** Colours above and below the line as in the picture over time, and where they begin. */
 const SIGNS = /** @type {const} */ ([
   ['rgba(222,105,62,.38)', -1],
   ['rgba(66,133,200,.38)', 0],
 ]);
 const SMALL = letters(11);
-const LEAST_FOR_PLACE = 260; // pixels of length, below which the place of the largest value is left out
+const APART = 14; // pixels between a label and the largest value, whose place is left out where there are fewer
 
 /**
  * Both, one below the other.
@@ -30,8 +31,8 @@ const LEAST_FOR_PLACE = 260; // pixels of length, below which the place of the l
  * @param {number} height
  */
 export function diagrams(c, stage, t, top, height) {
-  DIAGRAMS.forEach(([name, label, unit], k) =>
-    diagram(c, stage, t, name, label, unit, top + (k * height) / 2, height / 2),
+  DIAGRAMS.forEach(([name, symbol, unit], k) =>
+    diagram(c, stage, t, name, symbol, unit, top + (k * height) / 2, height / 2),
   );
 }
 
@@ -41,12 +42,12 @@ export function diagrams(c, stage, t, top, height) {
  * @param {BeamStage} stage
  * @param {number} t
  * @param {Name} name
- * @param {string} label
+ * @param {string} symbol  for its title, where there is no room for that
  * @param {string} unit
  * @param {number} top
  * @param {number} height
  */
-function diagram(c, stage, t, name, label, unit, top, height) {
+function diagram(c, stage, t, name, symbol, unit, top, height) {
   const values = name === stage.what ? stage.values : stage.field.profile(t, name);
   const most = stage.scales[name];
   const zero = top + 0.54 * height;
@@ -73,15 +74,18 @@ function diagram(c, stage, t, name, label, unit, top, height) {
   c.textBaseline = 'top';
   c.textAlign = 'left';
   const scale = narrow ? ` (± ${figures(most * factor, 2)})` : '';
-  c.fillText(`${label}, ${prefix}${unit}${scale}`, narrow ? 12 : left + 4, top + 3);
   let peak = 0;
   for (let j = 0; j < values.length; j++) if (Math.abs(values[j]) > Math.abs(values[peak])) peak = j;
+  const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;
+  const whole = text('beam.stage.peak', { value, place: figures(peak / (values.length - 1), 2) });
+  const from = narrow ? 12 : left + 4;
+  const fits = (/** @type {string} */ title, /** @type {string} */ said) =>
+    from + c.measureText(title).width + APART + c.measureText(said).width <= left + long;
+  const [title, short] = [TITLES[name], symbol].map((label) => `${label}, ${prefix}${unit}${scale}`);
+  c.fillText(fits(title, value) ? title : short, from, top + 3);
   c.textAlign = 'right';
   c.fillStyle = COLORS.cursor;
-  const place = figures(peak / (values.length - 1), 2);
-  const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;
-  const room = long >= LEAST_FOR_PLACE || narrow; // else it would lie on the label
-  c.fillText(room ? text('beam.stage.peak', { value, place }) : value, left + long, top + 3);
+  c.fillText(fits(title, whole) ? whole : value, left + long, top + 3);
 }
 
 /**

@@ -77,12 +77,13 @@ function slide(c, { axis }, x, y) {
  * @param {Context} c
  * @param {Point} from
  * @param {Point} way  in pixels
+ * @param {string} [colour]
  */
-export function arrow(c, [x, y], [dx, dy]) {
+export function arrow(c, [x, y], [dx, dy], colour = COLORS.halfSpace) {
   const length = Math.hypot(dx, dy);
   const [ux, uy] = [dx / length, dy / length];
   const head = Math.min(7, length);
-  c.strokeStyle = c.fillStyle = COLORS.halfSpace;
+  c.strokeStyle = c.fillStyle = colour;
   c.lineWidth = 2;
   c.beginPath();
   c.moveTo(x, y);

@@ -5,6 +5,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { bendingOf } from './bending.js';
 import { arrow, drawJoint } from './joints.js';
+import { Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
@@ -19,14 +20,15 @@ const ROOM = 46; // pixels about the mechanism, at most
 const SHARE_OF_ROOM = 0.2; // of the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
-const LINE = 12; // of words
+const SCALE_LETTERS = 12 / 11; // of what stands above, which is written larger
 
 export class Mechanism {
   factor = 1; // by which movement is drawn larger
   scale = 1; // pixels in a metre
   /** @type {Point} */ middle = [0, 0]; // of the mechanism [m]
   /** @type {Point} */ center = [0, 0]; // and on the canvas
-  height = 0; // of the picture, in pixels
+  width = 0; // of its part of the picture, in pixels
+  height = 0;
   largest = 0; // reaction [N]
   /** @type {Point[][]} */ placed = []; // links as they are drawn, in pixels
   /** @type {Drawn | null} */ held = null; // where the striker is
@@ -46,6 +48,7 @@ export class Mechanism {
     this.times = given(frame.linkTime, 'linkTime');
     this.places = frame.shapes.linkPoints[1];
     this.bending = bendingOf(frame); // of links whose fields come as shapes
+    this.labels = new Labels(this);
     this.box = boxOf(this.points);
     this.size = Math.max(this.box[1] - this.box[0], this.box[3] - this.box[2]);
     this.reach = this.furthest(reach);
@@ -73,6 +76,7 @@ export class Mechanism {
    * @param {number} height
    */
   fit(width, height) {
+    this.width = width;
     const [left, right, low, high] = this.box;
     const [across, up] = [Math.max(right - left, 1e-9), Math.max(high - low, 1e-9)];
     const room = Math.min(ROOM, SHARE_OF_ROOM * height);
@@ -281,6 +285,7 @@ export class Mechanism {
     });
   }
   /**
+   * Names of links, and above them what the arrows are.
    * @param {Context} c
    * @param {number} x
    * @param {number} y
@@ -288,32 +293,15 @@ export class Mechanism {
    */
   words(c, x, y, narrow) {
     c.font = letters(11);
-    c.fillStyle = COLORS.faint;
-    c.textBaseline = 'bottom';
-    c.textAlign = 'center';
-    /** @type {[x: number, y: number, half: number][]} */
-    const written = [];
-    this.told.links.forEach(({ name }, n) => {
-      const [a, b] = this.along(n, n === this.told.struck ? 0.28 : 0.5);
-      const [[fx, fy], [lx, ly]] = [this.placed[n][0], this.placed[n][this.placed[n].length - 1]];
-      const length = Math.hypot(lx - fx, ly - fy) || 1;
-      const half = 0.5 * c.measureText(name).width;
-      const [ax, ay] = [-(ly - fy) / length, (lx - fx) / length];
-      const aside = 0.5 * this.thick(n) + 12 + Math.max(half - 6, 0) * Math.abs(ax);
-      const [dx, dy] = [ax * aside, ay * aside];
-      const away = dx * this.way[0] + dy * this.way[1] < 0 ? -1 : 1; // the striker comes from the other side
-      const side = b + away * dy + 6 < this.height ? away : -away; // where the picture does not end
-      const [x1, y1] = [a + side * dx, b + side * dy + 6];
-      if (written.some(([x2, y2, other]) => Math.abs(x1 - x2) < half + other && Math.abs(y1 - y2) < LINE)) return;
-      written.push([x1, y1, half]);
-      c.fillText(name, x1, y1);
-    });
-    if (!this.largest) return;
-    const [factor, prefix] = prefixed(this.largest);
     c.textAlign = 'left';
+    c.textBaseline = 'bottom';
     c.fillStyle = COLORS.halfSpace;
+    const [factor, prefix] = prefixed(this.largest);
     const most = `${figures(this.largest * factor, 2)} ${prefix}N${this.sudden ? ' s' : ''}`;
     const code = narrow ? 'beam.stage.reactions-short' : 'beam.stage.reactions';
-    c.fillText(text(code, { sudden: this.sudden, most }), x, y);
+    const arrows = this.largest ? text(code, { sudden: this.sudden, most }) : '';
+    c.fillText(arrows, x, y);
+    const wide = Math.max(c.measureText(arrows).width, c.measureText(this.scaleWords).width * SCALE_LETTERS);
+    this.labels.draw(c, [[0, 0, x + wide, y]]);
   }
 }

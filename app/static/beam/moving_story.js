@@ -94,6 +94,7 @@ export function impactTable(table, frame, go) {
   const left = frame.main.contacts - jolts.length;
   const more = make('td', { colSpan: 3 + joints.length, textContent: text('beam.table.more', { count: left }) });
   if (left > 0) rows.push(make('tr', {}, more));
+  table.classList.add('wraps');
   table.replaceChildren(headOf([...columns, ...names]), make('tbody', {}, ...rows));
 }
 

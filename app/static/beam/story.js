@@ -39,7 +39,8 @@ export class BeamStory {
     this.whyHeading = heading();
     this.root = make('div', { className: 'story' }, heading(text('story.events')), this.now, this.events.root);
     this.root.append(this.whyHeading, this.why, this.span, this.warnings.heading, this.warnings.list);
-    this.root.append(heading(text('story.energy')), this.energy);
+    this.went = heading();
+    this.root.append(this.went, this.energy);
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
     this.joints = new Joints();
     this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside);
@@ -84,6 +85,7 @@ export class BeamStory {
       impactTable(this.table, this.frame, (t) => this.page.player.seek(t));
       return;
     }
+    this.table.classList.remove('wraps');
     const { contacts, duration: whole, main } = this.frame;
     const [factor, prefix] = prefixed(main.peakForce ?? 0);
     const digits = Math.min(Math.max(5 - Math.floor(Math.log10(whole)) - 1, 0), 4); // as many as fit
@@ -132,7 +134,9 @@ export class BeamStory {
     this.answers.replaceChildren(headOf(['', ...both.map(called)]), make('tbody', {}, ...lines));
   }
   shares() {
-    if (this.frame.moving) {
+    const { duration: whole, moving } = this.frame;
+    this.went.textContent = moving ? text('motion.went', { time: duration(whole) }) : text('story.energy');
+    if (moving) {
       movingShares(this.energy, this.frame);
       return;
     }

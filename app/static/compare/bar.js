@@ -85,8 +85,9 @@ export class Bar {
   /**
    * What is kept, by the settings in which it differs.
    * @param {Frame} now
+   * @param {string | null} coming  what is being solved to be compared with it
    */
-  load(now) {
+  load(now, coming) {
     const { compare } = this;
     const { locked, runs } = compare;
     this.row.hidden = !runs.length && !locked;
@@ -97,10 +98,14 @@ export class Bar {
     const names = differing([now, ...beside]);
     const chips = runs.map((run) => {
       const { frame } = run;
-      return this.#chip(run, beside.includes(frame) ? lineOf(names, frame) || text('compare.same') : frame.title);
+      return this.#chip(
+        run,
+        beside.includes(frame) ? lineOf(names, frame) || (coming ? '' : text('compare.same')) : frame.title,
+      );
     });
     const own = make('span', { className: 'chip-run now' }, make('b', { textContent: text('compare.now') }));
-    own.append(make('span', { className: 'what', textContent: lineOf(names, now), title: lineOf(names, now) }));
+    const what = coming ?? lineOf(names, now);
+    own.append(make('span', { className: 'what', textContent: what, title: what }));
     const lock = make('button', { type: 'button', className: 'chip-run lock', textContent: text('compare.locked') });
     lock.title = text('compare.unlock');
     lock.onclick = () => compare.lock(false);

@@ -7,7 +7,7 @@ import { Beside } from './beside.js';
 import { layOver } from './overlay.js';
 import { Run } from './run.js';
 import { Scales } from './scales.js';
-import { comparable, differing } from './settings.js';
+import { comparable, differing, lineOf } from './settings.js';
 import { Told } from './told.js';
 
 /** @import { Page } from '../page.js' */
@@ -25,6 +25,7 @@ export class Compare {
   /** @type {Run | null} */ beside = null; // in the picture
   /** @type {ArrayBuffer} */ bytes; // of the frame that is shown
   due = false; // it is to be kept once it is no draft any more
+  /** @type {Question | null} */ coming = null; // of which the second answer is being solved
   /** @type {Map<string, Run>} */ known = new Map(); // that are or were kept, by what an entry of the history says
 
   /** @param {Page} page */
@@ -119,14 +120,21 @@ export class Compare {
    * A ready-made comparison: both settings are solved, the first is kept.
    * @param {Question} question
    */
-  ask({ alone, first, key, second }) {
+  ask(question) {
+    const { alone, first, key, second } = question;
     const { page } = this;
     const chosen = alone ? {} : page.frame.chosen;
     page.goTo({ ...chosen, ...first }, (frame) => {
       const run = frame && this.keep();
       if (!run) return;
       run.asked = key;
-      page.goTo({ ...chosen, ...second }, () => page.layout.show('story'));
+      this.coming = question;
+      this.tell(frame);
+      page.layout.show('story');
+      page.goTo({ ...chosen, ...second }, (answer) => {
+        this.coming = null;
+        if (!answer) this.tell(page.frame); // what is shown with an answer is told anyhow
+      });
     });
   }
   /**
@@ -197,8 +205,9 @@ export class Compare {
    * @param {Frame} frame
    */
   tell(frame) {
-    this.bar.load(frame);
-    this.told.load(frame, this.runs);
+    const coming = this.coming && secondOf(this.coming, frame);
+    this.bar.load(frame, coming);
+    this.told.load(frame, this.runs, coming);
   }
   /**
    * Dress the picture beside; where the colours of both end.
@@ -228,6 +237,17 @@ export class Compare {
   show(t) {
     this.second.draw(this.page.frame, t);
   }
+}
+
+/**
+ * The second setting of a question, in words; of another scene there are none.
+ * @param {Question} question
+ * @param {Frame} frame  that is shown
+ */
+function secondOf({ second }, frame) {
+  const names = 'scene' in second ? [] : Object.keys(second);
+  const settings = lineOf(names, /** @type {Frame} */ ({ ...frame, chosen: { ...frame.chosen, ...second } }));
+  return text('compare.coming', { settings: settings || 'none' });
 }
 
 /**

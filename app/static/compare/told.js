@@ -40,11 +40,12 @@ export class Told {
   /**
    * @param {Frame} now
    * @param {Run[]} runs
+   * @param {string | null} coming  what is being solved to be compared with them
    */
-  load(now, runs) {
+  load(now, runs, coming) {
     this.root.hidden = this.numbers.hidden = !runs.length;
     if (!runs.length) return;
-    this.list.replaceChildren(...runs.map((run) => this.#paragraph(now, run)));
+    this.list.replaceChildren(...runs.map((run) => this.#paragraph(now, run, coming)));
     const beside = runs.filter(({ frame }) => comparable(now, frame));
     this.numbers.hidden = !beside.length;
     if (beside.length) this.#fill(now, beside);
@@ -52,14 +53,16 @@ export class Told {
   /**
    * @param {Frame} now
    * @param {Run} run
+   * @param {string | null} coming
    */
-  #paragraph(now, { asked, frame, letter }) {
+  #paragraph(now, { asked, frame, letter }, coming) {
     const { title } = frame;
     const apart = !comparable(now, frame) && text('compare.other-kind', { name: letter, title });
     if (apart) return make('div', { className: 'against' }, make('p', {}, signOf(letter), apart));
     const names = differing([now, frame]);
     const settings = { name: letter, now: lineOf(names, now), settings: lineOf(names, frame) };
-    const head = names.length ? text('compare.against', settings) : text('compare.against-same', settings);
+    const same = coming ?? text('compare.against-same', settings);
+    const head = names.length ? text('compare.against', settings) : same;
     const root = make('div', { className: 'against' }, make('p', {}, signOf(letter), head));
     if (!names.length) return root;
     const which = comparedOf(now, frame);

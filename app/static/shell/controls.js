@@ -7,6 +7,8 @@ import { Slider } from './slider.js';
 /** @import { AxialFrame, Frame, SpaceFrame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
+const LONG_TITLE = 60; // letters, beyond which it is written smaller where there is little room
+
 /**
  * @typedef {object} Control
  * @property {HTMLElement} root
@@ -51,9 +53,12 @@ export class Controls {
     const label = make('label', { htmlFor: id, textContent: title, className: name === 'scene' ? 'unseen' : '' });
     label.dataset.term = name;
     const root = make('div', { className: `field field-${name}` }, label, input);
+    const shown = make('span', { className: 'title', ariaHidden: 'true' });
+    if (name === 'scene') root.append(shown); // a select has one line, which is too short for titles
     const set = (/** @type {string} */ value) => {
       input.value = value;
-      input.title = input.selectedOptions[0]?.textContent ?? '';
+      input.title = shown.textContent = input.selectedOptions[0]?.textContent ?? '';
+      shown.classList.toggle('long', input.title.length > LONG_TITLE);
     };
     return { root, set };
   }

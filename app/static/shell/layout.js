@@ -25,6 +25,7 @@ export class Layout {
   /** @type {Mode} */ mode = 'desk';
   /** @type {Sizes} */ sizes = kept('docks', {});
   full = false; // what is open takes the right dock's place too
+  lent = false; // the room of the sheet, to what is open, until a tab is chosen
 
   /**
    * @param {{ bar: HTMLElement, choices: HTMLElement, pinned: HTMLElement[], charts: HTMLElement[] }} parts
@@ -62,6 +63,10 @@ export class Layout {
     };
     this.place();
   }
+  /** How high it is, as a share of the window. */
+  get sheet() {
+    return this.lent ? 0 : (this.sizes.sheet ?? SNAPS[1]);
+  }
   /** @param {'left' | 'right'} name */
   folded(name) {
     return Boolean(this.sizes.folded?.[name]);
@@ -92,10 +97,10 @@ export class Layout {
     const right = Math.min(sizes.right ?? (LARGE.matches ? 560 : 380), room - left);
     root.style.setProperty('--left', `${this.folded('left') ? 0 : this.mode === 'tablet' ? 240 : left}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
-    root.style.setProperty('--sheet', `${100 * (sizes.sheet ?? SNAPS[1])}dvh`);
+    root.style.setProperty('--sheet', `${100 * this.sheet}dvh`);
     this.left.hidden = this.mode === 'phone' || this.folded('left');
     this.right.hidden = this.mode === 'desk' && (this.folded('right') || this.full);
-    root.classList.toggle('closed', this.mode === 'tablet' && sizes.sheet === 0);
+    root.classList.toggle('closed', this.mode === 'tablet' && this.sheet === 0);
     this.folders.left.ariaPressed = String(!this.folded('left'));
     this.folders.right.ariaPressed = String(!this.folded('right') && !this.full);
   }
@@ -105,12 +110,13 @@ export class Layout {
     const size = () =>
       name === 'sheet' ? this.right.clientHeight : (name === 'left' ? this.left : this.right).clientWidth;
     const resize = (/** @type {number} */ wanted) => {
+      if (name === 'sheet') this.lent = false;
       if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / window.innerHeight, 0), SNAPS[2]);
       else this.sizes[name] = Math.max(wanted, LEAST);
       this.#measure();
     };
     const rest = () => {
-      const { sheet = SNAPS[1] } = this.sizes;
+      const { sheet } = this;
       if (name === 'sheet')
         this.sizes.sheet = SNAPS.reduce((a, b) => (Math.abs(b - sheet) < Math.abs(a - sheet) ? b : a));
       this.#keep();
@@ -154,8 +160,9 @@ export class Layout {
       this.changed();
       return;
     }
-    const closed = this.sizes.sheet === 0;
-    this.sizes.sheet = closed ? SNAPS[1] : again ? 0 : this.sizes.sheet;
+    const closed = this.sheet === 0;
+    this.lent = false;
+    this.sizes.sheet = closed ? this.sizes.sheet || SNAPS[1] : again ? 0 : this.sizes.sheet;
     this.#keep();
   }
   /**
@@ -164,7 +171,10 @@ export class Layout {
    */
   show(name) {
     this.tabs.select(name);
-    if (this.mode === 'tablet' && this.sizes.sheet === 0) this.sizes.sheet = SNAPS[1];
+    if (this.mode === 'tablet' && this.sheet === 0) {
+      this.lent = false;
+      this.sizes.sheet ||= SNAPS[1];
+    }
     if (this.mode === 'desk' && this.folded('right')) this.sizes.folded = { ...this.sizes.folded, right: false };
     this.#measure();
     this.changed();
@@ -175,6 +185,7 @@ export class Layout {
    * @param {boolean} full  and that of the right dock
    */
   take(taken, full) {
+    if (taken === this.wide.hidden) this.lent = taken;
     this.wide.hidden = !taken;
     this.charts.hidden = taken && this.mode !== 'phone';
     this.root.classList.toggle('studying', taken);

@@ -60,6 +60,22 @@ def test_a_question_is_answered_in_two_clicks(open_page, query, question, name, 
     page.fits(size[0])
 
 
+def test_what_is_being_solved_for_a_question_is_not_called_the_same(open_page):
+    """Where the first setting is what is shown, and the second has yet to be compiled."""
+    page = open_page()
+    said = page.evaluate(
+        """() => {
+          const { compare } = strikewave.page;
+          compare.ask({ key: 'law', first: { law: 'rigid' }, second: { law: 'hertz' } });
+          return [compare.told.root.textContent, compare.bar.row.textContent];
+        }"""
+    )
+    for words in said:
+        assert "Hertz: being solved" in words and "same" not in words
+    expect(page.tab.locator(".compared:visible")).to_contain_text("instead of")
+    expect(page.tab.locator(".runs")).not_to_contain_text("being solved")
+
+
 def test_on_a_phone_a_kept_run_can_be_removed(open_page):
     page = open_page(size=(390, 844))
     ask(page, "Is restitution a constant?")

@@ -1,5 +1,7 @@
 """Nothing overlaps, is cut, or is beyond the edge: words of the page and words on its pictures, at every size."""
 
+import re
+
 import pytest
 from playwright.sync_api import expect
 
@@ -108,6 +110,32 @@ def test_the_clock_has_the_room_that_there_is(open_page):
     page = open_page(size=(1280, 720))
     track, player = (page.tab.locator(each).bounding_box()["width"] for each in (".pinned .track", ".pinned .player"))
     assert track > 0.25 * player
+
+
+def test_on_a_tablet_an_analysis_has_the_room_of_the_sheet(open_page):
+    """Which opens again when it is closed, or when a tab is chosen."""
+    page = open_page("?scene=fixed-rod&panel=needs", size=(820, 1180))
+    wide, sheet = page.tab.locator(".wide"), page.tab.locator(".dock.right")
+    page.wait("() => strikewave.page.layout.root.classList.contains('closed')")
+    assert wide.bounding_box()["height"] > 0.6 * 1180
+    page.tab.get_by_role("tab", name="Numbers").click()
+    assert sheet.bounding_box()["height"] > 0.3 * 1180
+    page.tab.get_by_role("tab", name="Numbers").click()
+    page.tab.locator(".wide .panel-head:visible button").last.click()
+    expect(wide).to_be_hidden()
+
+
+@pytest.mark.parametrize("size", [(820, 1180), (390, 844)], ids=str)
+def test_the_longest_title_is_read_whole(open_page, size):
+    page = open_page("?scene=figure-7.1", size=size)
+    shown = page.tab.locator(".field-scene .title")
+    expect(shown).to_have_text(re.compile("^Figure 7.1: .* what the contact does$"))
+    [box, own] = shown.evaluate("""element => {
+      const range = document.createRange();
+      range.selectNodeContents(element);
+      return [element, range].map((each) => each.getBoundingClientRect()).map(({ top, bottom }) => [top, bottom]);
+    }""")
+    assert box[0] - 1 <= own[0] and own[1] <= box[1] + 1
 
 
 def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):

@@ -1,0 +1,147 @@
+// Names of links on the stage, where they lie on nothing: neither on links and joints nor on other words.
+import { letters } from '../charts/canvas.js';
+import { COLORS } from '../charts/styles.js';
+
+/** @import { Context, Mechanism, Point } from './mechanism.js' */
+
+/** @typedef {[left: number, top: number, right: number, bottom: number]} Box  in pixels */
+
+const PLACES = [0.5, 0.28, 0.72, 0.12, 0.88]; // along a link, the best first
+const FURTHER = [0, 12, 26]; // pixels from it, besides what the words need
+const HALF_LINE = 7; // pixels
+const ROOM = 3; // pixels between words and what is drawn
+const PIN = 7; // pixels about a joint
+const GROUND = [16, 24]; // pixels beside and below one on the ground
+const PIECES = 8; // of a link that bends, as far as words are concerned
+
+/**
+ * @param {Box} one
+ * @param {Box} other
+ */
+const overlap = (one, other) => one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3];
+
+/**
+ * Whether a straight piece passes through a box.
+ * @param {Point} from
+ * @param {Point} to
+ * @param {Box} box
+ */
+function crosses(from, to, [left, top, right, bottom]) {
+  let [enters, leaves] = [0, 1];
+  for (const [start, way, low, high] of [
+    [from[0], to[0] - from[0], left, right],
+    [from[1], to[1] - from[1], top, bottom],
+  ]) {
+    if (way === 0 && (start < low || start > high)) return false;
+    if (way === 0) continue;
+    const [one, other] = [(low - start) / way, (high - start) / way];
+    enters = Math.max(enters, Math.min(one, other));
+    leaves = Math.min(leaves, Math.max(one, other));
+  }
+  return enters < leaves;
+}
+
+export class Labels {
+  /** @type {number[]} */ taken = []; // by link, which of its places: words that need not move stay
+
+  /** @param {Mechanism} mechanism */
+  constructor(mechanism) {
+    this.mechanism = mechanism;
+  }
+  /**
+   * Where words may lie beside a link, as their middles.
+   * @param {number} n
+   * @param {number} half  of their width
+   * @returns {Point[]}
+   */
+  #places(n, half) {
+    const { mechanism } = this;
+    const { struck } = mechanism.told;
+    const line = mechanism.placed[n];
+    const [[fx, fy], [lx, ly]] = [line[0], line[line.length - 1]];
+    const length = Math.hypot(lx - fx, ly - fy) || 1;
+    const [across, down] = [-(ly - fy) / length, (lx - fx) / length];
+    const [wx, wy] = mechanism.way;
+    const away = across * wx + down * wy < 0 ? -1 : 1; // the striker comes from the other side
+    const least = 0.5 * mechanism.thick(n) + ROOM + half * Math.abs(across) + HALF_LINE * Math.abs(down);
+    const order = n === struck ? [PLACES[1], PLACES[0], ...PLACES.slice(2)] : PLACES;
+    return FURTHER.flatMap((more) =>
+      [away, -away].flatMap((side) =>
+        order.map((share) => {
+          const [a, b] = mechanism.along(n, share);
+          const aside = side * (least + more);
+          return /** @type {Point} */ ([a + aside * across, b + aside * down]);
+        }),
+      ),
+    );
+  }
+  /**
+   * What is drawn besides links.
+   * @returns {Box[]}
+   */
+  #obstacles() {
+    const { held, told, along } = this.mechanism;
+    /** @type {Box[]} */
+    const found = told.joints.map(({ link, links, share }) => {
+      const [x, y] = along.call(this.mechanism, link, share);
+      const [beside, below] = links.includes('ground') ? GROUND : [PIN, PIN];
+      return [x - beside, y - PIN, x + beside, y + below];
+    });
+    if (held) {
+      const half = 0.5 * Math.max(held.width, held.height) + ROOM;
+      found.push([held.x - half, held.y - half, held.x + half, held.y + half]);
+    }
+    return found;
+  }
+  /** Links as a few straight pieces each. @returns {{ pieces: Point[], half: number }[]} */
+  #lines() {
+    const { mechanism } = this;
+    return mechanism.placed.map((line, n) => {
+      const step = Math.max(Math.floor((line.length - 1) / PIECES), 1);
+      const pieces = line.filter((_, k) => k % step === 0 || k === line.length - 1);
+      return { pieces, half: 0.5 * mechanism.thick(n) + 1 };
+    });
+  }
+  /**
+   * @param {Context} c
+   * @param {Box[]} words  that are written already
+   */
+  draw(c, words) {
+    const { mechanism, taken } = this;
+    const { height, told, width } = mechanism;
+    const boxes = [...words, ...this.#obstacles()];
+    const lines = this.#lines();
+    /** @type {(box: Box) => number} */
+    const hidden = (box) => {
+      const [left, top, right, bottom] = box;
+      const beyond = left < 2 || top < 2 || right > width - 2 || bottom > height - 2 ? 8 : 0;
+      const under = lines.filter(({ pieces, half }) => {
+        const wide = /** @type {Box} */ ([left - half, top - half, right + half, bottom + half]);
+        return pieces.some((to, k) => k > 0 && crosses(pieces[k - 1], to, wide));
+      });
+      return beyond + under.length + boxes.filter((other) => overlap(box, other)).length;
+    };
+    c.font = letters(11);
+    c.textAlign = 'center';
+    c.textBaseline = 'middle';
+    c.lineWidth = 3;
+    c.strokeStyle = 'rgba(255,255,255,.85)';
+    c.fillStyle = COLORS.faint;
+    told.links.forEach(({ name }, n) => {
+      const half = 0.5 * c.measureText(name).width;
+      const places = this.#places(n, half);
+      const boxOf = (/** @type {number} */ k) => {
+        const [x, y] = places[k];
+        return /** @type {Box} */ ([x - half - 1, y - HALF_LINE, x + half + 1, y + HALF_LINE]);
+      };
+      const order = [...(taken[n] === undefined ? [] : [taken[n]]), ...places.keys()];
+      const free = order.find((k) => !hidden(boxOf(k)));
+      const best = free ?? order.reduce((a, b) => (hidden(boxOf(b)) < hidden(boxOf(a)) ? b : a));
+      taken[n] = best;
+      boxes.push(boxOf(best));
+      const [x, y] = places[best];
+      c.strokeText(name, x, y);
+      c.fillText(name, x, y);
+    });
+  }
+}
