@@ -25,6 +25,8 @@ CASES = {
     "Hertz": "?law=hertz",
     "a beam, 5 modes": "?scene=figure-8.15",
     "a beam, 20 modes": "?scene=hammer-on-cantilever",
+    "a four-bar, 12 modes": "?scene=four-bar",
+    "a slider-crank moves on": "?scene=slider-crank&method=multibody",
 }
 
 ANSWERS = {  # query; goal, half of what the first of these measurements gave [ms]

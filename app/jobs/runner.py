@@ -61,6 +61,7 @@ class Runner:
         self._start = start
         self._level = QUICK  # where the last of these solves ended, as the next of them will
         self.current: Any = None  # the choices that are being answered, or were last
+        self.computed = 0.0  # [s] of computing that the newest answer took; none if it was kept
         self._wanted: Any = None
         self._busy = self._stopped = self._left = False
         self._newer = asyncio.Event()
@@ -158,7 +159,7 @@ class Runner:
             job.answer.cancel()
             if informed:
                 await settled(self._wait(""))
-        self._level = level_after(job.computed, job.level)
+        self._level, self.computed = level_after(job.computed, job.level), job.computed
         return result
 
     def _unwanted(self, job: Any, seconds: float) -> bool:

@@ -67,6 +67,8 @@ def chosen_method(request: Request) -> tuple[Method, Note | None]:
             method = RigidImpulse(restitution=request.restitution)
     if isinstance(method, Modal) or request.draft:  # another number of modes is shown beside it; a hand moves on
         method = method.without_estimate()
+    if isinstance(method, Modal) and request.draft:
+        method = replace(method, coarser=1.0 / request.share)
     return method, reason
 
 

@@ -13,7 +13,7 @@ from ..choices.choices import Choices
 from ..choices.request import DRAFT
 from ..messages.encoding import read_header
 
-QUICK_SECONDS = 0.015  # of a solve that a hand does not feel
+QUICK_SECONDS = 0.015  # of an answer that a hand does not feel
 MOVING_SECONDS = 0.6  # from the last change of a slider that moves, or from its answer, to the next
 IN_A_ROW = 3  # changes of one choice, of which the last is taken for a movement
 REST_SECONDS = 0.3  # without a change, after which it is at rest
@@ -46,6 +46,7 @@ class Drafts:
     # What the laboratory gives
     frame: Any
     answered: float
+    computed: Callable[[], float]
     chosen: Callable[[], dict[str, Any]]
     solve_wanted: Callable[[dict[str, Any]], Coroutine]
 
@@ -76,9 +77,14 @@ class Drafts:
         if self._in_a_row == 1:
             self._share = 1.0
         enough = self._in_a_row >= (1 if self._moves_on(name) else IN_A_ROW)
-        if enough and self.frame and (share := self._share * draft_share(solve_seconds(self.frame))) < self._share:
+        if enough and self.frame and (share := self._share * draft_share(self._seconds())) < self._share:
             self._share = max(share, SHARES[-1])
         return bool(name) and enough
+
+    def _seconds(self) -> float:
+        """Of computing for the newest answer; of a draft for its solves, as no coarser one is packed faster [s]."""
+        solves = solve_seconds(self.frame)
+        return solves if self._share < 1.0 else max(solves, self.computed())
 
     def _moves_on(self, name: str) -> bool:
         """Whether this sets a number of a mechanism that moves on: its answers may take seconds, even the first two."""

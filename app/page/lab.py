@@ -155,6 +155,10 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         self.refused = ""
         pn.state.execute(partial(self._runner.want, self.wish(*(event.name for event in events))))
 
+    def computed(self) -> float:
+        """Of computing for the newest answer [s]."""
+        return self._runner.computed
+
     async def solve_wanted(self, wish: dict[str, Any]) -> None:
         """Have a wish answered, unless a newer one comes before."""
         await self._runner.want(wish)

@@ -34,8 +34,7 @@ FRAMES = ("mean-axis", "attached", "attached-far")
 MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
 MAX_SURE_CONTACTS = 6  # with a beam; of more, its conditioning is tested
 MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tested: two, as one may be lucky
-# Change of the velocity over that of the mass: more is no longer in proportion. As in an ensemble, whose tests are in
-# `tests/solvers/studies/test_ensemble.py`.
+# Change of the velocity over that of the mass: more is out of proportion; see `tests/solvers/studies/test_ensemble.py`.
 MAX_AMPLIFICATION = 10.0
 CHATTER_PERIODS = 3.0  # shortest kept periods; chatter under a law seldom breaks off for longer
 MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor its losses are resolved, which is said
@@ -70,6 +69,7 @@ class Modal(Method):
     frame: str = option("mean-axis", word(FRAMES))
     residual: bool = option(True, flag)  # whether the modes left out give way
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
+    coarser: float = field(default=1.0, repr=False)  # times the usual step, where no steps are asked for
 
     NAME = "modal"
     BEAMS = DAMPED = True
@@ -241,7 +241,7 @@ class Modal(Method):
                 duration = replace(self, steps=None)._march(scene, None).duration
             step = duration / count
         else:
-            step = default_step(scene, pair)
+            step = self.coarser * default_step(scene, pair)
         if duration is not None and count is None:
             count = min(max(10, math.ceil(duration / step)), MAX_STEPS)
             step = duration / count

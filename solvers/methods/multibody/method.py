@@ -60,6 +60,7 @@ class Multibody(Method):
     contact_steps: int = option(200, whole(10, 100_000))  # of the shortest contact by a law that there can be
     most_contact_steps: int = field(default=MOST_CONTACT_STEPS, repr=False)  # after which it is ended
     estimate: bool = field(default=True, repr=False)
+    quick: bool = field(default=False, repr=False)  # whether free motion is of second order only, in as many steps
 
     NAME = "multibody"
     BEAMS = MOVES = True
@@ -176,8 +177,9 @@ class Multibody(Method):
         law, surface = law_of(scene, mechanism, self.contact_steps, duration / steps)
         most = 2 * MOST_IMPACTS if scene.rigid_contact else self.most_contact_steps
         kept = flight.course(steps // every + most + 3, state.q.size, rows)
+        stages = moving.SINGLE if self.quick else moving.STAGES
         count = march(
-            moves.linkage, moves.room, contact, law, surface, moving.STAGES, self.restitution, duration / steps, steps,
+            moves.linkage, moves.room, contact, law, surface, stages, self.restitution, duration / steps, steps,
             every, state, later, kept,
         )  # fmt: skip
         course = flight.Course(*(values[:count] for values in kept))

@@ -26,6 +26,7 @@ STAGES = np.array(
         0.39216144400731413928,
     ]
 )
+SINGLE = np.ones(1)  # of second order, in a ninth of the time
 MAX_ITERATIONS = 30  # of the closing of the joints; three or four do
 CLOSED = 2e-15  # of the size of the mechanism
 
