@@ -169,12 +169,12 @@ class Scene:
         """beta = m2 / m1, target over impactor, (3.9); infinite for a wall."""
         return self.target.mass / self.impactor.mass
 
-    @property
+    @cached_property
     def rigid_contact(self) -> bool:
         """Whether nothing gives way at the contact itself."""
         return isinstance(self.contact, Rigid)
 
-    @property
+    @cached_property
     def prescribed_force(self) -> bool:
         """Whether a force stands for the impactor: nothing strikes."""
         return isinstance(self.impactor, Pulse)
@@ -264,7 +264,7 @@ class Scene:
         compact = [body for body in bodies if body.time_unit is None]
         return compact[0].mass / rings[0].impedance if rings and compact else math.inf
 
-    @property
+    @cached_property
     def time_unit(self) -> float:
         """Round trip T of a wave in the target [s], for a beam its slowest period, or else the same of the impactor;
         where nothing rings, about a contact time.

@@ -72,7 +72,7 @@ def accepts(name: str, value: object) -> bool:
     if isinstance(value, bool):  # which Python counts among the numbers
         return False
     try:
-        _TRIAL.param.update(**{name: value})
+        setattr(_TRIAL, name, value)  # `update` reads all others first
     except (ValueError, TypeError, OverflowError):
         return False
     return True

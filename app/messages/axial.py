@@ -146,7 +146,7 @@ def _carried_by_the_browser(solution: Solution) -> ModalMotion | None:
 def _nominal(scene: Scene) -> float | None:
     """The restitution that the usual formula of a law with damping names."""
     law = scene.contact
-    return law.nominal(scene.reduced_mass, scene.speed) if isinstance(law, Damped) else None
+    return law.nominal(scene.reduced_mass, scene.speed) if law.LOSSY and isinstance(law, Damped) else None
 
 
 def _is_ball(body: Any) -> bool:

@@ -6,12 +6,12 @@ import time
 from collections.abc import Callable, Coroutine
 from typing import Any
 
-import panel as pn
 import param
 
 from ..choices.choices import Choices
 from ..choices.request import DRAFT
 from ..messages.encoding import read_header
+from .begin import begin
 
 QUICK_SECONDS = 0.015  # of an answer that a hand does not feel
 MOVING_SECONDS = 0.6  # from the last change of a slider that moves, or from its answer, to the next
@@ -65,7 +65,7 @@ class Drafts:
             return self.chosen()
         if not self._resting:
             self._resting = True
-            pn.state.execute(self._refine_at_rest)
+            begin(self._refine_at_rest)
         return self.chosen() | {DRAFT: self._share}
 
     def _moving(self, names: tuple[str, ...]) -> bool:

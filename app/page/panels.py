@@ -5,7 +5,6 @@ from collections.abc import Callable, Coroutine, Hashable, Iterable, Iterator
 from functools import partial
 from typing import Any
 
-import panel as pn
 import param
 
 from ..choices.body_value import with_body_value
@@ -14,6 +13,7 @@ from ..choices.scene_of import kind_of
 from ..jobs.long_run import LongRun
 from ..jobs.runner import Runner
 from ..views.registry import VIEWS, View
+from .begin import begin
 from .questions import Questions
 
 MAX_ANALYSIS_SECONDS = 30.0  # of computing that one answer of a view may take
@@ -117,7 +117,7 @@ class Panels(Questions):
             self._pending[view.name] += len(view.answers)
             setattr(self, view.running, True)
         for name in view.answers:
-            pn.state.execute(partial(self._answer, view, self._runners[name], asked))
+            begin(partial(self._answer, view, self._runners[name], asked))
 
     async def _answer(self, view: View, runner: Runner, asked: dict[str, Any]) -> None:
         await runner.want(asked)
@@ -138,7 +138,7 @@ class Panels(Questions):
     def _go_to(self, name: str, event: param.parameterized.Event) -> None:
         """Have the sliders follow what is asked; the browser sends the next when this question is cleared."""
         if event.new:
-            pn.state.execute(partial(self._arrive, name, self.chosen() | {name: event.new}))
+            begin(partial(self._arrive, name, self.chosen() | {name: event.new}))
 
     async def _arrive(self, name: str, asked: dict[str, Any]) -> None:
         await self._runners[name].want(asked)
@@ -164,7 +164,7 @@ class Panels(Questions):
 
     def _start(self, view: View) -> None:
         asked = self._asked_of(view)
-        pn.state.execute(partial(self._long[view.name].start, asked, partial(self._ended, view, asked)))
+        begin(partial(self._long[view.name].start, asked, partial(self._ended, view, asked)))
 
     async def _ended(self, view: View, asked: dict[str, Any]) -> None:
         if view.name in self._again:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from .. import validation
@@ -103,22 +104,22 @@ class Rod(Waveguide):
             section_of_bar(key, given).least_moment,
         )
 
-    @property
+    @cached_property
     def mass(self) -> float:
         """m2"""
         return self.material.density * self.area * self.length + self.end_mass
 
-    @property
+    @cached_property
     def wave_speed(self) -> float:
         """c = sqrt(E / rho) [m/s]"""
         return math.sqrt(self.material.young / self.material.density)
 
-    @property
+    @cached_property
     def impedance(self) -> float:
         """rho c A"""
         return self.material.density * self.wave_speed * self.area
 
-    @property
+    @cached_property
     def round_trip_time(self) -> float:
         """T = 2 L / c"""
         return 2.0 * self.length / self.wave_speed

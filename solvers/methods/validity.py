@@ -111,9 +111,12 @@ def counted_twice(solution: Solution) -> Note | None:
     Source: thesis 7.3.1 and conclusion 6: a viscous force may stand for the waves that leave the contact, and then has
     no place beside a body in which they run.
     """
-    scene, energy = solution.scene, solution.energy
-    if not (isinstance(scene.contact, Damped) and scene.contact.damping) or solution.peak_indentation is None:
+    scene = solution.scene
+    if not (scene.contact.LOSSY and isinstance(scene.contact, Damped) and scene.contact.damping):
+        return None
+    if solution.peak_indentation is None:
         return None  # of the contact nothing is solved for but a restitution, if that
+    energy = solution.energy
     parts = [part / energy["initial"] for part in (energy["dissipated"], _ringing(solution))]
     if min(parts) < MIN_REPORTED_ENERGY:
         return None
