@@ -39,6 +39,7 @@ class Panels(Questions):
         self._pending: Counter[str] = Counter()  # by view: times that it was asked and is not answered
         self._again: set[str] = set()  # long runs that begin anew when they have ended
         self._asked: dict[str, Hashable] = {}  # by view: what its last answer, or the one that comes, depends on
+        self._led: dict[str, Any] = {}  # by question that leads somewhere: what was asked last, until it is answered
         self.param.watch(self.ask_panels, list(self.FOLLOWED))
         for view in VIEWS:
             self._open(view)
@@ -137,12 +138,22 @@ class Panels(Questions):
 
     def _go_to(self, name: str, event: param.parameterized.Event) -> None:
         """Have the sliders follow what is asked; the browser sends the next when this question is cleared."""
-        if event.new:
-            begin(partial(self._arrive, name, self.chosen() | {name: event.new}))
+        if not event.new or self._led.get(name) == event.new:  # a browser that waits for long asks again
+            return
+        under_way, self._led[name] = name in self._led, event.new
+        asked = self.chosen() | {name: event.new}
+        begin(partial(self._runners[name].want, asked) if under_way else partial(self._arrive, name, asked))
 
     async def _arrive(self, name: str, asked: dict[str, Any]) -> None:
-        await self._runners[name].want(asked)
-        await self._report(setattr, self, name, self.param[name].default)
+        try:
+            await self._runners[name].want(asked)  # and all that was asked meanwhile
+        finally:
+            del self._led[name]
+        await self._report(self._arrived, name)
+
+    def _arrived(self, name: str) -> None:
+        if name not in self._led:  # nor was anything asked since
+            setattr(self, name, self.param[name].default)
 
     def _stop_or_resume(self, view: View, event: param.parameterized.Event) -> None:
         """The visitor has had enough, or wants it all the same."""

@@ -11,6 +11,7 @@ from app.choices.choices import Choices
 from app.choices.scene_of import choices_of
 from app.jobs import long_run
 from app.jobs.long_run import LongRun
+from app.page.lab import Lab
 from app.page.questions import Questions, accepted
 from app.views import stability as stability_view
 from app.views.stability import KINDS, kinds_of, stability_data, stability_kernels
@@ -281,3 +282,36 @@ def test_kernels_of_a_long_run_are_compiled_elsewhere(monkeypatch):
 )
 def test_no_other_question_is_taken(name, value):
     assert name in Questions.ASKED and not accepted(name, value)
+
+
+# --- a question that leads somewhere ----------------------------------------------------------------------------------
+
+
+class Busy:
+    """A runner that takes its time, and remembers what is asked meanwhile, as runners do."""
+
+    def __init__(self):
+        self.asked, self.done = [], asyncio.Event()
+
+    async def want(self, choices):
+        self.asked.append(choices["body_value"])
+        if len(self.asked) == 1:
+            await self.done.wait()
+
+
+def test_a_value_asked_again_while_it_is_answered_is_not_taken_for_answered():
+    async def main():
+        lab, runner = Lab(), Busy()
+        lab._runners["body_value"] = runner
+        for value in ("target.length=0.5", "", "target.length=0.5"):
+            lab.body_value = value
+            await asyncio.sleep(0.01)
+        assert lab.body_value == "target.length=0.5" and runner.asked == ["target.length=0.5"]
+        lab.body_value = "target.length=0.7"  # another goes to the same runner, which answers both
+        await asyncio.sleep(0.01)
+        assert lab.body_value == "target.length=0.7" and len(runner.asked) == 2
+        runner.done.set()
+        await asyncio.sleep(0.01)
+        assert lab.body_value == ""
+
+    in_a_loop(main())
