@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...bodies import Mechanism
+from ...bodies import AnyBody, Mechanism
 from ...numerics.multibody.flight import Contact
 from ...numerics.multibody.moving import Angles, Lines, Linkage, Pins, Springs
 from ...numerics.multibody.system import FIXED, PRISMATIC, Joint, System
@@ -72,8 +72,9 @@ def rigid_linkage(mechanism: Mechanism) -> tuple[Linkage, Rows]:
     return found, rows_of(rows[PIN_X], rows[LINE], rows[ANGLE])
 
 
-def struck_by(mechanism: Mechanism, mass: float) -> Contact:
-    """The mass in front of the struck link, whose frame has its origin on its first end if any link is flexible."""
+def struck_by(mechanism: Mechanism, impactor: AnyBody) -> Contact:
+    """The mass or stop in front of the struck link, whose frame has its origin on its first end if any link is
+    flexible."""
     system = mechanism.system
     number = [link.name for link in mechanism.links].index(mechanism.struck.link)
     link, normal = system.links[number], np.array(mechanism.struck.normal)
@@ -90,8 +91,8 @@ def struck_by(mechanism: Mechanism, mass: float) -> Contact:
         _in_frame(system, number, normal),
         float(min(ends)) - slack,
         float(max(ends)) + slack,
-        mass,
-        system.gravity,
+        impactor.mass,
+        np.zeros(2) if impactor.held else system.gravity,
     )
 
 

@@ -36,6 +36,7 @@ MIN_STEPS_PER_VIBRATION = 6  # with fewer the fastest ones are slower than they 
 MAX_SLOPE = 0.1  # of bent links; what is left out is of its square
 MOST_STEPS_OF_FLEXIBLE = 300_000  # which take a minute; more must be asked for
 MAX_INSTANTS = 50_000  # that are kept, besides impacts
+STOP = "stop"  # a kind of body
 MOST_CONTACT_STEPS = 100_000  # of contact laws, all kept; they take some ten seconds
 
 
@@ -46,8 +47,8 @@ class Multibody(Method):
     rounding.
 
     The mass strikes the line of the struck link, bent as it is, along a normal that turns with it, and misses it a
-    hundredth of its length beside its ends. Flexible links start bent by their weight and inertia, which is steady to
-    first order.
+    hundredth of its length beside its ends; so does a stop, a point that is held. Flexible links start bent by their
+    weight and inertia, which is steady to first order.
     Assumes: slopes of bent links small beside 1; no friction; a dent meets the mass again wherever that strikes.
     Error: sixth order in the step, second in that of a contact by a law; the energy does not drift, but for rounding:
     3e-15 a step of flexible links.
@@ -69,7 +70,7 @@ class Multibody(Method):
         target = scene.target
         if not isinstance(target, Mechanism):
             return Note("refusals.no-mechanism", Severity.REFUSAL, target=target.kind)
-        if not scene.impactor.free_mass:
+        if not (scene.impactor.free_mass or scene.impactor.kind == STOP):
             return Note("refusals.mass-on-mechanism", Severity.REFUSAL, impactor=scene.impactor.kind)
         return None
 
@@ -138,27 +139,35 @@ class Multibody(Method):
     @staticmethod
     def _momentum_error(scene: Scene, motion: MovingMotion, parted: float) -> float:
         """Of the first contact: what the mass has lost from instant to instant, but for its weight, and the impulse,
-        over that of approach."""
-        course, mass = motion.course, scene.impactor.mass
+        over that of approach; of a stop what the links have lost, but for their weight and the ground."""
+        course = motion.course
         rows = np.flatnonzero((course.time[:-1] < parted) | (course.time[1:] <= parted))
-        fallen = np.multiply.outer(np.diff(course.time), motion.mechanism.system.gravity)
-        lost = mass * np.hypot(*(np.diff(course.speed, axis=0) - fallen)[rows].T)
+        if scene.impactor.held:
+            mass, lost = motion.mechanism.mass, motion.given_to_links(rows)
+        else:
+            mass = scene.impactor.mass
+            fallen = np.multiply.outer(np.diff(course.time), motion.mechanism.system.gravity)
+            lost = mass * np.hypot(*(np.diff(course.speed, axis=0) - fallen)[rows].T)
         return float((lost - np.diff(course.contact[:, flight.IMPULSE])[rows]).sum()) / (mass * scene.speed)
 
     def _estimated_error(self, scene: Scene, motion: MovingMotion) -> float:
-        """Of the last velocity, relative to the speed of approach, against half the steps, of contacts too."""
+        """Of the last velocity of the mass, of the struck point where that is held, relative to the speed of approach,
+        against half the steps, of contacts too."""
         end = motion.time[-1:]
         half = max(10, self._steps(motion.mechanism, scene.speed, float(end[0]))[1] // 2)
         other, _ = replace(self, steps=half, contact_steps=max(10, self.contact_steps // 2))._follow(
             scene, float(end[0])
         )
-        return float(np.abs(other.impactor_velocity(end) - motion.impactor_velocity(end))[0]) / scene.speed
+        found, half_found = (
+            each.end_velocity(end) if scene.impactor.held else each.impactor_velocity(end) for each in (motion, other)
+        )
+        return float(np.abs(found - half_found)[0]) / scene.speed
 
     def _follow(self, scene: Scene, duration: float | None) -> tuple[MovingMotion, bool]:
         """The motion, and whether it was ended by too many impacts."""
         mechanism = scene.target.known_as(Mechanism)
         moves = _flexible(mechanism) if mechanism.flexible else _rigid(mechanism)
-        contact, normal = struck_by(mechanism, scene.impactor.mass), np.array(mechanism.struck.normal)
+        contact, normal = struck_by(mechanism, scene.impactor), np.array(mechanism.struck.normal)
         rows = moves.rows.joint.size
         state, later = (
             flight.State(
@@ -188,7 +197,9 @@ class Multibody(Method):
 
     def _notes(self, scene: Scene, motion: MovingMotion, contacts: list[ContactPeriod], full: bool) -> list[Note]:
         found = []
-        if full:
+        if full and scene.impactor.held and scene.rigid_contact and motion.impulses[0].size < MOST_IMPACTS:
+            found.append(Note("rests-on-stop", Severity.REMARK, time=float(motion.time[-1])))
+        elif full:
             kind, limit = ("balances", MOST_IMPACTS) if scene.rigid_contact else ("steps", self.most_contact_steps)
             found.append(cut_short(limit, kind))
         if not scene.rigid_contact:
@@ -242,8 +253,8 @@ class Multibody(Method):
 def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:
     """How far the mechanism turns in any contact, and what the first would be off by if it did not."""
     angles = motion.centres[:, 2::3]
-    ends = np.searchsorted(motion.time, [(contact.start, contact.end) for contact in contacts])
-    turned = np.abs(angles[ends[:, 1]] - angles[ends[:, 0]])
+    ends = np.searchsorted(motion.time, [(contact.start, contact.end) for contact in contacts]).tolist()
+    turned = np.array([np.abs(angles[first : last + 1] - angles[first]).max(axis=0) for first, last in ends])
     link = int(turned.max(axis=0).argmax())
     first, angle = contacts[0], float(turned[0].max())
     error = freezing_error(motion.scene, first.end - first.start, first.impulse, angle)

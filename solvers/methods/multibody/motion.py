@@ -9,6 +9,7 @@ import numpy as np
 from ...bodies import Mechanism
 from ...numerics.multibody.flight import GIVING, IMPULSE, INDENTATION, LOST, Course
 from ...numerics.multibody.moving import Linkage, look, work
+from ...numerics.multibody.system import GROUND
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
 from ...solution.solution import ContactPeriod
@@ -51,7 +52,7 @@ class MovingMotion(SampledMotion):
         course, system = self.course, self.mechanism.system
         inertia = np.concatenate([(link.mass, link.mass, link.inertia) for link in system.links])
         load = np.concatenate([(*(link.mass * system.gravity), 0.0) for link in system.links])
-        mass = self.scene.impactor.mass
+        mass = 0.0 if self.scene.impactor.held else self.scene.impactor.mass
         weight = -(self.centres - self.centres[0]) @ load
         weight -= mass * (course.place - course.place[0]) @ system.gravity
         return {
@@ -99,6 +100,19 @@ class MovingMotion(SampledMotion):
                 peak = None if peak is None else max(peak, before.peak_force)
             found.append(ContactPeriod(start, end, impulse, peak))
         return found
+
+    def given_to_links(self, rows: np.ndarray) -> np.ndarray:
+        """Size of the impulse that the contact gives the links in some steps, by what they gain of momentum beside that
+        by their weight and the ground, (rows,) [N s]."""
+        system, course = self.mechanism.system, self.course
+        masses = np.array([link.mass for link in system.links])
+        momentum = masses @ self.rates.reshape(course.time.size, -1, 3)[:, :, :2]
+        found = np.diff(momentum, axis=0)[rows]
+        found -= masses.sum() * np.multiply.outer(np.diff(course.time)[rows], system.gravity)
+        pushed = self._by_joint(course.reactions[rows + 1] - course.reactions[rows], rows)[:, :, :2]
+        for number, joint in enumerate(system.joints):
+            found -= pushed[:, number] * ((joint.first == GROUND) - 1.0 * (joint.second == GROUND))
+        return np.hypot(*found.T)
 
     @property
     def impulses(self) -> tuple[np.ndarray, np.ndarray]:

@@ -44,7 +44,8 @@ def march(
 
     Impacts follow the contact `law` of the `surface` in steps of their own or, where that has none, are impulses with a
     restitution. A mass that comes beside the link passes it. Where flights between impulses become too short it rests
-    on the link, kept there at the ends of steps, until it is left behind. Returns the number of rows written to `kept`:
+    on the link, kept there at the ends of steps, until it is left behind; links that come to rest on a mass that is
+    held end it. Returns the number of rows written to `kept`:
     one for `every` so many steps, at the last, two an impulse and one for every step of a contact, if there is room.
     """
     linkage, w, contact, surface, state, later, kept = (
@@ -70,6 +71,8 @@ def march(
                 number += 1
             continue
         end = (number + 1) * step
+        if short >= 2 and np.isinf(contact.mass):  # links at rest on a stop are not followed
+            break
         if short >= 2:
             depth, _, along = advance(linkage, w, contact, stages, state, time, end - time)
             if depth >= 0.0 and contact.low <= along <= contact.high:

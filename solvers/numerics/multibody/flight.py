@@ -13,9 +13,9 @@ IMPULSE, LOST, INDENTATION, GIVING = range(4)
 
 
 class Contact(NamedTuple):
-    """A point mass [kg] in front of a link, which it strikes along `normal` (2,), that turns with the link, at the line
-    through `on_link` (2,) across it; the line is as long as the link, from `low` to `high` [m] along it. A flexible
-    link is met on the line as it is bent."""
+    """A point mass [kg], infinite if it is held, in front of a link, which it strikes along `normal` (2,), that turns
+    with the link, at the line through `on_link` (2,) across it; the line is as long as the link, from `low` to `high`
+    [m] along it. A flexible link is met on the line as it is bent."""
 
     link: int
     on_link: np.ndarray
