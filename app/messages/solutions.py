@@ -27,6 +27,8 @@ def beside(request: Request, exact: Solution) -> Solution | None:
     scene, name = request.scene, request.method_beside
     if name == exact.method["name"] and not by_modes(exact):
         name = "quasi-static"
+    if name == exact.method["name"] and not by_modes(exact):
+        return None  # the same
     method = SOLVED_BY[name].read(method_options(name, request, exact))
     if method.refusal(scene):
         return None

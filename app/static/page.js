@@ -127,6 +127,7 @@ export class Page {
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
     const caption = make('div', { className: 'caption-row' }, this.caption, ...all.flatMap(({ buttons }) => buttons));
+    this.waiter.place = caption;
     const { bar: kept, second, tag } = this.compare;
     this.player.root.append(kept.button);
     const stages = make(
@@ -145,6 +146,7 @@ export class Page {
   place() {
     if (!this.frame) return;
     this.history.later();
+    this.waiter.settle();
     for (const { stack } of Object.values(this.views)) stack?.gather();
     const { strip } = this.view;
     const lent = this.layout.mode === 'phone' && strip ? [strip] : [];

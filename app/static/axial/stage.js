@@ -264,7 +264,7 @@ export class Stage {
     const perMetre = this.scale / (frame.speed * frame.trip);
     const long = roundBelow(90 / perMetre);
     const [times, unit] = scaled(long, 'm');
-    const top = frame.impactor.kind === 'pendulum' ? height - 24 : 8; // away from its pivot
+    const top = factor ? 8 : height - 24; // below, unless the factor is there
     c.lineWidth = 2;
     c.beginPath();
     c.moveTo(12, top);

@@ -1,6 +1,10 @@
-// Names of links on the stage, where they lie on nothing: neither on links and joints nor on other words.
+// Words on the stage of a mechanism: names of links, where they lie neither on links and joints nor on other words; and
+// where a mass is that has left the picture.
 import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
+import { text } from '../text/catalogue.js';
+import { figures, scaled } from '../text/format.js';
+import { arrow } from './joints.js';
 
 /** @import { Context, Mechanism, Point } from './mechanism.js' */
 
@@ -12,6 +16,8 @@ const HALF_LINE = 7; // pixels
 const ROOM = 3; // pixels between words and what is drawn
 const PIN = 7; // pixels about a joint
 const GROUND = [16, 24]; // pixels beside and below one on the ground
+const [EDGE, TOP] = [10, 48]; // pixels, as near to the edges as which the way to a mass is drawn
+const ARROW = 20;
 const PIECES = 8; // of a link that bends, as far as words are concerned
 
 /**
@@ -144,4 +150,36 @@ export class Labels {
       c.fillText(name, x, y);
     });
   }
+}
+
+/**
+ * The way to the mass, which has left the picture, and how far beyond it is.
+ * @param {Context} c
+ * @param {Mechanism} mechanism
+ * @param {Point} place  of it
+ */
+export function gone(c, mechanism, [x, y]) {
+  const { center, factor, flight, frame, height, scale, width } = mechanism;
+  mechanism.held = null;
+  const [across, down] = [x - center[0], y - center[1]];
+  const share = (/** @type {number} */ way, /** @type {number} */ from, /** @type {number} */ to) =>
+    way === 0 ? Infinity : (to - from) / way;
+  const edge = Math.min(
+    share(across, center[0], across > 0 ? width - EDGE : EDGE),
+    share(down, center[1], down > 0 ? height - EDGE : TOP),
+  );
+  const [a, b] = [center[0] + edge * across, center[1] + edge * down];
+  const long = Math.hypot(across, down);
+  const [ax, ay] = [(ARROW * across) / long, (ARROW * down) / long];
+  arrow(c, [a - ax, b - ay], [ax, ay], COLORS.edge);
+  const beyond = Math.hypot(x - a, y - b) / (scale * (flight || factor));
+  const [times, unit] = scaled(beyond, 'm');
+  const away = `${figures(beyond * times, 2)} ${unit}`;
+  const left = a < center[0];
+  c.font = letters(11);
+  c.fillStyle = COLORS.faint;
+  c.textBaseline = 'middle';
+  c.textAlign = left ? 'left' : 'right';
+  const said = text('motion.gone', { striker: frame.impactor.kind, away });
+  c.fillText(said, a + (left ? -4 : 4), b + (b > center[1] ? -1 : 1) * (ARROW + 8));
 }

@@ -5,7 +5,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { bendingOf } from './bending.js';
 import { arrow, drawJoint } from './joints.js';
-import { Labels } from './labels.js';
+import { gone, Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
@@ -34,6 +34,7 @@ export class Mechanism {
   /** @type {Drawn | null} */ held = null; // where the striker is
 
   shown = 'reach'; // movement whose scale can be shared
+  flight = 0; // by how much larger the way of the mass is drawn, if not as all else
 
   /**
    * @param {BeamFrame} frame
@@ -173,6 +174,9 @@ export class Mechanism {
     const aside = 0.5 * this.thick(this.told.struck) + 1;
     const [x, y] = this.pixel(...place);
     const [a, b] = [x - (aside + size / 2) * wx, y - (aside + size / 2) * wy];
+    const left = Math.max(-a, a - this.width, -b, b - this.height) > size / 2;
+    if (left) gone(c, this, [a, b]);
+    if (left) return;
     c.save();
     c.translate(a, b);
     c.rotate(Math.atan2(wy, wx));

@@ -1,11 +1,9 @@
 // A mechanism that moves on: links on their ways, bent larger than they are, and the mass where it flies.
-import { letters } from '../charts/canvas.js';
 import { between, boxOf, roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
-import { figures, scaled } from '../text/format.js';
-import { arrow } from './joints.js';
+import { figures } from '../text/format.js';
 import { Mechanism } from './mechanism.js';
 
 /** @import { BeamFrame } from '../shell/message.js' */
@@ -16,12 +14,11 @@ const MOST = 100; // times that bending is drawn larger
 const AROUND = 0.35; // of the mechanism, as far as which the mass is followed
 const TOP = 26; // pixels
 const GROUND = 8; // more below, where the ground is drawn
-const EDGE = 10; // pixels, as near as which the way to a mass is drawn that has left the picture
-const ARROW = 20;
 const SEEN = 0.012; // of the whole time for which an impact is marked
 
 export class MovingMechanism extends Mechanism {
   shown = 'bend'; // movement whose scale can be shared
+  flight = 1; // which is to scale
   /** @type {{ time: number[], x: number[], y: number[] }} */ beside = { time: [], x: [], y: [] };
 
   /** @param {BeamFrame} frame */
@@ -124,40 +121,7 @@ export class MovingMechanism extends Mechanism {
     const off = (/** @type {'x' | 'y'} */ way) => between(times, mass[way], t) + between(beside.time, beside[way], t);
     const touching = frame.contacts.some(([start, end]) => t >= start && t <= end + SEEN * frame.duration);
     const place = /** @type {Point} */ ([off('x'), off('y')]);
-    const [x, y] = this.pixel(...place);
-    if (x > 0 && x < this.width && y > 0 && y < this.height)
-      this.striking(c, place, [Math.cos(angle), Math.sin(angle)], touching);
-    else this.#gone(c, [x, y]);
-  }
-  /**
-   * The way to the mass, which has left the picture, and how far beyond it is.
-   * @param {Context} c
-   * @param {Point} place  of it
-   */
-  #gone(c, [x, y]) {
-    const { center, height, width } = this;
-    this.held = null;
-    const [across, down] = [x - center[0], y - center[1]];
-    const share = (/** @type {number} */ way, /** @type {number} */ from, /** @type {number} */ to) =>
-      way === 0 ? Infinity : (to - from) / way;
-    const edge = Math.min(
-      share(across, center[0], across > 0 ? width - EDGE : EDGE),
-      share(down, center[1], down > 0 ? height - EDGE : TOP + EDGE),
-    );
-    const [a, b] = [center[0] + edge * across, center[1] + edge * down];
-    const long = Math.hypot(across, down);
-    const [ax, ay] = [(ARROW * across) / long, (ARROW * down) / long];
-    arrow(c, [a - ax, b - ay], [ax, ay], COLORS.edge);
-    const beyond = Math.hypot(x - a, y - b) / this.scale;
-    const [factor, unit] = scaled(beyond, 'm');
-    const away = `${figures(beyond * factor, 2)} ${unit}`;
-    const left = a < center[0];
-    c.font = letters(11);
-    c.fillStyle = COLORS.faint;
-    c.textBaseline = 'middle';
-    c.textAlign = left ? 'left' : 'right';
-    const said = text('motion.gone', { striker: this.frame.impactor.kind, away });
-    c.fillText(said, a + (left ? -4 : 4), b + (b > center[1] ? -1 : 1) * (ARROW + 8));
+    this.striking(c, place, [Math.cos(angle), Math.sin(angle)], touching);
   }
   /**
    * The way of the mass.

@@ -4,7 +4,7 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
 import { LETTERS, MOST } from './run.js';
-import { comparable, differing, lineOf } from './settings.js';
+import { comparable, differing, lineOf, shortOf } from './settings.js';
 import { signOf } from './told.js';
 
 /** @import { Frame } from '../shell/message.js' */
@@ -100,7 +100,7 @@ export class Bar {
       const { frame } = run;
       return this.#chip(
         run,
-        beside.includes(frame) ? lineOf(names, frame) || (coming ? '' : text('compare.same')) : frame.title,
+        beside.includes(frame) ? shortOf(names, frame) || (coming ? '' : text('compare.same')) : frame.title,
       );
     });
     const own = make('span', { className: 'chip-run now' }, make('b', { textContent: text('compare.now') }));

@@ -52,6 +52,17 @@ function settingOf(name, frame) {
 }
 
 /**
+ * The value alone of the only setting in which solutions differ, beside one that is named: "0.25", "Hertz".
+ * @param {string[]} names
+ * @param {Frame} frame
+ */
+export function shortOf(names, frame) {
+  const value = frame.chosen[names[0]];
+  if (names.length !== 1 || typeof value !== 'number' || LABELS[names[0]].unit === 'm/s') return lineOf(names, frame);
+  return pretty(value);
+}
+
+/**
  * Settings of a solution as one line: "Mass ratio 0.25, Hertz".
  * @param {string[]} names
  * @param {Frame} frame

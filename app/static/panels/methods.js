@@ -36,7 +36,7 @@ class Methods {
     this.page = page;
     this.button = make('button', { type: 'button', textContent: text('methods.button') });
     this.said = make('p', { className: 'help' });
-    this.table = make('table', { className: 'methods' });
+    this.table = make('table', { className: 'methods all-methods' });
     const scroll = make('div', { className: 'scroll' }, this.table);
     const heading = make('h2', { textContent: text('methods.heading') });
     this.root = make('section', { className: 'analysis', hidden: true }, heading, this.said, scroll);

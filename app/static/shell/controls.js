@@ -7,7 +7,7 @@ import { Slider } from './slider.js';
 /** @import { AxialFrame, Frame, SpaceFrame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
-const LONG_TITLE = 60; // letters, beyond which it is written smaller where there is little room
+const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
 
 /**
  * @typedef {object} Control

@@ -10,6 +10,8 @@ export class Waiting {
   /** @type {Map<string, { sentence: string, since: number }>} */ signs = new Map(); // what is waited for, by name
   /** @type {number | undefined} */ saying;
 
+  /** @type {HTMLElement | null} */ place = null; // over which it is said, once there is one
+
   /** @param {Model} model */
   constructor(model) {
     this.model = model;
@@ -59,6 +61,13 @@ export class Waiting {
     this.signs.clear();
     this.say();
   }
+  /** Where its place is now. */
+  settle() {
+    const box = this.place?.getBoundingClientRect();
+    if (!box?.width) return;
+    for (const side of /** @type {const} */ (['left', 'top', 'width', 'height']))
+      this.root.style[side] = `${box[side]}px`;
+  }
   say() {
     clearTimeout(this.saying);
     const now = performance.now();
@@ -66,6 +75,7 @@ export class Waiting {
     const due = all.filter((sign) => sign.since <= now);
     this.root.textContent = [due.at(-1)?.sentence, this.model.waiting].filter(Boolean).join(' ');
     this.root.hidden = !this.root.textContent;
+    this.settle();
     const later = all.filter((sign) => sign.since > now).map((sign) => sign.since);
     if (later.length) this.saying = window.setTimeout(() => this.say(), Math.min(...later) - now + 1);
   }

@@ -42,13 +42,14 @@ export function head(c, [x, y], [dx, dy], long) {
 /** @type {WeakMap<Context, [left: number, top: number, right: number, bottom: number][]>} */
 const taken = new WeakMap(); // by labels of the picture that is being drawn
 const LINE = 13; // pixels
-const ELSEWHERE = [0, 1, -1, 2, -2]; // lines lower, where a label is in the way
+const ELSEWHERE = [0, 1, -1, 2, -2, 3, 4, 5]; // lines lower, where a label is in the way
 
 /**
  * Begin a picture without labels.
  * @param {Context} c
+ * @param {[left: number, top: number, right: number, bottom: number][]} others  where none may lie
  */
-export const unlabelled = (c) => taken.set(c, []);
+export const unlabelled = (c, others) => taken.set(c, others);
 
 /**
  * Where a label begins, so far up or down that it lies on no other.
@@ -62,6 +63,7 @@ function freed(c, text, x, y) {
   const others = taken.get(c) ?? [];
   const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
   const isFree = (/** @type {number} */ lines) =>
+    middle + (lines - 0.5) * LINE >= 0 &&
     others.every(
       ([l, t, r, b]) =>
         x + right < l || x - left > r || middle + (lines + 0.5) * LINE < t || middle + (lines - 0.5) * LINE > b,

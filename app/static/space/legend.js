@@ -7,10 +7,14 @@ import { brief } from '../text/format.js';
 import { arrow, head, label, measure } from './arrows.js';
 import { dot, size, times } from './vectors.js';
 
-/** @import { Vector } from '../shell/message.js' */
+/** @import { SpaceFrame, Vector } from '../shell/message.js' */
 /** @import { Context, Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 
+const FONT = letters(12);
+/** @type {Point} */
+const PLACE = [12, 10]; // of the time
+const BUTTONS = [170, 34]; // pixels that they take at the upper right
 const RADIUS = 20; // pixels of the arc of a spin
 const LEAST_AXIS = 3; // pixels of its axis, below which it is seen from its end
 
@@ -45,6 +49,26 @@ export function spinOf(c, stage, [x, y], spin, labelled) {
   c.setLineDash([]);
 }
 
+/** @param {SpaceFrame} frame @param {number} t */
+const timeOf = (frame, t) =>
+  text('space.when', { before: t < 0, time: `${brief(Math.abs(t) * frame.duration * 1e3)} ms` });
+
+/**
+ * Where no label may lie: on the time, and under the buttons that turn the picture.
+ * @param {Context} c
+ * @param {SpaceFrame} frame
+ * @param {number} t
+ * @param {number} width
+ * @returns {[left: number, top: number, right: number, bottom: number][]}
+ */
+export function corners(c, frame, t, width) {
+  c.font = FONT;
+  return [
+    [0, 0, PLACE[0] + c.measureText(timeOf(frame, t)).width + 4, PLACE[1] + 14],
+    [width - BUTTONS[0], 0, width, BUTTONS[1]],
+  ];
+}
+
 /**
  * Time, a length to measure by, and which way the axes of the world run.
  * @param {Context} c
@@ -56,12 +80,11 @@ export function spinOf(c, stage, [x, y], spin, labelled) {
 export function legend(c, { across, frame, scale, up }, t, width, height) {
   const bar = roundBelow((0.2 * width) / scale);
   c.strokeStyle = c.fillStyle = COLORS.faint;
-  c.font = letters(12);
+  c.font = FONT;
   measure(c, width - 16, height - 14, bar * scale, `${brief(bar)} m`);
   c.textAlign = 'left';
   c.textBaseline = 'top';
-  const time = `${brief(Math.abs(t) * frame.duration * 1e3)} ms`;
-  c.fillText(text('space.when', { before: t < 0, time }), 12, 10);
+  c.fillText(timeOf(frame, t), ...PLACE);
   /** @type {Point} */
   const origin = [34, height - 34];
   ['x', 'y', 'z'].forEach((axis, i) => {

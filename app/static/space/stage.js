@@ -8,7 +8,7 @@ import { brief } from '../text/format.js';
 import { arrow, label, stopAt, unlabelled } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
-import { legend, spinOf } from './legend.js';
+import { corners, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
@@ -125,10 +125,10 @@ export class BodiesStage {
     const sheet = cleared(canvas, root);
     if (!sheet) return;
     const { c, width, height } = sheet;
-    unlabelled(c);
     this.fit(width, height);
     this.time = t;
     const now = Math.min(Math.max(t, -1), 1);
+    unlabelled(c, corners(c, frame, now, width));
     const when = now < 0 ? 'before' : 'after';
     for (const name of BOTH)
       if (frame.bodies[name].shape === 'stop')
