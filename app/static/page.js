@@ -312,7 +312,7 @@ export class Page {
       for (const root of [this.told.root, this.told.numbers]) this.symbols.mark(root);
       this.say();
       this.player.mark();
-      this.history.write();
+      this.history.follow();
     };
     if (!this.toldAt) write();
     else this.telling = window.setTimeout(write, Math.max(40, this.toldAt + READ - performance.now()));

@@ -24,6 +24,7 @@ const TOP = 'history'; // under which the last entry is kept while the page relo
 export class History {
   top = 0; // number of the last entry
   changed = -Infinity; // when the choices have changed last
+  followed = ''; // choices that were shown last
   going = false; // to an entry: what is answered meanwhile is no step
   /** @type {number | undefined} */ resting;
 
@@ -58,16 +59,36 @@ export class History {
     return state && typeof state.strikewave === 'number' && state.chosen ? state : null;
   }
   undo() {
+    this.#settle();
     if ((this.entry?.strikewave ?? 0) > 0) window.history.back();
   }
   redo() {
+    this.#settle();
     if ((this.entry?.strikewave ?? 0) < this.top) window.history.forward();
   }
+  #settle() {
+    if (this.resting) this.write(); // what is still to be written comes before
+  }
   /**
-   * Another answer is shown: the address says so, as a step of its own where the choices have changed.
+   * Another answer is shown. While choices change again and again, all in one step, the address follows at rest:
+   * browsers take 5 ms to write it.
    */
+  follow() {
+    const chosen = JSON.stringify(this.page.frame.chosen);
+    const now = performance.now();
+    const goesOn = chosen !== this.followed && now - this.changed < PAUSE && this.entry && !this.going;
+    this.followed = chosen;
+    if (!goesOn) {
+      this.write();
+      return;
+    }
+    this.changed = now;
+    this.later();
+  }
+  /** The address says what is shown, as a step of its own where the choices have changed. */
   write() {
     clearTimeout(this.resting);
+    this.resting = undefined;
     const { page, entry } = this;
     if (!page.frame || page.changes.quiet) return;
     const choices = choicesText(page);

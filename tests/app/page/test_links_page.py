@@ -100,6 +100,30 @@ def test_undo_and_redo_go_step_by_step_and_back_stays_on_the_page(open_page):
     assert page.evaluate("() => window.same")
 
 
+def test_the_address_is_written_once_a_drag_and_says_where_it_ended(open_page):
+    page = open_page()
+    page.tab.wait_for_timeout(AT_REST)
+    written = page.evaluate(
+        """async () => {
+          const found = [], { page } = strikewave;
+          for (const how of ['pushState', 'replaceState']) {
+            const own = window.history[how].bind(window.history);
+            window.history[how] = (...given) => { found.push(how); own(...given); };
+          }
+          for (let k = 1; k <= 12; k++) {
+            const { frames } = strikewave;
+            page.controls.send('speed', 1 + k / 10);
+            while (strikewave.frames === frames || page.telling) await new Promise((done) => setTimeout(done, 10));
+          }
+          while (!window.location.search.endsWith('speed=2.2')) await new Promise((done) => setTimeout(done, 10));
+          return found;
+        }"""
+    )
+    assert written[0] == "pushState" and written.count("pushState") == 1 and len(written) < 8
+    page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))
+    assert chosen(page, "speed") == [1]
+
+
 def test_a_change_after_undo_forgets_what_was_undone(open_page):
     page = open_page()
     page.tab.wait_for_timeout(AT_REST)
