@@ -37,6 +37,9 @@ export function goOn(page, state) {
   if (view.axis && (start > view.axis.whole[0] || end < view.axis.whole[1])) view.axis.show([start, end]);
   player.go(state.t);
   if (state.playing) player.toggle();
+  const wanted = Object.entries(state.wanted).filter(([name]) => name in model.spec);
+  for (const [name, value] of wanted) page.controls.show(name, value);
+  Object.assign(page.waiting, Object.fromEntries(wanted)); // at once: values of bodies are answered by what is chosen
+  page.changes.flush();
   for (const [key, value] of state.values ?? []) bodies.set(key, value ?? undefined);
-  for (const [name, value] of Object.entries(state.wanted)) if (name in model.spec) page.choose(name, value);
 }
