@@ -26,16 +26,15 @@ SOURCES = [
 
 
 def test_no_file_is_longer_than_400_lines():
-    assert len(SOURCES) > 400
-    lines = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8").count("\n") for path in SOURCES}
-    assert {name: count for name, count in lines.items() if count > 400 and not name.endswith(".css")} == {}
+    lengths = {path.relative_to(ROOT): len(path.read_text().splitlines()) for path in SOURCES}
+    assert {path: lines for path, lines in lengths.items() if lines > 400} == {}
 
 
 def test_no_function_is_longer_than_60_lines():
     functions = [
         (path.relative_to(ROOT), found.name, found.end_lineno - found.lineno + 1)
         for path in SOURCES
-        if path.suffix == ".py" and path.relative_to(ROOT).parts[0] != "tests"
+        if path.suffix == ".py" and "tests" not in path.parts
         for found in ast.walk(ast.parse(path.read_text()))
         if isinstance(found, (ast.FunctionDef, ast.AsyncFunctionDef))
     ]
