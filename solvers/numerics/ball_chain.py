@@ -43,28 +43,32 @@ def follow(
     from scipy.integrate import DOP853
 
     speed = float(velocity.max() - velocity.min())
-    contacts = gaps.size
+    contacts, masses = gaps.size, mass.size
+    slowed, sped_up = 1.0 / mass[:-1], 1.0 / mass[1:]  # of both in a contact, by a unit impulse
     scale = np.concatenate((np.full(mass.size, speed * unit), np.full(contacts, speed * float(mass.min()))))
     start = np.zeros(mass.size + contacts)
 
     def moving(impulse: np.ndarray) -> np.ndarray:
-        return velocity + (np.append(0.0, impulse) - np.append(impulse, 0.0)) / mass
+        found = velocity.copy()
+        found[:-1] -= slowed * impulse
+        found[1:] += sped_up * impulse
+        return found
 
     def pressing(position: np.ndarray) -> np.ndarray:
-        return position[:-1] - position[1:] - gaps
-
-    def forces(indentation: np.ndarray) -> np.ndarray:
-        return np.array([law.force(a, 0.0, 0.0) for law, a in zip(laws, indentation.tolist(), strict=True)])
+        return position[..., :-1] - position[..., 1:] - gaps
 
     def rates(_: float, state: np.ndarray) -> np.ndarray:
-        scaled = state * scale
-        push = forces(pressing(scaled[: mass.size]))
-        return np.concatenate((moving(scaled[mass.size :]), push)) / scale
+        scaled, found = state * scale, np.empty_like(state)
+        depths = pressing(scaled[:masses]).tolist()
+        found[:masses] = moving(scaled[masses:])
+        found[masses:] = [law.force(a, 0.0, 0.0) if a > 0.0 else 0.0 for law, a in zip(laws, depths, strict=True)]
+        found /= scale
+        return found
 
     end = until if until is not None else STRETCH * unit * MAX_STRETCHES
     solver = DOP853(rates, 0.0, start, end, rtol=TOLERANCE, atol=TOLERANCE, first_step=1e-6 * unit, max_step=unit)
     times, states = [np.zeros(1)], [start[None]]
-    periods = _Periods(contacts, lambda state: pressing(state[: mass.size] * scale[: mass.size]))
+    periods = _Periods(contacts, lambda state: pressing(state[..., :masses] * scale[:masses]))
     parted = False
     while solver.status == "running" and not parted:
         begun = float(solver.t)
@@ -74,10 +78,10 @@ def follow(
         times.append(instants)
         states.append(dense(instants).T)
         periods.add(begun, instants, states[-2][-1], states[-1], dense)
-        parted = until is None and _parted(states[-1][-1] * scale, mass.size, pressing, moving, speed)
-    parted = parted or _parted(states[-1][-1] * scale, mass.size, pressing, moving, speed)
+        parted = until is None and _parted(states[-1][-1] * scale, masses, pressing, moving, speed)
+    parted = parted or _parted(states[-1][-1] * scale, masses, pressing, moving, speed)
     time, state = np.concatenate(times), np.concatenate(states) * scale
-    position, impulse = state[:, : mass.size], state[:, mass.size :]
+    position, impulse = state[:, :masses], state[:, masses:]
     indentation = position[:, :-1] - position[:, 1:] - gaps
     force = np.array(
         [[law.force(a, 0.0, 0.0) for law, a in zip(laws, row, strict=True)] for row in indentation.tolist()]
@@ -105,7 +109,7 @@ class _Periods:
     def add(self, before: float, instants: np.ndarray, last: np.ndarray, states: np.ndarray, dense: Callable) -> None:
         from scipy.optimize import brentq
 
-        depths = np.array([self._pressing(state) for state in (last, *states)])
+        depths = self._pressing(np.vstack((last, states)))
         edges = np.append(before, instants)
         for contact, k in zip(*np.nonzero(np.diff(depths > 0.0, axis=0).T), strict=True):
             at = brentq(lambda t, i=contact: float(self._pressing(dense(t))[i]), edges[k], edges[k + 1], xtol=1e-18)
