@@ -113,6 +113,13 @@ class SocketClient:
                         self.last_frame = content["buffers"][-1]
         return found, kinds
 
+    async def changed(self, *names: str) -> None:
+        """Wait until the server has changed all of these attributes."""
+        waited = set(names)
+        while waited:
+            _, content = await self.receive()
+            waited -= {event.get("attr") for event in content.get("events", [])}
+
     async def refusal(self, name: str) -> None:
         """Wait until the value just set is refused, by a sentence about it or as a message that cannot be."""
         while True:

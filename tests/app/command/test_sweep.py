@@ -1,10 +1,6 @@
 """The command `impact sweep`."""
 
 import json
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -12,6 +8,7 @@ from pytest import approx
 
 import solvers
 from tests.app.command.calls import answer, refusal
+from tests.app.command.interrupted import interrupted
 
 ROOT = Path(__file__).parents[3]
 
@@ -110,22 +107,9 @@ def test_a_method_that_cannot_solve_the_scene_says_so(capsys):
 
 @pytest.mark.slow
 def test_an_interrupt_keeps_what_is_solved():
-    words = ["sweep", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
-             "method.steps=100000", "--vary", "impactor.mass=1..2:2000", "--json"]  # fmt: skip
-    ready = (
-        "import signal, sys, solvers; from app.command.main import main; "
-        "signal.signal(signal.SIGINT, signal.default_int_handler); "
-        "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
-        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
-    )  # kernels first: while one is compiled an interrupt may be lost; whoever runs the tests may ignore interrupts
-    process = subprocess.Popen(
-        [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert process.stdout.readline() == "ready\n"
-    time.sleep(5.0)  # minutes of work: it is under way, and all kernels are loaded
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    changes = ("--set", "method.name=modal", "--set", "method.modes=400", "--set", "method.steps=10000")
+    code, out, err = interrupted("sweep", "fixed-rod", *changes, "--vary", "impactor.mass=1..2:2000", "--json")
     rows = json.loads(out)
-    assert process.returncode == 130 and 10 < len(rows) < 2_000
+    assert code == 130 and 10 < len(rows) < 2_000
     assert [row["value"] for row in rows] == sorted(row["value"] for row in rows)
     assert err == f"impact: stopped after {len(rows)} of at most 2000 values\n"

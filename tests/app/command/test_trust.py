@@ -1,32 +1,11 @@
 """The command `impact ensemble`: promised keys, a line for every figure, and one line for everything it refuses."""
 
 import json
-import signal
-import subprocess
-import sys
-import time
-from pathlib import Path
 
 import pytest
 
-from app.command.main import main
-
-ROOT = Path(__file__).parents[3]
-
-
-def answer(capsys, *arguments: str) -> str:
-    code = main(list(arguments))
-    out, err = capsys.readouterr()
-    assert (code, err) == (0, "")
-    return out
-
-
-def refusal(capsys, *arguments: str) -> str:
-    code = main(list(arguments))
-    out, err = capsys.readouterr()
-    assert (code, out) == (2, "")
-    assert err.startswith("impact: ") and err.count("\n") == 1
-    return err
+from tests.app.command.calls import answer, refusal
+from tests.app.command.interrupted import interrupted
 
 
 def test_an_ensemble_has_the_promised_keys(capsys):
@@ -76,24 +55,11 @@ def test_bodies_in_space_are_refused(capsys):
 
 @pytest.mark.slow
 def test_an_interrupt_keeps_the_runs_that_are_done():
-    words = ["ensemble", "fixed-rod", "--set", "method.name=modal", "--set", "method.modes=400", "--set",
-             "method.steps=100000", "--runs", "2000", "--json"]  # fmt: skip
-    ready = (
-        "import signal, sys, solvers; from app.command.main import main; "
-        "signal.signal(signal.SIGINT, signal.default_int_handler); "
-        "solvers.solve(solvers.load('fixed-rod'), 'modal', modes=400, steps=1000); "
-        "print('ready', flush=True); sys.exit(main(sys.argv[1:]))"
-    )  # kernels first: while one is compiled an interrupt may be lost; whoever runs the tests may ignore interrupts
-    process = subprocess.Popen(
-        [sys.executable, "-c", ready, *words], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert process.stdout.readline() == "ready\n"
-    time.sleep(6.0)  # minutes of work: on a busy machine, too, it is under way
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=60)
+    changes = ("--set", "method.name=modal", "--set", "method.modes=400", "--set", "method.steps=10000")
+    code, out, err = interrupted("ensemble", "fixed-rod", *changes, "--runs", "2000", "--json")
     found = json.loads(out)
     runs = len(found["perturbations"])
-    assert process.returncode == 130 and 10 <= runs < 2_000 and err == ""
+    assert code == 130 and 10 <= runs < 2_000 and err == ""
     assert f"Stopped after {runs} of 2000 runs." in found["notes"]
     assert min(found["perturbations"]) < 0.0 < max(found["perturbations"])  # not only one end of the changes
 

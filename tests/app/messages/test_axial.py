@@ -1,7 +1,6 @@
 """The message to the browser: small, exact to float32, jumps kept."""
 
 import json
-import math
 
 import numpy as np
 import pytest
@@ -9,29 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solvers
-from app.choices.choices import SCENES, Choices
+from app.choices.choices import Choices
 from app.choices.scene_of import choices_of, chosen_scene
-from app.command.export import report
 from app.messages.axial import rigid_prediction
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
 from solvers import SceneError
 from solvers.methods.validity import TWICE
 
-
-def arrays(message: bytes) -> dict[str, np.ndarray]:
-    header = read_header(message)
-    offset, found = 4 + int.from_bytes(message[:4], "little"), {}
-    for name, shape, *unit in header["arrays"]:
-        size = math.prod(shape)
-        if unit:
-            found[name] = unit[0] * np.frombuffer(message, "<i2", size, offset).reshape(shape)
-            offset += 2 * (size + size % 2)
-        else:
-            found[name] = np.frombuffer(message, "<f4", size, offset).reshape(shape)
-            offset += 4 * size
-    assert offset == len(message)
-    return found
+from .own import arrays
 
 
 def test_histories_match_the_solution_and_keep_the_jump():
@@ -132,21 +117,6 @@ def test_a_row_of_balls_is_drawn_as_it_moves():
     steps = header["duration"] / (len(row) - 1)
     assert (row[-1] - row[-2]) / steps == pytest.approx(known.ball_velocities, abs=1e-4)
     assert np.all(np.diff(row[-1]) > 0.0)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", SCENES)
-def test_every_scene_is_drawn_and_reported_as_it_says(name):
-    scene = solvers.load(name)
-    solution = solvers.solve(scene)
-    assert scene.note[:40] in report(solution)
-    frame = read_header(solve_frame(Choices(scene=name, **choices_of(name)).chosen()))
-    assert frame["note"] == scene.note
-    if frame["kind"] == "axial" and solution.impactor_velocity is not None:
-        columns = [column for column in (frame["exact"], frame["other"]) if column]
-        shown = next((c for c in columns if c["name"] == solution.method["name"]), columns[0])
-        # the page gives modes a step of its own
-        assert shown["final"] == pytest.approx(solution.impactor_velocity / scene.speed, abs=1e-4)
 
 
 def test_what_rod_theory_leaves_out_is_said_of_the_exact_solution_alone():

@@ -20,7 +20,7 @@ from app.views.trust import convergence_data, trust_data
 from solvers import METHODS, SceneError
 from tests.catalog import SCENES
 
-from .test_axial import arrays
+from .own import arrays, own_message
 
 BEAMS = [name for name, scene in SCENES.items() if scene.target.kind == "beam"]
 PLASTIC = "figure-8.15"
@@ -32,13 +32,9 @@ def choices(name: str, **changed) -> dict:
 
 @pytest.mark.parametrize("name", BEAMS)
 def test_every_beam_is_drawn_as_the_library_solves_it(name):
-    chosen = choices(name)
-    message = solve_frame(chosen)
-    assert len(message) <= 100_000
+    message = own_message(name)
     header, found = read_header(message), arrays(message)
-    json.dumps(header, allow_nan=False)
-    assert all(np.isfinite(values).all() for values in found.values())
-    request = Request.of(chosen)
+    request = Request.of(choices(name))
     scene = request.scene
     assert scene == solvers.load(name) or scene.target == solvers.load(name).target
     solution = chosen_method(request)[0].solve(scene, scene.method.get("duration"))
@@ -93,7 +89,7 @@ def test_the_dispersion_curve_passes_through_the_kept_modes():
     method=st.sampled_from(Choices.param.method.objects),
     mass_ratio=st.floats(-3, 3).map(lambda x: min(max(10.0**x, 1e-3), 1e3)),
     speed=st.floats(-2, 2).map(lambda x: min(max(10.0**x, 1e-2), 1e2)),
-    modes=st.integers(1, 60),  # of 200, at a large mass ratio, some are solved for a minute, which the page gives up
+    modes=st.integers(1, 25),  # of 200 some are solved for a minute, which the page gives up
     elements=st.integers(1, 60),
 )
 def test_whatever_is_chosen_of_a_beam_is_answered_or_refused_with_a_sentence(**chosen):

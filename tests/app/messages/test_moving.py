@@ -12,7 +12,8 @@ from app.messages.beam import main_solution, method_at_impact
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
 from solvers.bodies import Mechanism
-from tests.app.messages.test_axial import arrays
+
+from .own import arrays
 
 LARGEST = 100_000  # bytes of a message
 

@@ -10,7 +10,8 @@ from app.messages.encoding import read_header
 from app.messages.pendulum import pendulum_told, striker_arrays, waves_of_force
 from app.messages.solve import solve_frame
 from solvers.accuracy.reference import exact_solution
-from tests.app.messages.test_axial import arrays
+
+from .own import arrays, own_message
 
 SCENES = ["rigid-pendulum", "figure-9.2", *(f"figure-9.{k}" for k in (10, 11, 14))]
 SCENES += [f"figure-10.{k}" for k in range(8, 13)]
@@ -24,7 +25,7 @@ def bent():
 
 @pytest.mark.parametrize("name", SCENES)
 def test_every_pendulum_is_shown(name):
-    header = read_header(solve_frame(own_choices(name)))
+    header = read_header(own_message(name))
     told = header["impactor"]
     assert told["kind"] == "pendulum"
     assert told["mass"] == approx(0.0041 / 0.19**2)

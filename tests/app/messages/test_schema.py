@@ -1,4 +1,4 @@
-"""What messages hold, said in Python, packed for every scene, and written as types of the browser code."""
+"""What messages hold, said in Python and written as types of the browser code; what is not as said is not packed."""
 
 import re
 from pathlib import Path
@@ -7,17 +7,14 @@ import numpy as np
 import pytest
 
 import app
-from app.choices.choices import SCENES, Choices
-from app.choices.scene_of import choices_of
-from app.messages.encoding import packed, read_header
+from app.messages.encoding import packed
 from app.messages.schema import MESSAGES, RECORDS, check
-from app.messages.solve import solve_frame
-from tests.app.messages.test_axial import arrays
+
+from .own import arrays
 
 STATIC = Path(app.__file__).parent / "static"
 TYPES = "".join((STATIC / folder / "message.js").read_text() for folder in ("shell", "beam"))
 OF_THE_BROWSER = {"record", "shapes"}  # which no message holds
-LARGEST = 100_000  # bytes of a message
 FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "bodies": "SpaceFrame"}
 
 
@@ -56,19 +53,6 @@ def test_a_message_has_the_same_fields_in_python_and_in_the_browser(kind):
 @pytest.mark.parametrize("name", RECORDS)
 def test_a_record_has_the_same_fields_in_python_and_in_the_browser(name):
     assert KNOWN[name] == {key: (field.form, field.optional) for key, field in RECORDS[name].items()}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", SCENES)
-def test_every_scene_by_every_method_is_packed_as_said(name):
-    own = Choices(scene=name, **choices_of(name)).chosen()
-    refusals = read_header(solve_frame(own))["refusals"]
-    for method in (method for method, reason in refusals.items() if reason is None):
-        message = solve_frame(own | {"method": method})
-        assert len(message) <= LARGEST
-        header = read_header(message)
-        shapes = {key: values.shape for key, values in arrays(message).items()}
-        check({key: value for key, value in header.items() if key != "arrays"}, shapes)
 
 
 MESSAGE = {key: None for key, field in MESSAGES["bodies"].items() if not field.is_array} | {"kind": "bodies"}

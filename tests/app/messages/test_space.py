@@ -15,8 +15,9 @@ from app.messages.encoding import read_header
 from app.messages.space import bodies_frame
 from app.text.catalogues import script
 from solvers import SceneError
-from tests.app.messages.test_axial import arrays
 from tests.catalog import SCENES
+
+from .own import arrays
 
 NAMES = [name for name, scene in SCENES.items() if scene.normal is not None]
 STATIC = Path(app.__file__).parent / "static"

@@ -98,7 +98,7 @@ def test_no_model_and_no_property_of_the_document_can_be_set_but_the_choices(ser
 
     async def attack():
         client = await SocketClient(server).open("?panel=energy,ratios")
-        await client.changes(4.0)
+        await client.changed("energy", "ratios")
         await client.send("PULL-DOC-REQ", {})
         while "doc" not in (await client.receive())[1]:
             pass

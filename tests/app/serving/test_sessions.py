@@ -42,7 +42,7 @@ def test_fifteen_visits_leave_no_document_behind():
         await asyncio.gather(*(client.set("mass_ratio", 2.0) for client in clients))
         await asyncio.gather(*(client.answer() for client in clients))
         await asyncio.gather(*(client.set("energy_shown", True) for client in clients))
-        await asyncio.gather(*(client.changes(3.0) for client in clients))
+        await asyncio.gather(*(client.changed("energy") for client in clients))
         alive = documents()
         for client in clients:
             client.close()
