@@ -186,6 +186,11 @@ class Page:
             if self.frames == before:
                 return before
 
+    def resize(self, width: int, height: int) -> None:
+        """Change the size of the window, and wait until all is laid out in it."""
+        self.tab.set_viewport_size({"width": width, "height": height})
+        self.laid_out()
+
     def fits(self, width: int) -> None:
         """Wait until nothing sticks out sideways."""
         self.wait("width => document.documentElement.scrollWidth <= width", width)
