@@ -65,10 +65,12 @@ test('of rods that are drawn rigid no waves are told', () => {
 
 test('charts of force are promised where there are any', () => {
   /** @type {any} */
-  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, rods: [], exact: { name: 'rigid' } };
+  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, target: {}, rods: [], exact: { name: 'rigid' } };
   assert.doesNotMatch(seenIn(pendulum), /force/);
   assert.match(seenIn({ ...pendulum, exact: { name: 'compliant' } }), /force/);
   assert.match(seenIn({ ...pendulum, rods: [{}] }), /waves/);
+  const across = { ...pendulum, impactor: { kind: 'mass' }, target: { rotation: {} }, exact: { name: 'converged' } };
+  assert.match(seenIn(across), /turns about an axis/);
 });
 
 test('where the force jumps, it is said over how long modes spread the jump', () => {

@@ -95,7 +95,7 @@ export class Stage {
    */
   #sizes(width, height) {
     const { impactor, target } = this.frame;
-    const most = Math.min(0.16 * width, 0.62 * height);
+    const most = Math.min(0.16 * width, (target.row ? 0.54 : 0.62) * height); // below the words, where it is near them
     if (target.row) {
       const radii = [impactor.radius ?? target.row[0], ...target.row];
       const sum = radii.reduce((a, b) => a + b);

@@ -26,6 +26,7 @@ export function seenIn(frame) {
   if (frame.kind !== 'axial') return SEEN[frame.kind];
   const shown = frame.rods.length ? 'waves' : frame.exact.name === 'rigid' ? 'impulse' : 'force';
   if (frame.impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
+  if (!frame.rods.length && frame.target.rotation) return SEEN.turning;
   if (!frame.rods.length) return text('first.seen.compact', { shown });
   return frame.rods.length > 1 ? SEEN.rods : SEEN.rod;
 }
