@@ -8,7 +8,7 @@ equation with cosh only loses every Timoshenko mode above the cut-off; the count
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -82,16 +82,22 @@ def overhanging_modes(line: BeamLine, pin: float, place: float, count: int) -> M
 
     A rider too heavy to be moved is a pin. The static fields are not given.
     """
-    at = pin / line.length
-    bare, _ = _normalised(natural_field(line, "pinned-free", count + 8), 0.0)
-    field, means = _normalised(riding_field(line, "pinned-free", at, count, np.inf, bare), 0.0)
-    found = _in_si_units(line, "pinned-free", place, replace(field, place=at), means, 0.0)
+    field, means = _overhanging(line, pin / line.length, count)
+    found = _in_si_units(line, "pinned-free", place, field, means, 0.0)
     whole = overhang_compliance(line, pin, place)
     left_out = max(whole - float(np.sum((found.at_contact / found.frequencies) ** 2)), 0.0)
     nothing: dict = {"static_shapes": None, "static_moments": None, "static_shears": None}
     return replace(
         found, rigid_mass=np.inf, residual_compliance=left_out, rigid_shape=as_a_whole, rigid_mean=1.0, **nothing
     )
+
+
+@lru_cache(maxsize=64)  # of a link whose mechanism is struck elsewhere, or has another mass
+def _overhanging(line: BeamLine, pin: float, count: int) -> tuple[BendingField, np.ndarray]:
+    """Those motions, and their means over the beam."""
+    bare, _ = _normalised(natural_field(line, "pinned-free", count + 8), 0.0)
+    field, means = _normalised(riding_field(line, "pinned-free", pin, count, np.inf, bare), 0.0)
+    return replace(field, place=pin), means
 
 
 def _normalised(field: BendingField, at_end: float, rider: float = 0.0) -> tuple[BendingField, np.ndarray]:
