@@ -6,6 +6,7 @@ from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 from .. import validation
+from .halving import root_between
 
 LEAST_RESTITUTION = 0.01  # delivered: below it the bodies creep apart over hundreds of contact times
 
@@ -47,11 +48,9 @@ def delivered_restitution(damping: float) -> float:
     """
     if damping < 1e-4:  # the equation cancels here; this series leaves out d^3
         return 1.0 - 2.0 * damping / 3.0 + 4.0 * damping**2 / 9.0
-    from scipy.optimize import brentq  # here, so that importing the library stays quick
-
     # in w = -ln(1 - d e), as d e comes closer to 1 than a double can resolve
     least = damping - math.log1p(damping)
-    w = brentq(lambda w: least - math.expm1(-w) - w, 0.0, least + 1.0, xtol=1e-15)
+    w = root_between(lambda w: least - math.expm1(-w) - w, 0.0, least + 1.0)
     return -math.expm1(-w) / damping
 
 
@@ -60,14 +59,13 @@ def damping_for(restitution: float) -> float:
     """The damping number d = damping * approach speed with which Hunt-Crossley delivers this restitution."""
     if restitution > 1.0 - 1e-4:
         return 1.5 * (1.0 - restitution)
-    from scipy.optimize import brentq
 
     def mismatch(w: float) -> float:
         damping = -math.expm1(-w) / restitution
         return damping * (1.0 + restitution) - math.log1p(damping) - w
 
     least = 0.75 * (1.0 - restitution) * restitution  # half of d e for light damping; w = 0 is a root too
-    w = brentq(mismatch, least, 2.0 + 2.0 / restitution, xtol=1e-15)
+    w = root_between(mismatch, least, 2.0 + 2.0 / restitution)
     return -math.expm1(-w) / restitution
 
 
@@ -103,9 +101,7 @@ def _pulled_free(zeta: float) -> float:
 
 @lru_cache(maxsize=1000)
 def _zeta_for(restitution: float) -> float:
-    from scipy.optimize import brentq
-
-    return brentq(lambda zeta: _pulled_free(zeta) - restitution, 0.0, 10.0, xtol=1e-15, rtol=1e-14)
+    return root_between(lambda zeta: _pulled_free(zeta) - restitution, 0.0, 10.0)
 
 
 def _full_swing(zeta: float) -> float:

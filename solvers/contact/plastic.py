@@ -16,6 +16,7 @@ from ..jit.kernels import kernel
 from ..text.notes import Note, Severity
 from .constants import LENGTH_RANGE, YIELD_VARIED, approach_speed, hertz_stiffness, point_limits, yield_indentation
 from .discrete_gradient import hertz_mean, power_mean, step_force
+from .halving import root_between
 from .plastic_steps import plastic_step
 
 FULL_OVER_FIRST_YIELD = 3200.0 / (1.6 * math.pi) ** 2  # alpha_fp / alpha_Y, (7.26)
@@ -224,9 +225,7 @@ class PlasticLinear(NamedTuple):
 @lru_cache(maxsize=1000)
 def hardening_exponent(ratio: float) -> float:
     """n of (7.34) from alpha_fp / alpha_Y alone: Yigit's tangent at first yield, Johnson's secant up to full flow."""
-    from scipy.optimize import brentq
-
-    return brentq(lambda n: 1.5 * (ratio**n - 1.0) / (n * (ratio - 1.0)) - JOHNSON, 1.0, 1.5, xtol=1e-15)
+    return root_between(lambda n: 1.5 * (ratio**n - 1.0) / (n * (ratio - 1.0)) - JOHNSON, 1.0, 1.5)
 
 
 @kernel

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..contact.halving import root_between
 from ..methods import Modal
 from ..methods.base import SceneNotSupported
 from ..scene import Scene
@@ -67,10 +68,8 @@ def half_periods(scene: Scene) -> tuple[float | None, float | None]:
         square = part * squares[0]
         return float(np.sum(softness / (squares - square))) + modes.residual_compliance - mobility / square
 
-    from scipy.optimize import brentq  # here, as it costs a fifth of the time allowed for importing the library
-
     tiny = 1e-13
-    part = brentq(balance, tiny, 1.0 - tiny, xtol=1e-16) if balance(tiny) < 0.0 < balance(1.0 - tiny) else math.nan
+    part = root_between(balance, tiny, 1.0 - tiny) if balance(tiny) < 0.0 < balance(1.0 - tiny) else math.nan
     lowest = math.pi / float(modes.frequencies[0])
     return (lowest / math.sqrt(part) if part > 0.0 else None), lowest
 
