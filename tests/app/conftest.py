@@ -14,6 +14,7 @@ from playwright.sync_api import expect, sync_playwright
 
 MEDIA = ("reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
 PATIENCE = 60_000  # ms, for a machine that does much else beside
+POLLING = 30  # ms between two looks; at every frame, they would keep the browser drawing
 expect.set_options(timeout=PATIENCE)
 
 QUIET = [
@@ -160,7 +161,7 @@ class Page:
         socket.on("framesent", sent)
 
     def wait(self, condition: str, argument=None, timeout: int = PATIENCE):
-        return self.tab.wait_for_function(condition, arg=argument, timeout=timeout)
+        return self.tab.wait_for_function(condition, arg=argument, timeout=timeout, polling=POLLING)
 
     def laid_out(self) -> None:
         """Wait until there is a scene, its styles are loaded, and what has a size is drawn."""
