@@ -41,6 +41,8 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
     """Those of a method's options that the page sets."""
     scene = request.scene
     own = own_options(scene, name)
+    if scene.rigid_contact:
+        own.pop("residual", None)  # without the modes left out nothing gives way
     if name == "modal":
         options = own | {"modes": request.modes}
         if exact is not None and isinstance(scene.target, Rod) and "steps" not in own:

@@ -107,6 +107,13 @@ def test_whatever_is_chosen_of_a_beam_is_answered_or_refused_with_a_sentence(**c
     assert header["reference"] is None or header["reference"]["diagnostics"]["energy_error"] < 1e-9
 
 
+def test_modes_left_out_give_way_where_the_contact_is_made_rigid():
+    """Also in scenes that neglect them: modes were listed as able and refused all the same."""
+    header = read_header(solve_frame(choices("figure-8.11", law="rigid", method="modal")))
+    assert header["refused"] is header["refusals"]["modal"] is None
+    assert header["main"]["name"] == "modal"
+
+
 def test_a_choice_changes_the_beam_and_nothing_else():
     base = solvers.load(PLASTIC)
     for name, value, read in (
