@@ -48,8 +48,9 @@ class Server:
         self.process.wait(20)
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def own_server():
+    """Running again whenever a test ends."""
     server = Server()
     server.start()
     yield server
