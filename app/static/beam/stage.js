@@ -1,5 +1,5 @@
 // The stage of a struck beam: the beam bending, and under it the engineer's diagrams of shear force and moment.
-import { cleared, letters } from '../charts/canvas.js';
+import { cleared, letters, scale as larger } from '../charts/canvas.js';
 import { between, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
@@ -332,8 +332,8 @@ export class BeamStage {
    */
   #colours(c) {
     const { frame, narrow, what, width } = this;
-    const bar = narrow ? 90 : 130;
-    const beside = narrow ? 165 : 0.3 * width; // what is written at the left
+    const bar = (narrow ? 90 : 130) * larger;
+    const beside = narrow ? 165 * larger : 0.3 * width; // what is written at the left
     const x = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
     const y = 22;
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;

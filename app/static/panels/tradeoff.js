@@ -4,7 +4,7 @@ import { METHODS, OTHER } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { described, family, said, text } from '../text/catalogue.js';
 import { figures, share } from '../text/format.js';
-import { naming } from '../text/words.js';
+import { shortly } from '../text/words.js';
 import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
 
 /** @import { Page } from '../page.js' */
@@ -261,7 +261,7 @@ class TradeOff extends Panel {
       edge: points.map((p, k) => (here[k] ? PICKED : p.best_for.includes(quantity) ? '#1c2733' : '#fff')),
       width: here.map((each) => (each ? 2.5 : 1)),
       label: points.map((p) => described(p.label)),
-      method: points.map((p) => naming(p.method.name)),
+      method: points.map((p) => shortly(p.method.name)), // in the legend, which has little room
       solve: points.map((p) => ms(p.wall_time)),
       error: points.map((p) => signed(p.errors[quantity])),
       contacts: points.map(contactsOf),

@@ -1,6 +1,7 @@
 // Where everything is on the page. A wide window has a dock at either side of the centre; a narrower one has the second
 // dock as a sheet at its lower end; a phone has all but the stage in tabs. Stage and clock never leave, and what opens
 // takes the place of the charts.
+import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { gripOf } from './grip.js';
@@ -38,6 +39,8 @@ export class Layout {
     this.strip = make('div', { className: 'strip' });
     this.pinned = make('div', { className: 'pinned' }, ...pinned, this.strip);
     this.charts = make('div', { className: 'charts' }, ...charts);
+    const none = make('p', { className: 'help none', textContent: text('layout.no-charts') });
+    this.tabs.panel('charts').append(none);
     this.wide = make('div', { className: 'wide', hidden: true });
     this.left = make('section', { className: 'dock left', ariaLabel: text('layout.left') });
     this.centre = make('main', { className: 'centre', tabIndex: -1 }, this.pinned);
@@ -93,9 +96,10 @@ export class Layout {
   #measure() {
     const { root, sizes } = this;
     const room = window.innerWidth - CENTRE;
-    const left = Math.min(sizes.left ?? 256, room / 2);
-    const right = Math.min(sizes.right ?? (LARGE.matches ? 560 : 380), room - left);
-    root.style.setProperty('--left', `${this.folded('left') ? 0 : this.mode === 'tablet' ? 240 : left}px`);
+    const left = Math.min(sizes.left ?? 256 * scale, room / 2);
+    const right = Math.min(sizes.right ?? (LARGE.matches ? 560 : 380) * scale, room - left);
+    const wide = this.mode === 'tablet' ? Math.min(240 * scale, room) : left;
+    root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
     root.style.setProperty('--sheet', `${100 * this.sheet}dvh`);
     this.left.hidden = this.mode === 'phone' || this.folded('left');

@@ -1,13 +1,16 @@
 // Charts one below the other on one axis of time, all in view: each can be folded to its head, and where there is no
 // room for all, the last are.
+import { scale } from '../charts/canvas.js';
 import { text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Chart } from '../charts/chart.js' */
 
-const LEAST = 148; // pixels that an open chart needs, its head included
-const HEAD = 30; // of a folded one
+const LEAST = 148 * scale; // pixels that an open chart needs, its head included
+const LEAST_NARROW = 190 * scale; // where its head takes more lines
+const NARROW = 480; // pixels of width
+const HEAD = 30 * scale; // of a folded one
 
 export class Stack {
   /** @type {Record<string, boolean>} */ folded; // what a hand has folded or opened, by name
@@ -36,6 +39,10 @@ export class Stack {
   gather() {
     this.root.append(...this.charts.map(([, chart]) => chart.root));
   }
+  /** Pixels that an open chart needs here. */
+  get least() {
+    return this.root.clientWidth < NARROW ? LEAST_NARROW : LEAST;
+  }
   /** Which of them this scene has, in this place. */
   get here() {
     return this.charts.map(([, chart]) => chart.root.parentElement === this.root && !chart.root.hidden);
@@ -45,13 +52,13 @@ export class Stack {
    * @returns {boolean[]}
    */
   get open() {
-    const { here } = this;
+    const { here, least } = this;
     let room = this.root.clientHeight - HEAD * here.filter(Boolean).length;
     return this.charts.map(([key], k) => {
       if (!here[k]) return true;
-      const fits = room >= LEAST - HEAD;
+      const fits = room >= least - HEAD;
       const open = this.folded[key] === undefined ? fits : !this.folded[key];
-      if (open) room -= LEAST - HEAD;
+      if (open) room -= least - HEAD;
       return open;
     });
   }
@@ -73,9 +80,9 @@ export class Stack {
     const opening = !this.open[k];
     this.folded[key] = !opening;
     // where there is no room for another, the last of the others that are open gives its own
-    const { here } = this;
+    const { here, least } = this;
     const open = this.open.map((each, i) => each && here[i]);
-    const room = Math.floor((this.root.clientHeight - HEAD * here.filter(Boolean).length) / (LEAST - HEAD));
+    const room = Math.floor((this.root.clientHeight - HEAD * here.filter(Boolean).length) / (least - HEAD));
     const last = open.findLastIndex((each, i) => each && i !== k);
     if (opening && open.filter(Boolean).length > Math.max(room, 1) && last >= 0)
       this.folded[this.charts[last][0]] = true;
