@@ -42,33 +42,23 @@ def follow(
     """
     from scipy.integrate import DOP853
 
+    row = _Row(velocity, gaps, 1.0 / mass[:-1], 1.0 / mass[1:], laws)
     speed = float(velocity.max() - velocity.min())
     contacts, masses = gaps.size, mass.size
-    slowed, sped_up = 1.0 / mass[:-1], 1.0 / mass[1:]  # of both in a contact, by a unit impulse
     scale = np.concatenate((np.full(mass.size, speed * unit), np.full(contacts, speed * float(mass.min()))))
     start = np.zeros(mass.size + contacts)
 
-    def moving(impulse: np.ndarray) -> np.ndarray:
-        found = velocity.copy()
-        found[:-1] -= slowed * impulse
-        found[1:] += sped_up * impulse
-        return found
-
-    def pressing(position: np.ndarray) -> np.ndarray:
-        return position[..., :-1] - position[..., 1:] - gaps
-
     def rates(_: float, state: np.ndarray) -> np.ndarray:
         scaled, found = state * scale, np.empty_like(state)
-        depths = pressing(scaled[:masses]).tolist()
-        found[:masses] = moving(scaled[masses:])
-        found[masses:] = [law.force(a, 0.0, 0.0) if a > 0.0 else 0.0 for law, a in zip(laws, depths, strict=True)]
+        found[:masses] = row.speeds(scaled[masses:])
+        found[masses:] = row.forces(row.indentation(scaled[:masses]).tolist())
         found /= scale
         return found
 
     end = until if until is not None else STRETCH * unit * MAX_STRETCHES
     solver = DOP853(rates, 0.0, start, end, rtol=TOLERANCE, atol=TOLERANCE, first_step=1e-6 * unit, max_step=unit)
     times, states = [np.zeros(1)], [start[None]]
-    periods = _Periods(contacts, lambda state: pressing(state[..., :masses] * scale[:masses]))
+    periods = _Periods(contacts, lambda state: row.indentation(state[..., :masses] * scale[:masses]))
     parted = False
     while solver.status == "running" and not parted:
         begun = float(solver.t)
@@ -78,24 +68,44 @@ def follow(
         times.append(instants)
         states.append(dense(instants).T)
         periods.add(begun, instants, states[-2][-1], states[-1], dense)
-        parted = until is None and _parted(states[-1][-1] * scale, masses, pressing, moving, speed)
-    parted = parted or _parted(states[-1][-1] * scale, masses, pressing, moving, speed)
+        parted = until is None and row.parted(states[-1][-1] * scale, speed)
+    parted = parted or row.parted(states[-1][-1] * scale, speed)
     time, state = np.concatenate(times), np.concatenate(states) * scale
     position, impulse = state[:, :masses], state[:, masses:]
-    indentation = position[:, :-1] - position[:, 1:] - gaps
-    force = np.array(
-        [[law.force(a, 0.0, 0.0) for law, a in zip(laws, row, strict=True)] for row in indentation.tolist()]
-    )
+    indentation = row.indentation(position)
+    force = np.array([row.forces(depths) for depths in indentation.tolist()])
     before = np.zeros((time.size, 1))
     speeds = velocity + (np.hstack((before, impulse)) - np.hstack((impulse, before))) / mass
     steps = (time.size - 1) // SAMPLES
     return Course(time, position, speeds, indentation, force, impulse, steps, parted, periods.closed(float(time[-1])))
 
 
-def _parted(state: np.ndarray, masses: int, pressing: Callable, moving: Callable, speed: float) -> bool:
-    """Whether nothing touches and no neighbours come closer."""
-    closing = -np.diff(moving(state[masses:]))
-    return bool(np.all(pressing(state[:masses]) <= 0.0) and np.all(closing <= PARTED * speed))
+class _Row(NamedTuple):
+    """The masses at the start, and what follows from their positions and impulses."""
+
+    velocity: np.ndarray
+    gaps: np.ndarray
+    slowed: np.ndarray  # of each contact: the left mass, by a unit impulse
+    sped_up: np.ndarray  # the right one
+    laws: Sequence[Any]
+
+    def speeds(self, impulse: np.ndarray) -> np.ndarray:
+        found = self.velocity.copy()
+        found[:-1] -= self.slowed * impulse
+        found[1:] += self.sped_up * impulse
+        return found
+
+    def indentation(self, position: np.ndarray) -> np.ndarray:
+        return position[..., :-1] - position[..., 1:] - self.gaps
+
+    def forces(self, depths: list[float]) -> list[float]:
+        return [law.force(a, 0.0, 0.0) if a > 0.0 else 0.0 for law, a in zip(self.laws, depths, strict=True)]
+
+    def parted(self, state: np.ndarray, speed: float) -> bool:
+        """Whether nothing touches and no neighbours come closer."""
+        masses = self.velocity.size
+        closing = -np.diff(self.speeds(state[masses:]))
+        return bool(np.all(self.indentation(state[:masses]) <= 0.0) and np.all(closing <= PARTED * speed))
 
 
 class _Periods:
