@@ -5,8 +5,9 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from numba.core import codegen, event
+from numba.core import codegen, event, targetconfig
 from numba.core.environment import lookup_environment
+from numba.core.types import functions
 
 
 class NotCompiled(Exception):
@@ -100,3 +101,35 @@ def _set_environment(self, name, environment, of_numba=codegen.JITCPUCodegen.set
 
 codegen.JITCPUCodegen._library_class = _Library
 codegen.JITCPUCodegen.set_env = _set_environment
+
+
+def _same_flags(self, other, of_numba=targetconfig.TargetConfig.__eq__):
+    """Flags of compilation that were set alike are alike: Numba reads all of them, with their defaults, each time."""
+    return (type(self) is type(other) and self._values == other._values) or of_numba(self, other)
+
+
+def _hash_of_flags(self):
+    """Flags differ between few functions, and are a part of keys that differ in more."""
+    return hash(type(self))
+
+
+targetconfig.TargetConfig.__eq__ = _same_flags
+targetconfig.TargetConfig.__hash__ = _hash_of_flags
+
+
+def _call_type(self, context, arguments, keywords, of_numba=functions.BaseFunction.get_call_type):
+    """The types of a call of one of Numba's own functions, such as of a product of two numbers.
+
+    Numba tries all that it has for products at each of them, until one fits; here, once for each pair of types.
+    """
+    known = self.__dict__.setdefault("_known_calls", {})
+    key = context, tuple(arguments), tuple(keywords.items()), targetconfig.ConfigStack.top_or_none()
+    if key not in known:
+        found = of_numba(self, context, arguments, keywords)
+        if found is None:
+            return None
+        known[key] = found
+    return known[key]
+
+
+functions.BaseFunction.get_call_type = _call_type
