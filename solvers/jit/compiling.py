@@ -117,15 +117,15 @@ targetconfig.TargetConfig.__eq__ = _same_flags
 targetconfig.TargetConfig.__hash__ = _hash_of_flags
 
 
-def _call_type(self, context, arguments, keywords, of_numba=functions.BaseFunction.get_call_type):
+def _call_type(self, context, args, kws, of_numba=functions.BaseFunction.get_call_type):
     """The types of a call of one of Numba's own functions, such as of a product of two numbers.
 
     Numba tries all that it has for products at each of them, until one fits; here, once for each pair of types.
     """
     known = self.__dict__.setdefault("_known_calls", {})
-    key = context, tuple(arguments), tuple(keywords.items()), targetconfig.ConfigStack.top_or_none()
+    key = context, tuple(args), tuple(kws.items()), targetconfig.ConfigStack.top_or_none()
     if key not in known:
-        found = of_numba(self, context, arguments, keywords)
+        found = of_numba(self, context, args, kws)
         if found is None:
             return None
         known[key] = found
