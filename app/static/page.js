@@ -344,7 +344,9 @@ export class Page {
     const { caption } = this.told.events;
     if (this.caption.textContent === caption) return;
     this.caption.textContent = caption;
-    this.caption.classList.toggle('long', caption.length > LONG_CAPTION);
+    this.caption.classList.remove('long');
+    const { classList, scrollHeight, clientHeight } = this.caption;
+    classList.toggle('long', caption.length > LONG_CAPTION || scrollHeight > clientHeight + 1);
   }
   /** @returns {Event[]} at the instants at which what they have changed is seen */
   events() {

@@ -249,18 +249,17 @@ export class Stage {
    */
   #measure(c, width, height) {
     const { factor, frame } = this;
+    c.textBaseline = 'alphabetic';
+    const end = frame.rods.length ? this.scaleBar(c, width, height) : width;
     c.fillStyle = c.strokeStyle = COLORS.faint;
     c.font = letters(12);
-    c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     if (factor) {
       const times = factor >= 1 ? grouped(factor) : localised(factor.toPrecision(1));
-      c.fillText(text('stage.movement', { times }), 12, height - 10);
+      const words = text('stage.movement', { times });
+      c.fillText(words, 12, height - (12 + c.measureText(words).width < end ? 10 : 26));
     }
-    if (frame.rods.length) {
-      this.scaleBar(c, width, height);
-      return;
-    }
+    if (frame.rods.length) return;
     const perMetre = this.scale / (frame.speed * frame.trip);
     const long = roundBelow(90 / perMetre);
     const [times, unit] = scaled(long, 'm');
@@ -392,9 +391,10 @@ export class Stage {
     c.font = letters(11);
     c.textAlign = 'left';
     const { what } = this;
-    const most = `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}`;
     c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
     c.textAlign = 'right';
-    c.fillText(text('axial.stage.most', { what, value: most }), x + bar, y + 18);
+    const words = text('axial.stage.most', { what, value: `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}` });
+    c.fillText(words, x + bar, y + 18);
+    return x + bar - c.measureText(words).width;
   }
 }

@@ -109,7 +109,7 @@ export class BeamStage {
     const sheet = cleared(canvas, root);
     if (!sheet) return;
     const { c, width, height } = sheet;
-    const narrow = width < 560;
+    const narrow = width < 560 * larger;
     this.width = width;
     this.narrow = narrow;
     this.low = height < LEAST_FOR_DIAGRAMS[Number(narrow)];
@@ -322,18 +322,21 @@ export class BeamStage {
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     const times = figures((this.scale * frame.beam.length) / this.long, 2);
-    c.fillText(this.mechanism?.scaleWords ?? text('stage.movement', { times }), 12, 18);
+    const words = this.mechanism?.scaleWords ?? text('stage.movement', { times });
+    c.fillText(words, 12, 18);
+    const end = 12 + c.measureText(words).width;
     if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
-    if (this.mechanism?.bends ?? true) this.#colours(c);
+    if (this.mechanism?.bends ?? true) this.#colours(c, end);
   }
   /**
    * The scale of colours, away from the impactor, which flies back over the struck place.
    * @param {CanvasRenderingContext2D} c
+   * @param {number} end  of what is written at the left
    */
-  #colours(c) {
+  #colours(c, end) {
     const { frame, narrow, what, width } = this;
-    const bar = (narrow ? 90 : 130) * larger;
-    const beside = narrow ? 165 * larger : 0.3 * width; // what is written at the left
+    const bar = Math.min((narrow ? 90 : 130) * larger, width - end - 28);
+    const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
     const x = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
     const y = 22;
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;

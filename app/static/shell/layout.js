@@ -8,7 +8,7 @@ import { gripOf } from './grip.js';
 import { keep, kept } from './store.js';
 import { Tabs } from './tabs.js';
 
-const PHONE = window.matchMedia('(max-width: 719px)');
+const PHONE = 720; // a window that is less wide than that, in pixels of letters of the usual size
 const TABLET = window.matchMedia('(max-width: 1099px)');
 const LARGE = window.matchMedia('(min-width: 1800px)');
 const BESIDE = ['story', 'numbers', 'analysis'];
@@ -17,6 +17,8 @@ const NAMES = family('layout.tab');
 const TITLES = Object.fromEntries(ALL.map((name) => [name, NAMES[name]]));
 const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
 const CENTRE = 420; // pixels that the docks leave to the centre
+const USUAL = 0.58; // of the window that they take at most, unless they were sized, and of that the left one:
+const USUAL_LEFT = 0.4;
 const LEAST = 180; // pixels of a dock
 
 /** @typedef {'desk' | 'tablet' | 'phone'} Mode */
@@ -58,10 +60,10 @@ export class Layout {
     this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
     this.tabs.select('story');
     const moved = () => this.place();
-    for (const query of [PHONE, TABLET, LARGE]) query.addEventListener('change', moved);
+    for (const query of [TABLET, LARGE]) query.addEventListener('change', moved);
     window.addEventListener('resize', moved);
     this.leave = () => {
-      for (const query of [PHONE, TABLET, LARGE]) query.removeEventListener('change', moved);
+      for (const query of [TABLET, LARGE]) query.removeEventListener('change', moved);
       window.removeEventListener('resize', moved);
     };
     this.place();
@@ -77,7 +79,7 @@ export class Layout {
   /** Put everything where it belongs at this width. */
   place() {
     /** @type {Mode} */
-    const mode = PHONE.matches ? 'phone' : TABLET.matches ? 'tablet' : 'desk';
+    const mode = window.innerWidth < PHONE * scale ? 'phone' : TABLET.matches ? 'tablet' : 'desk';
     const phone = mode === 'phone';
     if (mode !== this.mode || !this.choices.parentElement) {
       this.mode = mode;
@@ -96,8 +98,10 @@ export class Layout {
   #measure() {
     const { root, sizes } = this;
     const room = window.innerWidth - CENTRE;
-    const left = Math.min(sizes.left ?? 256 * scale, room / 2);
-    const right = Math.min(sizes.right ?? (LARGE.matches ? 560 : 380) * scale, room - left);
+    const usual = USUAL * window.innerWidth;
+    const left = Math.min(sizes.left ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
+    const wanted = sizes.right ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
+    const right = Math.min(wanted, room - left);
     const wide = this.mode === 'tablet' ? Math.min(240 * scale, room) : left;
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);

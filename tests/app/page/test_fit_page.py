@@ -96,6 +96,27 @@ def test_no_words_are_cut_or_lie_on_others(open_page, size, query):
     assert page.evaluate(WRITTEN) == []
 
 
+LARGE = """new MutationObserver((_, seen) => {
+  if (!document.documentElement) return;
+  document.documentElement.style.fontSize = '24px';
+  seen.disconnect();
+}).observe(document, { childList: true })"""
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (820, 1180), (390, 844)], ids=str)
+@pytest.mark.parametrize("query", ["", "?scene=hammer-on-cantilever"])
+def test_large_letters_have_their_room(open_page, size, query):
+    page = open_page(query, own=True, size=size)
+    page.tab.add_init_script(LARGE)
+    page.tab.reload()
+    page.laid_out()
+    assert page.evaluate("() => getComputedStyle(document.documentElement).fontSize") == "24px"
+    assert page.evaluate(DRAWN, INSTANTS) == []
+    assert page.evaluate(WRITTEN) == []
+    clock = page.tab.locator(".pinned .clock")
+    assert clock.evaluate("element => element.scrollWidth - element.clientWidth") <= 0
+
+
 def test_charts_that_a_scene_brings_are_folded_where_there_is_no_room_for_them(open_page):
     """After one of rigid links, which has no waves to show."""
     page = open_page("?scene=figure-6.6", size=(1280, 720))
