@@ -37,3 +37,19 @@ def largest(values, count):
     for i in range(1, count):
         found = max(found, values[i])
     return found
+
+
+@inner_kernel
+def multiply(found, matrix, vector):
+    """Write the product of `matrix` (m, n) and `vector` (n,) into `found` (m,)."""
+    for i in range(matrix.shape[0]):
+        found[i] = dot(matrix[i], vector)
+
+
+@inner_kernel
+def multiply_by(found, vector, matrix):
+    """Write the product of `vector` (m,) and `matrix` (m, n) into `found` (n,)."""
+    for j in range(matrix.shape[1]):
+        found[j] = 0.0
+    for i in range(matrix.shape[0]):
+        add_to(found, vector[i], matrix[i])

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit.kernels import allocating_kernel, inner_kernel, kernel
-from .arrays import copy_to, dot
+from .arrays import add_to, copy_to, dot, multiply, multiply_by
 from .free_motion import Turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 from .secular import held_together
 
@@ -233,8 +233,13 @@ def _stick(bank, joined, step, q, p, begun, longest):
     lead, speed, fall = _led(bank, begun)  # which hardly changes while they stick
     q[0] += lead / bank.closing[0]
     p[0] += speed / bank.closing[0]
-    own, own_rate, weight = basis.T @ q - fall * joined.shift, basis.T @ p, fall * joined.weight
-    after = Bank(joined.frequencies, -joined.press, -1, 0.0, 0.0)  # its "overlap" is the pull
+    own, own_rate, weight = np.empty(modes), np.empty(modes), fall * joined.weight
+    multiply_by(own, q, basis)
+    add_to(own, -fall, joined.shift)
+    multiply_by(own_rate, p, basis)
+    closing = np.zeros(modes)
+    add_to(closing, -1.0, joined.press)
+    after = Bank(joined.frequencies, closing, -1, 0.0, 0.0)  # its "overlap" is the pull
     turn_stay, turn_go, turn_back = np.empty(modes), np.empty(modes), np.empty(modes)
     for i in range(modes):
         omega = joined.frequencies[i]
@@ -258,8 +263,11 @@ def _stick(bank, joined, step, q, p, begun, longest):
             parted = True
             break
         elapsed += step
-    copy_to(q, basis @ (own + fall * (joined.shift + 0.5 * elapsed**2 * joined.drift)))
-    copy_to(p, basis @ (own_rate + fall * elapsed * joined.drift))
+    add_to(own, fall, joined.shift)
+    add_to(own, 0.5 * fall * elapsed**2, joined.drift)
+    multiply(q, basis, own)
+    add_to(own_rate, fall * elapsed, joined.drift)
+    multiply(p, basis, own_rate)
     lead, speed, _ = _led(bank, begun + elapsed)
     q[0] -= lead / bank.closing[0]
     p[0] -= speed / bank.closing[0]
@@ -281,7 +289,9 @@ def event_located(bank, joined, turn, step, restitution, soft, end, patience, q,
         rate = dot(bank.closing, p) + speed
         impulse, lost = _balance(bank, restitution, rate, p)
         parting = restitution * rate
-        push = fall - (bank.closing * bank.frequencies**2 * q).sum()  # how fast the faces would come back
+        push = fall  # how fast the faces would come back
+        for i in range(q.size):
+            push -= bank.closing[i] * bank.frequencies[i] ** 2 * q[i]
         sticks = push > 0.0 and 2.0 * parting <= soft * push
         if sticks:
             more, less = _balance(bank, 0.0, dot(bank.closing, p) + speed, p)

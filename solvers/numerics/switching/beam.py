@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...jit.kernels import allocating_kernel, inner_kernel, kernel
-from ..arrays import copy_to
+from ..arrays import add_to, copy_to, dot, multiply, multiply_by
 from ..free_motion import exact_turn, rise_in, rises, step_back, step_on, sum_after, turn_by
 from ..modes import Modes
 from .phases import Contact, Phase, Phases
@@ -165,8 +165,10 @@ def overlap_integrals(together: Modes, alone: Modes, mass: float, length: float)
 @allocating_kernel
 def _pushes(bank, turn, step, stride, q, p, forces):
     """Fills `forces` at every `stride`-th step from zero on; returns the peak, by Newton from the highest step."""
-    q1, p1 = q.copy(), p.copy()
-    peak = (bank.closing * q).sum()
+    q1, p1 = np.empty(q.size), np.empty(q.size)
+    copy_to(q1, q)
+    copy_to(p1, p)
+    peak = dot(bank.closing, q)
     forces[0], highest, steps = peak, 0, stride * (forces.size - 1)
     for i in range(1, steps + 1):
         force = step_on(turn, bank.closing, q1, p1)[0]
@@ -176,10 +178,13 @@ def _pushes(bank, turn, step, stride, q, p, forces):
             peak, highest = force, i
     place, low, high = highest * step, max(highest - 1, 0) * step, min(highest + 1, steps) * step
     for _ in range(4):
-        q1[:], p1[:] = q, p
+        copy_to(q1, q)
+        copy_to(p1, p)
         turn_by(bank, place, q1, p1)
-        peak = max(peak, (bank.closing * q1).sum())
-        slope, bend = (bank.closing * p1).sum(), -(bank.closing * bank.frequencies**2 * q1).sum()
+        peak = max(peak, dot(bank.closing, q1))
+        slope, bend = dot(bank.closing, p1), 0.0
+        for i in range(q.size):
+            bend -= bank.closing[i] * bank.frequencies[i] ** 2 * q1[i]
         if bend < 0.0:
             place = min(max(place - slope / bend, low), high)
     return peak
@@ -200,7 +205,8 @@ def _pressed(sets, turn, step, q, p, longest):
     Returns the duration, or -1 if it is over `longest`. A projection leaves a force that is not zero, so that a contact
     may begin with a pull; thesis 5.5 lets no contact end whose impulse is not positive.
     """
-    bank, first = sets.pull, (sets.at * p).sum()
+    bank, first = sets.pull, dot(sets.at, p)
+    q1, p1 = np.empty(q.size), np.empty(q.size)
     pull, rate = sum_after(bank, 0.0, q, p)
     elapsed = 0.0
     while elapsed < longest:
@@ -210,10 +216,12 @@ def _pressed(sets, turn, step, q, p, longest):
         if high > 0.0:
             step_back(turn, q, p)
             into = rise_in(bank, q, p, 0.0, high, 0.0, 0.0, 0.0)
-            q1, p1 = q.copy(), p.copy()
+            copy_to(q1, q)
+            copy_to(p1, p)
             turn_by(bank, into, q1, p1)
-            if (sets.at * p1).sum() < first:
-                q[:], p[:] = q1, p1
+            if dot(sets.at, p1) < first:
+                copy_to(q, q1)
+                copy_to(p, p1)
                 return elapsed + into
             step_on(turn, bank.closing, q, p)
         elapsed += step
@@ -287,7 +295,8 @@ def _write(record, count, time, q, p, position, velocity, lost):
 def _switch(sets, turn, own_turn, step, own_step, speed, limit, patience, record):
     """Contact and flight by turns, up to `limit` [s]. Returns the number of phases, the time reached, and if parted."""
     modes = sets.at.size
-    q, p = np.zeros(modes), sets.mass * speed * sets.at
+    q, p = np.zeros(modes), np.zeros(modes)
+    add_to(p, sets.mass * speed, sets.at)
     flight, flight_rate = np.zeros(modes + 1), np.zeros(modes + 1)
     own_frequencies = sets.gap.frequencies[1:]
     lost = 0.5 * sets.mass * speed * speed - _energy(sets.pull.frequencies, q, p)
@@ -299,8 +308,9 @@ def _switch(sets, turn, own_turn, step, own_step, speed, limit, patience, record
             return count, limit, False
         time += elapsed
         lost += _energy(sets.pull.frequencies, q, p)
-        flight[0], flight_rate[0] = (sets.at * q).sum(), (sets.at * p).sum()
-        flight[1:], flight_rate[1:] = q @ sets.overlap, p @ sets.overlap
+        flight[0], flight_rate[0] = dot(sets.at, q), dot(sets.at, p)
+        multiply_by(flight[1:], q, sets.overlap)
+        multiply_by(flight_rate[1:], p, sets.overlap)
         lost -= _energy(own_frequencies, flight[1:], flight_rate[1:]) + 0.5 * sets.mass * flight_rate[0] ** 2
         _write(record, count, time, flight[1:], flight_rate[1:], flight[0], flight_rate[0], lost)
         count += 1
@@ -311,8 +321,10 @@ def _switch(sets, turn, own_turn, step, own_step, speed, limit, patience, record
             return count, limit, elapsed < -1.5
         time += elapsed
         lost += _energy(own_frequencies, flight[1:], flight_rate[1:]) + 0.5 * sets.mass * flight_rate[0] ** 2
-        q[:] = sets.overlap @ flight[1:] + sets.mass * flight[0] * sets.at
-        p[:] = sets.overlap @ flight_rate[1:] + sets.mass * flight_rate[0] * sets.at
+        multiply(q, sets.overlap, flight[1:])
+        add_to(q, sets.mass * flight[0], sets.at)
+        multiply(p, sets.overlap, flight_rate[1:])
+        add_to(p, sets.mass * flight_rate[0], sets.at)
         lost -= _energy(sets.pull.frequencies, q, p)
         _write(record, count, time, q, p, flight[0], flight_rate[0], lost)
         count += 1
