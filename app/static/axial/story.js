@@ -12,6 +12,8 @@ import { eventsOf } from './events.js';
 const LISTED = 24; // events
 const CONTACTS = 12; // of each solution, in the table
 const ENERGIES = Object.entries(family('axial.energy'));
+/** @type {[string, string][]} of a target without waves, such as a row of balls */
+const WITHOUT_WAVES = ENERGIES.map(([key, name]) => [key, key === 'target_vibration' ? text('axial.within') : name]);
 const RESTITUTIONS = /** @type {const} */ (['newton', 'poisson', 'newton_at_contact']);
 
 /** @param {number | null} value */
@@ -96,7 +98,7 @@ export class Story {
     const asks = text('axial.one-number', { waves: frame.rods.length > 0 });
     this.asks.textContent = frame.exact.name === 'rigid' ? text('axial.one-impulse') : asks;
     this.match.replaceChildren(...this.#match());
-    showEnergy(this.energy, toldOf(frame).energy, ENERGIES);
+    showEnergy(this.energy, toldOf(frame).energy, frame.rods.length ? ENERGIES : WITHOUT_WAVES);
     this.warn();
     this.tell();
   }

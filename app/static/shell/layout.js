@@ -102,7 +102,7 @@ export class Layout {
     const left = Math.min(sizes.left ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
     const wanted = sizes.right ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
     const right = Math.min(wanted, room - left);
-    const wide = this.mode === 'tablet' ? Math.min(240 * scale, room) : left;
+    const wide = this.mode === 'tablet' ? Math.min(248 * scale, room) : left;
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
     root.style.setProperty('--sheet', `${100 * this.sheet}dvh`);
