@@ -4,8 +4,11 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 SUDO := $(shell [ "$$(id -u)" = 0 ] || command -v sudo)
-PIP_INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --constraint constraints.txt
+PIP_INSTALL := $(BIN)/pip install --quiet --no-compile --disable-pip-version-check --constraint constraints.txt
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
+
+# Bytecode is written at the first import, of what is imported: else each of the many processes of tests makes its own.
+export PYTHONDONTWRITEBYTECODE =
 
 .PHONY: serve check coverage test docs bench peers screenshot clean chromium
 
