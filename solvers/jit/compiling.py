@@ -5,9 +5,8 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from numba.core import codegen, event, targetconfig
+from numba.core import callwrapper, codegen, event
 from numba.core.environment import lookup_environment
-from numba.core.types import functions
 
 
 class NotCompiled(Exception):
@@ -103,33 +102,13 @@ codegen.JITCPUCodegen._library_class = _Library
 codegen.JITCPUCodegen.set_env = _set_environment
 
 
-def _same_flags(self, other, of_numba=targetconfig.TargetConfig.__eq__):
-    """Flags of compilation that were set alike are alike: Numba reads all of them, with their defaults, each time."""
-    return (type(self) is type(other) and self._values == other._values) or of_numba(self, other)
+def _wrapper(self, of_numba=callwrapper.PyCallWrapper.build):
+    """What takes a kernel's arguments from Python runs once a call, and for tuples of many arrays is as long as the
+    kernel: it is not optimised."""
+    function, api = of_numba(self)
+    function.attributes.add("noinline")
+    function.attributes.add("optnone")
+    return function, api
 
 
-def _hash_of_flags(self):
-    """Flags differ between few functions, and are a part of keys that differ in more."""
-    return hash(type(self))
-
-
-targetconfig.TargetConfig.__eq__ = _same_flags
-targetconfig.TargetConfig.__hash__ = _hash_of_flags
-
-
-def _call_type(self, context, args, kws, of_numba=functions.BaseFunction.get_call_type):
-    """The types of a call of one of Numba's own functions, such as of a product of two numbers.
-
-    Numba tries all that it has for products at each of them, until one fits; here, once for each pair of types.
-    """
-    known = self.__dict__.setdefault("_known_calls", {})
-    key = context, tuple(args), tuple(kws.items()), targetconfig.ConfigStack.top_or_none()
-    if key not in known:
-        found = of_numba(self, context, args, kws)
-        if found is None:
-            return None
-        known[key] = found
-    return known[key]
-
-
-functions.BaseFunction.get_call_type = _call_type
+callwrapper.PyCallWrapper.build = _wrapper

@@ -48,9 +48,9 @@ def _field(context, builder, typ, value, attr):
 
 @intrinsic
 def refer(typing, given):
-    """A tuple by reference, for the kernels that this one calls; see `Reference`."""
+    """A tuple by reference, for the kernels that this one calls; see `Reference`. None stays None."""
 
-    if isinstance(given, Reference):
+    if isinstance(given, (Reference, types.NoneType)):
         return given(given), lambda context, builder, signature, arguments: arguments[0]
 
     def build(context, builder, signature, arguments):

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numba import types
 
-from ..jit.kernels import address, kernel
+from ..jit.kernels import address, addressed_kernel, kernel
 
 CONSTANTS = 6  # room for those of any law
 MEMORY = 5  # room for what a law answers: end, energy lost, two numbers of its way back; largest force
@@ -36,7 +36,7 @@ def step_function(kind: type) -> Callable:
     """
     count = len(kind._fields)
 
-    @kernel
+    @addressed_kernel
     def step(constants, start, free, compliance, rate, expected, deepest, memory):
         c = constants
         law = kind(*(c[0], c[1], c[2], c[3], c[4], c[5])[:count])
@@ -59,7 +59,7 @@ def ask_function(kind: type) -> Callable:
     """
     count = len(kind._fields)
 
-    @kernel
+    @addressed_kernel
     def ask(question, constants, indentation, rate, slowing, deepest):
         c = constants
         law = kind(*(c[0], c[1], c[2], c[3], c[4], c[5])[:count])

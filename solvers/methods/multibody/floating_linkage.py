@@ -6,7 +6,6 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.floating import Face, Ties, begin_at
-from ...numerics.multibody.free import joints_at
 from ...numerics.multibody.frozen import null_space
 from ...numerics.multibody.integrals import frames_of, shortening, stations_of
 from ...numerics.multibody.system import FIXED, PRISMATIC, System
@@ -108,13 +107,12 @@ def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.
     for link, start in zip(system.links, system.offsets, strict=False):
         q[start : start + 3] = *link.origin, link.angle
     for _ in range(MAX_CLOSINGS):
-        joints_at(linkage, q, 0.0, room.gap, room.jacobian, room.moving)
+        begin_at(linkage, q, room.gap, room.jacobian, room.moving)
         change = _least(room.jacobian[:, rigid], linkage.unit[rigid], room.gap)
         q[rigid] -= change
         if not np.any(np.abs(change) > CLOSED * linkage.unit[rigid]):
             break
-    joints_at(linkage, q, 0.0, room.gap, room.jacobian, room.moving)
-    struck = np.array(begin_at(linkage, q))
+    struck = np.array(begin_at(linkage, q, room.gap, room.jacobian, room.moving))
     v[rigid] -= _least(room.jacobian[:, rigid], linkage.unit[rigid], room.jacobian @ v - room.moving)
     return q, v, struck
 

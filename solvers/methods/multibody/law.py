@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from ...bodies import Mechanism
-from ...contact import Linear
 from ...contact.duration import contact_time
 from ...contact.protocol import Yielding
 from ...numerics.law_functions import MEMORY, constants_of, step_function
@@ -17,12 +16,16 @@ from ...scene import Scene
 LONG_CONTACT = 5.0  # times the shortest one: from then on a step is the same share of what the contact has lasted
 
 
-def law_of(scene: Scene, mechanism: Mechanism, steps: int, longest: float) -> tuple[Callable, Surface]:
+def law_of(
+    scene: Scene, mechanism: Mechanism, steps: int, longest: float
+) -> tuple[Callable, Surface] | tuple[None, None]:
     """Its function, and the surface that follows it, in so many steps of the shortest contact that there can be, none
-    `longest` [s] or longer; without a step where the contact is rigid."""
-    rigid, modes = scene.rigid_contact, mechanism.frozen.modes
-    law: Any = Linear(0.0) if rigid else scene.contact
-    step = 0.0 if rigid else min(shortest_contact(scene, mechanism) / steps, longest)
+    `longest` [s] or longer; neither where the contact is rigid: kernels have no code for it then."""
+    if scene.rigid_contact:
+        return None, None
+    modes = mechanism.frozen.modes
+    law: Any = scene.contact
+    step = min(shortest_contact(scene, mechanism) / steps, longest)
     settling = 0.0
     if modes.residual_compliance and (law.JUMPS or law.PLASTIC):
         settling = min(0.5, step / modes.shortest_period)

@@ -42,7 +42,7 @@ def march(
 ):
     """From a state in which they touch and approach, in place, through `steps` steps; `later` is room for another.
 
-    Impacts follow the contact `law` of the `surface` in steps of their own or, where that has none, are impulses with a
+    Impacts follow the contact `law` of the `surface` in steps of their own or, where both are None, are impulses with a
     restitution. A mass that comes beside the link passes it. Where flights between impulses become too short it rests
     on the link, kept there at the ends of steps, until it is left behind; links that come to rest on a mass that is
     held end it. Returns the number of rows written to `kept`:
@@ -55,7 +55,7 @@ def march(
     met, rate, before, last, short = True, 1.0, -1.0, -np.inf, 0
     while number < steps and row < room:
         if met:
-            if surface.step > 0.0:
+            if law is not None:
                 time, row, face = press(linkage, w, contact, law, surface, stages, state, later, kept, row, time, until)
             elif rate > 0.0:
                 write(kept, row, time, state)

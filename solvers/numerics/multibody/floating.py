@@ -271,10 +271,12 @@ def add_springs(linkage, q, found):
 
 
 @kernel
-def begin_at(linkage, q):
-    """Let the springs have no force at these coordinates. Returns the place of the last station [m]."""
+def begin_at(linkage, q, gap, jacobian, moving):
+    """Let the springs have no force at these coordinates, and write what `joints_at` does, at time zero. Returns the
+    place of the last station [m]."""
     linkage = refer(linkage)
     ties = linkage.ties
+    joints_at(linkage, q, 0.0, gap, jacobian, moving)
     for k in range(ties.ends[2], ties.ends[4]):
         if k < ties.ends[3]:
             given, _, _, _ = distance_of(linkage, k, q)

@@ -24,8 +24,8 @@ SHORTEST = 1e-3
 
 class Surface(NamedTuple):
     """A contact law by its constants (CONSTANTS,), what it remembers (MEMORY,), largest indentation (1,) [m], and the
-    length of a step [s]; without a length there is no law, and impacts are impulses. A step may be `growth` times as
-    long as the contact has lasted if that is more, up to `longest` [s]: what lasts hardly changes any more.
+    length of a step [s]. A step may be `growth` times as long as the contact has lasted if that is more, up to
+    `longest` [s]: what lasts hardly changes any more.
 
     In series with the law stands a spring of a `compliance` [m/N], of the modes left out. Of what the mean force of a
     step is above the spring's at its start the spring gets `weight` more: 2, and nothing is lost; with less it settles.

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numba import types
 
-from ...jit.kernels import address, inner_kernel, kernel
+from ...jit.kernels import address, addressed_kernel, inner_kernel
 from .collocation import INTEGRATE, INTEGRATE_TWICE, STAGES, solve_in_place
 from .record import POINTS
 
@@ -44,7 +44,7 @@ def law_function(kind: type) -> Callable:
     slopes, which it writes where the question is FORCE."""
     count = len(kind._fields)
 
-    @kernel
+    @addressed_kernel
     def asked(question, constants, depth, rate, deepest, slopes):
         c = constants
         law = kind(*(c[0], c[1], c[2], c[3], c[4], c[5])[:count])

@@ -10,15 +10,11 @@ import numba
 import numpy as np
 import pytest
 from numba import types
-from numba.core import typing
-from numba.core.compiler import Flags
 from numba.core.dispatcher import Dispatcher
-from numba.core.typing import signature
-from numba.core.typing.templates import AbstractTemplate
 
 import solvers
 from solvers.jit import methods
-from solvers.jit.kernels import allocating_kernel, inner_kernel, kernel
+from solvers.jit.kernels import address, addressed_kernel, allocating_kernel, inner_kernel, kernel
 from solvers.jit.reference import refer
 
 ROOT = Path(__file__).parents[3]
@@ -90,32 +86,22 @@ def test_only_what_python_calls_becomes_machine_code():
     assert made == [False, True]
 
 
-def test_flags_of_compiling_are_alike_where_what_they_ask_for_is():
-    plain, said, other = Flags(), Flags(), Flags()
-    said.nrt = Flags.options["nrt"].default
-    other.nrt = not said.nrt
-    assert plain == said and hash(plain) == hash(said)
-    assert plain != other and said != other and plain != "flags"
+def test_what_takes_arguments_from_python_is_not_optimised_and_from_c_is_there_for_addresses_alone():
+    @kernel
+    def called(x):
+        return x + 1.0
 
+    @addressed_kernel
+    def by_address(x):
+        return x + 2.0
 
-def test_a_product_of_two_types_is_looked_for_once():
-    looked_for = []
-
-    class Product(AbstractTemplate):
-        key = "a product"
-
-        def generic(self, arguments, _):
-            looked_for.append(arguments)
-            return signature(arguments[0], *arguments) if arguments[0] == arguments[1] else None
-
-    product, context = types.Function(Product), typing.Context()
-    pairs = (types.float64, types.float64), (types.int64, types.int64), (types.float64, types.float64)
-    found = [product.get_call_type(context, pair, {}) for pair in pairs]
-    assert [str(each.return_type) for each in found] == ["float64", "int64", "float64"]
-    assert looked_for == list(pairs[:2])
-    for _ in range(2):  # what does not fit is not remembered
-        with pytest.raises(numba.TypingError):
-            product.get_call_type(context, (types.float64, types.int64), {})
+    assert called(1.0) == 2.0 and address(by_address, types.float64(types.float64)).address
+    made = [next(iter(each.overloads.values())).library for each in (called, by_address)]
+    names = [[function.name for function in library.get_defined_functions()] for library in made]
+    assert [sum(name.startswith("cfunc.") for name in each) for each in names] == [0, 1]
+    assert [sum("7cpython" in name for name in each) for each in names] == [1, 0]
+    [wrapper] = [each for each in made[0].get_defined_functions() if "7cpython" in each.name]
+    assert {b"optnone", b"noinline"} <= set(b" ".join(wrapper.attributes).split())
 
 
 def test_a_kernel_that_counts_no_references_returns_no_array_to_python():

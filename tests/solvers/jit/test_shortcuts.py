@@ -1,0 +1,85 @@
+"""What Numba need not do again and again finds the same."""
+
+import numba
+import pytest
+from llvmlite import ir as llvm
+from numba import types
+from numba.core import errors, ir, typing
+from numba.core.compiler import Flags
+from numba.core.cpu import CPUContext
+from numba.core.registry import cpu_target
+from numba.core.typing import signature
+from numba.core.typing.templates import AbstractTemplate
+
+import solvers.jit.kernels  # noqa: F401  (brings the shortcuts)
+
+
+def test_flags_of_compiling_are_alike_where_what_they_ask_for_is():
+    plain, said, other = Flags(), Flags(), Flags()
+    said.nrt = Flags.options["nrt"].default
+    other.nrt = not said.nrt
+    assert plain == said and hash(plain) == hash(said)
+    assert plain != other and said != other and plain != "flags"
+
+
+def test_a_product_of_two_types_is_looked_for_once():
+    looked_for = []
+
+    class Product(AbstractTemplate):
+        key = "a product"
+
+        def generic(self, arguments, _):
+            looked_for.append(arguments)
+            return signature(arguments[0], *arguments) if arguments[0] == arguments[1] else None
+
+    product, context = types.Function(Product), typing.Context()
+    pairs = (types.float64, types.float64), (types.int64, types.int64), (types.float64, types.float64)
+    found = [product.get_call_type(context, pair, {}) for pair in pairs]
+    assert [str(each.return_type) for each in found] == ["float64", "int64", "float64"]
+    assert looked_for == list(pairs[:2])
+    for _ in range(2):  # what does not fit is not remembered
+        with pytest.raises(numba.TypingError):
+            product.get_call_type(context, (types.float64, types.int64), {})
+
+
+def test_variables_of_an_instruction_are_found_in_all_its_fields():
+    where = ir.Loc("here", 1)
+    scope = ir.Scope(None, where)
+    a, b, c, d, e = (scope.define(name, where) for name in "abcde")
+    call = ir.Expr.call(a, [b, (c, [d])], (("by", e),), where)
+    assert call.list_vars() == [a, b, c, d, e]
+    assert ir.Assign(ir.Expr.binop(len, b, c, where), a, where).list_vars() == [b, c, a]
+    assert ir.Assign(ir.Const(1, where), a, where).list_vars() == [a]
+    assert ir.Jump(3, where).list_vars() == []
+    assert ir.Return(a, where).list_vars() == [a]
+
+
+def test_a_size_in_memory_is_asked_for_once_a_type(monkeypatch):
+    asked, of_numba = [], llvm.Type._get_ll_global_value_type
+    monkeypatch.setattr(
+        llvm.Type, "_get_ll_global_value_type", lambda self, *rest: (asked.append(self), of_numba(self, *rest))[1]
+    )
+    data = cpu_target.target_context.target_data
+    kinds = [llvm.ArrayType(llvm.DoubleType(), count) for count in (1237, 1238, 1237)]
+    assert [kind.get_abi_size(data) for kind in kinds] == [9896, 9904, 9896]
+    assert asked == kinds[:2]
+
+
+def test_a_function_declared_later_is_known_to_kernels_that_come_then():
+    """Declarations of Numba itself are loaded once, those of others whenever there are new ones."""
+
+    def late(x):
+        raise NotImplementedError
+
+    assert numba.njit(lambda x: x + 1.0)(1.0) == 2.0
+    CPUContext.load_additional_registries(cpu_target.target_context)
+
+    @numba.extending.overload(late)
+    def _late(x):
+        return lambda x: 3.0 * x
+
+    assert numba.njit(lambda x: late(x))(2.0) == 6.0
+
+
+def test_reasons_why_a_function_does_not_fit_are_as_they_are():
+    assert str(errors.TypingError("no such field")) == "no such field"
