@@ -33,6 +33,9 @@ EARLY = 0.15  # share of instants that are evenly spread; the others are closer 
 CYCLE_POINTS, IMPACT_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
 
 
+_USUAL = {name: method() for name, method in SOLVED_BY.items()}
+
+
 def coded(notes: list[Note]) -> list[dict[str, Any]]:
     """As the browser takes notes, which has the words."""
     return [note.table() for note in notes]
@@ -40,7 +43,7 @@ def coded(notes: list[Note]) -> list[dict[str, Any]]:
 
 def refusals(scene: Scene) -> dict[str, dict[str, Any] | None]:
     """Of every method why it cannot solve the scene, or None."""
-    found = {name: method().refusal(scene) for name, method in SOLVED_BY.items()}
+    found = {name: method.refusal(scene) for name, method in _USUAL.items()}
     return {name: note and note.table() for name, note in found.items()}
 
 

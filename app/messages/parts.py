@@ -1,6 +1,7 @@
 """What the browser needs of the bodies themselves: what can be set, within which bounds, and what follows from it."""
 
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -23,8 +24,14 @@ def parts_told(request: Request | None) -> list[dict[str, Any]]:
     if request is None:
         return []
     name = request.chosen["scene"]
-    own, striker = {part.key: part for part in parts_of(SCENES[name])}, "target" if name in STRIKING else "impactor"
+    own, striker = _own_parts(name), "target" if name in STRIKING else "impactor"
     return [_told(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
+
+
+@cache
+def _own_parts(name: str) -> dict[str, Part]:
+    """Of a scene as it is in its file, by their keys."""
+    return {part.key: part for part in parts_of(SCENES[name])}
 
 
 def _told(part: Part, own: Part, strikes: bool) -> dict[str, Any]:

@@ -120,14 +120,14 @@ def peak_stress(solution: Solution, each: Loaded) -> float:
 
 def _largest_sum(motion: SendsWaves, number: int, lag: float, reach: float) -> float:
     """Of the waves of both ends of a rod, where they meet [Z v]; `lag` and `reach` [T]: of the rod and of the time."""
-    largest = 0.0
     sent = np.union1d(np.linspace(0.0, reach, INSTANTS), motion.jumps(number, True, reach)[:INSTANTS])
-    for place in (-1.0, 0.0, 1.0):  # the left end, the middle, the right one
-        t = sent[sent + place * lag <= reach]
-        for after in (True, False):
-            stress = motion.sent(number, True, t, after) + motion.sent(number, False, t + place * lag, after)
-            largest = max(largest, float(np.abs(stress).max(initial=0.0)))
-    return largest
+    met = np.add.outer((-lag, 0.0, lag), sent)  # at the left end, in the middle, at the right one
+    inside = met <= reach
+    sent, met = np.broadcast_to(sent, met.shape)[inside], met[inside]
+    stress = [
+        motion.sent(number, True, sent, after) + motion.sent(number, False, met, after) for after in (True, False)
+    ]
+    return float(np.abs(stress).max(initial=0.0))
 
 
 def _front_force(scene: Scene) -> float:
