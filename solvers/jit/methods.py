@@ -81,6 +81,11 @@ def _face_at(self, contact, q, place, row):
     return self.of.instance_class.face_at
 
 
+@overload_method(Reference, "look", jit_options=PART)
+def _look(self, w, time, coordinates, rates, count, seen):
+    return self.of.instance_class.look
+
+
 @overload_method(Reference, "respond", jit_options=PART)
 def _respond(self, w, q, time, change):
     return self.of.instance_class.respond

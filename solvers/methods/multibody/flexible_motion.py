@@ -7,9 +7,8 @@ import numpy as np
 
 from ...numerics.multibody.flight import Course
 from ...numerics.multibody.integrals import shortening
-from ...numerics.multibody.variational import Floating, Seen, look
+from ...numerics.multibody.variational import Floating, Seen
 from ...scene import Scene
-from .floating_linkage import room_of
 from .linkage import Rows
 from .motion import MovingMotion, said, turned
 
@@ -23,12 +22,9 @@ class FlexibleMotion(MovingMotion):
     that of deformation, beside the steady one of before the impact.
     """
 
-    def __init__(self, scene: Scene, course: Course, linkage: Floating, rows: Rows):
-        self._linkage = linkage
-        count, links = course.time.size, linkage.frames.mass.size
-        self._seen = Seen(np.empty((count, 3 * links)), np.empty((count, 3 * links)), *np.empty((3, count)))
-        look(linkage, room_of(linkage, rows), course.time, course.coordinates, course.rates, self._seen)
-        super().__init__(scene, course, rows, self._seen.centres, self._seen.rates)
+    def __init__(self, scene: Scene, course: Course, seen: Seen, linkage: Floating, rows: Rows):
+        self._linkage, self._seen = linkage, seen
+        super().__init__(scene, course, rows, seen.centres, seen.rates)
 
     def _energies(self) -> dict[str, np.ndarray]:
         found, stiffness = super()._energies(), self.mechanism.system.stiffness

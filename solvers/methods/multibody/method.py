@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
-from ...numerics.multibody import flight, moving
+from ...numerics.multibody import flight, moving, variational
 from ...numerics.multibody.bouncing import march
 from ...provenance import clock
 from ...scene import Scene
@@ -187,13 +187,14 @@ class Multibody(Method):
         most = 2 * MOST_IMPACTS if scene.rigid_contact else self.most_contact_steps
         kept = flight.course(steps // every + most + 3, state.q.size, rows)
         stages = moving.SINGLE if self.quick else moving.STAGES
+        seen = moves.seen(kept.time.size, len(mechanism.links))
         count = march(
             moves.linkage, moves.room, contact, law, surface, stages, self.restitution, duration / steps, steps,
-            every, state, later, kept,
+            every, state, later, kept, seen,
         )  # fmt: skip
-        course = flight.Course(*(values[:count] for values in kept))
+        course, seen = (type(each)(*(values[:count] for values in each)) for each in (kept, seen))
         full = float(course.time[-1]) < duration - 1e-6 * duration / steps
-        return moves.motion(scene, course, moves.linkage, moves.rows), full
+        return moves.motion(scene, course, seen, moves.linkage, moves.rows), full
 
     def _notes(self, scene: Scene, motion: MovingMotion, contacts: list[ContactPeriod], full: bool) -> list[Note]:
         found = []
@@ -264,7 +265,7 @@ def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:
 
 class _Moves(NamedTuple):
     """A mechanism as the integrator takes it: constraints, room, coordinates and rates before the impact, where the
-    mass meets it (2,), and what makes a motion of what is recorded."""
+    mass meets it (2,), what makes room for what is seen, and a motion of what is recorded."""
 
     linkage: Any
     rows: Rows
@@ -272,6 +273,7 @@ class _Moves(NamedTuple):
     coordinates: np.ndarray
     rates: np.ndarray
     struck: np.ndarray
+    seen: Callable[[int, int], Any]
     motion: Callable[..., MovingMotion]
 
 
@@ -279,10 +281,10 @@ def _rigid(mechanism: Mechanism) -> _Moves:
     linkage, rows = rigid_linkage(mechanism)
     q, v = centres(mechanism), rates_of_centres(mechanism)
     room = moving.work(rows.joint.size, q.size)
-    return _Moves(linkage, rows, room, q, v, mechanism.contact_point, RigidMotion)
+    return _Moves(linkage, rows, room, q, v, mechanism.contact_point, moving.seen, RigidMotion)
 
 
 def _flexible(mechanism: Mechanism) -> _Moves:
     linkage, rows = floating_linkage(mechanism)
     q, v, struck = bent_start(mechanism, linkage, rows)
-    return _Moves(linkage, rows, room_of(linkage, rows), q, v, struck, FlexibleMotion)
+    return _Moves(linkage, rows, room_of(linkage, rows), q, v, struck, variational.seen, FlexibleMotion)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...bodies import Mechanism
 from ...numerics.multibody.flight import GIVING, IMPULSE, INDENTATION, LOST, Course
-from ...numerics.multibody.moving import Linkage, look, work
+from ...numerics.multibody.moving import Linkage, Seen
 from ...numerics.multibody.system import GROUND
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
@@ -212,15 +212,12 @@ def turned(direction: np.ndarray, angle: np.ndarray) -> np.ndarray:
 class RigidMotion(MovingMotion):
     """Of rigid links."""
 
-    def __init__(self, scene: Scene, course: Course, linkage: Linkage, rows: Rows):
-        self._linkage = linkage
-        room = work(rows.joint.size, course.coordinates.shape[1])
-        self._springs, self._gap = np.empty((2, course.time.size))
-        look(linkage, room, course.time, course.coordinates, self._springs, self._gap)
+    def __init__(self, scene: Scene, course: Course, seen: Seen, linkage: Linkage, rows: Rows):
+        self._linkage, self._seen = linkage, seen
         super().__init__(scene, course, rows, course.coordinates, course.rates)
 
     def _stretched(self) -> np.ndarray:
-        return self._springs
+        return self._seen.springs
 
     def _struck_point(self) -> tuple[np.ndarray, np.ndarray]:
         course, start = self.course, 3 * self._number
@@ -254,4 +251,4 @@ class RigidMotion(MovingMotion):
 
     @property
     def widest_gap(self) -> float:
-        return float(self._gap.max())
+        return float(self._seen.gap.max())

@@ -38,19 +38,20 @@ def _rest(linkage, w, contact, state, depth, time):
 
 @kernel
 def march(
-    linkage: Linkage | Floating, w, contact, law, surface, stages, restitution, step, steps, every, state, later, kept
-):
+    linkage: Linkage | Floating,
+    w, contact, law, surface, stages, restitution, step, steps, every, state, later, kept, seen,
+):  # fmt: skip
     """From a state in which they touch and approach, in place, through `steps` steps; `later` is room for another.
 
     Impacts follow the contact `law` of the `surface` in steps of their own or, where both are None, are impulses with a
     restitution. A mass that comes beside the link passes it. Where flights between impulses become too short it rests
     on the link, kept there at the ends of steps, until it is left behind; links that come to rest on a mass that is
     held end it. Returns the number of rows written to `kept`:
-    one for `every` so many steps, at the last, two an impulse and one for every step of a contact, if there is room.
+    one for `every` so many steps, at the last, two an impulse and one for every step of a contact, if there is room;
+    and in `seen` what is seen of the links there.
     """
-    linkage, w, contact, surface, state, later, kept = (
-        refer(linkage), refer(w), refer(contact), refer(surface), refer(state), refer(later), refer(kept),
-    )  # fmt: skip
+    linkage, w, contact, surface = refer(linkage), refer(w), refer(contact), refer(surface)
+    state, later, kept = refer(state), refer(later), refer(kept)
     room, until, face, time, row, number = kept.time.size - 2, steps * step, 0.0, 0.0, 0, 0
     met, rate, before, last, short = True, 1.0, -1.0, -np.inf, 0
     while number < steps and row < room:
@@ -93,4 +94,5 @@ def march(
         if number % every == 0 or number == steps:
             write(kept, row, time, state)
             row += 1
+    linkage.look(w, kept.time, kept.coordinates, kept.rates, row, refer(seen))
     return row

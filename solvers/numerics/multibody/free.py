@@ -12,6 +12,12 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
 
 
 @kernel
+def look(linkage, w, time, coordinates, rates, seen):
+    """Writes what is seen at instants (instants,) of coordinates and rates (instants, size)."""
+    refer(linkage).look(refer(w), time, coordinates, rates, time.size, refer(seen))
+
+
+@kernel
 def step_on(linkage, w, stages, q, v, time, step, reactions):
     """One step in place, in these stages, see `moving.STAGES`; adds the impulses of the constraints to `reactions`."""
     refer(linkage).take_step(refer(w), stages, q, v, time, step, reactions)

@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
-from ...jit.reference import refer
 
 STAGES = np.array(
     [
@@ -95,6 +94,9 @@ class Linkage(NamedTuple):
 
     def respond(self, w, q, time, change):
         respond(self, w, q, time, change)
+
+    def look(self, w, time, coordinates, rates, count, seen):
+        look(self, w, time, coordinates, count, seen)
 
 
 def constraints(linkage: Linkage) -> int:
@@ -373,14 +375,24 @@ def step_on(linkage, w, stages, q, v, time, step, reactions):
         time += stages[k] * step
 
 
-@kernel
-def look(linkage, w, time, coordinates, springs, gap):
-    """Writes the energy in springs [J] and by how much the joints are open [m], (instants,), at these instants and
-    coordinates (instants, size)."""
-    linkage, w = refer(linkage), refer(w)
-    for row in range(time.size):
-        springs[row] = forces(linkage, coordinates[row], w.force_now)
+class Seen(NamedTuple):
+    """At instants energy in springs [J], and by how much the joints are open [m], (instants,)."""
+
+    springs: np.ndarray
+    gap: np.ndarray
+
+
+def seen(instants: int, links: int) -> Seen:
+    """Room for so many instants, of any number of links."""
+    return Seen(*np.empty((2, instants)))
+
+
+@inner_kernel
+def look(linkage, w, time, coordinates, count, found):
+    """Writes what is seen at the first `count` instants (instants,) of coordinates (instants, size)."""
+    for row in range(count):
+        found.springs[row] = forces(linkage, coordinates[row], w.force_now)
         joints_at(linkage, coordinates[row], time[row], w.gap, w.jacobian, w.moving)
-        gap[row] = 0.0
+        found.gap[row] = 0.0
         for i in range(w.gap.size):
-            gap[row] = max(gap[row], abs(w.gap[i]))
+            found.gap[row] = max(found.gap[row], abs(w.gap[i]))

@@ -11,8 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit.kernels import inner_kernel, kernel
-from ...jit.reference import refer
+from ...jit.kernels import inner_kernel
 from ..arrays import add_to, copy_to, dot
 from .floating import Face, Frames, Stations, Ties, add_springs, face_of, gaps_at, joints_at
 from .inertia import actions, as_rigid, divide_by_mass, factor_mass
@@ -44,6 +43,9 @@ class Floating(NamedTuple):
 
     def respond(self, w, q, time, change):
         respond(self, w, q, time, change)
+
+    def look(self, w, time, coordinates, rates, count, seen):
+        look(self, w, time, coordinates, rates, count, seen)
 
 
 class Room(NamedTuple):
@@ -223,17 +225,21 @@ class Seen(NamedTuple):
     gap: np.ndarray
 
 
-@kernel
-def look(linkage, w, time, coordinates, rates, seen):
-    """Writes what is seen at instants (instants,) of coordinates and rates (instants, size)."""
-    linkage, w, seen = refer(linkage), refer(w), refer(seen)
-    for row in range(time.size):
+def seen(instants: int, links: int) -> Seen:
+    """Room for so many instants and links."""
+    return Seen(*np.empty((2, instants, 3 * links)), *np.empty((3, instants)))
+
+
+@inner_kernel
+def look(linkage, w, time, coordinates, rates, count, found):
+    """Writes what is seen at the first `count` instants (instants,) of coordinates and rates (instants, size)."""
+    for row in range(count):
         q, v = coordinates[row], rates[row]
         actions(linkage, w.room, q, v, w.momentum, w.force_now)
-        as_rigid(linkage, w.room, q, w.momentum, seen.centres[row], seen.rates[row])
-        seen.kinetic[row] = 0.5 * dot(w.momentum, v)
-        seen.springs[row] = add_springs(linkage, q, w.force_now)
+        as_rigid(linkage, w.room, q, w.momentum, found.centres[row], found.rates[row])
+        found.kinetic[row] = 0.5 * dot(w.momentum, v)
+        found.springs[row] = add_springs(linkage, q, w.force_now)
         joints_at(linkage, q, time[row], w.gap, w.jacobian, w.moving)
-        seen.gap[row] = 0.0
+        found.gap[row] = 0.0
         for i in range(w.gap.size):
-            seen.gap[row] = max(seen.gap[row], abs(w.gap[i]))
+            found.gap[row] = max(found.gap[row], abs(w.gap[i]))

@@ -11,11 +11,11 @@ from solvers.methods.multibody.floating_linkage import bent_start, floating_link
 from solvers.methods.multibody.linkage import centres, rates_of_centres, rigid_linkage
 from solvers.numerics.beams.rotating import rotating_frequencies
 from solvers.numerics.multibody import moving
-from solvers.numerics.multibody.free import joints_at, step_on
+from solvers.numerics.multibody.free import joints_at, look, step_on
 from solvers.numerics.multibody.inertia import actions
 from solvers.numerics.multibody.integrals import frames_of
 from solvers.numerics.multibody.moving import STAGES
-from solvers.numerics.multibody.variational import Seen, look
+from solvers.numerics.multibody.variational import Seen
 from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, rotating_bar
 
 RATTLE = np.ones(1)
