@@ -76,7 +76,7 @@ class Drafts:
         self._in_a_row = self._in_a_row + 1 if same else 1
         if self._in_a_row == 1:
             self._share = 1.0
-        enough = self._in_a_row >= (1 if self._moves_on(name) else IN_A_ROW)
+        enough = self._in_a_row >= IN_A_ROW or self._moves_on(name)
         if enough and self.frame and (share := self._share * draft_share(self._seconds())) < self._share:
             self._share = max(share, SHARES[-1])
         return bool(name) and enough
