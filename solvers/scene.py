@@ -99,7 +99,8 @@ class Scene:
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
-        """The scene with other values, by dotted key: `scene.replace({"target.length": 0.5})`.
+        """The scene with other values, by dotted key: `scene.replace({"target.length": 0.5})`; what is in a list goes
+        by its number, from 1 on: `target.links.1.modes`.
 
         Another `method.name` takes the options of the method before with it; `duration` stays. Raises SceneError for a
         key that does not exist or a value that is not allowed.
@@ -110,11 +111,13 @@ class Scene:
             tables["method"] = {name: value for name, value in options.items() if name == "duration"}
         for key, value in changes.items():
             *path, last = key.split(".")
-            table = tables
+            table: Any = tables
             for name in path:
-                table = table.setdefault(name, {})
-                if not isinstance(table, dict):
+                table = _listed(table, name, key, value) if isinstance(table, list) else table.setdefault(name, {})
+                if not isinstance(table, dict | list):
                     raise SceneError(key, value, allowed("no-table", name=name))
+            if isinstance(table, list):
+                raise SceneError(key, value, allowed("number-in-list", count=len(table)))
             table[last] = value
             if path == ["impactor"] and last in ("velocity", "height"):  # one in place of the other
                 table.pop("height" if last == "velocity" else "velocity", None)
@@ -384,5 +387,14 @@ def _read_joint_laws(impactor: AnyBody, target: AnyBody, contact: object) -> tup
     )
 
 
-def _copied(tables: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: _copied(value) if isinstance(value, Mapping) else value for key, value in tables.items()}
+def _copied(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _copied(each) for key, each in value.items()}
+    return [_copied(each) for each in value] if isinstance(value, list) else value
+
+
+def _listed(table: list, name: str, key: str, value: Any) -> Any:
+    """What has this number in a list."""
+    if not (name.isdecimal() and 1 <= int(name) <= len(table)):
+        raise SceneError(key, value, allowed("number-in-list", count=len(table)))
+    return table[int(name) - 1]

@@ -44,11 +44,12 @@ def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit:
 
 
 def pivot_moments(name: str, solution: Solution, time: np.ndarray) -> dict[str, Any]:
-    """Bending moments of a bar that bends as it swings [N m]: at its pivot and where it strikes, (instants, 2)."""
+    """Bending moments of a bar that bends as it swings [N m]: at its pivot, half way, and where it strikes,
+    (instants, 3)."""
     body, motion = solution.scene.impactor, solution.known_motion
     if not isinstance(body, FlexiblePendulum) or not isinstance(motion, ModalMotion):
         return {}
-    return {f"{name}Moments": whole_numbers(motion.moment(time, np.array([-NO_PLACE, -body.place])))}
+    return {f"{name}Moments": whole_numbers(motion.moment(time, np.array([-NO_PLACE, -0.5 * body.place, -body.place])))}
 
 
 def waves_of_force(solution: Solution) -> tuple[Motion | None, float]:

@@ -47,11 +47,13 @@ def bent_shapes(solution: Solution, time: np.ndarray, length_unit: float) -> dic
 
 
 def axis_moments(name: str, solution: Solution, time: np.ndarray) -> dict[str, Any]:
-    """Bending moments of a rod that turns and is struck across [N m]: at its axis and at the contact, (instants, 2)."""
+    """Bending moments of a rod that turns and is struck across [N m], (instants, 3): at its axis, half way, and at the
+    contact."""
     rod, motion = solution.scene.target, solution.known_motion
     if not isinstance(rod, RotatingRod) or not rod.across or not isinstance(motion, ModalMotion):
         return {}
-    return {f"{name}Moments": whole_numbers(motion.moment(time, np.array([0.0, rod.at * rod.length])))}
+    places = rod.at * rod.length * np.array([0.0, 0.5, 1.0])
+    return {f"{name}Moments": whole_numbers(motion.moment(time, places))}
 
 
 def rotation_told(body: AnyBody) -> dict[str, Any]:

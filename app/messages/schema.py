@@ -90,9 +90,9 @@ AXIAL: Fields = {
             "exactBar": Field("(motion, bar places)", "of a pendulum that bends, from its pivot on [v T]"),
             "otherBar": Field("(motion, bar places)", "likewise [v T]"),
             "exactMoments": Field(
-                "(moments, 2)", "of a bar that bends: at its pivot or axis, and at the contact [N m]"
+                "(moments, 3)", "of a bar that bends: at its pivot or axis, half way, and at the contact [N m]"
             ),
-            "otherMoments": Field("(moments, 2)", "[N m]"),
+            "otherMoments": Field("(moments, 3)", "[N m]"),
             "balanceTime": Field("(balances)", "[T]"),
             "balanceForce": Field("(balances)", "impulse over the step [Z v]"),
             "turningBar": Field(

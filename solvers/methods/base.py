@@ -133,7 +133,15 @@ class Method(ABC):
         """What is to be said besides its own notes."""
         notes = general_notes(solution, own, whole, self._miscounts(), self._resolution(solution.scene))
         notes += notes_on_theory(solution, self.WAVES)
+        notes += self._notes_on_links(solution.scene)
         return [note for note in notes if note not in own]
+
+    def _notes_on_links(self, scene: Scene) -> list[Note]:
+        """Where more modes are asked for than the links of a mechanism have: then these are all that there are."""
+        modes, most = getattr(self, "modes", None), getattr(scene.target, "most_modes", 0)
+        if modes is None or modes == type(self).modes or not 0 < most < modes:  # type: ignore[attr-defined]
+            return []
+        return [Note("links-keep-modes", Severity.REMARK, most=most, modes=modes)]
 
     def without_estimate(self) -> Self:
         """Itself without the estimate of its error, which costs as much again."""

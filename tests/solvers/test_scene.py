@@ -150,6 +150,17 @@ def test_replace():
     assert scene.replace({}) == scene
 
 
+def test_replacing_in_a_list():
+    scene = solvers.load("table-6.6")
+    changed = scene.replace({"target.links.1.modes": 8, "target.links.1.section.width": 0.05})
+    assert (changed.target.links[0].modes, scene.target.links[0].modes) == (8, 5)
+    assert changed.table()["target"]["links"][0]["section"]["width"] == 0.05
+    for key in ("target.links.2.modes", "target.links.0.modes", "target.links.bar.modes", "target.links.1"):
+        with pytest.raises(SceneError, match="by its number from 1 to 1") as refused:
+            scene.replace({key: 8})
+        assert refused.value.key == key
+
+
 def test_replacing_the_speed_keeps_the_restitution_of_hunt_crossley():
     scene = struck_rod(1.0, "free", contact_table("hunt-crossley", restitution=0.5))
     faster = scene.replace({"impactor.velocity": 4.0})

@@ -1,4 +1,4 @@
-// Bending moments of a bar on a pivot or an axis, over time: there, where none may be, and at the contact.
+// Bending moments of a bar on a pivot or an axis, over time: there, where none may be, half way, and at the contact.
 import { Chart } from '../charts/chart.js';
 import { even } from '../charts/scale.js';
 import { text } from '../text/catalogue.js';
@@ -8,7 +8,9 @@ import { naming } from '../text/words.js';
 /** @import { Series } from '../charts/chart.js' */
 /** @import { AxialFrame, Numbers } from '../shell/message.js' */
 
-/** @typedef {[there: Series['style'], contact: Series['style']]} Styles */
+const PLACES = /** @type {const} */ (['pivot', 'between', 'contact']);
+
+/** @typedef {Partial<Record<typeof PLACES[number], Series['style']>>} Styles  of what is drawn */
 
 export class Moments {
   /**
@@ -25,14 +27,19 @@ export class Moments {
     /** @type {Series[]} */
     const series = [];
     const add = (/** @type {Numbers} */ moments, /** @type {string} */ name, /** @type {Styles} */ styles) => {
-      const x = even(moments.length / 2, duration);
-      ['pivot', 'contact'].forEach((where, k) => {
+      const x = even(moments.length / PLACES.length, duration);
+      PLACES.forEach((where, k) => {
+        const style = styles[where];
+        if (!style) return;
         const told = text('axial.chart.moment', { where, turns: Boolean(target.rotation), method: naming(name) });
-        series.push({ x, y: moments.filter((_, i) => i % 2 === k), name: told, style: styles[k] });
+        series.push({ x, y: moments.filter((_, i) => i % PLACES.length === k), name: told, style });
       });
     };
-    if (exactMoments) add(exactMoments, exact.name, ['exact', 'struck']);
-    if (otherMoments && other) add(otherMoments, other.name, ['other', 'dashedOther']);
+    const besides = otherMoments && other; // half way: of one solution, so that lines can be told apart
+    if (exactMoments) {
+      add(exactMoments, exact.name, { pivot: 'exact', contact: 'struck', ...(!besides && { between: 'halfSpace' }) });
+    }
+    if (besides) add(otherMoments, other.name, { pivot: 'other', between: 'halfSpace', contact: 'dashedOther' });
     this.chart.show({ series, shades: exact.contacts });
   }
   draw() {

@@ -179,7 +179,7 @@
  * @property {Numbers} [modalForce]  one for each step
  * @property {Numbers} [exactBar]  (motion, bar places), flat: of a pendulum that bends, from its pivot on [v T]
  * @property {Numbers} [otherBar]
- * @property {Numbers} [exactMoments]  (instant, 2), flat: of a bar that bends, at its pivot or axis and at the contact
+ * @property {Numbers} [exactMoments]  (instant, 3), flat: of a bar that bends, at its pivot or axis, half way, contact
  * @property {Numbers} [otherMoments]
  * @property {Numbers} [balanceTime]
  * @property {Numbers} [balanceForce]

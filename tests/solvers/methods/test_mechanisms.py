@@ -269,6 +269,12 @@ def test_fewer_modes_than_the_scene_gives_its_links_are_those_of_a_scene_that_gi
     assert solvers.solve(many).method["modes"] == 60
 
 
+@pytest.mark.parametrize(("modes", "said"), [(8, 1), (5, 0), (3, 0), (None, 0)])
+def test_more_modes_than_links_have_are_said_to_change_nothing(modes, said):
+    found = solvers.solve(solvers.load("table-6.6"), Balance(**({} if modes is None else {"modes": modes})))
+    assert [note.code for note in found.notes].count("links-keep-modes") == said
+
+
 def test_links_that_are_held_to_be_rigid_are_so_quasi_statically():
     bending, stiff = (QuasiStatic().solve(four_bar(modes, contact=HERTZ)) for modes in (5, 0))
     assert bending.impactor_velocity == stiff.impactor_velocity
