@@ -179,7 +179,20 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
         bends = base.target.known_as(Mechanism).flexible
         return [*names, "motion_seconds", *(["motion_links"] if bends else [])]
     shown = "modal" if chosen["method"] == "waves" else chosen["method"]
+    if kind_of(base) == "axial":
+        able = able_methods(chosen["scene"], chosen["bodies"])
+        if able <= {"waves"}:
+            names.remove("method")  # there is nothing to compare with
+        if shown not in able:
+            return names
     return names + resolutions(base, shown)
+
+
+@lru_cache(maxsize=512)
+def able_methods(name: str, bodies: str) -> frozenset[str]:
+    """Those that can solve a built-in scene with other values of its bodies."""
+    scene = base_of(name, bodies)
+    return frozenset(method for method, kind in SOLVED_BY.items() if kind().refusal(scene) is None)
 
 
 def moves_on(chosen: dict[str, Any]) -> bool:

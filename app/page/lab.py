@@ -18,7 +18,7 @@ from param.parameterized import _syncing
 from ..choices.beam import free_place
 from ..choices.choices import Choices, accepts, refusal
 from ..choices.request import DRAFT
-from ..choices.scene_of import choices_of
+from ..choices.scene_of import choices_of, own_choices
 from ..jobs.answers import KEPT
 from ..jobs.loops import of_loop
 from ..jobs.runner import Runner
@@ -148,8 +148,8 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         if self._quiet:
             return
         if any(event.name == "scene" for event in events):
-            with self._silence():
-                self.param.update(**choices_of(self.scene))
+            with self._silence():  # as it is opened by itself, wherever one comes from
+                self.param.update(**own_choices(self.scene))
         if any(event.name == "support" for event in events):
             with self._silence():
                 self.place = free_place(self.support, self.place)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from ..choices.questions import Question
-from . import bounces, joints, plan, stability, tolerance
+from . import bounces, joints, plan, stability, stretch, tolerance
 from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
@@ -113,6 +113,8 @@ VIEWS = (  # in the order in which an address names them
          depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
     View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
          scenes=("bent-rods",)),
+    View("stretch", stretch.stretch_data, figure=stretch.stretch_figure, kinds=AXIAL,
+         depends_on=stretch.of_turning_rods, scenes=("figure-5.24",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [

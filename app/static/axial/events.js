@@ -6,6 +6,7 @@ import { drawnRigid, toldOf } from './drawn.js';
 /** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
 
+const JUMPS = 6; // of the force in one contact that are told; later ones are small
 const STANDS = 5e-4; // of the impact speed; what is slower stands
 
 /**
@@ -38,7 +39,7 @@ function plainEvents(frame) {
   const { contacts, left, stillTouching } = toldOf(frame);
   if (impactor.kind === 'pulse') return pulseEvents(contacts);
   const striker = impactor.kind;
-  const waves = rods.length > 0 && !drawnRigid(frame);
+  const waves = rods.length > 0 && !drawnRigid(frame) && (target.support === 'anechoic' ? 'endless' : true);
   return contacts.flatMap(([start, end], k) => {
     const touches = k
       ? text('axial.event.meets-again', { number: k + 1 })
@@ -83,6 +84,10 @@ function eventsOnOneRod(frame) {
       1,
       text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back', { spread: spreadOf(frame) }),
     ]);
+  if (fixed && rigid) {
+    const again = Math.min(Math.ceil(exact.contacts[0][1] - 1e-9) - 1, JUMPS);
+    for (let t = 2; t <= again; t++) found.push([t, text('axial.event.front-again')]);
+  }
   exact.contacts.forEach(([start, end], k) => {
     if (k > 0) found.push([start, text('axial.event.recontact', { number: k + 1 })]);
     const last = k === exact.contacts.length - 1;

@@ -55,7 +55,8 @@ function unitsOf({ exactBar, impactor, rods, target, trip }) {
   const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
   const bent = target.rotation ? 'turning' : 'contact';
   const alone = exactBar ? 'pendulum' : bent;
-  const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : 'one';
+  const single = target.support === 'anechoic' ? 'endless' : 'one';
+  const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : single;
   const units = text('axial.units', { trip: `${pretty(trip * factor)} ${unit}`, what });
   const { mass: felt, ownMass: own } = impactor;
   const { rotation } = target;
@@ -164,8 +165,8 @@ export class Story {
       waves: exact.name === 'waves',
       found: signed(exact.final ?? 0),
     });
-    const e = match === null ? text('axial.match.none') : text('axial.match.needed', { restitution: match });
-    const needed = make('b', { textContent: e });
+    if (match === null) return [says, text('axial.match.none')];
+    const needed = make('b', { textContent: text('axial.match.needed', { restitution: match }) });
     const verdict = text('axial.match.misses', { contacts: exact.contacts.length });
     const { newton, newton_at_contact: faces } = exact.restitution;
     if (newton === null || faces === null || Math.abs(newton - faces) <= 0.01) return [says, needed, verdict];

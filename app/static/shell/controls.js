@@ -84,7 +84,10 @@ export class Controls {
     const label = this.fields.method.root.querySelector('label');
     if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');
     for (const option of this.method.options) {
-      if (option.value === 'waves') option.textContent = onBeam ? text('controls.travelling-waves') : METHODS.waves;
+      if (option.value === 'waves') {
+        const beside = frame.refusals.modal ? text('controls.nothing-beside') : METHODS.waves;
+        option.textContent = onBeam ? text('controls.travelling-waves') : beside;
+      }
       const reason = frame.refusals[option.value];
       option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
       option.title = reason ? said(reason) : '';

@@ -30,15 +30,19 @@ export class Symbols {
     });
     page.addEventListener('focusin', (event) => {
       const [first] = event.composedPath();
-      if (first instanceof Element && first.matches(':focus-visible')) this.show(from(event));
+      if (first instanceof Element && first.matches(':focus-visible')) this.show(from(event), true);
     });
-    page.addEventListener('focusout', () => this.hide());
+    for (const done of ['focusout', 'input', 'change']) page.addEventListener(done, () => this.hide());
     page.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.hide();
     });
   }
-  /** @param {HTMLElement | null} element */
-  show(element) {
+  /**
+   * Beside the controls, which it must not cover, where there is room; else below the symbol, or above.
+   * @param {HTMLElement | null} element
+   * @param {boolean} [focused]  and not under the pointer, which may want what the tip lies on
+   */
+  show(element, focused = false) {
     const { name, meaning, source, symbol, unit } = family(`term.${element?.dataset.term}`);
     if (!element || !name || element === this.shown) return;
     this.hide();
@@ -50,9 +54,16 @@ export class Symbols {
     if (source) rest.push(text('symbol.source', { source }));
     this.tip.replaceChildren(head, make('span', { textContent: meaning }), make('small', {}, rest.join(' · ')));
     this.tip.hidden = false;
+    this.tip.style.pointerEvents = focused ? 'none' : '';
     const at = element.getBoundingClientRect();
     const { width, height } = this.tip.getBoundingClientRect();
+    const beside = (element.closest('.controls')?.getBoundingClientRect().right ?? Infinity) + GAP;
     const below = at.bottom + GAP + height < window.innerHeight;
+    if (beside + width < window.innerWidth) {
+      this.tip.style.left = `${beside}px`;
+      this.tip.style.top = `${Math.min(at.top, window.innerHeight - height - 4)}px`;
+      return;
+    }
     this.tip.style.left = `${Math.max(4, Math.min(at.left, window.innerWidth - width - 4))}px`;
     this.tip.style.top = `${below ? at.bottom + GAP : at.top - GAP - height}px`;
   }

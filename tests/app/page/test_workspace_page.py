@@ -258,6 +258,43 @@ def test_symbols_explain_themselves_to_pointer_and_keyboard(open_page):
     expect(tip).to_be_hidden()
 
 
+def test_what_a_field_explains_of_itself_is_no_bar_to_the_next_slider(open_page):
+    page = open_page()
+    field = page.tab.get_by_label("Mass ratio, exact value")
+    field.click()
+    tip = page.tab.get_by_role("tooltip")
+    expect(tip).to_be_visible()
+    dock = page.tab.locator(".controls").bounding_box()
+    assert tip.bounding_box()["x"] >= dock["x"] + dock["width"]  # beside the controls, and not on them
+    page.answered(lambda: (field.fill("2"), field.press("Enter")))
+    expect(tip).to_be_hidden()
+    slider = page.tab.get_by_role("slider", name="Impact speed", exact=True).bounding_box()
+    page.tab.mouse.move(slider["x"] + 0.5 * slider["width"], slider["y"] + 0.5 * slider["height"])
+    page.tab.mouse.down()
+    page.answered(
+        lambda: page.tab.mouse.move(slider["x"] + 0.8 * slider["width"], slider["y"] + 0.5 * slider["height"])
+    )
+    page.tab.mouse.up()
+
+
+def test_a_scene_is_the_same_wherever_one_comes_from(open_page):
+    page = open_page("?scene=fixed-rod&modes=7&restitution=0.3")
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
+    chosen, own = page.header("chosen"), page.header("own")
+    assert (chosen["modes"], chosen["restitution"]) == (own["modes"], own["restitution"])
+    page.wait("() => location.search === '?scene=free-rod'")
+
+
+@pytest.mark.parametrize(("scene", "hidden"), [("split-hopkinson", True), ("semi-infinite-rod", False)])
+def test_what_does_not_act_on_a_chain_is_not_shown(open_page, scene, hidden):
+    page = open_page(f"?scene={scene}")
+    expect(page.tab.get_by_role("slider", name="Modes", exact=True)).to_be_hidden()
+    beside = page.tab.get_by_label("Compare with", exact=True)
+    expect(beside).to_be_visible(visible=not hidden)
+    if not hidden:
+        assert beside.evaluate("each => each.selectedOptions[0].textContent") == "Nothing (exact waves alone)"
+
+
 @pytest.mark.parametrize("query", ["", "?scene=hammer-on-cantilever", "?scene=two-equal-rods"])
 def test_the_striker_is_pulled_back_for_speed(open_page, query):
     page = open_page(query)
