@@ -13,6 +13,9 @@ from .motion import Motion, MovesFace
 CROSSING_SAMPLES = 4_000  # over the time in which crossings are searched for
 
 
+JUST_AFTER = 1e-14  # of a round trip: more than the rounding of the instant at which a front arrives
+
+
 def common_velocity(scene: Scene) -> float:
     """Of both bodies' centre of mass [m/s]; zero if the target is held."""
     if scene.target.held:
@@ -28,7 +31,7 @@ def restitution(scene: Scene, motion: Motion, parting: float, until: float) -> d
     A held target counts as a body at rest, its mean over a period of vibration (4.43). Where a body turns about a pin
     there is no restitution of centres of mass, and none by impulses where bodies turn at all: they are None.
     """
-    end, parted = np.array([until]), np.array([parting])
+    end, parted = np.array([until]), np.array([parting + JUST_AFTER * scene.time_unit])
     impactor = float(motion.impactor_velocity(end)[0])
     target = 0.0 if scene.target.held else float(motion.rigid_velocity(end)[0])
     face_velocity = motion.face_velocity if isinstance(motion, MovesFace) else motion.impactor_velocity

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import solvers
 from solvers import Modal, Waves
 from solvers.solution.restitution import common_velocity, common_velocity_times, compression_time, restitution
 from tests.catalog import T, struck_rod
@@ -64,3 +65,12 @@ def test_no_crossing_is_an_empty_list():
     found = Waves().solve(struck_rod(1.0, "free"))
     assert common_velocity_times(found.motion, 0.3 * T) == []
     assert compression_time(found.motion, common_velocity(found.scene), 0.3 * T) is None
+
+
+def test_surfaces_that_part_as_a_front_arrives_are_those_behind_it():
+    """Two equal rods, the struck one with a step of section: as they part both faces stand still."""
+    found = solvers.solve(solvers.load("stepped-rod"))
+    assert found.restitution["newton_at_contact"] == approx(0.0, abs=1e-12)
+    after = np.array([found.contacts[-1].end * (1.0 + 1e-9)])
+    fields = found.motion.velocity(after, np.array([-1e-9, 1e-9]))[0]
+    assert fields == approx([0.0, 0.0], abs=1e-9)
