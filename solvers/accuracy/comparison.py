@@ -127,11 +127,12 @@ def overlapping(true: Sequence[ContactPeriod], found: Sequence[ContactPeriod]) -
     return seen
 
 
-def force_error(exact: Solution, until: float, force: Callable[[np.ndarray], np.ndarray]) -> float:
-    """Relative L2 error of a force history up to a time [s]."""
+def force_error(exact: Solution, until: float, force: Callable[[np.ndarray], np.ndarray]) -> float | None:
+    """Relative L2 error of a force history up to a time [s]; None where the true one is an impulse without duration."""
     time = (np.arange(FORCE_SAMPLES) + 0.5) * until / FORCE_SAMPLES
     true = _until_the_end(exact, exact.known_motion.force)(time)
-    return float(np.linalg.norm(force(time) - true) / np.linalg.norm(true))
+    size = float(np.linalg.norm(true))
+    return float(np.linalg.norm(force(time) - true)) / size if size else None
 
 
 def _until_the_end(solution: Solution, force: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], np.ndarray]:

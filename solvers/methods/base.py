@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar, Self
 
 from .. import validation
-from ..bodies import Balls
+from ..bodies import Balls, FlexiblePendulum, Mechanism
 from ..contact.protocol import Damped
 from ..provenance import compiled
 from ..scene import Scene
@@ -70,6 +70,9 @@ class Method(ABC):
 
     def refusal(self, scene: Scene) -> Note | None:
         """`why_not`, and before it what every method says that knows bodies on an axis only."""
+        bends = isinstance(scene.impactor, FlexiblePendulum)
+        if bends and isinstance(scene.target, Mechanism) and scene.target.frozen.rates.any():
+            return Note("refusals.pendulum-on-moving-mechanism", Severity.REFUSAL)
         scene = scene.struck if self.MOVES else scene.struck.at_contact
         if scene.normal is not None and not self.SPATIAL:
             return Note("refusals.in-space", Severity.REFUSAL)

@@ -109,7 +109,9 @@ class Solution:
     sliding: list[Sliding] | None = None  # of bodies in space that rub
     ball_velocities: list[float] | None = None  # of each of a row of balls at the end [m/s]
     models: dict[str, dict[str, Any]] | None = None  # what each model of restitution gives for them
-    joints: list[list[ContactPeriod]] = field(default_factory=list)  # contact periods at each joint of a chain of rods
+    joints: list[list[ContactPeriod]] = field(
+        default_factory=list
+    )  # contact periods at joints; of bonded ones with tension
 
     @property
     def links(self) -> dict[str, dict[str, Any]] | None:

@@ -23,6 +23,7 @@ Point = tuple[float, float]
 GROUND = "ground"
 FARTHEST = 1e6  # [m], of a point from the origin
 INERTIA_RANGE = (1e-24, 1e24)  # kg m2
+MOST_SLENDER = 1e5  # length of a flexible link over the root of its section: beyond, it has no period in 16 digits
 NEAREST_NODES = 1e-6  # of the length
 MOST_MODES = 200  # of a link, of either kind
 LONGEST_NAME = 40  # characters
@@ -229,5 +230,7 @@ def _check_flexible(
     for word, value in (("section", section), ("material", material)):
         if value is None:
             raise SceneError(f"{key}.{word}", None, allowed("flexible-link", link=name))
+    if section is not None and length > (most := MOST_SLENDER * math.sqrt(section.area)):
+        raise SceneError(f"{key}.to", length, allowed("link-slender", link=name, most=most))
     if modes and section is not None and section.second_moment is None:
         raise SceneError(f"{key}.section.second_moment", None, allowed("second-moment"))

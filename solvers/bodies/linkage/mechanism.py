@@ -146,6 +146,12 @@ class Mechanism(AnyBody):
             fibre = side * section.half_depth / section.second_moment
         return StruckMechanism(self.frozen, fibre, link.material, self.radius, self.flexible)
 
+    @cached_property
+    def extent(self) -> float:
+        """The larger of its sides along x and y [m]; 1 where it is a point."""
+        points = np.array([point for link in self.links for point in (link.start, link.end)])
+        return float(np.ptp(points, axis=0).max()) or 1.0
+
     @property
     def most_modes(self) -> int:
         """Of any link, of bending or of stretching."""

@@ -123,7 +123,8 @@ class FeNodal(FiniteElements):
         if diverged:
             done -= done % stride
         elif parted:
-            last = int(np.flatnonzero(record.contact_force[: done + 1] > 0.0)[-1]) + 1
+            pressed = np.flatnonzero(record.contact_force[: done + 1] > 0.0)
+            last = int(pressed[-1]) + 1 if pressed.size else 1  # in a step too long for a law they part as they touch
             done = end(plan, scene, last, done)
         return record, max(done, stride), parted, diverged
 

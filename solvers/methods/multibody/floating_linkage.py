@@ -82,8 +82,7 @@ def _tied(system: System, kinds: list[list[_Tie]]) -> Ties:
 
 def _units(mechanism: Mechanism) -> np.ndarray:
     """Of every coordinate: the size of the mechanism, one turn, and that size by the mass of the link."""
-    points = np.array([point for link in mechanism.links for point in (link.start, link.end)])
-    size = float(np.ptp(points, axis=0).max()) or 1.0
+    size = mechanism.extent
     return np.concatenate(
         [
             np.append((size, size, 1.0), np.full(link.size - 3, size * np.sqrt(link.mass)))

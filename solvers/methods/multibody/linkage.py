@@ -65,10 +65,8 @@ def rigid_linkage(mechanism: Mechanism) -> tuple[Linkage, Rows]:
                    Angles(*_columns(turns, "iiff")), np.array(springs[False], float))  # fmt: skip
     masses = np.concatenate([(link.mass, link.mass, link.inertia) for link in system.links])
     load = np.concatenate([(*(link.mass * system.gravity), 0.0) for link in system.links])
-    points = np.array([point for link in mechanism.links for point in (link.start, link.end)])
-    size = float(np.ptp(points, axis=0).max()) or 1.0
     found = Linkage(1.0 / masses, load, Pins(*_columns(pins, "iivv")), Lines(*_columns(lines, "iivvvf")),
-                    Angles(*_columns(angles, "iiff")), held, size)  # fmt: skip
+                    Angles(*_columns(angles, "iiff")), held, mechanism.extent)  # fmt: skip
     return found, rows_of(rows[PIN_X], rows[LINE], rows[ANGLE])
 
 

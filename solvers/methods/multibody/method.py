@@ -37,6 +37,10 @@ MAX_SLOPE = 0.1  # of bent links; what is left out is of its square
 MOST_STEPS_OF_FLEXIBLE = 300_000  # which take a minute; more must be asked for
 MAX_INSTANTS = 50_000  # that are kept, besides impacts
 STOP = "stop"  # a kind of body
+MOST_OPEN = 1e-6  # of the size of the mechanism, by which joints may be open: else they could not be closed
+MOST_DRIFT, GREAT_DRIFT = 1e-5, 1e-2  # of the energy; usual steps keep it to 1e-8 and better
+FINER = 4  # times as many steps where they do not
+SAME_PLACE = 0.1  # of the time, by which joints open sooner or later with more steps where that is not for want of them
 MOST_CONTACT_STEPS = 100_000  # of contact laws, all kept; they take some ten seconds
 
 
@@ -92,13 +96,13 @@ class Multibody(Method):
         if reason:
             raise SceneNotSupported("method.duration", duration, reason)
         begun = clock()
-        motion, full = self._follow(scene, duration)
+        motion, steps, full, torn = self._follow(scene, duration)
         wall_time = clock() - begun
         end = float(motion.time[-1])
         contacts = motion.contacts()
         energy = {name: float(value[-1]) for name, value in motion.energies(motion.time[-1:]).items()}
         initial = scene.initial_energy
-        totals = sum(motion.energies(motion.time).values())
+        drift = _drift(scene, motion)
         final = float(motion.impactor_velocity(np.array([end]))[0])
         law = not scene.rigid_contact
         deepest = float(motion.course.contact[:, flight.INDENTATION].max())
@@ -115,15 +119,15 @@ class Multibody(Method):
             energy={"initial": initial} | energy,
             diagnostics={
                 "energy_error": (sum(energy.values()) - initial) / initial,
-                "energy_drift": float(np.abs(totals - initial).max()) / initial,
+                "energy_drift": drift,
                 "momentum_error": self._momentum_error(scene, motion, contacts[0].end),
                 "constraint_error": motion.widest_gap,
-                "steps": self._steps(motion.mechanism, scene.speed, duration)[1],
+                "steps": steps,
                 **({} if law else {"balances": motion.impulses[0].size}),
                 "wall_time": wall_time,
-                "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
+                "estimated_error": self._estimated_error(scene, motion, steps) if self.estimate and not torn else None,
             },
-            notes=self._notes(scene, motion, contacts, full),
+            notes=self._notes(scene, motion, contacts, full) + _notes_on_steps(motion, drift, torn),
             peak_force=max(contact.peak_force for contact in contacts) if law else None,
             peak_indentation=deepest if law else None,
             residual_indentation=float(scene.contact.dent(deepest)) if law else None,
@@ -150,21 +154,32 @@ class Multibody(Method):
             lost = mass * np.hypot(*(np.diff(course.speed, axis=0) - fallen)[rows].T)
         return float((lost - np.diff(course.contact[:, flight.IMPULSE])[rows]).sum()) / (mass * scene.speed)
 
-    def _estimated_error(self, scene: Scene, motion: MovingMotion) -> float:
+    def _estimated_error(self, scene: Scene, motion: MovingMotion, steps: int) -> float:
         """Of the last velocity of the mass, of the struck point where that is held, relative to the speed of approach,
         against half the steps, of contacts too."""
         end = motion.time[-1:]
-        half = max(10, self._steps(motion.mechanism, scene.speed, float(end[0]))[1] // 2)
-        other, _ = replace(self, steps=half, contact_steps=max(10, self.contact_steps // 2))._follow(
-            scene, float(end[0])
-        )
+        coarser = replace(self, steps=max(10, steps // 2), contact_steps=max(10, self.contact_steps // 2))
+        other = coarser._follow(scene, float(end[0])).motion
         found, half_found = (
             each.end_velocity(end) if scene.impactor.held else each.impactor_velocity(end) for each in (motion, other)
         )
         return float(np.abs(found - half_found)[0]) / scene.speed
 
-    def _follow(self, scene: Scene, duration: float | None) -> tuple[MovingMotion, bool]:
-        """The motion, and whether it was ended by too many impacts."""
+    def _follow(self, scene: Scene, duration: float | None) -> "_Followed":
+        """In more steps than usual where these do not keep joints and energy, as where an impact makes links fast."""
+        duration, steps = self._steps(scene.target.known_as(Mechanism), scene.speed, duration)
+        most = MAX_STEPS if not scene.target.known_as(Mechanism).flexible else MOST_STEPS_OF_FLEXIBLE
+        torn_at = math.inf
+        while True:
+            found = self._followed(scene, duration, steps)
+            end = float(found.motion.time[-1])
+            kept = not found.torn and _drift(scene, found.motion) <= MOST_DRIFT
+            stuck = found.torn and abs(end - torn_at) <= SAME_PLACE * end  # at a dead point no step is short enough
+            if kept or stuck or self.steps is not None or self.quick or FINER * steps > most:
+                return found
+            torn_at, steps = end if found.torn else math.inf, FINER * steps
+
+    def _followed(self, scene: Scene, duration: float, steps: int) -> "_Followed":
         mechanism = scene.target.known_as(Mechanism)
         moves = _flexible(mechanism) if mechanism.flexible else _rigid(mechanism)
         contact, normal = struck_by(mechanism, scene.impactor), np.array(mechanism.struck.normal)
@@ -181,7 +196,6 @@ class Multibody(Method):
             )
             for _ in range(2)
         )
-        duration, steps = self._steps(mechanism, scene.speed, duration)
         every = math.ceil(steps / MAX_INSTANTS)
         law, surface = law_of(scene, mechanism, self.contact_steps, duration / steps)
         most = 2 * MOST_IMPACTS if scene.rigid_contact else self.most_contact_steps
@@ -192,9 +206,12 @@ class Multibody(Method):
             moves.linkage, moves.room, contact, law, surface, stages, self.restitution, duration / steps, steps,
             every, state, later, kept, seen,
         )  # fmt: skip
+        open_rows = np.flatnonzero(~(seen.gap[:count] <= MOST_OPEN * mechanism.extent))
+        torn = bool(open_rows.size)
+        count = max(2, int(open_rows[0])) if torn else count
         course, seen = (type(each)(*(values[:count] for values in each)) for each in (kept, seen))
-        full = float(course.time[-1]) < duration - 1e-6 * duration / steps
-        return moves.motion(scene, course, seen, moves.linkage, moves.rows), full
+        full = not torn and float(course.time[-1]) < duration - 1e-6 * duration / steps
+        return _Followed(moves.motion(scene, course, seen, moves.linkage, moves.rows), steps, full, torn)
 
     def _notes(self, scene: Scene, motion: MovingMotion, contacts: list[ContactPeriod], full: bool) -> list[Note]:
         found = []
@@ -261,6 +278,30 @@ def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:
     error = freezing_error(motion.scene, first.end - first.start, first.impulse, angle)
     values = {"link": motion.mechanism.links[link].name, "angle": math.degrees(turned.max()), "error": 100.0 * error}
     return Note("configuration-followed", Severity.REMARK, **values)
+
+
+class _Followed(NamedTuple):
+    """A motion, in how many steps, whether it was ended by too many impacts, or by joints that could not be closed."""
+
+    motion: MovingMotion
+    steps: int
+    full: bool
+    torn: bool
+
+
+def _drift(scene: Scene, motion: MovingMotion) -> float:
+    """Of the energy, the largest, relative to that of the impactor at first; infinite where it is no number."""
+    totals = sum(motion.energies(motion.time).values())
+    worst = float(np.abs(totals - scene.initial_energy).max()) / scene.initial_energy
+    return worst if math.isfinite(worst) else math.inf
+
+
+def _notes_on_steps(motion: MovingMotion, drift: float, torn: bool) -> list[Note]:
+    """Where joints or energy could not be kept."""
+    if torn:
+        return [Note("joints-open", Severity.INVALID, time=float(motion.time[-1]))]
+    severity = Severity.INVALID if drift > GREAT_DRIFT else Severity.WARNING
+    return [Note("energy-drifts", severity, share=100.0 * drift)] if drift > MOST_DRIFT else []
 
 
 class _Moves(NamedTuple):

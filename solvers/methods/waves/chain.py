@@ -8,6 +8,7 @@ from ...numerics.waves import network as wave_network
 from ...numerics.waves.events import NO_PULL
 from ...numerics.waves.laws import law_function, new_work
 from ...numerics.waves.nodes import new_state
+from ...numerics.waves.parts import BONDED
 from ...numerics.waves.record import (
     DEPTH,
     FORCE,
@@ -125,14 +126,15 @@ class ExactHistory(ChainHistory):
         """Stretches of time in which the faces at a node press on each other.
 
         Faces that stay together without force, as two equal rods do, do not press; openings no larger than rounding,
-        from the dent that is left, part nothing.
+        from the dent that is left, part nothing. Of a bonded joint from its first force to its last, tension too.
         """
         count = int(self.record.count[node])
         values, start = self.record.values[node, :count], self.record.start[node]
         force, closed = values[:, FORCE], self.record.closed[node, :count]
         waves = np.maximum(np.abs(values[:, OUT_LEFT]), np.abs(values[:, OUT_RIGHT]))
         arriving = np.maximum(np.abs(force - values[:, OUT_LEFT]), np.abs(force - values[:, OUT_RIGHT]))
-        presses = closed & (force.max(axis=1) > CONTACT_ROUNDING * np.maximum(waves, arriving).max(axis=1))
+        felt = np.abs(force) if self.chain.kind[node] == BONDED else force  # these bear tension, too
+        presses = closed & (felt.max(axis=1) > CONTACT_ROUNDING * np.maximum(waves, arriving).max(axis=1))
         together = closed | (values[:, DEPTH].min(axis=1) - self._dents(node) > -CONTACT_ROUNDING)
         edges = np.flatnonzero(np.diff(np.concatenate(([0], together.astype(np.int8), [0]))))
         found = []

@@ -8,7 +8,7 @@ from ...numerics.law_functions import MEMORY, step_function
 from ...numerics.waves import grid as wave_grid
 from ...numerics.waves.events import NO_PULL
 from ...numerics.waves.network import separate
-from ...numerics.waves.parts import ABSORBING, RIGID_FACES, Chain
+from ...numerics.waves.parts import ABSORBING, BONDED, RIGID_FACES, Chain
 from ...numerics.waves.record import (
     DEPTH,
     FORCE,
@@ -188,7 +188,8 @@ class GridHistory(ChainHistory):
         """Faces that part by no more than they may come closer in one step stay together."""
         force, law = self.force[node], self.laws[node]
         waves = np.maximum(np.abs(self.left[node]), np.abs(self.right[node]))
-        presses = force > CONTACT_ROUNDING * np.maximum(waves, np.abs(force - self.left[node])).max()
+        felt = np.abs(force) if self.chain.kind[node] == BONDED else force  # these bear tension, too
+        presses = felt > CONTACT_ROUNDING * np.maximum(waves, np.abs(force - self.left[node])).max()
         dents = np.zeros(force.size)
         if law is not None and law.PLASTIC:
             deepest, where = np.unique(np.maximum.accumulate(self.depth[node]), return_inverse=True)

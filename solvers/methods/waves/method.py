@@ -112,9 +112,12 @@ class Waves(Method):
         tolerance = min(self.tolerance, RIGID_TOLERANCE) if rigid else self.tolerance
         history = follow(scene, until, tolerance if rigid else 0.1 * tolerance)  # errors of some steps add up
         trip = history.trip
+        joints = [history.periods(node) for node in range(history.contact + 1, len(history.rods))]
         shown = min(until, history.reach)
         if not math.isfinite(until):
-            shown = min(history.contacts[-1].end / trip + AFTERGLOW, history.reach)
+            gaps = zip(scene.target.joints, joints, strict=True)
+            closing = [periods[0].start for joint, periods in gaps if joint.gap and periods]  # however late that is
+            shown = min(max([history.contacts[-1].end, *closing]) / trip + AFTERGLOW, history.reach)
         wall_time = clock() - begun
         motion = ChainMotion(history)
         found = summary(scene, motion, history.contacts, trip * shown, wall_time)
@@ -133,7 +136,7 @@ class Waves(Method):
             peak_force=max(contact.peak_force for contact in history.contacts),
             peak_indentation=history.deepest(),
             residual_indentation=history.dent(),
-            joints=[history.periods(node) for node in range(history.contact + 1, len(history.rods))],
+            joints=joints,
             notes=history.notes(),
             **found,
         )

@@ -17,6 +17,7 @@ from .system import System
 
 RANK_TOLERANCE = 1e-9  # of the largest singular value, with lengths in units of the mechanism's own
 JERK_ANGLE = 1e-3  # [rad], by which the fastest link is turned to find it: second order, half the digits left
+STANDING = 1e-100  # [rad/s], of the fastest link: what is slower stands, and times squared are finite
 FELT = 1e-12  # of what a unit impulse could move at the most: below it the struck point is held
 
 
@@ -118,7 +119,7 @@ class Frozen:
     def jerk(self) -> float:
         """How fast that changes along the normal, which turns with the link, as the mechanism moves on [m/s3]."""
         fastest = float(np.abs(self.rates[self._angles]).max())
-        if fastest == 0.0:
+        if fastest < STANDING:
             return 0.0
         later = JERK_ANGLE / fastest
         return (self._acceleration_after(later) - self._acceleration_after(-later)) / (2.0 * later)
