@@ -7,7 +7,7 @@ import numpy as np
 from ...bodies import Pulse
 from ...numerics.waves.record import IMPULSE
 from ...scene import Scene
-from ..base import AFTERGLOW
+from ..base import AFTERGLOW, MAX_ROUND_TRIPS
 from .chain import ExactHistory
 from .chain_grid import COARSER, GridHistory
 from .chain_scene import ChainHistory, ChainScene
@@ -22,11 +22,11 @@ FIRST_LOOK = 20.0  # round trips of the longest rod: how far a grid looks at fir
 def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     """Solve up to `until` [T], or until the impactor has parted for good if that is infinite.
 
-    A prescribed force parts from nothing: then to two round trips after its end.
+    A prescribed force parts from nothing: then to two round trips after its end, and after its push could close gaps.
     """
     given = ChainScene(scene)
     if isinstance(scene.impactor, Pulse) and not math.isfinite(until):
-        until = scene.impactor.end / given.trip + 2.0
+        until = min((scene.impactor.end + _closing_time(scene.impactor, given)) / given.trip + 2.0, MAX_ROUND_TRIPS)
     history = ExactHistory(given, until, tolerance)
     if not history.gave_up:
         return history
@@ -49,6 +49,14 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
     rough = GridHistory(given, grid.reach, grid.reach, COARSER, trials=1)
     grid.error = max(grid.error, SURE * _difference(grid, rough))
     return grid if coarse is None or (grid.error < coarse.error and not grid.cut) else coarse
+
+
+def _closing_time(pulse: Pulse, given: ChainScene) -> float:
+    """Of all gaps [s], where all before each goes on with the momentum that the force gives; none if that pulls."""
+    momentum = float(np.trapezoid(pulse.forces, pulse.times))
+    moved = np.cumsum([rod.mass for rod in given.target.rods])[:-1]
+    gaps = np.array([joint.gap for joint in given.target.joints])
+    return float(moved @ gaps) / momentum if momentum > 0.0 else 0.0
 
 
 def _difference(history: ChainHistory, coarse: ChainHistory) -> float:

@@ -8,6 +8,7 @@ from scipy.special import ellipk
 import solvers
 from solvers import RigidImpulse, Scene, SceneError, SceneNotSupported
 from solvers.methods.multibody.method import Multibody
+from solvers.text.notes import Severity
 from tests.catalog import SCENES
 from tests.solvers.bodies.linkage.mechanisms import four_bar
 
@@ -133,3 +134,59 @@ def test_links_on_springs_swing_as_oscillators_do():
         expected = after / frequency * np.sin(frequency * times)
         assert moved == approx(expected, abs=1e-9 * np.abs(expected).max())
         assert found.diagnostics["energy_drift"] < 1e-9 and found.energy["springs"] > 0.0
+
+
+def test_a_drive_past_a_dead_point_ends_the_solution_and_says_so():
+    """The coupler and the rocker are straight, and the crank is driven on."""
+    links = [
+        {"name": "crank", "from": [0.0, 0.0], "to": [0.0, 0.5], "mass": 1.0},
+        {"name": "coupler", "from": [0.0, 0.5], "to": [0.3, 0.5], "mass": 1.0},
+        {"name": "rocker", "from": [0.3, 0.5], "to": [0.6, 0.0], "mass": 1.0},
+    ]
+    places = [["ground", "crank"], ["crank", "coupler"], ["coupler", "rocker"], ["ground", "rocker"]]
+    at = [[0.0, 0.0], [0.0, 0.5], [0.3, 0.5], [0.6, 0.0]]
+    target = {
+        "kind": "mechanism",
+        "links": links,
+        "joints": [{"links": pair, "at": place} for pair, place in zip(places, at, strict=True)],
+        "drives": [{"joint": 0, "speed": 5.0}],
+        "struck": {"link": "coupler", "at": 0.5, "normal": [0.0, -1.0]},
+    }
+    scene = Scene.from_table({"impactor": {"mass": 1.0, "velocity": 5.0}, "target": target})
+    found = Multibody().solve(scene, 0.5)
+    reach = 0.3 + np.hypot(0.3, 0.5)  # of coupler and rocker, from the crank's end to the ground at 0.6
+    turned = 0.5 * np.pi + 5.0 * found.duration
+    tip = 0.5 * np.array([np.cos(turned), np.sin(turned)])
+    assert np.hypot(*(tip - [0.6, 0.0])) == approx(reach, rel=2e-2)
+    assert [note.severity for note in found.notes if note.code == "joints-open"] == [Severity.INVALID]
+    assert found.diagnostics["constraint_error"] < 1e-6 and found.diagnostics["estimated_error"] is None
+    assert np.isfinite(found.impactor_velocity)
+
+
+def test_links_that_an_impact_makes_fast_are_followed_in_more_steps():
+    def spins(**options):
+        found = Multibody(**options).solve(fast, 0.5)
+        return found, [link["final_spin"] for link in found.links.values()]
+
+    ends = [[0.0, 0.0], [-0.254, 0.476], [-0.138, 0.375], [-0.045, 0.089]]
+    names = ["ground", "a", "b", "c", "ground"]
+    target = {
+        "kind": "mechanism",
+        "gravity": [0.0, -9.81],
+        "links": [
+            {"name": name, "from": start, "to": end, "mass": mass}
+            for name, start, end, mass in zip("abc", ends, ends[1:], [0.43, 1.28, 0.84], strict=False)
+        ],
+        "joints": [{"links": names[k : k + 2], "at": end} for k, end in enumerate(ends)],
+        "struck": {"link": "b", "at": 0.856, "normal": [-0.658, -0.753]},
+        "springs": [{"joint": 0, "stiffness": 2.5}],
+    }
+    law = {"law": "power", "stiffness": 1.7e5, "exponent": 1.47}
+    fast = Scene.from_table({"impactor": {"mass": 3.1, "velocity": 9.2}, "target": target, "contact": law})
+    found, usual = spins()
+    _, finer = spins(steps=40_000)
+    assert found.diagnostics["energy_drift"] < 1e-5 and usual == approx(finer, rel=1e-3)
+    assert "energy-drifts" not in [note.code for note in found.notes]
+    coarse, _ = spins(steps=500)
+    assert {"energy-drifts", "joints-open"} & {note.code for note in coarse.notes}
+    assert np.isfinite(list(coarse.energy.values())).all()

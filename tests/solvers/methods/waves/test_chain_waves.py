@@ -185,3 +185,24 @@ def _gives_up(given, until, tolerance, **options):
     history = ExactHistory(given, min(until, 0.1), tolerance)
     history.gave_up = True
     return history
+
+
+def test_a_pulse_is_followed_until_its_push_has_closed_the_gap():
+    """Also where no time is asked for: the first rod comes over 0.1 mm with the momentum of the pulse."""
+    target = {"kind": "rods", "rods": [rod(0.3), rod(0.5, joint="touching", gap=1e-4)], "support": "free"}
+    pulse = {"kind": "pulse", "shape": "rectangle", "force": 1000.0, "duration": 1e-4}
+    found = solvers.solve(Scene.from_table({"impactor": pulse, "target": target}))
+    [[closing]] = found.joints
+    mass = 0.3 * 9e-4 * found.scene.target.rods[0].material.density
+    assert closing.start == approx(1e-4 * mass / 0.1, rel=0.1) and closing.end < found.duration
+    assert closing.impulse == approx(0.1, rel=1e-9)  # the longer rod takes all of it
+
+
+def test_a_bonded_joint_bears_tension():
+    """Its impulse is the momentum behind it, at any time."""
+    found = solvers.solve(struck(1.0, [rod(0.3), rod(0.2)], "free"), duration=1e-3)
+    [[period]] = found.joints
+    places = 0.3 + 0.2 * (np.arange(4000) + 0.5) / 4000
+    mass = found.scene.target.rods[1].mass
+    momentum = mass * found.motion.velocity(np.array([1e-3]), places).mean()
+    assert (period.end, period.impulse) == (approx(1e-3), approx(momentum, rel=2e-3))
