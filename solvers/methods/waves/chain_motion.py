@@ -135,12 +135,13 @@ class ChainMotion:
             impactor = unit * history.rod_energy(0, t)
         elif not scene.prescribed_force:
             impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
+        pressed, left = history.stored(t)
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
-            "local": unit * history.stored(t),
-            "dissipated": unit * self._lost(t),
+            "local": unit * pressed,
+            "dissipated": unit * (self._lost(t) + left),
         }
 
     def work(self, time: float) -> float:

@@ -13,7 +13,7 @@ from ...bodies import Pulse, Rod, Waveguide
 from ...contact import Linear, Rigid
 from ...numerics.law_functions import constants_of
 from ...numerics.waves.parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
-from ...numerics.waves.record import DEPTH, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import DEPTH, FORCE, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ...scene import Scene
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
@@ -227,13 +227,17 @@ class ChainHistory(ABC):
                 energy += 0.5 * mass * float(self.sampled(node, SPEED, now)[0]) ** 2
         energy += sum(float(self.rod_energy(rod, now)[0]) for rod in range(len(self.rods)))
         unit = self.force_unit * self.speed * self.trip
-        return (energy + float(self.stored(now)[0])) * unit / self.scene.initial_energy
+        return (energy + float(sum(self.stored(now))[0])) * unit / self.scene.initial_energy
 
-    def stored(self, t: np.ndarray) -> np.ndarray:
-        """Energy stored in the contact laws [Z v^2 T]."""
-        found = np.zeros_like(t)
+    def stored(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Energy stored in the contact laws [Z v^2 T]: where faces press on each other, and where they do no more and
+        a damped law gives it back to nobody, as dents go down by themselves."""
+        pressed, left = np.zeros((2, t.size))
         for node, law in enumerate(self.laws):
             if law is not None:
                 depth, deepest = self.sampled(node, DEPTH, t), self.deepest_at(node, t)
-                found += [law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)]
-        return found
+                energy = np.array([law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)])
+                presses = self.sampled(node, FORCE, t) > 0.0
+                pressed += np.where(presses, energy, 0.0)
+                left += np.where(presses, 0.0, energy)
+        return pressed, left

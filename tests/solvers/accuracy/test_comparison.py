@@ -120,3 +120,8 @@ def test_an_impact_of_no_duration_has_no_force():
     assert row.rebound_error == approx(-1.0 + 0.6988755819961635, abs=1e-12)
     assert row.force_error is None and row.resolved_force_error is None
     assert row.duration_error == approx(-1.784980427257793e-4 / T, rel=1e-12)  # (4.31), seconds
+
+
+def test_where_the_true_force_is_an_impulse_without_duration_there_is_no_error_of_a_force():
+    rows = compare(solvers.load("compound-pendulum"), repeats=1)
+    assert any(row.reason is None for row in rows) and all(row.force_error is None for row in rows)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import solvers
 from solvers import Scene, SceneError
 from tests.solvers.bodies.linkage.mechanisms import BAR, CRANK, FLAT, STEEL, four_bar, rotating_bar
 
@@ -163,3 +164,38 @@ def test_rates_follow_from_the_drives():
 def test_a_bar_without_a_section_that_bends_is_refused():
     error = refusal(four_bar(3), "target.links.2.section", {"area": FLAT["width"] * FLAT["height"]})
     assert error.key == "target.links[2].section.second_moment"
+
+
+def test_a_link_that_has_shapes_is_no_thread():
+    refused = refusal(rotating_bar(5), "target.links.0.from", [1e6, 0.0])
+    assert refused.key == "target.links[0].to" and "'bar'" in str(refused)
+
+
+def test_a_drive_that_hardly_moves_is_as_good_as_none():
+    still, slow = (rotating_bar(5).replace({"target.drives.1.speed": speed}) for speed in (0.0, 1e-300))
+    assert solvers.solve(slow, "rigid").impactor_velocity == solvers.solve(still, "rigid").impactor_velocity
+    assert slow.target.frozen.jerk == 0.0
+
+
+def test_a_pendulum_that_bends_strikes_a_mechanism_only_at_rest():
+    """Its frame would have to move with the mechanism."""
+    pendulum = {
+        "kind": "pendulum", "length": 0.4, "section": {"width": 0.02, "height": 0.02}, "material": "steel", "at": 0.9,
+        "spin": 2.0,
+    }  # fmt: skip
+    target = {
+        "kind": "mechanism",
+        "links": [{"name": "bar", "from": [0.0, 0.0], "to": [0.5, 0.0], "mass": 1.5}],
+        "joints": [{"links": ["ground", "bar"], "at": [0.0, 0.0]}],
+        "drives": [{"joint": 0, "speed": 0.5}],
+        "struck": {"link": "bar", "at": 0.8, "normal": [0.0, -1.0]},
+    }
+    law = {"law": "linear", "stiffness": 1e8}
+    rigid = Scene.from_table({"impactor": pendulum, "target": target, "contact": law})
+    assert solvers.solve(rigid).impactor_velocity == approx(-1.12, rel=1e-3)
+    bends = rigid.replace({"impactor.modes": 6})
+    for method in ("modal", "rigid"):
+        with pytest.raises(SceneError, match="only at rest"):
+            solvers.solve(bends, method)
+    resting = solvers.solve(bends.replace({"target.drives": []}), "modal")
+    assert abs(resting.diagnostics["energy_error"]) < 1e-9

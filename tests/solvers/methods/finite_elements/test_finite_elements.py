@@ -273,3 +273,14 @@ def test_momentum_is_that_of_the_last_instant_where_the_steps_run_out():
     assert any(f"limit of {found.motion.course.steps} steps" in str(note) for note in found.notes)
     assert abs(found.diagnostics["momentum_error"]) < 1e-10
     assert abs(found.diagnostics["energy_error"]) < 1e-11
+
+
+@pytest.mark.parametrize("law", ["kelvin-voigt", "hunt-crossley", "lee-wang"])
+def test_a_damped_law_too_stiff_for_the_step_is_solved_and_warned_of(law):
+    """Its force may be nowhere positive: they part in the step in which they touch."""
+    contact = {"law": law, "stiffness": 1e18, "restitution": 0.2}
+    if law == "lee-wang":
+        contact["exponent"] = 1.5
+    scene = struck_rod(100.0, "free").replace({"contact": contact, "method": {"name": "fe-nodal", "elements": 20}})
+    found = solvers.solve(scene)
+    assert np.isfinite(found.impactor_velocity) and found.notes

@@ -147,3 +147,14 @@ def test_the_network_is_compiled_once_whatever_strikes_whatever_by_any_law():
     for law in ("hertz", "plastic-power"):
         solvers.solve(struck(striker(0.2), pressed, {"law": law} | LAWS[law].EXAMPLE))
     assert len(wave_network.solve.signatures) == 1
+
+
+@pytest.mark.parametrize("duration", [None, 1e-3])
+def test_what_a_damped_law_holds_as_its_faces_part_is_lost(duration):
+    """As modes say: the force is over before the indentation is."""
+    contact = {"law": "lee-wang", "stiffness": 1e9, "exponent": 1.5, "restitution": 0.1}
+    target = {"kind": "rod", "length": 0.3, "section": {"area": 9e-4}, "material": "steel", "support": "fixed"}
+    scene = Scene.from_table({"impactor": {"mass": 1.0, "velocity": 1.0}, "target": target, "contact": contact})
+    found, modes = (solvers.solve(scene, method, duration).energy for method in ("waves", "modal"))
+    assert (found["local"], modes["local"]) == approx((0.0, 0.0), abs=1e-12)
+    assert found["dissipated"] == approx(modes["dissipated"], rel=1e-4)
