@@ -13,8 +13,8 @@ from numba import types
 from numba.core.dispatcher import Dispatcher
 
 import solvers
-from solvers.jit import methods
-from solvers.jit.kernels import address, addressed_kernel, allocating_kernel, inner_kernel, kernel
+from solvers.jit import kernels, methods
+from solvers.jit.kernels import address, allocating_kernel, inner_kernel, kernel
 from solvers.jit.reference import refer
 
 ROOT = Path(__file__).parents[3]
@@ -87,14 +87,9 @@ def test_only_what_python_calls_becomes_machine_code():
 
 
 def test_what_takes_arguments_from_python_is_not_optimised_and_from_c_is_there_for_addresses_alone():
-    @kernel
-    def called(x):
-        return x + 1.0
-
-    @addressed_kernel
-    def by_address(x):
-        return x + 2.0
-
+    new = {"cache": False}  # what is loaded from there has no names any more
+    called = numba.njit(**kernels._USUAL | new)(lambda x: x + 1.0)
+    by_address = numba.njit(**kernels._INNER | new | {"no_cfunc_wrapper": False})(lambda x: x + 2.0)
     assert called(1.0) == 2.0 and address(by_address, types.float64(types.float64)).address
     made = [next(iter(each.overloads.values())).library for each in (called, by_address)]
     names = [[function.name for function in library.get_defined_functions()] for library in made]
