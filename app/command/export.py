@@ -99,14 +99,19 @@ def _jointed(solution: Solution) -> list[str]:
 
 
 def _changed(solution: Solution) -> list[str]:
-    """Velocities of the nodes across a link, by every projection from one set of modes to another."""
-    change = solution.mode_change
-    if change is None:
-        return []
-    lines = ["", "  " + text("solve.mode-change")]
-    for name, velocities in change.items():
-        values = "".join(f"{value:14.7g}" for value in velocities["across"])
-        lines.append(f"    {named('projection', name):26}{values}")
+    """Velocities of the nodes across a link, and coordinates along it, by every projection from one set of modes to
+    another."""
+    tables = [
+        (text("solve.mode-change"), solution.mode_change, "across"),
+        (text("solve.mode-change-coordinates"), solution.mode_change_coordinates, "along"),
+    ]
+    lines = []
+    for title, change, way in tables:
+        if change is None:
+            continue
+        lines += ["", "  " + title]
+        for name, values in change.items():
+            lines.append(f"    {named('projection', name):26}" + "".join(f"{value:14.7g}" for value in values[way]))
     return lines
 
 

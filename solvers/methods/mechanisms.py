@@ -234,8 +234,8 @@ class MechanismMotion:
         return isinstance(self.relative, KnowsModes) and self.frozen.modes.frequencies.size > 0
 
     def mode_change(self) -> ModeChange | None:
-        """What becomes of the velocities of the nodes where the mass joins a link of finite elements, from the modes of
-        the link to those of both: thesis 6.4.4; None where the struck link has no node there, or none at all."""
+        """What becomes of velocities and coordinates of the nodes where the mass joins a link of finite elements, from
+        the modes of the link to those of both: thesis 6.4.4; None where the struck link has no node there."""
         link = self.mechanism.struck_link
         place = self.mechanism.struck.at * link.length
         near = np.flatnonzero(np.abs(np.array(link.nodes) - place) < NODE_DISTANCE * link.length)
@@ -244,7 +244,11 @@ class MechanismMotion:
         given = self.frozen.system.links[self.frozen.link]
         mesh = frame_mesh(link.line, link.wave_speed, np.array(link.nodes))
         approach = self.scene.speed * float(given.axes[1] @ self.frozen.normal)
-        return change_of_modes(mesh, self.scene.impactor.mass, int(near[0]), link.modes, approach)
+        start = self.frozen.system.offsets[self.frozen.link]
+        shape, nodes = self.frozen.bent[start + 3 : start + given.size], np.array(link.nodes)
+        moved = np.tensordot(shape, given.shapes.displacements(nodes), 1)  # along and across
+        bent = np.column_stack((moved, shape @ given.shapes.turns(nodes))).ravel()
+        return change_of_modes(mesh, self.scene.impactor.mass, int(near[0]), link.modes, approach, bent)
 
     # --- energy
 

@@ -139,13 +139,21 @@ class Solution:
     def mode_change(self) -> dict[str, dict[str, list[float]]] | None:
         """Of a link of finite elements struck on a node, thesis 6.4.4: by projection, velocities of nodes `along` and
         `across` [m/s] and of `turn` [rad/s] just after an impact without restitution."""
+        return self._mode_change("velocities")
+
+    @property
+    def mode_change_coordinates(self) -> dict[str, dict[str, list[float]]] | None:
+        """The same of their coordinates [m, rad], as the link is bent and stretched steadily before the impact."""
+        return self._mode_change("coordinates")
+
+    def _mode_change(self, what: str) -> dict[str, dict[str, list[float]]] | None:
         change = self.motion.mode_change() if isinstance(self.motion, ChangesModes) else None
         if change is None:
             return None
-        names = ("before", "by_mass", "by_stiffness", "in_single_precision", "by_mass_of_bar")
         parts = {"along": 0, "across": 1, "turn": 2}
         return {
-            name: {part: getattr(change, name)[start::3].tolist() for part, start in parts.items()} for name in names
+            name: {part: values[start::3].tolist() for part, start in parts.items()}
+            for name, values in getattr(change, what)._asdict().items()
         }
 
     @property
@@ -234,7 +242,7 @@ class Solution:
             "method": self.method,
             "contacts": [asdict(contact) for contact in self.contacts],
             **({"links": links} if links else {}),
-            **({"mode_change": changed} if changed else {}),
+            **({"mode_change": changed, "mode_change_coordinates": self.mode_change_coordinates} if changed else {}),
             **({"joints": joints} if joints else {}),
             "impulse": impulse,
             **effective_mass,

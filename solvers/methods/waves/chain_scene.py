@@ -227,7 +227,7 @@ class ChainHistory(ABC):
                 energy += 0.5 * mass * float(self.sampled(node, SPEED, now)[0]) ** 2
         energy += sum(float(self.rod_energy(rod, now)[0]) for rod in range(len(self.rods)))
         unit = self.force_unit * self.speed * self.trip
-        return (energy + float(sum(self.stored(now))[0])) * unit / self.scene.initial_energy
+        return (energy + float(np.sum(self.stored(now)))) * unit / self.scene.initial_energy
 
     def stored(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Energy stored in the contact laws [Z v^2 T]: where faces press on each other, and where they do no more and

@@ -115,7 +115,7 @@ class Waves(Method):
         joints = [history.periods(node) for node in range(history.contact + 1, len(history.rods))]
         shown = min(until, history.reach)
         if not math.isfinite(until):
-            gaps = zip(scene.target.joints, joints, strict=True)
+            gaps = zip(scene.target.known_as(Waveguide).joints, joints, strict=True)
             closing = [periods[0].start for joint, periods in gaps if joint.gap and periods]  # however late that is
             shown = min(max([history.contacts[-1].end, *closing]) / trip + AFTERGLOW, history.reach)
         wall_time = clock() - begun

@@ -99,26 +99,33 @@ def mesh_fields(
     )
 
 
-class ModeChange(NamedTuple):
-    """Velocities of all unknowns just after a mass has struck without restitution, (unknowns,) each.
-
-    `before`, of the modes of the bar; then of those of the bar with the mass on it: projected by the mass of both,
-    (6.28), which gives the same; by the stiffness, (6.30), which is the same on paper; that in single precision; and by
-    the mass of the bar alone. `impulse` for an approach of 1 m/s; `lost`, of the energy, by the projection.
-    """
+class Projected(NamedTuple):
+    """Values of all unknowns, (unknowns,) each: `before`, of the modes of the bar; then of those of the bar with a mass
+    on it: projected by the mass of both, (6.28), which gives the same; by the stiffness, (6.30), which is the same on
+    paper; that in single precision; and by the mass of the bar alone."""
 
     before: np.ndarray
     by_mass: np.ndarray
     by_stiffness: np.ndarray
     in_single_precision: np.ndarray
     by_mass_of_bar: np.ndarray
+
+
+class ModeChange(NamedTuple):
+    """Velocities just after a mass has struck without restitution, and coordinates; `impulse` of the mass [N s];
+    `lost`, of the energy, by the projection of the velocities by mass."""
+
+    velocities: Projected
+    coordinates: Projected
     impulse: float
     lost: float
 
 
-def change_of_modes(mesh: FrameMesh, mass: float, node: int, count: int, approach: float) -> ModeChange:
-    """A mass [kg] comes across at `approach` [m/s] and strikes `node`: first the `count` modes of the bar at rest, then
-    as many of both.
+def change_of_modes(
+    mesh: FrameMesh, mass: float, node: int, count: int, approach: float, bent: np.ndarray
+) -> ModeChange:
+    """A mass [kg] comes across at `approach` [m/s] and strikes `node`: first the `count` modes of the bar, which has
+    coordinates `bent` (unknowns,) and does not vibrate, then as many of both.
 
     Source: thesis tables 6.9 to 6.12. Differs: they find that no projection works; (6.28) and (6.30) are one operator,
     as K b = omega^2 M2 b for every mode b kept, and both return the field. Single precision fails as the tables do.
@@ -131,13 +138,20 @@ def change_of_modes(mesh: FrameMesh, mass: float, node: int, count: int, approac
     both = mesh.mass.copy()
     both[struck, struck] += mass
     frequencies, joined = lowest_modes(both, mesh.stiffness, count)
-    by_mass = joined @ (joined.T @ (both @ before))
-    by_stiffness = joined @ ((joined.T @ (mesh.stiffness @ before)) / frequencies**2)
-    of_bar = joined @ (joined.T @ (mesh.mass @ before))
-    energy = 0.5 * before @ both @ before
-    lost = (energy - 0.5 * by_mass @ both @ by_mass) / energy
-    single = _by_stiffness_in_single(both, mesh.stiffness, before, count)
-    return ModeChange(before, by_mass, by_stiffness, single, of_bar, impulse, float(lost))
+
+    def projected(field: np.ndarray) -> Projected:
+        return Projected(
+            field,
+            joined @ (joined.T @ (both @ field)),
+            joined @ ((joined.T @ (mesh.stiffness @ field)) / frequencies**2),
+            _by_stiffness_in_single(both, mesh.stiffness, field, count),
+            joined @ (joined.T @ (mesh.mass @ field)),
+        )
+
+    velocities = projected(before)
+    energy, after = 0.5 * before @ both @ before, velocities.by_mass
+    lost = (energy - 0.5 * after @ both @ after) / energy
+    return ModeChange(velocities, projected(bent), impulse, float(lost))
 
 
 def _by_stiffness_in_single(mass: np.ndarray, stiffness: np.ndarray, field: np.ndarray, count: int) -> np.ndarray:

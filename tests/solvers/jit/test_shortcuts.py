@@ -69,7 +69,7 @@ def test_a_function_declared_later_is_known_to_kernels_that_come_then():
     """Declarations of Numba itself are loaded once, those of others whenever there are new ones."""
 
     def late(x):
-        raise NotImplementedError
+        return x
 
     assert numba.njit(lambda x: x + 1.0)(1.0) == 2.0
     CPUContext.load_additional_registries(cpu_target.target_context)
