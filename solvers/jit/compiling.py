@@ -5,7 +5,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from numba.core import callwrapper, codegen, event
+from numba.core import codegen, event
 from numba.core.environment import lookup_environment
 
 
@@ -100,15 +100,3 @@ def _set_environment(self, name, environment, of_numba=codegen.JITCPUCodegen.set
 
 codegen.JITCPUCodegen._library_class = _Library
 codegen.JITCPUCodegen.set_env = _set_environment
-
-
-def _wrapper(self, of_numba=callwrapper.PyCallWrapper.build):
-    """What takes a kernel's arguments from Python runs once a call, and for tuples of many arrays is as long as the
-    kernel: it is not optimised."""
-    function, api = of_numba(self)
-    function.attributes.add("noinline")
-    function.attributes.add("optnone")
-    return function, api
-
-
-callwrapper.PyCallWrapper.build = _wrapper
