@@ -17,7 +17,8 @@ def clamped_frame_modes(line: BeamLine, place: float, count: int) -> Modes:
     which no inner force changes, and as many oscillators. The angle of the frame is the slope of the shapes at x = 0.
     Error: frequencies and motion converge to those of the pinned beam; the moment at the pin, which is none in truth,
     stays as large as the clamp makes it and falls with 1 / count only.
-    Source: thesis 9.5, (9.43)-(9.63), without the terms of second order in the deflection; 10.3.
+    Source: thesis 9.5, (9.43)-(9.63), without the terms of second order in the deflection, of which (9.63) has one half
+    only and the other all but cancels it; 10.3.
     Differs: (9.51), (9.57) print first derivatives where the second ones belong, (9.59) divides by L_t once too often.
     """
     from scipy.linalg import eigh
