@@ -49,7 +49,7 @@ def integrated(count: int, wider: bool, shorter: bool) -> float:
     ("count", "alone", "thesis", "whole"), [(5, 3.7578, 3.8899, 3.7150), (10, 0.80487, 0.8814, 0.80469)]
 )
 def test_fictitious_moment_with_terms_of_second_order(count, alone, thesis, whole):
-    """Those of (9.63) are one half: with the other they all but cancel, and the moment is nearer to that without any."""
+    """Those of (9.63) are one half, and the other all but cancels it: the moment is nearer to that without any."""
     assert integrated(count, wider=False, shorter=False) == approx(alone, rel=1e-3)
     assert integrated(count, wider=True, shorter=False) == approx(thesis, rel=5e-4)
     assert integrated(count, wider=True, shorter=True) == approx(whole, rel=5e-4)
