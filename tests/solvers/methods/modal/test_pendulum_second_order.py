@@ -13,7 +13,7 @@ from tests.catalog import SCENES
 def integrated(count: int, wider: bool, shorter: bool) -> float:
     """Largest moment at the pivot of figure 10.11 [N m], by a Runge-Kutta method of eighth order.
 
-    `wider`: a deflection adds to the moment of inertia, as (9.63) has it. `shorter`: it also draws the points of the bar
+    `wider`: a deflection adds to the moment of inertia, as (9.63) has it. `shorter`: it also draws points of the bar
     nearer to the pivot, which takes as much away where the bar just leans; (9.63) leaves that out.
     """
     scene = SCENES["figure-10.11"].replace({"impactor.modes": count})
