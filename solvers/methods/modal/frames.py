@@ -33,8 +33,8 @@ def pivot_figures(motion: ModalMotion) -> dict[str, float]:
 
     A pivot bears no moment: what there is of it is fictitious, from shapes clamped there.
     Source: thesis 10.3, figures 10.11 and 10.12. Differs: (9.63) lets a deflection add to the moment of inertia, but
-    not draw the bar nearer to the pivot, which takes most of it away again. Both are left out: of 5 clamped shapes (9.63)
-    makes 3.9 N m out of 3.8, both together 3.7; of 10 shapes 0.88 and 0.80 out of 0.80.
+    not draw the bar nearer to the pivot, which takes most of it away again. Both are left out: of 5 clamped shapes
+    (9.63) makes 3.9 N m out of 3.8, both together 3.7; of 10 shapes 0.88 and 0.80 out of 0.80.
     """
     modes, place = motion.pair.impactor, motion.scene.impactor.known_as(FlexiblePendulum).place
     assert modes.moments is not None and modes.shears is not None
