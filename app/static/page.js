@@ -24,6 +24,7 @@ import { goOn, stateOf } from './shell/state.js';
 import { Waiting } from './shell/waiting.js';
 import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
+import { unbroken } from './text/format.js';
 
 /** @import { Chosen, Frame } from './shell/message.js' */
 /** @import { Model } from './shell/model.js' */
@@ -371,7 +372,7 @@ export class Page {
   /** @param {string} sentence */
   complain(sentence) {
     const [first, ...rest] = sentence.split('\n'); // one at a time
-    this.toast.textContent = first;
+    this.toast.textContent = unbroken(first);
     this.toast.hidden = false;
     clearTimeout(this.hush);
     this.hush = window.setTimeout(() => {

@@ -142,7 +142,7 @@ test('of numbers of modes it says which is enough for what', () => {
   kept.other = { ...kept.other, peakForce: 0.6e4, contacts: [] };
   const told = verdictOf(now, kept, ['modes']);
   assert.match(told, /^For the last velocity 5 modes are enough.*contacts 100; the peak force does not settle/);
-  assert.match(told, /5 modes miss.*by 40\.0 %.*100 modes miss.*by 2\.00 %/);
+  assert.match(told, /5 modes miss.*by 40\.0\s%.*100 modes miss.*by 2\.00\s%/);
   assert.match(told, /for the number of contacts 100.*impulse and contacts\./);
   const soft = [now, kept].map((frame) => ({ ...frame, chosen: { ...frame.chosen, law: 'hertz' } }));
   assert.match(verdictOf(soft[0], soft[1], ['modes']), /for the peak force not even 100\./);
@@ -155,7 +155,7 @@ test('where a warning says not to trust the number of contacts, modes are judged
   });
   const told = verdictOf(frames[0], frames[1], ['modes']);
   assert.match(told, /^For the last velocity 5 modes are enough.*for the impulse 5.*contacts is no measure here/);
-  assert.match(told, /judge by velocity, impulse\..*go by velocity and impulse\..*the impulse by 0\.33 %/s);
+  assert.match(told, /judge by velocity, impulse\..*go by velocity and impulse\..*the impulse by 0\.33\s%/s);
   assert.doesNotMatch(told, /for the number of contacts|and contacts\./);
 });
 
@@ -167,7 +167,7 @@ test('of a beam the larger number of modes judges the smaller, and says why', ()
     ...{ time: [0, 1], struckRate: [0, peakForce / 1e4] },
   });
   const told = verdictOf(beam(100, 1e4), beam(5, 1.005e4), ['modes']);
-  assert.match(told, /velocity 5 modes are enough.*lasts 500\sµs, mode 5 swings in 200\sµs.*by up to 0\.50 %/s);
+  assert.match(told, /velocity 5 modes are enough.*lasts 500\sµs, mode 5 swings in 200\sµs.*by up to 0\.50\s%/s);
   assert.match(verdictOf(beam(100, 2e4), beam(5, 1e4), ['modes']), /for the peak force more than 5\./);
 });
 
@@ -183,7 +183,7 @@ test('only impacts of one kind and size are laid one upon the other', () => {
 
 test('where figures are alike it says how far they lie apart', () => {
   const [now, kept] = [figuresOf(rod({}, 1.0029e4), 'exact'), figuresOf(rod(), 'exact')];
-  assert.match(leastSaid(now, kept), /half a percent; peak force differs most, by 0\.29 %/);
+  assert.match(leastSaid(now, kept), /half a percent; peak force differs most, by 0\.29\s%/);
 });
 
 test('struck on its end a rod is felt as a quarter of its mass', () => {
@@ -192,6 +192,6 @@ test('struck on its end a rod is felt as a quarter of its mass', () => {
     figures: Object.entries({ 'target-mass': 2, 'target-felt-mass': felt }).map(([name, value]) => [name, value, 'kg']),
   });
   const [now, kept] = /** @type {any[]} */ ([struck(0.5), struck(2)]);
-  assert.match(verdictOf(now, kept, ['place']), /4 times as easily.*1\/m \+ 3\/m: it is felt as 0\.5 kg/s);
+  assert.match(verdictOf(now, kept, ['place']), /4 times as easily.*1\/m \+ 3\/m: it is felt as 0\.5\skg/s);
   assert.equal(verdictOf(kept, now, ['place']), '');
 });

@@ -21,7 +21,10 @@ const mechanism = (changed = {}) => ({
 test('an impulse in no time is one event, which says how large it is', () => {
   const events = beamEvents(mechanism());
   assert.equal(events.length, 1);
-  assert.match(events[0][1], /link “lower” meet at 1 m\/s. One impulse of 368 mN s, in no time.*has 0.263 m\/s along/);
+  assert.match(
+    events[0][1],
+    /link “lower” meet at 1\sm\/s. One impulse of 368\smN\ss, in no time.*has 0.263\sm\/s along/,
+  );
   const lasting = beamEvents(mechanism({ main: { name: 'modal', contacts: 1, final: 0 }, contacts: [[0, 1, 1, 1]] }));
   assert.equal(lasting.length, 2);
 });
@@ -49,7 +52,7 @@ const rod = (changed) => ({
 
 test('a mass that goes on is not said to come back', () => {
   const [, sentence] = eventsOf(rod({ rods: [{ mirror: -1 }] })).at(-1) ?? [];
-  assert.match(sentence ?? '', /goes on in the same direction at 0\.135 v/);
+  assert.match(sentence ?? '', /goes on in the same direction at 0\.135\sv/);
 });
 
 test('of rods that are drawn rigid no waves are told', () => {
@@ -76,6 +79,6 @@ test('charts of force are promised where there are any', () => {
 test('where the force jumps, it is said over how long modes spread the jump', () => {
   const jump = (/** @type {any} */ frame) => eventsOf(frame).find(([t]) => t === 1)?.[1] ?? '';
   const other = { diagnostics: { resolved_time: 2.35e-6 } };
-  assert.match(jump(rod({ modalForce: [1], other })), /Modes spread the jump over 2\.35 µs/);
+  assert.match(jump(rod({ modalForce: [1], other })), /Modes spread the jump over 2\.35\sµs/);
   assert.doesNotMatch(jump(rod({ other })), /Modes/);
 });

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { described, numeral, said, text } from '../../app/static/text/catalogue.js';
+import { unbroken } from '../../app/static/text/format.js';
 import { called, LABELS, noteOf } from '../../app/static/text/words.js';
 
 test('a method with its resolution', () => {
@@ -29,8 +30,8 @@ test('a note names things as the controls do', () => {
 test('plural forms and choices', () => {
   const of = (/** @type {number} */ others) =>
     text('near-grazing', { change: 1.234, heavier: true, others, contacts: 2 }).split('.').slice(0, 2).join('.');
-  assert.equal(of(1), 'Near grazing: with the mass 1.2 % heavier there would be one contact instead of 2');
-  assert.equal(of(3), 'Near grazing: with the mass 1.2 % heavier there would be 3 contacts instead of 2');
+  assert.equal(of(1), 'Near grazing: with the mass 1.2\u00a0% heavier there would be one contact instead of 2');
+  assert.equal(of(3), 'Near grazing: with the mass 1.2\u00a0% heavier there would be 3 contacts instead of 2');
 });
 
 test('formats of Python', () => {
@@ -62,7 +63,15 @@ test('a scene that sets keys without a control says which', () => {
   );
   assert.equal(noteOf({ ...plain, note: 'of a rod' }), 'of a rod');
   const changed = { ...plain, note: 'of a rod', chosen: { bodies: 'target.length=0.5 impactor.material=bronze' } };
-  assert.match(noteOf(changed), /Length 500 mm \(body 2\), Material Bronze \(body 1\).* of a rod$/);
+  assert.match(noteOf(changed), /Length 500\u00a0mm \(body 2\), Material Bronze \(body 1\).* of a rod$/);
+});
+
+test('a unit stays with its number', () => {
+  assert.match(text('space.touch', { impulse: '1.2' }), /is 1\.2\u00a0N\u00a0s\.$/);
+  assert.equal(
+    unbroken('of 3 N m s in 10⁻⁵ % of 2 T, 5 modes'),
+    'of 3\u00a0N\u00a0m\u00a0s in 10⁻⁵\u00a0% of 2\u00a0T, 5 modes',
+  );
 });
 
 test('every choice has a title', () => {

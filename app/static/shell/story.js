@@ -1,5 +1,5 @@
 // What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
-import { figures, percent } from '../text/format.js';
+import { figures, percent, unbroken } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { columnHead, make } from './dom.js';
 
@@ -94,7 +94,7 @@ export function showEnergy(root, energy, names, joules = false) {
     const size = `${figures(energy[key])} J`;
     const both = shared ? `${size} (${percent(share)})` : size;
     const chip = make('i', { className: `chip ${key}` });
-    return make('span', { className: 'key' }, chip, `${name} ${joules ? both : percent(share)}`);
+    return make('span', { className: 'key' }, chip, unbroken(`${name} ${joules ? both : percent(share)}`));
   });
   const before = { initial: `${figures(energy.initial)} J`, given: Boolean(fed), fed: `${figures(fed)} J` };
   const total = joules ? [make('p', { textContent: text('story.energy-before', before) })] : [];

@@ -1,6 +1,6 @@
 // Sentences by code, from the catalogue that the server makes of solvers/text and app/text; their syntax is told in
 // solvers/text/messages.py.
-import { engineering, localised, powered, raised, share } from './format.js';
+import { engineering, localised, powered, raised, share, unbroken } from './format.js';
 
 /** @typedef {{ code: string, severity: string, values: Record<string, any> }} Note */
 /** @typedef {{ name: string, modes?: number, theory?: string, contact?: string }} Parts  of a model */
@@ -190,13 +190,13 @@ function filled(code, values) {
  * @param {string} code
  * @param {Values} [values]
  */
-export const text = (code, values = {}) => filled(code, values);
+export const text = (code, values = {}) => unbroken(filled(code, values));
 
 /**
  * The sentence of a note.
  * @param {Note} note
  */
-export const said = ({ code, values }) => filled(code, values);
+export const said = ({ code, values }) => unbroken(filled(code, values));
 
 /**
  * What a value of a choice is called; the value itself where it has no name.

@@ -98,6 +98,14 @@ export const powered = (text) =>
     (said, digits, power) => `${digits === '1' ? '' : `${digits}·`}10${raised(Number(power))}`,
   );
 
+const UNITS = /(?<=[\d⁰¹²³⁴⁵⁶⁷⁸⁹∞]) (?=(?:[GMkmµn]?(?:N|Pa|m|s|J|Hz|g)|rad|T|v|%)(?![\p{L}\d]))/gu;
+const PRODUCTS = /(?<=[\d⁰¹²³⁴⁵⁶⁷⁸⁹∞][ \u00a0][GMkmµn]?N(?:[ \u00a0]m)?) (?=[ms](?![\p{L}\d]))/gu;
+/**
+ * Lines do not break between a number and its unit, nor within one as N s.
+ * @param {string} words
+ */
+export const unbroken = (words) => words.replace(UNITS, '\u00a0').replace(PRODUCTS, '\u00a0');
+
 const PREFIXED = new Set(['N', 'Hz']);
 
 /**
