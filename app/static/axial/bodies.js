@@ -231,7 +231,7 @@ export function onward(c, x, middle, thick) {
   c.font = letters(14);
   c.textAlign = 'left';
   c.textBaseline = 'middle';
-  c.fillText('⋯ ∞', x - 2, middle + thick * 0.02);
+  c.fillText('⋯ ∞', x + 4, middle + thick * 0.02);
 }
 
 /**
@@ -270,4 +270,34 @@ export function push(c, at, middle, thick) {
   c.font = letters(12);
   c.textAlign = 'center';
   c.fillText(text('axial.stage.force'), at - 44, middle - thick * 0.3);
+}
+
+/**
+ * Where a front is, and which way it runs.
+ * @param {Context} c
+ * @param {[number, number]} place
+ * @param {1 | -1} way
+ * @param {string} name
+ * @param {number} width  of the picture
+ */
+export function runs(c, [x, y], way, name, width) {
+  c.fillStyle = COLORS.cursor;
+  c.beginPath();
+  c.moveTo(x, y + 6);
+  c.lineTo(x - 5, y - 3);
+  c.lineTo(x + 5, y - 3);
+  c.fill();
+  c.strokeStyle = COLORS.cursor;
+  c.lineWidth = 1.6;
+  c.beginPath();
+  c.moveTo(x, y - 7);
+  c.lineTo(x + 22 * way, y - 7);
+  c.lineTo(x + 16 * way, y - 11);
+  c.moveTo(x + 22 * way, y - 7);
+  c.lineTo(x + 16 * way, y - 3);
+  c.stroke();
+  c.font = letters(11);
+  const room = way > 0 || x + 8 + c.measureText(name).width < width;
+  c.textAlign = way > 0 || !room ? 'right' : 'left';
+  c.fillText(name, room ? x - 8 * way : x - 26, y - 4); // beyond the arrow, where the picture ends behind it
 }

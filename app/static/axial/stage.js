@@ -8,7 +8,8 @@ import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
-import { axis, endMass, onward, push, row, striker, struckBody, wall } from './bodies.js';
+import { axis, endMass, onward, push, row, runs, striker, struckBody, wall } from './bodies.js';
+import { reachOf } from './reach.js';
 import { pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
@@ -20,6 +21,8 @@ const RINGS = 24; // over all rods; half as many on one
 const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
+const [EDGE, ONWARD] = [6, 36]; // pixels left at the edges, and of the sign of an endless rod
+const LEAST_ROOM = 12; // pixels in which anything can move
 const FACE = 0.45; // of the picture: where a body without length is struck
 const ROW = [0.24, 0.6]; // of it: where a row of balls is struck, and how much of it that and the striker may take
 
@@ -30,8 +33,7 @@ export class Stage {
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
   largest = 1; // the end of the colours
   span = 1; // length drawn [m]; 0 where nothing has one
-  reach = 1; // the largest movement [m]
-  pressed = 0; // the deepest indentation [m]
+  moves = { reach: 1, pressed: 0, back: 0, ahead: 0 }; // how far [m]
   factor = 1; // by which movement is exaggerated
   scale = 1; // pixels in a unit of displacement
   values = new Float64Array(SLICES);
@@ -52,36 +54,31 @@ export class Stage {
     this.field = field;
     this.what = what;
     this.largest = largest;
-    let reach = 1e-12;
-    let pressed = 0;
-    for (let k = 0; k <= 200; k++) {
-      const t = (k / 200) * frame.duration;
-      reach = Math.max(reach, Math.abs(field.mass(t)), Math.abs(field.face(t)));
-      pressed = Math.max(pressed, field.mass(t) - field.face(t));
-    }
-    for (const moved of frame.exactRow ?? []) reach = Math.max(reach, Math.abs(moved));
     this.span = field.to - field.from;
-    this.reach = reach * frame.speed * frame.trip;
-    this.pressed = ['rod', 'pulse'].includes(frame.impactor.kind) ? 0 : pressed * frame.speed * frame.trip;
+    this.moves = reachOf(frame, field);
   }
   /** What is drawn of movement [m]. */
   ranges() {
-    return { reach: this.reach, pressed: this.pressed };
+    return { ...this.moves };
   }
   /** @param {Record<string, number>} ranges  in place of its own */
-  adopt({ reach, pressed }) {
-    this.reach = reach ?? this.reach;
-    this.pressed = pressed ?? this.pressed;
+  adopt(ranges) {
+    this.moves = { ...this.moves, ...ranges };
   }
   /**
    * How movement is drawn: its largest takes a share of the picture, and the deepest indentation one of the striker.
    * Beside a length, of a rod or of a ball, it is exaggerated by a factor, which is rounded to 1, 2 or 5.
    * @param {number} length  of what is drawn [px]
    * @param {number} size  of the striker
+   * @param {[left: number, right: number]} room  beside it
    */
-  #fit(length, size) {
-    const { frame, pressed, reach, span } = this;
-    const most = Math.min((REACH * length) / reach, pressed > 0 ? (PRESSED * size) / pressed : Infinity); // [px/m]
+  #fit(length, size, room) {
+    const { frame, moves, span } = this;
+    const { ahead, back, pressed, reach } = moves;
+    const within = (/** @type {number} */ pixels, /** @type {number} */ moved) =>
+      moved > 0 ? Math.max(pixels, LEAST_ROOM) / moved : Infinity;
+    const edges = Math.min(within(room[0], back), within(room[1], ahead));
+    const most = Math.min((REACH * length) / reach, within(PRESSED * size, pressed), edges); // [px/m]
     const radius = frame.impactor.radius ?? 0;
     const true_ = span > 0 ? length / span : radius > 0 ? size / (2 * radius) : 0;
     this.factor = true_ > 0 ? roundBelow(most / true_) : 0;
@@ -110,6 +107,17 @@ export class Stage {
     const own = Math.min(Math.max(BODY * heavy ** (1 / 6), 22), most);
     return [own, Math.min(0.36 * height, 68)];
   }
+  /**
+   * Where rods begin and end at rest: with room to fly off, unless they are held.
+   * @param {number} width
+   */
+  #places(width) {
+    const { impactor, target } = this.frame;
+    const rod = impactor.kind === 'rod';
+    const left = (rod ? 0.08 : width < 560 ? 0.25 : 0.21) * width;
+    if (target.held && target.support !== 'anechoic') return [left, width - (target.rotation ? 66 : 30)];
+    return [left, (rod ? 0.86 : 0.82) * width];
+  }
   /** @param {number} t */
   draw(t) {
     const { canvas, field, frame } = this;
@@ -118,17 +126,18 @@ export class Stage {
     if (!sheet) return;
     const { c, width, height } = sheet;
     const { rods, impactor } = frame;
-    const left = impactor.kind === 'rod' ? 40 : (width < 560 ? 0.25 : 0.21) * width;
-    const right = frame.target.held
-      ? width - (frame.target.rotation ? 66 : 30)
-      : width * (impactor.kind === 'rod' ? 0.86 : 0.82);
     const middle = height * 0.47;
     const thick = Math.min(height * 0.3, 56);
     const [size, struck] = this.#sizes(width, height);
-    this.#fit(right - left, size);
+    const [left, right] = this.#places(width);
+    const struckAt = (frame.target.row ? ROW[0] : FACE) * width;
+    const beyond = frame.target.support === 'anechoic' ? ONWARD : frame.target.endMass ? 0.8 * thick : 0;
+    const behind = ['rod', 'pulse'].includes(impactor.kind) ? 0 : size;
+    /** @type {[number, number]} */
+    const room = [(rods.length ? left : struckAt) - behind - EDGE, width - right - beyond - EDGE];
+    this.#fit(right - left, size, room);
     const meeting = field.mass(t) > field.face(t);
     if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
-    const struckAt = (frame.target.row ? ROW[0] : FACE) * width;
     const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : struckAt;
     const face = rest + field.face(t) * this.scale;
     const own = rest + field.mass(t) * this.scale;
@@ -140,7 +149,7 @@ export class Stage {
     const contact = this.touching(t);
     if (impactor.kind === 'pulse') {
       if (contact) push(c, rest, middle, thick);
-    } else if (impactor.kind === 'rod') this.#rod(c, rest, face, middle, thick, contact);
+    } else if (impactor.kind === 'rod') this.#rod(c, left, rest, face, middle, thick, contact);
     else if (impactor.kind === 'pendulum') {
       if (contact) this.#touch(c, own, middle, 3 * WIDTH);
     } else {
@@ -170,7 +179,7 @@ export class Stage {
     const rest = this.rods(c, left, right - left, middle, thick, this.scale);
     if (target.rotation) axis(c, right, middle, thick);
     else if (target.support === 'fixed') wall(c, right, middle, thick);
-    if (target.support === 'anechoic') onward(c, right, middle, thick);
+    if (target.support === 'anechoic') onward(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
     if (target.endMass) endMass(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
     return rest;
   }
@@ -198,16 +207,17 @@ export class Stage {
   /**
    * A rod that strikes: where it presses, and what can be taken hold of.
    * @param {CanvasRenderingContext2D} c
+   * @param {number} left
    * @param {number} rest
    * @param {number} face
    * @param {number} middle
    * @param {number} thick
    * @param {boolean} contact
    */
-  #rod(c, rest, face, middle, thick, contact) {
+  #rod(c, left, rest, face, middle, thick, contact) {
     if (contact) this.#touch(c, face, middle, thick + 6);
-    const width = rest - 40;
-    this.striker?.draw(c, { x: 40 + width / 2, y: middle, width, height: thick, way: [1, 0], sized: false });
+    const width = rest - left;
+    this.striker?.draw(c, { x: left + width / 2, y: middle, width, height: thick, way: [1, 0], sized: false });
   }
   /**
    * A pendulum that strikes, behind what it presses in, and what of it can be taken hold of.
@@ -346,28 +356,8 @@ export class Stage {
     const place = outward ? 2 * trip : 2 - 2 * trip;
     const i = Math.round(place * (SLICES - 1));
     const x = left + place * length + this.moved[i] * this.scale;
-    const y = top - 9;
-    const way = outward ? 1 : -1;
-    c.fillStyle = COLORS.cursor;
-    c.beginPath();
-    c.moveTo(x, y + 6);
-    c.lineTo(x - 5, y - 3);
-    c.lineTo(x + 5, y - 3);
-    c.fill();
-    c.strokeStyle = COLORS.cursor;
-    c.lineWidth = 1.6;
-    c.beginPath();
-    c.moveTo(x, y - 7);
-    c.lineTo(x + 22 * way, y - 7);
-    c.lineTo(x + 16 * way, y - 11);
-    c.moveTo(x + 22 * way, y - 7);
-    c.lineTo(x + 16 * way, y - 3);
-    c.stroke();
-    c.font = letters(11);
     const name = text('axial.stage.wave', { rigid: this.frame.chosen.law === 'rigid' });
-    const room = outward || x + 8 + c.measureText(name).width < sizeOf(this.root)[0];
-    c.textAlign = outward || !room ? 'right' : 'left';
-    c.fillText(name, room ? x - 8 * way : x - 26, y - 4); // beyond the arrow, where the picture ends behind it
+    runs(c, [x, top - 9], outward ? 1 : -1, name, sizeOf(this.root)[0]);
   }
   /**
    * @param {CanvasRenderingContext2D} c

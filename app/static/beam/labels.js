@@ -18,6 +18,8 @@ const PIN = 7; // pixels about a joint
 const GROUND = [16, 24]; // pixels beside and below one on the ground
 const [EDGE, TOP] = [10, 48]; // pixels, as near to the edges as which the way to a mass is drawn
 const ARROW = 20;
+export const CUT = 0.2; // of a body, that may be beyond the edge before it counts as gone
+const FLOWN = 26; // below the words at the upper edge
 const PIECES = 8; // of a link that bends, as far as words are concerned
 
 /**
@@ -153,6 +155,32 @@ export class Labels {
 }
 
 /**
+ * @param {string} striker
+ * @param {number} distance  beyond the edge of the picture [m]
+ */
+function awayOf(striker, distance) {
+  const [times, unit] = scaled(distance, 'm');
+  return text('motion.gone', { striker, away: `${figures(distance * times, 2)} ${unit}` });
+}
+
+/**
+ * The way up to what has struck a beam and left the picture, and how far beyond it is.
+ * @param {Context} c
+ * @param {string} striker
+ * @param {Point} place  of its face
+ * @param {number} scale  pixels in a metre
+ */
+export function flown(c, striker, [x, y], scale) {
+  arrow(c, [x, FLOWN + ARROW], [0, -ARROW], COLORS.edge);
+  const said = awayOf(striker, -y / scale);
+  c.font = letters(11);
+  c.fillStyle = COLORS.faint;
+  c.textBaseline = 'middle';
+  c.textAlign = 'right';
+  c.fillText(said, x - 8, FLOWN + 0.6 * ARROW);
+}
+
+/**
  * The way to the mass, which has left the picture, and how far beyond it is.
  * @param {Context} c
  * @param {Mechanism} mechanism
@@ -172,14 +200,11 @@ export function gone(c, mechanism, [x, y]) {
   const long = Math.hypot(across, down);
   const [ax, ay] = [(ARROW * across) / long, (ARROW * down) / long];
   arrow(c, [a - ax, b - ay], [ax, ay], COLORS.edge);
-  const beyond = Math.hypot(x - a, y - b) / (scale * (flight || factor));
-  const [times, unit] = scaled(beyond, 'm');
-  const away = `${figures(beyond * times, 2)} ${unit}`;
   const left = a < center[0];
   c.font = letters(11);
   c.fillStyle = COLORS.faint;
   c.textBaseline = 'middle';
   c.textAlign = left ? 'left' : 'right';
-  const said = text('motion.gone', { striker: frame.impactor.kind, away });
+  const said = awayOf(frame.impactor.kind, Math.hypot(x - a, y - b) / (scale * (flight || factor)));
   c.fillText(said, a + (left ? -4 : 4), b + (b > center[1] ? -1 : 1) * (ARROW + 8));
 }

@@ -5,7 +5,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { bendingOf } from './bending.js';
 import { arrow, drawJoint } from './joints.js';
-import { gone, Labels } from './labels.js';
+import { CUT, gone, Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
@@ -174,7 +174,7 @@ export class Mechanism {
     const aside = 0.5 * this.thick(this.told.struck) + 1;
     const [x, y] = this.pixel(...place);
     const [a, b] = [x - (aside + size / 2) * wx, y - (aside + size / 2) * wy];
-    const left = Math.max(-a, a - this.width, -b, b - this.height) > size / 2;
+    const left = Math.max(-a, a - this.width, -b, b - this.height) > (CUT - 0.5) * size;
     if (left) gone(c, this, [a, b]);
     if (left) return;
     c.save();

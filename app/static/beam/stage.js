@@ -7,6 +7,7 @@ import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
+import { CUT, flown } from './labels.js';
 import { Mechanism } from './mechanism.js';
 import { MovingMechanism } from './moving.js';
 import { drawSupports } from './supports.js';
@@ -47,7 +48,7 @@ export class BeamStage {
   middle = 0;
   scale = 1; // pixels in a metre of deflection
   thick = 0;
-  hit = { x: 0, y: 0, size: 0 }; // where the impactor touches
+  hit = { x: 0, y: 0, size: 0, flew: false }; // where the impactor touches; whether it has left the picture
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
   /** @type {Mechanism | null} */ mechanism = null; // of which the beam is a link
 
@@ -271,6 +272,12 @@ export class BeamStage {
     const x = this.struck;
     const y = this.face + between(frame.time, frame.impactorPath, t) * this.scale;
     const size = Math.min(Math.max(44 * (impactor.mass / frame.beam.mass) ** (1 / 6), 18), 56);
+    const flew = y < (impactor.kind === 'rod' ? 0.5 : 1 - CUT) * size;
+    this.hit = { x, y, size, flew };
+    if (flew) {
+      flown(c, impactor.kind, [x, y], this.scale);
+      return;
+    }
     const fill = c.createLinearGradient(0, y - size, 0, y);
     fill.addColorStop(0, '#5d6c7b');
     fill.addColorStop(1, '#2b3846');
@@ -289,13 +296,12 @@ export class BeamStage {
       c.textBaseline = 'bottom';
       c.fillText(text('beam.stage.seen-from-end'), x, y - size / 2 - 3);
     }
-    this.hit = { x, y, size };
   }
   /** @param {CanvasRenderingContext2D} c */
   hold(c) {
-    const { x, y, size } = this.hit;
+    const { x, y, size, flew } = this.hit;
     const sized = !['rod', 'beam'].includes(this.frame.impactor.kind);
-    this.striker?.draw(c, { x, y: y - size / 2, width: size, height: size, way: [0, 1], sized });
+    this.striker?.draw(c, flew ? null : { x, y: y - size / 2, width: size, height: size, way: [0, 1], sized });
   }
   /** @param {number} t */
   touching(t) {

@@ -96,6 +96,39 @@ def test_no_words_are_cut_or_lie_on_others(open_page, size, query):
     assert page.evaluate(WRITTEN) == []
 
 
+SAID_ON_STAGE = """(share) => {
+  const context = CanvasRenderingContext2D.prototype, { fillText } = context, said = [];
+  context.fillText = function (text, ...place) { said.push(text); return fillText.call(this, text, ...place); };
+  strikewave.page.player.go(share * strikewave.page.player.duration);
+  context.fillText = fillText;
+  return said;
+}"""
+EDGES = """(instants) => {
+  const { page } = strikewave, context = CanvasRenderingContext2D.prototype, { strokeRect } = context;
+  let [least, most] = [Infinity, -Infinity];
+  context.strokeRect = function (x, y, width, height) {
+    if (page.view.stage.canvas === this.canvas) [least, most] = [Math.min(least, x), Math.max(most, x + width)];
+    return strokeRect.call(this, x, y, width, height);
+  };
+  for (const share of instants) page.player.go(share * page.player.duration);
+  context.strokeRect = strokeRect;
+  return [least, page.view.stage.root.clientWidth - most];
+}"""
+
+
+@pytest.mark.parametrize("scene", ["split-hopkinson", "stepped-rod", "semi-infinite-rod"])
+def test_rods_that_fly_off_stay_in_the_picture(open_page, scene):
+    page = open_page(f"?scene={scene}")
+    assert min(page.evaluate(EDGES, INSTANTS)) > 0
+
+
+def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):
+    page = open_page("?scene=hammer-on-cantilever")
+    said = page.evaluate(SAID_ON_STAGE, 1)
+    assert [words for words in said if re.fullmatch(r"mass: [\d.]+\smm beyond", words)]
+    assert not [words for words in page.evaluate(SAID_ON_STAGE, 0) if "beyond" in words]
+
+
 LARGE = """new MutationObserver((_, seen) => {
   if (!document.documentElement) return;
   document.documentElement.style.fontSize = '24px';
