@@ -27,6 +27,20 @@ test('a note names things as the controls do', () => {
   );
 });
 
+test('of more modes than the page has it says so', () => {
+  const advice = (/** @type {number} */ needed) =>
+    said({
+      code: 'front-unresolved',
+      severity: 'warning',
+      values: { lasts: 1e-6, kind: 'modes', period: 2e-6, needed },
+    });
+  assert.match(
+    advice(10102),
+    /blurred; 10102 modes, more than the 200 that the page has, would show them, or use exact waves/,
+  );
+  assert.match(advice(150), /blurred; 150 modes would show them/);
+});
+
 test('plural forms and choices', () => {
   const of = (/** @type {number} */ others) =>
     text('near-grazing', { change: 1.234, heavier: true, others, contacts: 2 }).split('.').slice(0, 2).join('.');

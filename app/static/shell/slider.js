@@ -23,9 +23,10 @@ export class Slider {
    * @param {(value: number) => void} send
    * @param {(sentence: string) => void} complain
    */
-  constructor(name, { title, unit = '' }, bounds, send, complain) {
+  constructor(name, { title, unit = '', beside = unit }, bounds, send, complain) {
     this.name = name;
     this.unit = unit;
+    this.beside = beside;
     this.title = title;
     this.log = bounds.low > 0 && bounds.high >= FAR * bounds.low;
     this.bounds = bounds;
@@ -42,7 +43,7 @@ export class Slider {
     this.number.onchange = () => this.#typed();
     const label = make('label', { htmlFor: id, textContent: title });
     const head = make('div', { className: 'field-head' }, label, this.number);
-    head.append(make('span', { className: 'unit', textContent: unit }));
+    head.append(make('span', { className: 'unit', textContent: beside }));
     head.dataset.term = name;
     this.range.dataset.term = name;
     this.root = make('div', { className: `field field-${name}` }, head, this.range);
@@ -64,9 +65,9 @@ export class Slider {
   }
   /** @param {number} value */
   #write(value) {
-    const { number, range, unit } = this;
+    const { beside, number, range } = this;
     number.value = this.bounds.whole ? String(value) : pretty(value);
-    range.ariaValueText = `${number.value} ${unit}`;
+    range.ariaValueText = `${number.value} ${beside}`;
     range.style.setProperty('--fill', `${(this.#toPlace(value) / STEPS) * 100}%`);
   }
   /** @param {number} value */

@@ -11,6 +11,7 @@ import { engineering, localised, powered, raised, share, unbroken } from './form
 /** @type {{ language: string, texts: Record<string, string> }} */
 const { language, texts } = /** @type {any} */ (globalThis).strikewaveTexts;
 const PLURALS = new Intl.PluralRules(language);
+const MOST = 200; // modes or elements that a slider of the page reaches
 const OPENING = /\{(@?[\w.-]+)(?:\}|:([^{}]+)\}|, (plural|select), )/y;
 const OPTION = /\s*(=\d+|[\w.-]+)\s*\{/y;
 
@@ -196,7 +197,8 @@ export const text = (code, values = {}) => unbroken(filled(code, values));
  * The sentence of a note.
  * @param {Note} note
  */
-export const said = ({ code, values }) => unbroken(filled(code, values));
+export const said = ({ code, values }) =>
+  text(code, 'needed' in values ? { ...values, offered: values.needed <= MOST, most: MOST } : values);
 
 /**
  * What a value of a choice is called; the value itself where it has no name.

@@ -25,7 +25,7 @@ const COUNTED = {
 
 /**
  * What a choice is called, its unit, and what its options are called.
- * @typedef {{ title: string, unit?: string, options?: Record<string, string> }} Label
+ * @typedef {{ title: string, unit?: string, beside?: string, options?: Record<string, string> }} Label
  */
 /** @type {Record<string, string>} */
 const OPTIONS = {
@@ -36,6 +36,7 @@ const OPTIONS = {
 const labelOf = (name) => ({
   title: text(`control.${name}`),
   unit: family('unit')[name],
+  beside: family('beside')[name],
   options: name in OPTIONS ? family(`name.${OPTIONS[name]}`) : undefined,
 });
 /** @type {Record<string, Label>} */
