@@ -215,11 +215,11 @@ def _paths(solution: Solution, time: np.ndarray, name: str) -> dict[str, np.ndar
     return {name + key[0].upper() + key[1:] if name else key: values for key, values in found.items()}
 
 
-def struck_velocity(solution: Solution, time: np.ndarray) -> np.ndarray:
+def struck_velocity(solution: Solution, time: np.ndarray, after: bool = True) -> np.ndarray:
     """Of the struck place [m/s]; a modal motion gives it over one of its steps, which costs no sum over its modes."""
     motion = solution.known_motion
     if not isinstance(motion, ModalMotion) or motion.pair.split:
-        return motion.end_velocity(time)
+        return motion.end_velocity(time, after)
     before = np.clip(np.floor(time / motion.step) * motion.step, 0.0, motion.duration - motion.step)
     return (motion.end_position(before + motion.step) - motion.end_position(before)) / motion.step
 
@@ -259,11 +259,13 @@ def _contacts(solution: Solution) -> dict[str, np.ndarray]:
 
 
 def _rates(solution: Solution) -> dict[str, np.ndarray]:
-    """Velocity of the impactor and of the struck place as each contact begins and ends [m/s]."""
-    edges = [[c.start, min(c.end, solution.duration)] for c in solution.contacts[:LISTED_RATES]]
-    time, motion = np.array(edges).ravel(), solution.known_motion
-    both = np.stack([motion.impactor_velocity(time), struck_velocity(solution, time)], axis=1)
-    return {"rates": both.reshape(-1, 2, 2)}
+    """Velocity of the impactor and of the struck place just before each contact begins and after it ends [m/s]."""
+    told, motion = solution.contacts[:LISTED_RATES], solution.known_motion
+    both = []
+    for after, edges in ((False, [c.start for c in told]), (True, [min(c.end, solution.duration) for c in told])):
+        time = np.array(edges)
+        both.append(np.stack([motion.impactor_velocity(time, after), struck_velocity(solution, time, after)], axis=1))
+    return {"rates": np.stack(both, axis=1)}
 
 
 def _places(solution: Solution) -> int:

@@ -13,7 +13,7 @@ from ..choices.body_value import with_body_value
 from ..choices.choices import Choices, accepts, refusal
 from ..choices.scene_of import choices_of
 from ..text.catalogues import page
-from ..views.registry import VIEWS
+from ..views.registry import VIEWS, opened_with
 from .questions import Questions, accepted
 
 PANELS = {view.key: view.opener for view in VIEWS}  # by name in the address: the property that opens it
@@ -110,8 +110,9 @@ def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
 
 def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
     """Open panels and their questions from the query of an address: what can be used, and a sentence for each that
-    cannot. A budget goes before a tolerance."""
-    kept: dict[str, Any] = {}
+    cannot. A budget goes before a tolerance. Without a word of panels those that the scene is opened with."""
+    named = "scene" in arguments and "panel" not in arguments
+    kept: dict[str, Any] = opened_with(text_of(arguments["scene"])) if named else {}
     refused = []
     for name in filter(None, text_of(arguments["panel"]).split(",") if "panel" in arguments else ()):
         if name in PANELS:

@@ -25,6 +25,7 @@ from ..jobs.runner import Runner
 from ..jobs.turns import Turnstile
 from ..messages.solve import solve_frame
 from ..text.catalogues import LANGUAGES, script
+from ..views.registry import opened_with
 from .address import ASKED, PANELS, from_address, opened_from_address
 from .begin import begin
 from .drafts import Drafts
@@ -150,6 +151,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         if any(event.name == "scene" for event in events):
             with self._silence():  # as it is opened by itself, wherever one comes from
                 self.param.update(**own_choices(self.scene))
+            self.param.update(**opened_with(self.scene))
         if any(event.name == "support" for event in events):
             with self._silence():
                 self.place = free_place(self.support, self.place)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from ..choices.questions import Question
-from . import bounces, joints, plan, stability, stretch, tolerance
+from . import bounces, joints, mode_change, plan, stability, stretch, tolerance
 from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
@@ -16,6 +16,11 @@ from .trust import convergence_data, convergence_figure, trust_data, trust_figur
 
 OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links")
 KINDS = frozenset(("axial", "beam", "bodies"))  # of scene, see app.choices.scene_of.kind_of
+
+
+def opened_with(scene: str) -> dict[str, bool]:
+    """The openers of the views that the scene is opened with."""
+    return {view.opener: True for view in VIEWS if scene in view.opens}
 
 
 def everything(asked: dict[str, Any]) -> Hashable:
@@ -52,6 +57,7 @@ class View:
     every_law: bool = False  # whether it is compiled ahead for every contact law
     late: bool = False  # whether few ask for it, so that it is compiled after all others
     scenes: tuple[str, ...] = ()  # with which it is compiled, where the first of its kinds would not do
+    opens: tuple[str, ...] = ()  # scenes that are opened with it, as it shows what they are named after
 
     @property
     def opener(self) -> str:
@@ -110,11 +116,14 @@ VIEWS = (  # in the order in which an address names them
     View("stability", run=stability.stability_data, kernels=stability.stability_kernels, kept=True,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
-         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
+         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",),
+         opens=("bouncing-ball",)),
     View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
-         scenes=("bent-rods",)),
+         scenes=("bent-rods",), opens=("bent-rods",)),
     View("stretch", stretch.stretch_data, figure=stretch.stretch_figure, kinds=AXIAL,
-         depends_on=stretch.of_turning_rods, scenes=("figure-5.24",)),
+         depends_on=stretch.of_turning_rods, scenes=("figure-5.24",), opens=("figure-5.23", "figure-5.24")),
+    View("mode_change", mode_change.mode_change_data, kinds=BEAMS, depends_on=mode_change.of_struck_nodes,
+         scenes=("table-6.10",), opens=tuple(f"table-6.{number}" for number in (9, 10, 11, 12))),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..bodies import Mechanism
-from ..numerics.multibody.mesh import ModeChange, change_of_modes, frame_mesh
+from ..numerics.multibody.mesh import ModeChange
 from ..scene import Scene
 from ..solution.motion import Balances, KnowsModes, Motion, MovesFace, ResolvesForce, TargetState
 from ..solution.solution import Later, Solution
@@ -17,7 +17,6 @@ from ..text.notes import Note, Severity
 # more the figures are uncertain.
 MAX_LEFT_OUT = 0.01
 SPRING_INSTANTS = 400  # of an impact, at which springs are looked at: their impulse to second order, 1e-5
-NODE_DISTANCE = 1e-6  # of the length: so near to a node a link is struck on it
 
 
 class MechanismMotion:
@@ -234,21 +233,7 @@ class MechanismMotion:
         return isinstance(self.relative, KnowsModes) and self.frozen.modes.frequencies.size > 0
 
     def mode_change(self) -> ModeChange | None:
-        """What becomes of velocities and coordinates of the nodes where the mass joins a link of finite elements, from
-        the modes of the link to those of both: thesis 6.4.4; None where the struck link has no node there."""
-        link = self.mechanism.struck_link
-        place = self.mechanism.struck.at * link.length
-        near = np.flatnonzero(np.abs(np.array(link.nodes) - place) < NODE_DISTANCE * link.length)
-        if not near.size:
-            return None
-        given = self.frozen.system.links[self.frozen.link]
-        mesh = frame_mesh(link.line, link.wave_speed, np.array(link.nodes))
-        approach = self.scene.speed * float(given.axes[1] @ self.frozen.normal)
-        start = self.frozen.system.offsets[self.frozen.link]
-        shape, nodes = self.frozen.bent[start + 3 : start + given.size], np.array(link.nodes)
-        moved = np.tensordot(shape, given.shapes.displacements(nodes), 1)  # along and across
-        bent = np.column_stack((moved, shape @ given.shapes.turns(nodes))).ravel()
-        return change_of_modes(mesh, self.scene.impactor.mass, int(near[0]), link.modes, approach, bent)
+        return self.mechanism.mode_change(self.scene.impactor.mass, self.scene.speed)
 
     # --- energy
 

@@ -79,7 +79,7 @@
  * @property {[number, number]} normal  from impactor to link
  * @property {number} mass  of all links [kg]
  */
-/** @typedef {{ name: string, flexible: boolean, depth: number }} LinkTold */
+/** @typedef {{ name: string, flexible: boolean, nodes: number, depth: number }} LinkTold  nodes: of finite elements */
 /**
  * A mechanism that moves on.
  * @typedef {object} MovingTold

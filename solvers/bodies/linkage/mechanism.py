@@ -1,5 +1,6 @@
 """A planar mechanism as a target: links, joints, drives, and where it is struck."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -9,6 +10,7 @@ import numpy as np
 
 from ... import validation
 from ...numerics.multibody.frozen import Frozen
+from ...numerics.multibody.mesh import ModeChange, change_of_modes, frame_mesh
 from ...numerics.multibody.system import System
 from ...text.notes import Note
 from ...validation import SceneError, allowed
@@ -22,6 +24,7 @@ from .struck import StruckMechanism
 MOST_LINKS = 50
 STRONGEST_GRAVITY = 1e6  # m/s2
 NO_GRAVITY = (0.0, 0.0)
+NODE_DISTANCE = 1e-6  # of the length: so near to a node a link is struck on it
 LEAST_FINE, MOST_FINE = 20, 60  # modes of a link, by which the error of fewer is measured
 
 
@@ -212,6 +215,29 @@ class Mechanism(AnyBody):
         link, frozen = self.struck_link, self.frozen
         at = np.array(link.start) + share * (np.array(link.end) - np.array(link.start))
         return float(frozen.normal @ self.system.point(frozen.link, at) @ frozen.rates)
+
+    def mode_change(self, mass: float, speed: float) -> ModeChange | None:
+        """What becomes of velocities and coordinates of the nodes where a mass [kg] at `speed` [m/s] along the normal
+        joins a link of finite elements, from the modes of the link to those of both: thesis 6.4.4; None where that is
+        no node."""
+        node = self._struck_node
+        if node is None or not math.isfinite(mass):
+            return None
+        link, frozen = self.struck_link, self.frozen
+        given, start = frozen.system.links[frozen.link], frozen.system.offsets[frozen.link]
+        mesh = frame_mesh(link.line, link.wave_speed, np.array(link.nodes))
+        shape, nodes = frozen.bent[start + 3 : start + given.size], np.array(link.nodes)
+        moved = np.tensordot(shape, given.shapes.displacements(nodes), 1)  # along and across
+        bent = np.column_stack((moved, shape @ given.shapes.turns(nodes))).ravel()
+        approach = speed * float(given.axes[1] @ frozen.normal)
+        return change_of_modes(mesh, mass, node, link.modes, approach, bent)
+
+    @property
+    def _struck_node(self) -> int | None:
+        """Of the nodes of the struck link the one that is struck, if one is."""
+        link = self.struck_link
+        near = np.flatnonzero(np.abs(np.array(link.nodes) - self.struck.at * link.length) < NODE_DISTANCE * link.length)
+        return int(near[0]) if near.size else None
 
     @property
     def kinetic_energy(self) -> float:

@@ -71,3 +71,10 @@ def test_reactions_of_rigid_links_stand_beside_and_give_their_impulses(bent_rods
     time, forces = 1e-3 * found["referenceReactionTime"], found["referenceReactions"]
     expected = rigid.reactions[0]["impulse"]
     assert np.trapezoid(forces[:, 0, :2], time, axis=0) == approx(expected, rel=1e-2, abs=1e-2 * np.hypot(*expected))
+
+
+def test_links_meet_again_at_the_speeds_from_before():
+    """Without restitution they go on together: what is told of how they meet is from just before."""
+    rates = arrays(solve_frame(own_choices("table-6.10")))["rates"].reshape(-1, 2, 2)
+    apart = rates[:, :, 0] - rates[:, :, 1]
+    assert (apart[:, 0] > 0.0).all() and np.abs(apart[:20, 1]).max() < 1e-9
