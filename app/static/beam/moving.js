@@ -14,11 +14,14 @@ const MOST = 100; // times that bending is drawn larger
 const AROUND = 0.35; // of the mechanism, as far as which the mass is followed
 const TOP = 26; // pixels
 const GROUND = 8; // more below, where the ground is drawn
+const LEAST_FOR_DASHES = 380; // pixels, where there is room to say what they are
+const AXES = 20; // pixels, of a moving frame
 const SEEN = 0.012; // of the whole time for which an impact is marked
 
 export class MovingMechanism extends Mechanism {
   shown = 'bend'; // movement whose scale can be shared
   flight = 1; // which is to scale
+  /** @type {[Point, Point][]} */ frames = []; // where links would be unbent, in pixels
   /** @type {{ time: number[], x: number[], y: number[] }} */ beside = { time: [], x: [], y: [] };
 
   /** @param {BeamFrame} frame */
@@ -98,7 +101,8 @@ export class MovingMechanism extends Mechanism {
     this.placed = this.told.links.map((_, n) => {
       const [[a, b], [x, y]] = this.ends(n, t);
       const row = this.rows[n];
-      if (!row) return [this.pixel(a, b), this.pixel(x, y)];
+      this.frames[n] = [this.pixel(a, b), this.pixel(x, y)];
+      if (!row) return this.frames[n];
       this.bending[n]?.profile(t, 'deflection', row);
       const long = Math.hypot(x - a, y - b) || 1;
       const [across, up] = [(-this.factor * (y - b)) / long, (this.factor * (x - a)) / long];
@@ -107,6 +111,40 @@ export class MovingMechanism extends Mechanism {
         return this.pixel(a + share * (x - a) + bent * across, b + share * (y - b) + bent * up);
       });
     });
+  }
+  /**
+   * With the moving frames of those that bend.
+   * @type {Mechanism['links']}
+   */
+  links(c, ...seen) {
+    super.links(c, ...seen);
+    this.frames.forEach((line, n) => {
+      if (this.rows[n]) this.#frame(c, ...line);
+    });
+  }
+  /**
+   * The axes of a link's frame at its first end, and where the link would be unbent.
+   * @param {Context} c
+   * @param {Point} from
+   * @param {Point} to
+   */
+  #frame(c, [a, b], [x, y]) {
+    const long = Math.hypot(x - a, y - b) || 1;
+    const [across, up] = [(AXES * (x - a)) / long, (AXES * (y - b)) / long];
+    c.strokeStyle = COLORS.ink;
+    c.lineWidth = 1;
+    c.setLineDash([5, 4]);
+    c.beginPath();
+    c.moveTo(a, b);
+    c.lineTo(x, y);
+    c.stroke();
+    c.setLineDash([]);
+    c.lineWidth = 1.5;
+    c.beginPath();
+    c.moveTo(a + across, b + up);
+    c.lineTo(a, b);
+    c.lineTo(a + up, b - across);
+    c.stroke();
   }
   /**
    * @param {Context} c
@@ -139,6 +177,7 @@ export class MovingMechanism extends Mechanism {
   }
   /** What is drawn larger than it is. */
   get scaleWords() {
-    return text('motion.scale', { times: figures(this.factor, 2), bends: this.bending.some(Boolean) });
+    const bends = this.bending.some(Boolean);
+    return text('motion.scale', { times: figures(this.factor, 2), bends, wide: this.width > LEAST_FOR_DASHES });
   }
 }

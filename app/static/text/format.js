@@ -53,7 +53,7 @@ export function pretty(value) {
 export const brief = (value) => {
   const size = Math.abs(value);
   const plain = value === 0 || (size < 1e5 && size >= 1e-3);
-  return localised(plain ? String(Number(value.toPrecision(3))) : value.toExponential(2)).replace('-', '−');
+  return localised(plain ? String(Number(value.toPrecision(3))) : value.toExponential(2)).replaceAll('-', '−');
 };
 
 /**

@@ -93,3 +93,40 @@ def test_moments_at_three_places_of_a_pendulum_with_clamped_shapes():
     """Figure 10.12."""
     found = solvers.solve(solvers.load("figure-10.12")).diagnostics
     assert (found["pivot_moment"], found["contact_moment"]) == approx((31.612, 45.200), rel=1e-4)
+
+
+@pytest.mark.parametrize("name", ["figure-6.1", "figure-6.2"])
+def test_bodies_that_fly_and_bend(name):
+    """(6.1) and (6.3): what nothing outside pushes keeps its momentum and its moment of momentum; the pin stays closed,
+    and the first impulse is that of all the bodies know, (1 + e) v / (1 / m1 + 1 / m2 + shapes)."""
+    scene = solvers.load(name)
+    found = solvers.solve(scene)
+    motion, mechanism = found.motion, scene.target
+    links = mechanism.system.links
+    felt = mechanism.frozen.modes
+    mobility = 1.0 / scene.impactor.mass + 1.0 / felt.rigid_mass + float(felt.at_contact @ felt.at_contact)
+    assert found.contacts[0].impulse == approx(1.5 * 3.0 / mobility, rel=1e-9)
+    centres, rates = (each.reshape(motion.time.size, -1, 3) for each in (motion.centres, motion.rates))
+    place, speed = motion.impactor_places(motion.time), motion.course.speed
+    masses, inertias = np.array([link.mass for link in links]), np.array([link.inertia for link in links])
+
+    def cross(a, b):
+        return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+    momentum = scene.impactor.mass * speed + masses @ rates[..., :2]
+    turning = scene.impactor.mass * cross(place, speed) + cross(centres[..., :2], rates[..., :2]) @ masses
+    turning += rates[..., 2] @ inertias
+    assert momentum == approx(np.tile(momentum[0], (motion.time.size, 1)), abs=1e-9)
+    assert turning == approx(np.full(motion.time.size, turning[0]), abs=1e-8)
+    assert motion.widest_gap < 1e-14
+    ends = motion.link_points(motion.time)
+    bars = [np.hypot(*(ends[link.name][:, 1] - ends[link.name][:, 0]).T) / link.length for link in mechanism.links]
+    assert np.ptp(bars[0]) < 0.01  # bent, they hardly shorten
+
+
+def test_a_rigid_pendulum_by_its_angle():
+    """Figure 9.6: 30 modes of the rod come to the waves of figure 9.2, and L_p makes spin of velocity."""
+    found, exact = solvers.solve(solvers.load("figure-9.6")), solvers.solve(solvers.load("figure-9.2"))
+    assert found.peak_force == approx(exact.peak_force, rel=1e-4)
+    assert found.impactor_velocity == approx(exact.impactor_velocity, rel=1e-4)
+    assert found.table()["impactor"]["final_spin"] == approx(found.impactor_velocity / 0.19, rel=1e-12)
