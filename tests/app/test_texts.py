@@ -41,7 +41,7 @@ def test_every_choice_has_a_title():
 
 
 def test_notes_know_how_far_sliders_reach():
-    most = int(re.findall(r"^const MOST = (\d+);", SOURCES, re.M)[0])
+    most = int(re.findall(r"^const SLIDER_END = (\d+);", SOURCES, re.M)[0])
     assert Choices.param["modes"].bounds[1] == Choices.param["elements"].bounds[1] == most
 
 

@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { described, numeral, said, text } from '../../app/static/text/catalogue.js';
 import { unbroken } from '../../app/static/text/format.js';
-import { called, LABELS, noteOf } from '../../app/static/text/words.js';
+import { noteOf } from '../../app/static/shell/story.js';
+import { called, LABELS } from '../../app/static/text/words.js';
 
 test('a method with its resolution', () => {
   assert.equal(described('modal modes=50'), '50 modes');
@@ -70,7 +71,7 @@ test('a text or a value that is not there is an error', () => {
 
 test('a scene that sets keys without a control says which', () => {
   /** @type {any} */
-  const plain = { chosen: { bodies: '' }, parts: [], unshown: [] };
+  const plain = { kind: 'axial', acting: [], chosen: { bodies: '' }, own: { bodies: '' }, parts: [], unshown: [] };
   assert.match(
     noteOf({ ...plain, note: '', unshown: ['method.status'] }),
     /method\.status.*impact solve --set KEY=VALUE/,
@@ -78,6 +79,8 @@ test('a scene that sets keys without a control says which', () => {
   assert.equal(noteOf({ ...plain, note: 'of a rod' }), 'of a rod');
   const changed = { ...plain, note: 'of a rod', chosen: { bodies: 'target.length=0.5 impactor.material=bronze' } };
   assert.match(noteOf(changed), /Length 500\u00a0mm \(body 2\), Material Bronze \(body 1\).* of a rod$/);
+  const faster = { ...plain, note: 'of a rod', acting: ['speed', 'modes'], chosen: { bodies: '', speed: 2, modes: 5 } };
+  assert.match(noteOf({ ...faster, own: { bodies: '', speed: 1, modes: 50 } }), /^Here with 2\u00a0m\/s, not as/);
 });
 
 test('a unit stays with its number', () => {

@@ -1,9 +1,9 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../shell/dom.js';
-import { contactHead, Warnings, Events, heading, lookCloser, scrolled, showEnergy } from '../shell/story.js';
+import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
-import { noteOf, shortly } from '../text/words.js';
+import { shortly } from '../text/words.js';
 import { toldOf } from './drawn.js';
 import { eventsOf } from './events.js';
 

@@ -1,10 +1,10 @@
 // What happens to a struck beam, in words and figures, tied to the moment shown.
 import { between } from '../charts/scale.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
-import { contactHead, Warnings, Events, heading, lookCloser, scrolled, showEnergy } from '../shell/story.js';
+import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
 import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
-import { called, METHODS, noteOf } from '../text/words.js';
+import { called, METHODS } from '../text/words.js';
 import { beamEvents, reasonsOf, spanOf, tell } from './events.js';
 import { Joints } from './mechanism_story.js';
 import { impactTable, movingNow, movingShares } from './moving_story.js';

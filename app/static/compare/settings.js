@@ -8,6 +8,7 @@ import { LABELS } from '../text/words.js';
 /** @type {Set<string | undefined>} */
 const UNITS = new Set(['N/m', 'N/m¹·⁵', 'N', 'm']); // that a value is written with
 const HOW = ['method', 'modes', 'elements']; // settings of how a scene is solved, not of what it is
+const MOTION = ['motion_seconds', 'motion_links']; // and of how far, by what model, it is followed
 
 /**
  * Names of the settings that act in any of these solutions and are not the same in all, in the order of the controls.
@@ -28,10 +29,29 @@ export function differing(frames) {
  */
 export function kindsOf(one, other) {
   const names = differing([one, other]);
-  // where nothing is lost in the contact, restitution belongs to methods and to rigid-body theory
-  const lossless = [one, other].every((frame) => frame.kind === 'axial' && !frame.damps);
-  const how = names.filter((name) => HOW.includes(name) || (name === 'restitution' && lossless));
+  const how = names.filter((name) => isHow(name, [one, other]));
   return { impact: how.length < names.length, how: how.length > 0 };
+}
+
+/**
+ * Whether a setting says how a scene is solved, not what it is. Where nothing is lost in the contact, restitution
+ * belongs to methods and to rigid-body theory.
+ * @param {string} name
+ * @param {Frame[]} frames
+ */
+const isHow = (name, frames) =>
+  HOW.includes(name) ||
+  (name === 'restitution' &&
+    frames.every((frame) => frame.kind === 'axial' && !frame.damps && frame.exact?.name !== 'rigid'));
+
+/**
+ * In what an impact is not that of its scene, in words; nothing where it is.
+ * @param {Frame} frame
+ */
+export function changesOf(frame) {
+  const names = differing([frame, { ...frame, chosen: frame.own }]);
+  const changed = names.filter((name) => !isHow(name, [frame]) && !MOTION.includes(name) && name !== 'bodies');
+  return [wordsOf(frame), lineOf(changed, frame)].filter(Boolean).join(', ');
 }
 
 /**

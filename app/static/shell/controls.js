@@ -1,4 +1,5 @@
 // The form: one control for each choice, made from the bounds that the server holds.
+import { changesOf } from '../compare/settings.js';
 import { said, text } from '../text/catalogue.js';
 import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
@@ -17,6 +18,7 @@ const LONG_TITLE = 45; // letters, beyond which it is written smaller where ther
 
 export class Controls {
   /** @type {Record<string, Control>} */ fields = {};
+  /** @type {{ option: HTMLOptionElement, title: string } | null} */ changed = null; // scene, with its name
 
   /**
    * @param {Spec} spec
@@ -35,6 +37,7 @@ export class Controls {
       if (name !== 'scene') this.root.append(this.fields[name].root); // which stands in the bar
     }
     this.method = /** @type {HTMLSelectElement} */ (this.root.querySelector('#choice-method'));
+    this.scene = /** @type {HTMLSelectElement} */ (this.fields.scene.root.querySelector('select'));
     this.note = make('p', { className: 'help' });
     this.fields.restitution.root.append(this.note);
   }
@@ -75,10 +78,27 @@ export class Controls {
     this.fields[name]?.set(value, refused);
   }
   /**
+   * The scene by its name, and whether it is still that one.
+   * @param {Frame} frame
+   */
+  #entitle(frame) {
+    const [option] = this.scene.selectedOptions;
+    if (!option || frame.chosen.scene !== option.value) return;
+    if (this.changed && this.changed.option !== option) this.changed.option.textContent = this.changed.title;
+    const title = this.changed?.option === option ? this.changed.title : (option.textContent ?? '');
+    const changed = changesOf(frame) !== '';
+    this.changed = changed ? { option, title } : null;
+    const shown = changed ? text('controls.changed', { title }) : title;
+    if (option.textContent === shown) return;
+    option.textContent = shown;
+    this.fields.scene.set(option.value, false);
+  }
+  /**
    * Only what acts on this scene is shown; methods that cannot solve it say why.
    * @param {Frame} frame
    */
   arrange(frame) {
+    this.#entitle(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
     const onBeam = frame.kind === 'beam';
     const label = this.fields.method.root.querySelector('label');

@@ -1,9 +1,10 @@
 // What the stories of all kinds of impacts are made of: events, warnings, where the energy went.
 import { figures, percent, unbroken } from '../text/format.js';
 import { text } from '../text/catalogue.js';
+import { changesOf } from '../compare/settings.js';
 import { columnHead, make } from './dom.js';
 
-/** @import { Energies } from './message.js' */
+/** @import { Energies, Frame } from './message.js' */
 
 /** @typedef {[t: number, sentence: string]} Event */
 
@@ -125,3 +126,15 @@ export const lookCloser = (textContent, onclick, kind = '') =>
     textContent,
     onclick,
   });
+
+/**
+ * What a scene says of itself, in what this impact is another one, and which of its keys have no control here.
+ * @param {Frame} frame
+ */
+export function noteOf(frame) {
+  const { note, unshown } = frame;
+  const what = changesOf(frame);
+  const changed = what && text('story.changed', { what });
+  const keys = unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : '';
+  return [changed, note, keys].filter(Boolean).join(' ');
+}

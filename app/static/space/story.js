@@ -1,9 +1,8 @@
 // One impulse between bodies in space: a sentence and the figures.
 import { make, rowOf } from '../shell/dom.js';
-import { Warnings, Events, heading, scrolled } from '../shell/story.js';
+import { Warnings, Events, heading, noteOf, scrolled } from '../shell/story.js';
 import { pretty } from '../text/format.js';
 import { said, text } from '../text/catalogue.js';
-import { noteOf } from '../text/words.js';
 import { dot } from './vectors.js';
 
 const BODIES = ['impactor', 'target'];

@@ -11,7 +11,7 @@ import { engineering, localised, powered, raised, share, unbroken } from './form
 /** @type {{ language: string, texts: Record<string, string> }} */
 const { language, texts } = /** @type {any} */ (globalThis).strikewaveTexts;
 const PLURALS = new Intl.PluralRules(language);
-const MOST = 200; // modes or elements that a slider of the page reaches
+const SLIDER_END = 200; // modes or elements that a slider of the page reaches
 const OPENING = /\{(@?[\w.-]+)(?:\}|:([^{}]+)\}|, (plural|select), )/y;
 const OPTION = /\s*(=\d+|[\w.-]+)\s*\{/y;
 
@@ -198,7 +198,7 @@ export const text = (code, values = {}) => unbroken(filled(code, values));
  * @param {Note} note
  */
 export const said = ({ code, values }) =>
-  text(code, 'needed' in values ? { ...values, offered: values.needed <= MOST, most: MOST } : values);
+  text(code, 'needed' in values ? { ...values, offered: values.needed <= SLIDER_END, most: SLIDER_END } : values);
 
 /**
  * What a value of a choice is called; the value itself where it has no name.

@@ -1,5 +1,4 @@
 // What choices and their values are called on the page.
-import { wordsOf } from '../shell/body_values.js';
 import { family, named, text } from './catalogue.js';
 
 /** @param {string} name */
@@ -42,15 +41,3 @@ const labelOf = (name) => ({
 /** @type {Record<string, Label>} */
 export const LABELS = Object.fromEntries(Object.keys(family('control')).map((name) => [name, labelOf(name)]));
 export const METHODS = family('name.method-choice');
-
-/**
- * What a scene says of itself, what of its bodies is changed, and which of its keys have no control here.
- * @param {import('../shell/message.js').Frame} frame
- */
-export function noteOf(frame) {
-  const { note, unshown } = frame;
-  const what = wordsOf(frame);
-  const changed = what && text('story.changed', { what });
-  const keys = unshown.length ? text('story.unshown', { keys: unshown.join(', ') }) : '';
-  return [changed, note, keys].filter(Boolean).join(' ');
-}

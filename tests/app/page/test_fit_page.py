@@ -192,6 +192,22 @@ def test_the_longest_title_is_read_whole(open_page, size):
     assert box[0] - 1 <= own[0] and own[1] <= box[1] + 1
 
 
+def test_a_scene_whose_settings_are_changed_says_so(open_page):
+    """Its method is none of them; another scene, or the way back, has its own name again."""
+    page = open_page("?scene=fixed-rod")
+    shown, name = page.tab.locator(".field-scene .title"), "Steel rod fixed at the far end, struck by its own mass"
+    expect(shown).to_have_text(name)
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('modes', 20)"))
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 2)"))
+    expect(shown).to_have_text(f"{name} (changed)")
+    expect(page.tab.locator("p.trust:visible, .numbers p.trust").first).to_contain_text(
+        "Here with Mass ratio 2, not as"
+    )
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
+    expect(shown).not_to_contain_text("(changed)")
+    assert page.tab.locator("option", has_text="(changed)").count() == 0
+
+
 def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):
     page = open_page()
     length = page.tab.locator(".body").nth(1).get_by_label("Length")
