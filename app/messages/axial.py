@@ -77,6 +77,8 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "modes": request.modes,
         "step": steps,
         "exact": _figures(exact) | {"name": _known_as(exact)},
+        "gaps": _gaps(exact),
+        "lastBall": _last_ball(exact),
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
@@ -209,6 +211,26 @@ def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str
             time, wave = _wave_history(motion, number, way, even)
             arrays |= {f"{'f' if way else 'g'}{number}Time": time, f"{'f' if way else 'g'}{number}": unit * wave}
     return rods, arrays
+
+
+def _gaps(exact: Solution) -> list[list[float]]:
+    """Of rods with a gap before them: their number, and when it is closed [T]."""
+    trip = exact.scene.time_unit
+    target = exact.scene.target
+    joints = target.joints if isinstance(target, Waveguide) else ()
+    return [
+        [number + 1, period.start / trip, period.end / trip]
+        for number, (joint, periods) in enumerate(zip(joints, exact.joints, strict=False), 1)
+        if joint.gap > 0.0
+        for period in periods
+    ]
+
+
+def _last_ball(exact: Solution) -> list[float] | None:
+    """When the last ball of a row has parted for good [T], and its velocity [v]."""
+    if not exact.ball_velocities or not exact.joints or not exact.joints[-1]:
+        return None
+    return [exact.joints[-1][-1].end / exact.scene.time_unit, exact.ball_velocities[-1] / exact.scene.speed]
 
 
 def _wave_history(motion: SendsWaves, rod: int, right_going: bool, even: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -65,6 +65,8 @@ AXIAL: Fields = {
     "step": Field("number | null", "of the modal force [T]"),
     "exact": Field("AxialFigures"),
     "other": Field("AxialFigures | null", "the method beside it"),
+    "gaps": Field("Gap[]", "between rods: number of the second rod, and when it is closed [T]"),
+    "lastBall": Field("[time: number, velocity: number] | null", "of a row, parted for good [T, v]"),
     "prediction": Field("{ impactor: number, target: number } | null", "velocities by rigid-body theory [v]"),
     "match": Field("number | null", "restitution that would have matched"),
     "damps": Field("boolean", "whether the contact law does"),

@@ -82,3 +82,31 @@ test('where the force jumps, it is said over how long modes spread the jump', ()
   assert.match(jump(rod({ modalForce: [1], other })), /Modes spread the jump over 2\.35\sµs/);
   assert.doesNotMatch(jump(rod({ other })), /Modes/);
 });
+
+/**
+ * What is told of rods with all that a message has of them, with the instants.
+ * @param {Record<string, any>} changed
+ */
+const told = (changed) => {
+  const plain = { target: { kind: 'rods', support: 'fixed' }, rods: [{}, {}], gaps: [], lastBall: null };
+  return eventsOf(rod({ ...plain, ...changed })).map(([t, sentence]) => `${t} ${sentence}`);
+};
+
+test('a gap that closes and opens is told', () => {
+  const gaps = [[2, 0.27, 1.4]];
+  assert.match(told({ gaps })[1], /^0\.27 The gap between rods 1 and 2 closes/);
+  assert.match(told({ gaps })[2], /^1\.4 Rods 1 and 2 come apart/);
+  assert.equal(told({ gaps: [[2, 0.27, 3]] }).length, told({}).length + 1);
+});
+
+test('of a mass on the far end it is told what it makes of the wave, and of the force', () => {
+  const target = { kind: 'rod', support: 'free', endMass: 1 };
+  const [, meets, back] = told({ target, rods: [{}] });
+  assert.match(meets, /^0\.5 The front meets the mass on the far end/);
+  assert.match(back, /^1 The front is back at the mass.*the force jumps/);
+});
+
+test('of a row of balls it is told how the last one goes on', () => {
+  const [, , last] = told({ rods: [], target: { kind: 'balls', row: [1] }, lastBall: [2.1, 0.9888] });
+  assert.match(last, /^2\.1 The last ball .* 0\.989\sv/);
+});

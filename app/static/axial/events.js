@@ -7,6 +7,7 @@ import { drawnRigid, toldOf } from './drawn.js';
 /** @import { Event } from '../shell/story.js' */
 
 const JUMPS = 6; // of the force in one contact that are told; later ones are small
+const GAPS = 4; // times that they close, of which is told
 const STANDS = 5e-4; // of the impact speed; what is slower stands
 
 /**
@@ -40,7 +41,7 @@ function plainEvents(frame) {
   if (impactor.kind === 'pulse') return pulseEvents(contacts);
   const striker = impactor.kind;
   const waves = rods.length > 0 && !drawnRigid(frame) && (target.support === 'anechoic' ? 'endless' : true);
-  return contacts.flatMap(([start, end], k) => {
+  const found = contacts.flatMap(([start, end], k) => {
     const touches = k
       ? text('axial.event.meets-again', { number: k + 1 })
       : text('axial.event.touches', { striker, target: target.kind, waves });
@@ -54,7 +55,46 @@ function plainEvents(frame) {
     ];
     return both;
   });
+  return waves ? [...found, ...ofGaps(frame), ...ofEndMass(frame)] : [...found, ...ofLastBall(frame)];
 }
+
+/**
+ * Gaps between rods that close, and open again.
+ * @param {AxialFrame} frame
+ * @returns {Event[]}
+ */
+const ofGaps = ({ duration, gaps }) =>
+  gaps.slice(0, GAPS).flatMap(([rod, closes, opens]) => {
+    const rods = { first: rod - 1, second: rod };
+    /** @type {Event[]} */
+    const both = [
+      [closes, text('axial.event.gap-closes', rods)],
+      [opens, text('axial.event.gap-opens', rods)],
+    ];
+    return opens < duration ? both : both.slice(0, 1);
+  });
+
+/**
+ * The wave at a mass on the far end of a rod, and back.
+ * @param {AxialFrame} frame
+ * @returns {Event[]}
+ */
+function ofEndMass({ chosen, exact, impactor, rods, target }) {
+  if (!target.endMass || rods.length !== 1 || target.support !== 'free') return [];
+  const rigid = chosen.law === 'rigid';
+  /** @type {Event[]} */
+  const found = [[0.5, text('axial.event.end-mass', { rigid })]];
+  if (exact.contacts[0][1] > 1 + 1e-9)
+    found.push([1, text('axial.event.end-mass-back', { rigid, striker: impactor.kind })]);
+  return found;
+}
+
+/**
+ * @param {AxialFrame} frame
+ * @returns {Event[]}
+ */
+const ofLastBall = ({ lastBall }) =>
+  lastBall ? [[lastBall[0], text('axial.event.last-ball', { speed: signed(lastBall[1]) })]] : [];
 
 /**
  * @param {Contact[]} contacts

@@ -4,6 +4,7 @@
 /** @typedef {Record<string, number | string>} Chosen  a value for every choice */
 /** @typedef {Float64Array} Numbers */
 /** @import { Note } from '../text/catalogue.js' */
+/** @typedef {[rod: number, closes: number, opens: number]} Gap  before a rod of a chain [T, T] */
 /** @typedef {[start: number, end: number, impulse: number, peak: number | null]} Contact */
 
 /**
@@ -161,6 +162,8 @@
  * @property {number | null} step  of the modal force
  * @property {AxialFigures} exact
  * @property {AxialFigures | null} other
+ * @property {Gap[]} gaps  between rods
+ * @property {[time: number, velocity: number] | null} lastBall  of a row, as it has parted for good [T, v]
  * @property {{ impactor: number, target: number } | null} prediction  velocities by rigid-body theory
  * @property {number | null} match  restitution that would have matched
  * @property {boolean} damps

@@ -116,6 +116,8 @@ def test_a_row_of_balls_is_drawn_as_it_moves():
     known = solvers.solve(solvers.load("newtons-cradle"))
     steps = header["duration"] / (len(row) - 1)
     assert (row[-1] - row[-2]) / steps == pytest.approx(known.ball_velocities, abs=1e-4)
+    assert header["lastBall"][1] == pytest.approx(0.9888, abs=1e-4)
+    assert known.duration > header["lastBall"][0] * known.scene.time_unit > known.contacts[0].end
     assert np.all(np.diff(row[-1]) > 0.0)
 
 
@@ -124,3 +126,10 @@ def test_what_rod_theory_leaves_out_is_said_of_the_exact_solution_alone():
     frame = read_header(solve_frame(chosen))
     codes = [[note["code"] for note in frame[name]["notes"]] for name in ("exact", "other")]
     assert {"strain-large", "pulse-short"} <= {*codes[0]} and not {"strain-large", "pulse-short"} & {*codes[1]}
+
+
+def test_it_is_told_when_a_gap_between_rods_is_closed():
+    [[rod, closes, opens]] = read_header(
+        solve_frame(Choices(scene="rod-with-gap", **choices_of("rod-with-gap")).chosen())
+    )["gaps"]
+    assert rod == 2 and 0.25 < closes < 0.28 and opens == pytest.approx(1.406, abs=1e-3)
