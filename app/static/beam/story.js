@@ -76,9 +76,10 @@ export class BeamStory {
     const values = { method: METHODS[chosen.method], note: refused, instead: main.name };
     if (refused) notes.push(text('beam.note.refused', values));
     const known = main.notes.map(said);
-    const own = reference?.notes.filter((note) => !known.includes(said(note))) ?? [];
-    const method = reference && called(reference);
-    return [...notes, ...known, ...own.map((note) => text('story.beside', { method, note }))];
+    if (!reference || reference.name === main.name) return [...notes, ...known]; // of modes, those chosen alone
+    const own = reference.notes.filter((note) => !known.includes(said(note)));
+    const method = called(reference);
+    return [...notes, ...known, ...own.map((note) => text('beam.note.to-compare', { method, note }))];
   }
   contactTable() {
     if (this.frame.moving) {

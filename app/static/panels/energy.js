@@ -2,7 +2,7 @@
 import { Figure } from '../charts/figure.js';
 import { make } from '../shell/dom.js';
 import { family, text } from '../text/catalogue.js';
-import { figures } from '../text/format.js';
+import { figures, percent } from '../text/format.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
@@ -17,10 +17,28 @@ import { Panel } from './panel.js';
 
 const ROWS = 21; // of the table
 const TOP = 102; // %
+const LEAST = 5e-5; // of the energy, that is worth a word
 const FAINT = '#5b6c7d';
 const PARTS = family('energy.part');
 /** @param {string} unit */
 const timeIn = (unit) => text('panel.time-in', { unit });
+
+/**
+ * Where the energy is at the end.
+ * @param {Shares} found
+ */
+function endOf({ parts, time, unit }) {
+  const last = time.length - 1;
+  const shares = parts.flatMap(({ key, values }) => (values ? [{ key, share: values[last] / 100 }] : []));
+  const there = shares.filter(({ key, share }) => key !== 'dissipated' && share >= LEAST);
+  const lost = shares.find(({ key }) => key === 'dissipated')?.share ?? 0;
+  return text('energy.said', {
+    time: `${figures(time[last])} ${unit}`,
+    parts: there.map(({ key, share }) => `${PARTS[key]} ${percent(share)}`),
+    loses: lost >= LEAST,
+    lost: percent(lost),
+  });
+}
 
 class Energy extends Panel {
   /** @type {Shares | null} */ drawn = null;
@@ -44,7 +62,7 @@ class Energy extends Panel {
    */
   told(found, fresh) {
     this.root.ariaBusy = String(!fresh);
-    this.said.hidden = Boolean(found);
+    this.said.textContent = found ? endOf(found) : text('energy.idle');
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
     const { parts, time, unit } = found;

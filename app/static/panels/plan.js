@@ -168,7 +168,10 @@ class Needs {
     );
     this.reason.textContent = `${said(found.why)} ${ruleOf(this.page.frame, found)}`;
     const rows = candidates.map((candidate, k) => this.row(candidate, k === picked));
-    this.table.replaceChildren(headOf([text('plan.model'), text('plan.error'), '']), make('tbody', {}, ...rows));
+    this.table.replaceChildren(
+      headOf([text('plan.model'), text('plan.error', { around: found.why.code === 'plan-reason' }), '']),
+      make('tbody', {}, ...rows),
+    );
     this.drawMap(found);
   }
   /** @param {Plan} found */

@@ -15,6 +15,12 @@ const ARROWS = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 0], ArrowD
 /** @type {Record<string, string>} */
 const SIGNS = { dot: '∙', triangle: '△', dash: '−', cross: '+', x: '×' }; // of markers, in the legend
 
+/**
+ * Whether the scene has no place along this axis: a rigid contact among stiffnesses.
+ * @param {Maps} maps
+ */
+const placeless = ({ across, chosen }) => across.name === 'contact_stiffness' && chosen.law === 'rigid';
+
 class Stability extends Panel {
   /** @type {Maps | null} */ known = null; // the maps that are shown
   /** @type {Small[]} */ maps = [];
@@ -114,7 +120,7 @@ class Stability extends Panel {
     if (away) return text('stability.in-space');
     if (!known) return text('stability.nothing-yet');
     if (stale) return text('stability.stale');
-    return text('stability.here', { cancelled: Boolean(known.cancelled) });
+    return text('stability.here', { cancelled: Boolean(known.cancelled), rigid: placeless(known) });
   }
   /** @param {Maps} found */
   load(found) {
@@ -139,12 +145,13 @@ class Stability extends Panel {
     this.figure.range('modal-x', spanOf(across.values));
     this.figure.range('modal-y', spanOf(step));
     const here = [within(found.here[0], spanOf(step)), within(found.here[1], spanOf(across.values))];
-    this.figure.fill('here', { step: [here[0]], across: [here[1]] });
+    const there = !placeless(found);
+    this.figure.fill('here', there ? { step: [here[0]], across: [here[1]] } : { step: [], across: [] });
     for (const { name, limit } of found.maps) {
       this.figure.set(`${name}-across`, { axis_label: axis });
       this.figure.fill(`${name}-limit`, { across: limit ? across.values : [], step: limit ?? [] });
       this.figure.set(`here-width-${name}`, { location: here[0] });
-      this.figure.set(`here-height-${name}`, { location: here[1] });
+      this.figure.set(`here-height-${name}`, { location: here[1], visible: there });
     }
     if (!this.root.hidden) this.frame();
   }

@@ -233,17 +233,17 @@ const methodOf = ({ choices }) => choices && { ...choices, name: choices.method 
 function estimateOf({ chosen, estimate }) {
   const quantity = QUANTITIES[chosen.auto_quantity];
   const known = estimate === null ? 'unknown' : estimate ? 'known' : 'none';
-  return text('tolerance.estimate', { known, quantity, error: share(estimate ?? 0) });
+  return text('tolerance.estimate', { known, quantity, error: share(estimate ?? 0), of: chosen.auto_quantity });
 }
 
 /**
  * @param {Found} found
  * @param {boolean} here  it is exact, and shown
  */
-function truthOf({ name, true: error }, here) {
+function truthOf({ chosen, name, true: error }, here) {
   if (error === null) return text('tolerance.no-exact');
   if (error === 0 && name === 'waves') return text('tolerance.exact', { here });
-  return text('tolerance.true', { error: share(error) });
+  return text('tolerance.true', { error: share(error), of: chosen.auto_quantity });
 }
 
 /**

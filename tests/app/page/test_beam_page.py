@@ -165,8 +165,24 @@ def test_energy_over_time_of_a_beam(open_page):
     page.analysis("Energy over time")
     cursor = "() => strikewave.page.analyses.energy.figure.model('energy-cursor')"
     page.wait(cursor)
+    said = page.tab.locator(".analysis.energy .help").first
+    expect(said).to_contain_text("At the end, after")
+    expect(said).to_contain_text("lost in the contact")
     page.evaluate("() => strikewave.page.player.go(0.7)")
     assert page.evaluate(f"() => ({cursor})().location") == 0.7
+
+
+NOTED = """() => {
+  const { frame, view } = strikewave.page;
+  const notes = [{ code: 'not-parted', severity: 'warning', values: {} }];
+  view.story.load({ ...frame, main: { ...frame.main, notes: [] }, reference: { ...frame.reference, notes } });
+  return view.story.warnings.list.textContent;
+}"""
+
+
+def test_of_modes_only_those_chosen_are_warned_of(open_page):
+    """The others are there to be compared with."""
+    assert open_page("?scene=timoshenko-1913-short").evaluate(NOTED) == ""
 
 
 @pytest.mark.parametrize("query", [SCENE, "?scene=timoshenko-1913-long"])

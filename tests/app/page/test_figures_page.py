@@ -105,6 +105,13 @@ def test_a_zoom_in_one_map_is_one_in_all_and_so_is_a_choice(open_page):
     said = page.tab.locator(".stability .figure .help")
     for k in range(6):
         expect(said.nth(k)).to_contain_text("A step of")
+    here = """(name) => {
+      const { figure, known } = strikewave.page.analyses.stability;
+      strikewave.page.analyses.stability.load({ ...known, across: { ...known.across, name } });
+      return figure.model('here').data.across.length;
+    }"""
+    assert page.evaluate(here, "speed") == 1
+    assert page.evaluate(here, "contact_stiffness") == 0  # among which a rigid contact has no place
 
 
 def test_a_figure_is_saved_as_a_picture(open_page, tmp_path):

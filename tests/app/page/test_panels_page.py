@@ -19,6 +19,7 @@ def test_the_plan_follows_the_question_and_can_be_shown(open_page):
     page = open_page()
     panel = opened(page, "Which model is enough?", "needs")
     expect(panel.locator(".verdict")).to_contain_text("travelling waves")
+    expect(panel.locator("thead")).to_contain_text("largest error around here")
     panel.get_by_label("Allowed error, in percent").fill("10")
     panel.get_by_label("Allowed error, in percent").press("Enter")
     expect(panel.locator(".verdict")).to_contain_text("quasi-static structure")
