@@ -1,5 +1,5 @@
 // Shear force and bending moment along a beam, below its picture.
-import { letters } from '../charts/canvas.js';
+import { letters, scale } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
@@ -20,6 +20,8 @@ const SIGNS = /** @type {const} */ ([
   ['rgba(66,133,200,.38)', 0],
 ]);
 const SMALL = letters(11);
+const HEAD = 15 * scale; // pixels of what is written above a diagram
+const REACH = 0.72; // of the room to both sides that the end of the scale takes
 const APART = 14; // pixels between a label and the largest value, whose place is left out where there are fewer
 
 /**
@@ -50,9 +52,10 @@ export function diagrams(c, stage, t, top, height) {
 function diagram(c, stage, t, name, symbol, unit, top, height) {
   const values = name === stage.what ? stage.values : stage.field.profile(t, name);
   const most = stage.scales[name];
-  const zero = top + 0.54 * height;
-  const reach = (0.32 * height) / most;
-  curve(c, stage, values, zero, reach, 0.42 * height);
+  const room = (height - HEAD) / 2; // below the words, on which no curve may lie
+  const zero = top + HEAD + room;
+  const reach = (REACH * room) / most;
+  curve(c, stage, values, zero, reach, room);
   const [factor, prefix] = prefixed(most);
   const { left, long, narrow } = stage;
   c.strokeStyle = COLORS.edge;
@@ -73,7 +76,7 @@ function diagram(c, stage, t, name, symbol, unit, top, height) {
     c.fillText(figures(-side * most * factor, 2), left - 8, zero + side * most * reach);
   c.textBaseline = 'top';
   c.textAlign = 'left';
-  const scale = narrow ? ` (± ${figures(most * factor, 2)})` : '';
+  const ends = narrow ? ` (± ${figures(most * factor, 2)})` : '';
   let peak = 0;
   for (let j = 0; j < values.length; j++) if (Math.abs(values[j]) > Math.abs(values[peak])) peak = j;
   const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;
@@ -81,7 +84,7 @@ function diagram(c, stage, t, name, symbol, unit, top, height) {
   const from = narrow ? 12 : left + 4;
   const fits = (/** @type {string} */ title, /** @type {string} */ said) =>
     from + c.measureText(title).width + APART + c.measureText(said).width <= left + long;
-  const [title, short] = [TITLES[name], symbol].map((label) => `${label}, ${prefix}${unit}${scale}`);
+  const [title, short] = [TITLES[name], symbol].map((label) => `${label}, ${prefix}${unit}${ends}`);
   c.fillText(fits(title, value) ? title : short, from, top + 3);
   c.textAlign = 'right';
   c.fillStyle = COLORS.cursor;

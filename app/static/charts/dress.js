@@ -3,7 +3,7 @@
 const SIZE = 12 / 14; // of the letters around
 const NARROWEST = 335; // pixels of a plot whose legend has smaller letters
 const SMALLER = 0.87;
-const NARROW = 480; // pixels of a plot whose legend has two columns
+export const NARROW = 480; // pixels of a plot whose legend has two columns, and whose title stands above it
 const ENTRY = 180; // pixels of an entry of a legend, else
 
 /**
@@ -25,6 +25,8 @@ export function dress(plot, place) {
     [`${what}_text_font_style`]: 'normal',
     [`${what}_text_color`]: color,
   });
+  const narrow = place.clientWidth < NARROW;
+  plot.title.visible = !narrow; // its tools would touch it: it stands above the plot
   plot.setv({ background_fill_color: panel, border_fill_color: panel, outline_line_color: line });
   plot.title.setv({ text_font: style.fontFamily, text_font_size: style.fontSize, text_color: ink });
   for (const part of [...plot.below, ...plot.left]) {
@@ -33,7 +35,7 @@ export function dress(plot, place) {
       part.setv({ axis_line_color: line, major_tick_line_color: line, minor_tick_line_color: null });
     } else if ('label_text_font' in part.properties) {
       const { clientWidth: wide } = place;
-      const columns = wide < NARROW ? 2 : Math.floor(wide / ENTRY);
+      const columns = narrow ? 2 : Math.floor(wide / ENTRY);
       part.setv({
         ...type('label', ink, wide < NARROWEST ? SMALLER : 1),
         ncols: columns,

@@ -2,7 +2,7 @@
 // and zoomed, read and saved by Bokeh in the browser. The server hears of none of it.
 import { download, make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
-import { dress } from './dress.js';
+import { dress, NARROW } from './dress.js';
 
 /** @typedef {import('./scale.js').Range} Range */
 
@@ -95,7 +95,10 @@ export class Figure {
     const [views] = await bokeh().embed.embed_items({ [this.name]: doc }, [item]);
     this.views = views;
     this.document = views.roots[0].model.document;
-    for (const { area, name } of this.parts) dress(this.model(name), area);
+    for (const { area, headed, name, root } of this.parts) {
+      dress(this.model(name), area);
+      root.firstElementChild?.classList.toggle('unseen', !headed && area.clientWidth >= NARROW);
+    }
     for (const [name, values] of this.given) this.model(name)?.setv(values);
     if (matchMedia('(pointer: coarse)').matches) this.#leaveFingers();
     for (const act of this.ready) act();

@@ -1,4 +1,5 @@
 // Elements of the page, made in one call; files given to the visitor.
+import { unbroken } from '../text/format.js';
 
 /**
  * Properties of an element; numbers may stand for strings.
@@ -39,7 +40,7 @@ export const columnHead = (textContent) => (textContent ? make('th', { scope: 'c
  * @param {PropertiesOf<'tr'>} [properties]
  */
 export const rowOf = (cells, properties = {}) =>
-  make('tr', properties, ...cells.map((cell) => make('td', {}, cell instanceof Node ? cell : String(cell))));
+  make('tr', properties, ...cells.map((cell) => make('td', {}, cell instanceof Node ? cell : unbroken(String(cell)))));
 
 /**
  * Buttons of which one is pressed, as a group.

@@ -160,6 +160,15 @@ def test_charts_that_a_scene_brings_are_folded_where_there_is_no_room_for_them(o
     )
 
 
+def test_where_a_plot_is_narrow_its_title_stands_above_its_tools(open_page):
+    page = open_page("?scene=fixed-rod&panel=ratios", size=(390, 844))
+    figure = page.tab.locator(".ratios .figure").first
+    expect(figure.locator(".bk-Toolbar").first).to_be_visible()
+    [title, tools] = [figure.locator(part).first.bounding_box() for part in ("h2", ".bk-Toolbar")]
+    assert title["height"] > 10 and title["y"] + title["height"] <= tools["y"]
+    assert page.evaluate("() => strikewave.page.analyses.ratios.figure.model('rebound').title.visible") is False
+
+
 def test_the_clock_has_the_room_that_there_is(open_page):
     page = open_page(size=(1280, 720))
     track, player = (page.tab.locator(each).bounding_box()["width"] for each in (".pinned .track", ".pinned .player"))
