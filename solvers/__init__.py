@@ -26,6 +26,7 @@ from .methods import (
 )
 from .methods.base import Method, SceneNotSupported
 from .methods.multibody.method import Multibody
+from .numerics import memory  # noqa: F401  (what it does holds for the process)
 from .regimes.plan import Plan, RegimeMap, plan, regime_map
 from .scene import Scene
 from .scenes.library import load, scene_names
