@@ -247,8 +247,10 @@ function rowOf(label, input, ...more) {
     wrong.hidden = !sentence;
     wrong.textContent = sentence;
     input.ariaInvalid = sentence ? 'true' : null;
-    if (sentence) input.setAttribute('aria-describedby', wrong.id);
-    else input.removeAttribute('aria-describedby');
+    if (sentence) {
+      input.setAttribute('aria-describedby', wrong.id);
+      wrong.scrollIntoView({ block: 'nearest' }); // below the field, it may be beyond the edge
+    } else input.removeAttribute('aria-describedby');
   };
   const mark = (/** @type {boolean} */ own, /** @type {string} */ scenes) => {
     root.classList.toggle('changed', !own);

@@ -39,20 +39,22 @@ export function head(c, [x, y], [dx, dy], long) {
   c.fill();
 }
 
-/** @type {WeakMap<Context, [left: number, top: number, right: number, bottom: number][]>} */
-const taken = new WeakMap(); // by labels of the picture that is being drawn
+/** @typedef {[left: number, top: number, right: number, bottom: number]} Box  in pixels */
+/** @type {WeakMap<Context, { words: Box[], drawn: Box[] }>} */
+const taken = new WeakMap(); // of the picture that is being drawn
 const LINE = 13; // pixels
 const ELSEWHERE = [0, 1, -1, 2, -2, 3, 4, 5]; // lines lower, where a label is in the way
 
 /**
  * Begin a picture without labels.
  * @param {Context} c
- * @param {[left: number, top: number, right: number, bottom: number][]} others  where none may lie
+ * @param {Box[]} words  where none may lie
+ * @param {Box[]} drawn  where none lies if there is room elsewhere
  */
-export const unlabelled = (c, others) => taken.set(c, others);
+export const unlabelled = (c, words, drawn) => taken.set(c, { words, drawn });
 
 /**
- * Where a label begins, so far up or down that it lies on no other.
+ * Where a label begins, so far up or down that it lies on no other, and on no body if it can.
  * @param {Context} c  its font and alignment set
  * @param {string} text
  * @param {number} x
@@ -60,16 +62,17 @@ export const unlabelled = (c, others) => taken.set(c, others);
  */
 function freed(c, text, x, y) {
   const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = c.measureText(text);
-  const others = taken.get(c) ?? [];
+  const { words, drawn } = taken.get(c) ?? { words: [], drawn: [] };
   const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
-  const isFree = (/** @type {number} */ lines) =>
+  const isFree = (/** @type {number} */ lines, /** @type {Box[]} */ others) =>
     middle + (lines - 0.5) * LINE >= 0 &&
     others.every(
       ([l, t, r, b]) =>
         x + right < l || x - left > r || middle + (lines + 0.5) * LINE < t || middle + (lines - 0.5) * LINE > b,
     );
-  const lines = ELSEWHERE.find(isFree) ?? 0;
-  others.push([x - left, middle + (lines - 0.5) * LINE, x + right, middle + (lines + 0.5) * LINE]);
+  const all = [...words, ...drawn];
+  const lines = ELSEWHERE.find((each) => isFree(each, all)) ?? ELSEWHERE.find((each) => isFree(each, words)) ?? 0;
+  words.push([x - left, middle + (lines - 0.5) * LINE, x + right, middle + (lines + 0.5) * LINE]);
   return y + lines * LINE;
 }
 

@@ -1,14 +1,15 @@
 // What is written on the stage for bodies in space: how they spin; time, a length, and which way the axes run.
-import { letters } from '../charts/canvas.js';
+import { letters, scale as larger } from '../charts/canvas.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, head, label, measure } from './arrows.js';
-import { dot, size, times } from './vectors.js';
+import { AXES } from './box.js';
+import { add, dot, size, times } from './vectors.js';
 
 /** @import { SpaceFrame, Vector } from '../shell/message.js' */
-/** @import { Context, Point } from './arrows.js' */
+/** @import { Box, Context, Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 
 const FONT = letters(12);
@@ -16,6 +17,8 @@ const FONT = letters(12);
 const PLACE = [12, 10]; // of the time
 const BUTTONS = [170, 34]; // pixels that they take at the upper right
 const RADIUS = 20; // pixels of the arc of a spin
+const HANDLE = 7; // pixels about a handle or a line
+const PIECES = 8; // of half a line
 const LEAST_AXIS = 3; // pixels of its axis, below which it is seen from its end
 
 /**
@@ -25,8 +28,9 @@ const LEAST_AXIS = 3; // pixels of its axis, below which it is seen from its end
  * @param {Point} centre
  * @param {Vector} spin
  * @param {boolean} labelled
+ * @param {Point} aside  the side on which it is written, of length 1
  */
-export function spinOf(c, stage, [x, y], spin, labelled) {
+export function spinOf(c, stage, [x, y], spin, labelled, [ax, ay]) {
   const seen = dot(spin, stage.toward) / stage.spin;
   const way = seen < 0 ? -1 : 1;
   const sweep = Math.max(Math.abs(seen) * 1.6 * Math.PI, 0.5);
@@ -37,7 +41,7 @@ export function spinOf(c, stage, [x, y], spin, labelled) {
   c.arc(x, y, RADIUS, -start, -end, way > 0);
   c.stroke();
   head(c, [x + RADIUS * Math.cos(end), y - RADIUS * Math.sin(end)], [-way * Math.sin(end), -way * Math.cos(end)], 7);
-  if (labelled) label(c, `${brief(size(spin))} rad/s`, [x, y + RADIUS + 8], [0, 1]);
+  if (labelled) label(c, `${brief(size(spin))} rad/s`, [x + ax * (RADIUS + 8), y + ay * (RADIUS + 8)], [ax, ay]);
   const [dx, dy] = stage.flat(times(spin, (1.6 * RADIUS) / size(spin)));
   if (Math.hypot(dx, dy) < LEAST_AXIS) return;
   c.setLineDash([5, 3]);
@@ -54,19 +58,58 @@ const timeOf = (frame, t) =>
   text('space.when', { before: t < 0, time: `${brief(Math.abs(t) * frame.duration * 1e3)} ms` });
 
 /**
- * Where no label may lie: on the time, and under the buttons that turn the picture.
+ * Where no label may lie: on the time, below the picture, and under the buttons that turn the picture.
  * @param {Context} c
  * @param {SpaceFrame} frame
  * @param {number} t
  * @param {number} width
- * @returns {[left: number, top: number, right: number, bottom: number][]}
+ * @param {number} height
+ * @returns {Box[]}
  */
-export function corners(c, frame, t, width) {
+export function corners(c, frame, t, width, height) {
   c.font = FONT;
+  const [left, top] = placeOfTime(c, frame, t, width);
   return [
-    [0, 0, PLACE[0] + c.measureText(timeOf(frame, t)).width + 4, PLACE[1] + 14],
-    [width - BUTTONS[0], 0, width, BUTTONS[1]],
+    [0, 0, left + c.measureText(timeOf(frame, t)).width + 4, top + 14 * larger],
+    [width - BUTTONS[0] * larger, 0, width, BUTTONS[1] * larger],
+    [0, height, width, Infinity], // below the picture
   ];
+}
+
+/**
+ * Where handles and bodies are: of a line small squares along it, of others the middle.
+ * @param {BodiesStage} stage
+ * @param {number} t
+ */
+export function drawnAt(stage, t) {
+  const about = (/** @type {Point} */ [x, y], /** @type {number} */ half) =>
+    /** @type {Box} */ ([x - half, y - half, x + half, y + half]);
+  const found = [about(stage.hands.tip, HANDLE), about([stage.x, stage.y], HANDLE)];
+  for (const { axes = AXES, radius = 0, shape, sides = [0, 0, 0], name } of stage.bodies) {
+    if (shape === 'stop') continue;
+    const { centre, turned } = stage.pose(name, t);
+    const long = sides.filter((side) => side > 0).length === 1 ? sides.findIndex((side) => side > 0) : -1;
+    const half = Math.max(radius, Math.min(...sides) / 2) * stage.scale;
+    if (long < 0) found.push(about(stage.at(centre), Math.max(half, HANDLE)));
+    for (let k = -PIECES; k <= PIECES && long >= 0; k++) {
+      const along = turned(times(axes[long], (sides[long] * k) / (2 * PIECES)));
+      found.push(about(stage.at(add(centre, along)), HANDLE));
+    }
+  }
+  return found;
+}
+
+/**
+ * Where the time is written: beside the buttons, or below them where there is no room.
+ * @param {Context} c  its font set
+ * @param {SpaceFrame} frame
+ * @param {number} t
+ * @param {number} width
+ * @returns {Point}
+ */
+function placeOfTime(c, frame, t, width) {
+  const beside = PLACE[0] + c.measureText(timeOf(frame, t)).width < width - BUTTONS[0] * larger;
+  return beside ? PLACE : [PLACE[0], BUTTONS[1] * larger + 4];
 }
 
 /**
@@ -84,7 +127,7 @@ export function legend(c, { across, frame, scale, up }, t, width, height) {
   measure(c, width - 16, height - 14, bar * scale, `${brief(bar)} m`);
   c.textAlign = 'left';
   c.textBaseline = 'top';
-  c.fillText(timeOf(frame, t), ...PLACE);
+  c.fillText(timeOf(frame, t), ...placeOfTime(c, frame, t, width));
   /** @type {Point} */
   const origin = [34, height - 34];
   ['x', 'y', 'z'].forEach((axis, i) => {

@@ -8,7 +8,7 @@ import { brief } from '../text/format.js';
 import { arrow, label, stopAt, unlabelled } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
-import { corners, legend, spinOf } from './legend.js';
+import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
@@ -115,6 +115,9 @@ export class BodiesStage {
   flat(p) {
     return [dot(p, this.across), dot(p, this.up)];
   }
+  get bodies() {
+    return BOTH.map((name) => ({ ...this.frame.bodies[name], name }));
+  }
   /**
    * Time from -1 to 1.
    * @param {number} t
@@ -128,7 +131,7 @@ export class BodiesStage {
     this.fit(width, height);
     this.time = t;
     const now = Math.min(Math.max(t, -1), 1);
-    unlabelled(c, corners(c, frame, now, width));
+    unlabelled(c, corners(c, frame, now, width, height), drawnAt(this, now));
     const when = now < 0 ? 'before' : 'after';
     for (const name of BOTH)
       if (frame.bodies[name].shape === 'stop')
@@ -337,9 +340,27 @@ export class BodiesStage {
       const to = [from[0] + vx, from[1] - vy];
       arrow(c, from, to, 2);
       const level = Math.abs(vy) < 0.4 * Math.abs(vx); // below its arrow: ahead lie those of the impulse and the normal
-      if (labelled) label(c, `${brief(size(velocity))} m/s`, to, level ? [0, 1] : [vx, -vy]);
+      const place = level ? /** @type {Point} */ ([from[0] + vx / 2, from[1] - vy / 2]) : to;
+      if (labelled) label(c, `${brief(size(velocity))} m/s`, place, level ? [0, 1] : [vx, -vy]);
     }
-    if (size(spin) > 1e-9 * this.spin) spinOf(c, this, from, spin, labelled);
+    if (size(spin) > 1e-9 * this.spin) spinOf(c, this, from, spin, labelled, this.#aside(name, t, this.flat(velocity)));
+  }
+  /**
+   * Where a word lies beside a body that is a line, away from where it goes; else below it.
+   * @param {Which} name
+   * @param {number} t
+   * @param {[x: number, y: number]} going
+   * @returns {Point}
+   */
+  #aside(name, t, going) {
+    const { axes = AXES, sides = [0, 0, 0] } = this.frame.bodies[name];
+    const long = sides.filter((side) => side > 0);
+    if (long.length !== 1) return [0, 1];
+    const [x, y] = this.flat(this.pose(name, t).turned(axes[sides.findIndex((side) => side > 0)]));
+    const way = Math.hypot(x, y);
+    if (way < 0.1) return [0, 1]; // seen from its end
+    const ahead = going[0] * y - going[1] * x > 0 ? -1 : 1; // of (y, -x), which is across
+    return [(ahead * y) / way, (ahead * x) / way];
   }
   /**
    * @param {Context} c

@@ -87,6 +87,7 @@ WRITTEN = """() => {
         ((820, 1180), "?scene=bent-rods&panel=joints"),
         ((820, 1180), "?scene=semi-infinite-rod"),
         ((390, 844), "?scene=brick-on-floor"),
+        ((390, 844), "?scene=spinning-ball"),
     ],
     ids=str,
 )
@@ -214,6 +215,37 @@ def test_a_scene_whose_settings_are_changed_says_so(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     expect(shown).not_to_contain_text("(changed)")
     assert page.tab.locator("option", has_text="(changed)").count() == 0
+
+
+def test_what_is_wrong_with_a_value_is_seen_on_a_phone(open_page):
+    page = open_page(size=(390, 844))
+    length = page.tab.locator(".body").nth(1).get_by_label("Length")
+    length.evaluate("element => element.scrollIntoView({ block: 'end' })")
+    length.fill("3 µm")
+    length.press("Enter")
+    expect(page.tab.locator(".wrong:visible")).to_be_in_viewport(ratio=1)
+
+
+LABELS = """() => {
+  const { page } = strikewave, { stage } = page.view;
+  const context = CanvasRenderingContext2D.prototype, { fillText } = context, said = {};
+  context.fillText = function (text, x, y) {
+    const box = this.measureText(text), lines = [y - box.actualBoundingBoxAscent, y + box.actualBoundingBoxDescent];
+    if (this.canvas === stage.canvas)
+      said[text] = [x - box.actualBoundingBoxLeft, x + box.actualBoundingBoxRight, ...lines];
+    return fillText.call(this, text, x, y);
+  };
+  page.player.go(-page.frame.duration);
+  context.fillText = fillText;
+  const rings = [[stage.x, stage.y], stage.hands.tip];
+  return Object.entries(said).filter(([, [left, right, top, bottom]]) =>
+    rings.some(([x, y]) => x > left - 4 && x < right + 4 && y > top - 4 && y < bottom + 4)).map(([text]) => text);
+}"""
+
+
+@pytest.mark.parametrize("scene", ["note-rod-friction", "percussion-rod"])
+def test_words_beside_bodies_in_space_lie_on_no_handle(open_page, scene):
+    assert open_page(f"?scene={scene}", size=(390, 844)).evaluate(LABELS) == []
 
 
 def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):
