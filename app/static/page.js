@@ -345,9 +345,11 @@ export class Page {
     const { caption } = this.told.events;
     if (this.caption.textContent === caption) return;
     this.caption.textContent = caption;
-    this.caption.classList.remove('long');
-    const { classList, scrollHeight, clientHeight } = this.caption;
-    classList.toggle('long', caption.length > LONG_CAPTION || scrollHeight > clientHeight + 1);
+    const { classList } = this.caption;
+    classList.remove('long', 'longest');
+    const cut = () => this.caption.scrollHeight > this.caption.clientHeight + 1;
+    classList.toggle('long', caption.length > LONG_CAPTION || cut());
+    classList.toggle('longest', cut());
   }
   /** @returns {Event[]} at the instants at which what they have changed is seen */
   events() {

@@ -147,6 +147,9 @@ def test_large_letters_have_their_room(open_page, size, query):
     assert page.evaluate("() => getComputedStyle(document.documentElement).fontSize") == "24px"
     assert page.evaluate(DRAWN, INSTANTS) == []
     assert page.evaluate(WRITTEN) == []
+    page.evaluate("() => strikewave.page.player.go(0.4 * strikewave.page.player.duration)")  # which has much to say
+    caption = page.tab.locator(".caption")
+    assert caption.evaluate("element => element.scrollHeight - element.clientHeight") <= 1
     clock = page.tab.locator(".pinned .clock")
     assert clock.evaluate("element => element.scrollWidth - element.clientWidth") <= 0
 
