@@ -136,7 +136,7 @@ test('of a mass that has left the picture it is said how far it is', () => {
   const { c, words } = sheet();
   mechanism.striker(c, 2);
   const [{ text, x }] = words;
-  const beyond = 60.5 - (200 - 10) / mechanism.scale; // from the middle of the bar to the edge of the picture
+  const beyond = 60.5 - 200 / mechanism.scale; // from the middle of the bar to the edge of the picture
   assert.equal(text, `mass: ${beyond.toPrecision(2)}\u00a0m beyond`);
   assert.ok(x < 400);
   assert.equal(mechanism.held, null); // nothing to take hold of

@@ -172,6 +172,7 @@ function awayOf(striker, distance) {
  */
 export function flown(c, striker, [x, y], scale) {
   arrow(c, [x, FLOWN + ARROW], [0, -ARROW], COLORS.edge);
+  if (y >= 0) return; // just so
   const said = awayOf(striker, -y / scale);
   c.font = letters(11);
   c.fillStyle = COLORS.faint;
@@ -200,11 +201,16 @@ export function gone(c, mechanism, [x, y]) {
   const long = Math.hypot(across, down);
   const [ax, ay] = [(ARROW * across) / long, (ARROW * down) / long];
   arrow(c, [a - ax, b - ay], [ax, ay], COLORS.edge);
+  const far = Math.hypot(Math.max(-x, x - width, 0), Math.max(-y, y - height, 0)) / (scale * (flight || factor));
+  if (!far) return; // just so
   const left = a < center[0];
   c.font = letters(11);
   c.fillStyle = COLORS.faint;
   c.textBaseline = 'middle';
   c.textAlign = left ? 'left' : 'right';
-  const said = awayOf(frame.impactor.kind, Math.hypot(x - a, y - b) / (scale * (flight || factor)));
-  c.fillText(said, a + (left ? -4 : 4), b + (b > center[1] ? -1 : 1) * (ARROW + 8));
+  const said = awayOf(frame.impactor.kind, far);
+  const [from, middle] = [a + (left ? -4 : 4), b + (b > center[1] ? -1 : 1) * (ARROW + 8)];
+  c.fillText(said, from, middle);
+  const wide = c.measureText(said).width;
+  mechanism.away = [left ? from : from - wide, middle - HALF_LINE, left ? from + wide : from, middle + HALF_LINE];
 }

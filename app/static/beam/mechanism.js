@@ -32,6 +32,7 @@ export class Mechanism {
   largest = 0; // reaction [N]
   /** @type {Point[][]} */ placed = []; // links as they are drawn, in pixels
   /** @type {Drawn | null} */ held = null; // where the striker is
+  /** @type {import('./labels.js').Box | null} */ away = null; // where it is said how far that has gone
 
   shown = 'reach'; // movement whose scale can be shared
   flight = 0; // by how much larger the way of the mass is drawn, if not as all else
@@ -175,6 +176,7 @@ export class Mechanism {
     const [x, y] = this.pixel(...place);
     const [a, b] = [x - (aside + size / 2) * wx, y - (aside + size / 2) * wy];
     const left = Math.max(-a, a - this.width, -b, b - this.height) > (CUT - 0.5) * size;
+    this.away = null;
     if (left) gone(c, this, [a, b]);
     if (left) return;
     c.save();
@@ -306,6 +308,6 @@ export class Mechanism {
     const arrows = this.largest ? text(code, { sudden: this.sudden, most }) : '';
     c.fillText(arrows, x, y);
     const wide = Math.max(c.measureText(arrows).width, c.measureText(this.scaleWords).width * SCALE_LETTERS);
-    this.labels.draw(c, [[0, 0, x + wide, y]]);
+    this.labels.draw(c, [[0, 0, x + wide, y], ...(this.away ? [this.away] : [])]);
   }
 }

@@ -88,6 +88,7 @@ WRITTEN = """() => {
         ((820, 1180), "?scene=semi-infinite-rod"),
         ((390, 844), "?scene=brick-on-floor"),
         ((390, 844), "?scene=spinning-ball"),
+        ((1280, 720), "?scene=bouncing-on-piston"),
     ],
     ids=str,
 )
