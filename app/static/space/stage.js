@@ -131,7 +131,8 @@ export class BodiesStage {
     this.fit(width, height);
     this.time = t;
     const now = Math.min(Math.max(t, -1), 1);
-    unlabelled(c, corners(c, frame, now, width, height), drawnAt(this, now));
+    const [tip, contact, ...bodies] = drawnAt(this, now);
+    unlabelled(c, [...corners(c, frame, now, width, height), tip, contact], bodies);
     const when = now < 0 ? 'before' : 'after';
     for (const name of BOTH)
       if (frame.bodies[name].shape === 'stop')
