@@ -71,7 +71,7 @@ def test_the_best_are_marked_and_the_chosen_quantity_is_written_at_its_axis(open
     claims = "() => strikewave.page.analyses.tradeoff.figure.model('claims').data.label.length"
     assert page.evaluate(claims) == 0
     panel.get_by_role("button", name="final velocity").click()
-    assert page.evaluate(axis) == "error in the final velocity, %"
+    assert page.evaluate(axis) == "error in the final velocity, % of the impact speed"
     assert page.evaluate(claims) > 0  # what methods say of their own error is of the rebound
 
 
