@@ -14,6 +14,7 @@ from ..text.catalogues import page
 
 PARTS = ("along", "across", "turn")  # of each node, in this order
 ROUNDING = 1e-12  # of the largest value before, as much as comes of rounding
+OF_COORDINATES = ("table-6.9", "table-6.11")  # scenes that are named after these
 
 
 def of_struck_nodes(asked: dict[str, Any]) -> Hashable:
@@ -29,8 +30,8 @@ def of_struck_nodes(asked: dict[str, Any]) -> Hashable:
 
 def mode_change_data(chosen: dict[str, Any]) -> str:
     """As JSON: `chosen`; `nodes` from the first end on [mm] and which is `struck`, from 1; how many `modes`, `lost` of
-    the energy [%], the `speed` of approach [m/s]; `velocities` [m/s, rad/s] and
-    `coordinates` [m, rad], by projection and part at every node; or `error`, a sentence why there is none.
+    the energy [%], the `speed` of approach [m/s]; `velocities` [m/s, rad/s] and `coordinates` [m, rad], by projection
+    and part at every node, and which of both is shown `first`; or `error`, a sentence why there is none.
     """
     answer: dict[str, Any] = {"chosen": chosen}
     try:
@@ -49,6 +50,7 @@ def mode_change_data(chosen: dict[str, Any]) -> str:
         "modes": link.modes,
         "lost": 100.0 * change.lost,
         "speed": scene.speed,
+        "first": "coordinates" if chosen["scene"] in OF_COORDINATES else "velocities",
     }
     for name in ("velocities", "coordinates"):
         fields = getattr(change, name)._asdict()

@@ -54,7 +54,8 @@ export function keptOf(frame) {
   const { cut, restitution, rigid } = given(frame.moving, 'moving');
   const { constraint_error: gap, energy_drift: drift, estimated_error: error } = frame.main.diagnostics;
   const law = { law: byLaw(frame), restitution: restitution ?? 1 };
-  const words = [tell('impacts', frame, law), text('motion.kept', { drift, gap })];
+  const joined = given(frame.mechanism, 'mechanism').joints.length > 0;
+  const words = [tell('impacts', frame, law), text('motion.kept', { drift, gap, joined })];
   if (rigid) words.push(text('motion.rigid', { why: said(rigid) }));
   if (cut) words.push(tell('cut', frame));
   if (error) words.push(text('motion.uncertain', { error }));

@@ -16,6 +16,7 @@ import { Panel } from './panel.js';
  * @property {number} modes
  * @property {number} lost  of the energy [%]
  * @property {number} speed  of the mass before [m/s]
+ * @property {'velocities' | 'coordinates'} first  what the scene is named after
  * @property {Fields} velocities  [m/s, rad/s]
  * @property {Fields} coordinates  [m, rad]
  */
@@ -31,6 +32,7 @@ const SAME = 0.01; // of the largest of its kind, by which a projection may miss
 
 class ModeChange extends Panel {
   /** @type {'velocities' | 'coordinates'} */ what = 'velocities';
+  scene = ''; // of the answer that is shown
 
   /** @param {Page} page */
   constructor(page) {
@@ -66,6 +68,8 @@ class ModeChange extends Panel {
     if (!found) return;
     this.said.textContent = found.error ?? this.#told(found);
     if (found.error) return;
+    if (found.chosen.scene !== this.scene) this.what = found.first;
+    this.scene = found.chosen.scene;
     this.pick.show(this.what);
     const fields = found[this.what];
     const rows = PARTS[this.what].flatMap((part) => {

@@ -104,3 +104,18 @@ def test_waves_at_the_joint_are_shown_beside_the_mechanism(open_page):
     expect(panel.get_by_role("status")).to_contain_text("pin between first and second, which goes on turned by 90°")
     panel.get_by_role("button", name="Show the numbers").first.click()
     expect(panel.get_by_role("columnheader", name="on, bending, %").first).to_be_visible()
+
+
+def test_tables_of_nodes_are_in_view_where_their_scene_is_opened(open_page):
+    """Table 6.9 is of coordinates, 6.10 of velocities: 0.979 of the approach at the node that is struck."""
+    page = open_page("?scene=table-6.9")
+    panel = page.tab.locator(".mode_change")
+    expect(panel.get_by_role("button", name="coordinates")).to_have_attribute("aria-pressed", "true", timeout=LONG)
+    expect(panel.locator("tr[aria-current]").first).to_contain_text("3.4")  # nm along the link
+    panel.get_by_role("button", name="velocities").click()
+    struck = panel.locator("tr[aria-current]").first.locator("td")
+    assert struck.all_text_contents()[:5] == ["4", "299", "−0.979", "−0.979", "−0.979"]
+    expect(panel).to_contain_text("Where the mass is left out of the projection it is 0.02057 m/s.")
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('place', 0.4)"))
+    expect(panel).to_contain_text("Move “Struck at” to a node", timeout=LONG)
+    settled(page)
