@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Modal, ensemble
+from solvers import Balance, Mechanism, Modal, ensemble
 from solvers.studies.convergence import convergence
 
 from ..choices.request import Request
@@ -59,8 +59,9 @@ def convergence_data(chosen: dict[str, Any]) -> str:
     answer: dict[str, Any] = {"chosen": chosen}
     try:
         request = Request.of(chosen)
-        method = method_at_impact(request)
-        answer |= convergence(request.scene, COUNTS, method if method.NAME in COUNTED else Modal()).table()
+        scene, method = request.scene, method_at_impact(request)
+        counted = (*COUNTED, Balance.NAME) if isinstance(scene.target, Mechanism) else COUNTED
+        answer |= convergence(scene, COUNTS, method if method.NAME in counted else Modal()).table()
     except ValueError as refusal:  # SceneError
         answer["error"] = str(refusal)
     return json.dumps(answer, allow_nan=False)

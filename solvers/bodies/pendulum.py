@@ -205,6 +205,9 @@ class FlexiblePendulum(Pivoted, Beam):
     def with_share_of_modes(self, share: float) -> Self:
         return replace(self, count=max(1, round(share * self.count)))
 
+    def with_own_modes(self, count: int) -> Self:
+        return replace(self, count=count)
+
     def notes_on_modes(self, count: int) -> list[Note]:
         return super().notes_on_modes(self.count)
 

@@ -243,7 +243,7 @@ class Solution:
             "contacts": [asdict(contact) for contact in self.contacts],
             **({"links": links} if links else {}),
             **({"mode_change": changed, "mode_change_coordinates": self.mode_change_coordinates} if changed else {}),
-            **({"joints": joints} if joints else {}),
+            **({"joints": joints} if joints or self.reactions is not None else {}),
             "impulse": impulse,
             **effective_mass,
             "peak_force": self.peak_force,

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..bodies import Rod
+from ..bodies import Mechanism, Rod
+from ..bodies.linkage.links import Link
 from ..methods import METHODS
 from ..methods.base import Method, SceneNotSupported
 from ..numerics.processors import all_processors
@@ -62,6 +63,7 @@ class Convergence:
 def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Method = "modal") -> Convergence:
     """The impact solved with each of these numbers of modes; of elements by 'fe-nodal' and 'fe-modal'.
 
+    Bodies that say themselves how many modes they have, links and pendulums that bend, are given as many.
     All are followed for as long as the finest one. What is compared: velocity and impulse, peak force, first parting,
     contacts, deepest position of the struck point, energy lost, and of the fields the largest shear force of a beam, of
     a rod the largest stress: where it is held, and anywhere.
@@ -71,13 +73,13 @@ def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Metho
     begun = time.perf_counter()
     counts = _counts(modes)
     chosen, kind, duration = _method(scene, method)
-    methods = [replace(chosen, **{kind: validation.whole_number(kind, count, 1, 10_000)}) for count in counts]
-    refused = methods[0].refusal(scene)
+    refused = chosen.refusal(scene)
     if refused:
         raise SceneNotSupported("method.name", chosen.NAME, refused)
-    finest = methods[-1].solve(scene, duration)
+    counts, levels = _levels(scene, chosen, kind, counts)
+    finest = _solved(levels[-1], duration)
     with all_processors() as pool:
-        others = list(pool.map(lambda coarse: coarse.solve(scene, finest.duration), methods[:-1]))
+        others = list(pool.map(lambda level: _solved(level, finest.duration), levels[:-1]))
         rows = list(pool.map(_figures, [*others, finest]))
     numbers = np.array(counts, float)
     values = {name: np.array([row[name] for row in rows]) for name in rows[-1]}
@@ -138,12 +140,39 @@ def _method(scene: Scene, given: str | Method) -> tuple[Method, str, float | Non
         chosen = METHODS[validation.choice("method.name", given, METHODS)].read({})
     options = {option.name for option in fields(chosen)}
     kind = next((name for name in ("elements", "modes") if name in options), None)
+    if any(link.flexible for link in _links(scene)):  # of whose modes alone it depends how well they are known
+        return chosen.without_estimate(), "modes", duration
     if kind is None:
         known = [name for name, method in METHODS.items() if {"elements", "modes"} & {f.name for f in fields(method)}]
         raise SceneError("method.name", chosen.NAME, allowed("resolved-method", names=known))
     if getattr(chosen, kind) is None:  # some, where it is left out, do without
         chosen = replace(chosen, **{kind: 1})
     return chosen.without_estimate(), kind, duration
+
+
+def _links(scene: Scene) -> list[Link]:
+    return [link for body in (scene.impactor, scene.target) if isinstance(body, Mechanism) for link in body.links]
+
+
+def _levels(scene: Scene, method: Method, kind: str, counts: list[int]) -> tuple[list[int], list[tuple[Method, Scene]]]:
+    """Method and scene by each of the counts, as far as links of finite elements have so many modes."""
+    found: dict[int, tuple[Method, Scene]] = {}
+    has = any(option.name == kind for option in fields(method))
+    for count in counts:
+        level, finer = replace(method, **{kind: count}) if has else method, scene
+        bodies = {"impactor": scene.impactor.with_own_modes(count), "target": scene.target.with_own_modes(count)}
+        if kind == "modes" and any(body is not getattr(scene, name) for name, body in bodies.items()):
+            finer = replace(scene, **bodies, given={})
+        if all(link.modes in (0, count) for link in _links(finer)):
+            found[count] = level, finer
+    if len(found) < FEWEST:
+        raise SceneError("modes", counts, allowed("fewer-modes", low=FEWEST))
+    return list(found), list(found.values())
+
+
+def _solved(level: tuple[Method, Scene], duration: float | None) -> Solution:
+    method, scene = level
+    return method.solve(scene, duration)
 
 
 def _figures(solution: Solution) -> dict[str, float]:

@@ -20,6 +20,7 @@ const ROOM = 46; // pixels about the mechanism, at most
 const SHARE_OF_ROOM = 0.2; // of the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
+const ROUNDING = 1e-9; // of what the contact gives, below which a joint bears nothing
 const SCALE_LETTERS = 12 / 11; // of what stands above, which is written larger
 
 export class Mechanism {
@@ -59,6 +60,7 @@ export class Mechanism {
     this.sudden = !this.largest; // then all is over at once, and impulses are what there is
     for (const { impulse } of (this.sudden && frame.main.joints) || [])
       this.largest = Math.max(this.largest, ...impulse.map(Math.abs));
+    if (this.sudden && this.largest < ROUNDING * Math.abs(frame.main.impulse)) this.largest = 0;
   }
   /**
    * How far the largest movement goes that is drawn larger.

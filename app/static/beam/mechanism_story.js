@@ -83,9 +83,17 @@ export class Joints {
     this.root.hidden = !mechanism || !main.joints?.length;
     if (!mechanism || !main.joints) return;
     const columns = family('beam.mechanism.column');
-    const rows = main.joints.map(({ impulse: [x, y], moment_impulse: moment }, n) =>
-      rowOf([mechanism.joints[n].links.join(' – '), figures(x), figures(y), figures(moment)]),
-    );
+    const rows = main.joints.flatMap((joint, n) => {
+      const name = mechanism.joints[n].links.join(' – ');
+      const row = (/** @type {string} */ what, /** @type {number[]} */ [x, y], /** @type {number} */ moment) =>
+        rowOf([what, figures(x), figures(y), figures(moment)]);
+      const { impulse, moment_impulse, impulse_to_parting, moment_impulse_to_parting = 0 } = joint;
+      if (!impulse_to_parting) return [row(name, impulse, moment_impulse)];
+      return [
+        row(text('beam.mechanism.sudden', { joint: name }), impulse, moment_impulse),
+        row(text('beam.mechanism.to-parting', { joint: name }), impulse_to_parting, moment_impulse_to_parting),
+      ];
+    });
     this.table.replaceChildren(headOf(['', columns.x, columns.y, columns.moment]), make('tbody', {}, ...rows));
   }
 }

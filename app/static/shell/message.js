@@ -87,7 +87,11 @@
  * @property {number} impulse
  * @property {JointImpulse[] | null} joints
  */
-/** @typedef {{ impulse: [number, number], moment_impulse: number }} JointImpulse */
+/**
+ * What the first link of a joint does to the second; of balances what is sudden, and beside it all up to the parting.
+ * @typedef {{ impulse: [number, number], moment_impulse: number, impulse_to_parting?: [number, number],
+ *   moment_impulse_to_parting?: number }} JointImpulse
+ */
 /** @typedef {Figures & OfResolution} BeamFigures */
 
 /**

@@ -43,7 +43,7 @@ class Joint:
         )
         if first == second:
             raise SceneError(f"{key}.links", list(chosen), allowed("joined-links", links=[GROUND, *names]))
-        at = read_point(f"{key}.at", validation.required(key, given, "at", allowed("point")))
+        at = read_point(f"{key}.at", validation.required(key, given, "at", allowed("point", unit="m")))
         for name in (first, second):
             if name != GROUND and names[name].off_axis(at) > OFF_LINK * (names[name].length or size):
                 far = names[name].off_axis(at)
@@ -132,7 +132,8 @@ def _read_joint(key: str, given: Mapping[str, Any], joints: Sequence[Joint]) -> 
 
 def read_direction(key: str, given: object) -> Point:
     """A direction in the plane, made a unit vector."""
-    vector = np.array(read_point(key, given, 1e9))
+    whole = isinstance(given, (list, tuple)) and len(given) == 2
+    vector = np.array(read_point(key, given, 1e9)) if whole else np.zeros(2)
     length = float(np.hypot(*vector))
     if length == 0.0:
         raise SceneError(key, given, allowed("direction-in-plane"))

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -74,7 +74,7 @@ class Link:
         if not isinstance(name, str) or not 0 < len(name) <= LONGEST_NAME or name == GROUND:
             raise SceneError(f"{key}.name", name, allowed("link-name"))
         start, end = (
-            read_point(f"{key}.{word}", validation.required(key, given, word, allowed("point")))
+            read_point(f"{key}.{word}", validation.required(key, given, word, allowed("point", unit="m")))
             for word in ("from", "to")
         )
         section = read_section(f"{key}.section", given["section"]) if "section" in given else None
@@ -122,6 +122,11 @@ class Link:
     @property
     def flexible(self) -> bool:
         return self.modes + self.axial > 0
+
+    def with_modes(self, count: int) -> "Link":
+        """By so many modes of bending and of stretching, where it has any; of finite elements at most all there are."""
+        most = min(count, 3 * len(self.nodes)) if self.nodes else count
+        return replace(self, modes=most if self.modes else 0, axial=count if self.axial else 0)
 
     @property
     def along(self) -> np.ndarray:
@@ -183,10 +188,10 @@ class Link:
         return written
 
 
-def read_point(key: str, given: object, largest: float = FARTHEST) -> Point:
+def read_point(key: str, given: object, largest: float = FARTHEST, unit: str = "m") -> Point:
     """Two numbers. Raises SceneError naming the key, or the place in the list."""
     if not isinstance(given, (list, tuple)) or len(given) != 2:
-        raise SceneError(key, given, allowed("point"))
+        raise SceneError(key, given, allowed("point", unit=unit))
     x, y = (validation.number(f"{key}[{i}]", value, -largest, largest) for i, value in enumerate(given))
     return x, y
 

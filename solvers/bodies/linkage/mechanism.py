@@ -95,7 +95,7 @@ class Mechanism(AnyBody):
             for i, each in enumerate(_listed(key, given, "drives", 0, len(joints)))
         )
         struck = Struck.read(f"{key}.struck", validation.required(key, given, "struck", allowed("struck")), links)
-        gravity = read_point(f"{key}.gravity", given.get("gravity", NO_GRAVITY), STRONGEST_GRAVITY)
+        gravity = read_point(f"{key}.gravity", given.get("gravity", NO_GRAVITY), STRONGEST_GRAVITY, "m/s2")
         springs = tuple(
             Spring.read(f"{key}.springs[{i}]", each, joints)
             for i, each in enumerate(_listed(key, given, "springs", 0, len(joints)))
@@ -168,6 +168,12 @@ class Mechanism(AnyBody):
             fewer = (replace(link, modes=min(link.modes, most), axial=min(link.axial, most)) for link in self.links)
             self._coarser[most] = replace(self, links=tuple(fewer))
         return self._coarser[most]
+
+    def with_own_modes(self, count: int) -> "Mechanism":
+        """With so many modes of bending, and of stretching, of each link that has any; of a mesh up to all it has."""
+        if not self.flexible:
+            return self
+        return replace(self, links=tuple(link.with_modes(count) for link in self.links))
 
     @cached_property
     def _coarser(self) -> dict[int, "Mechanism"]:

@@ -6,6 +6,7 @@ Source: thesis 5.6. Differs: (5.55) leaves the first out, so that (5.56) falls t
 """
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -96,6 +97,7 @@ def simplified_squares(frequencies: np.ndarray, speed: float) -> np.ndarray:
     return np.asarray(frequencies) ** 2 - speed**2
 
 
+@lru_cache(maxsize=64)  # for who solves an impact on it again, only faster or by another mass
 def rotating_beam_modes(line: BeamLine, place: float, speed: float, count: int) -> Modes:
     """Modes of the beam clamped at x = 0, struck in the plane of rotation at `place` [m]; frequencies as seen by an
     observer who turns with it.

@@ -96,14 +96,14 @@ def test_a_mechanism_that_strikes_is_drawn_as_what_is_struck_and_said_to_strike(
 
 
 def test_waves_at_the_joint_are_shown_beside_the_mechanism(open_page):
-    page = open_page("?scene=bent-rods")
-    expect(page.tab.get_by_role("heading", name="How waves run along the link")).to_be_visible()
-    expect(page.tab.get_by_role("button", name="moment", exact=True)).to_be_hidden()  # it is struck along its length
-    page.analysis("Waves at the joint")
+    page = open_page("?scene=bent-rods")  # which is named after them, and so is opened with them
     panel = page.tab.locator(".analysis.joints")
     expect(panel.get_by_role("status")).to_contain_text("pin between first and second, which goes on turned by 90°")
     panel.get_by_role("button", name="Show the numbers").first.click()
     expect(panel.get_by_role("columnheader", name="on, bending, %").first).to_be_visible()
+    page.analysis("Waves at the joint")
+    expect(page.tab.get_by_role("heading", name="How waves run along the link")).to_be_visible()
+    expect(page.tab.get_by_role("button", name="moment", exact=True)).to_be_hidden()  # it is struck along its length
 
 
 def test_tables_of_nodes_are_in_view_where_their_scene_is_opened(open_page):
@@ -111,7 +111,7 @@ def test_tables_of_nodes_are_in_view_where_their_scene_is_opened(open_page):
     page = open_page("?scene=table-6.9")
     panel = page.tab.locator(".mode_change")
     expect(panel.get_by_role("button", name="coordinates")).to_have_attribute("aria-pressed", "true", timeout=LONG)
-    expect(panel.locator("tr[aria-current]").first).to_contain_text("3.4")  # nm along the link
+    expect(panel.locator("tr[aria-current]").first).to_contain_text("3.39e−9")  # m along the link
     panel.get_by_role("button", name="velocities").click()
     struck = panel.locator("tr[aria-current]").first.locator("td")
     assert struck.all_text_contents()[:5] == ["4", "299", "−0.979", "−0.979", "−0.979"]
@@ -119,3 +119,20 @@ def test_tables_of_nodes_are_in_view_where_their_scene_is_opened(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('place', 0.4)"))
     expect(panel).to_contain_text("Move “Struck at” to a node", timeout=LONG)
     settled(page)
+
+
+def test_a_joint_that_bears_nothing_has_no_arrow(open_page):
+    """Struck at its centre of percussion: 1e-16 N s is rounding."""
+    page = open_page("?scene=compound-pendulum")
+    assert page.evaluate("() => strikewave.page.beam.stage.mechanism.largest") == 0
+
+
+def test_sudden_reactions_stand_beside_all_that_the_joints_give(open_page):
+    """Of balances the sudden part is a twentieth; by a contact law there is one row, and no such part."""
+    page = open_page("?scene=figure-6.8&tab=numbers")
+    rows = page.tab.locator("tr", has_text="ground – bar")
+    expect(rows).to_have_count(2)
+    expect(rows.nth(0)).to_contain_text("sudden alone")
+    expect(rows.nth(1)).to_contain_text("all to the parting")
+    page = open_page("?scene=rotating-bar&tab=numbers")
+    expect(page.tab.locator("tr", has_text="ground – bar")).to_have_count(1)

@@ -68,7 +68,7 @@ STRETCHED = """() => {
 
 def test_no_chart_is_stretched_where_another_scene_hides_some(open_page):
     page = open_page()
-    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'bouncing-ball')"))
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'two-balls')"))
     page.wait(f"() => ({STRETCHED})() === 0")
 
 

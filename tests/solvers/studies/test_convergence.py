@@ -11,7 +11,7 @@ from solvers import Modal, SceneError, compare_with_half_space, contact_times, c
 from solvers.numerics.rods import composite_rod_modes
 from solvers.studies.contact_times import half_periods
 from solvers.studies.convergence import _rate
-from tests.catalog import ROD, T, bronze_rod, contact_table, struck_beam, struck_rod
+from tests.catalog import ROD, SCENES, T, bronze_rod, contact_table, struck_beam, struck_rod
 
 COUNTS = np.array([3.0, 5.0, 10.0, 20.0, 40.0, 80.0])
 
@@ -194,3 +194,29 @@ def test_the_half_period_of_a_beam_with_a_mass_on_it():
     stiffness = 48.0 * pinned.target.line.bending_stiffness / pinned.target.length**3
     heavy = pinned.impactor.mass  # a million times the beam, which is a spring
     assert half_periods(pinned)[0] == approx(math.pi * math.sqrt(heavy / stiffness), rel=1e-5)
+
+
+def test_links_and_pendulums_are_given_the_modes_that_are_compared():
+    """Their number is their own: what is compared is the scene by so many, as it would be solved."""
+    scene = SCENES["table-6.6"]
+    found = convergence(scene, (3, 5, 10, 20), method="balance")
+    assert found.kind == "modes" and found.method == "balance"
+    for count, velocity in zip(found.counts, found.values["final_velocity"], strict=True):
+        bar = scene.table()["target"]["links"][0] | {"modes": int(count)}
+        alone = solvers.solve(scene.replace({"target.links": [bar]}))
+        assert velocity == approx(alone.impactor_velocity, abs=1e-12)
+    assert np.ptp(found.values["final_velocity"]) > 0.1 and found.values["contacts"].max() > 50
+    pendulum = convergence(SCENES["figure-10.11"], (3, 5, 10))
+    assert pendulum.values["final_velocity"] / 0.19 == approx([-5.059, -6.2862, -6.3340], abs=1e-4)
+
+
+def test_links_of_elements_are_compared_up_to_all_their_modes():
+    nodes = SCENES["table-6.10"]
+    assert convergence(nodes, (3, 5, 10, 20, 40)).counts.tolist() == [3, 5, 10]
+    with pytest.raises(SceneError, match="that the links can have"):
+        convergence(nodes, (10, 20, 40))
+
+
+def test_a_mechanism_that_strikes_is_given_them_too():
+    found = convergence(SCENES["trip-hammer"], (3, 5, 10, 20))
+    assert found.values["contacts"].tolist() == [2, 2, 3, 3]
