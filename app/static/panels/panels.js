@@ -135,7 +135,8 @@ export class Analyses {
   resume() {
     const open = this.all.filter((view) => view.open);
     this.order = open.toReversed();
-    if (open.length) this.layout.show('analysis');
+    const narrow = open.some((view) => !this.#isWide(view));
+    if (narrow || (open.length && this.layout.mode === 'phone')) this.layout.show('analysis');
     this.arrange();
     for (const view of open) view.opened?.();
   }
