@@ -148,10 +148,10 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     def _changed(self, *events: param.parameterized.Event) -> None:
         if self._quiet:
             return
-        if any(event.name == "scene" for event in events):
+        if left := [event.old for event in events if event.name == "scene"]:
             with self._silence():  # as it is opened by itself, wherever one comes from
                 self.param.update(**own_choices(self.scene))
-            self.param.update(**opened_with(self.scene))
+            self.param.update(**opened_with(self.scene, left[0]))
         if any(event.name == "support" for event in events):
             with self._silence():
                 self.place = free_place(self.support, self.place)

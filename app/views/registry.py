@@ -18,9 +18,9 @@ OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links"
 KINDS = frozenset(("axial", "beam", "bodies"))  # of scene, see app.choices.scene_of.kind_of
 
 
-def opened_with(scene: str) -> dict[str, bool]:
-    """The openers of the views that the scene is opened with."""
-    return {view.opener: True for view in VIEWS if scene in view.opens}
+def opened_with(scene: str, before: str = "") -> dict[str, bool]:
+    """The openers of the views that a scene is opened with, and, shut, of those that the scene `before` it was."""
+    return {view.opener: scene in view.opens for view in VIEWS if scene in view.opens or before in view.opens}
 
 
 def everything(asked: dict[str, Any]) -> Hashable:

@@ -129,6 +129,9 @@ export class Analyses {
   take(frame) {
     const before = this.order.map(seen).join();
     for (const view of this.all) view.take(frame);
+    const opened = this.all.filter((view) => view.open && seen(view) && !this.order.includes(view)); // by the scene
+    this.order.push(...opened);
+    if (opened.length && this.layout.mode === 'phone') this.layout.show('analysis');
     if (this.order.map(seen).join() !== before) this.arrange();
   }
   // Those that are open from the first on.

@@ -121,6 +121,17 @@ def test_tables_of_nodes_are_in_view_where_their_scene_is_opened(open_page):
     settled(page)
 
 
+def test_a_scene_that_is_picked_opens_what_it_is_named_after_and_shuts_it_again(open_page):
+    page = open_page()
+    scenes, panel = page.tab.get_by_label("Scene", exact=True), page.tab.locator(".mode_change")
+    page.answered(lambda: scenes.select_option("table-6.10"))
+    expect(panel.locator("tr[aria-current]").first).to_be_visible(timeout=LONG)
+    expect(page.tab.get_by_role("heading", name="What happens")).to_be_visible()  # the story stays beside it
+    page.answered(lambda: scenes.select_option("fixed-rod"))
+    expect(panel).to_be_hidden()
+    page.wait("() => !location.search.includes('panel')")
+
+
 def test_a_joint_that_bears_nothing_has_no_arrow(open_page):
     """Struck at its centre of percussion: 1e-16 N s is rounding."""
     page = open_page("?scene=compound-pendulum")
