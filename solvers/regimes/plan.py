@@ -19,8 +19,8 @@ from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .candidate import Candidate
 from .contours import contour
-from .mechanisms import mechanism_candidates
 from .models import LOSSES, MODELS, QUESTIONS, contact_duration, family_of, models_of
+from .solved import is_solved, solved_candidates
 from .tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
 
 LEVELS = (0.01, 0.05, 0.2)  # of error, drawn on the maps
@@ -115,7 +115,7 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     speed allows, elastic instead of elastoplastic. Where none is within the tolerance the best is taken, and says so.
     Error: the largest of the four measured points around the scene; sweeps are of elastic contacts of a compact body on
     a uniform rod's end, or on a beam where it is usually struck; see `measured`.
-    Of a mechanism with links that bend each model is solved, against twice as many modes of each link.
+    With links or a pendulum that bend, and of rods that turn, each model is solved, and one of many modes to compare.
     Source: the validity that thesis 3.5 names in words, and its future work, measured by bench/measure_regimes.py.
     """
     validation.choice("question", question, QUESTIONS)
@@ -123,7 +123,7 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     if scene.struck is not scene:
         found = plan(scene.struck, question, tolerance)
         return replace(found, scene=scene, groups=found.groups | {"mass_ratio": scene.mass_ratio})
-    if isinstance(scene.target, Mechanism) and scene.target.flexible:
+    if is_solved(scene):
         return _solved(scene, question, tolerance)
     family = family_of(scene)
     if family is None:
@@ -335,10 +335,11 @@ def _finite(error: float) -> float | None:
 
 
 def _solved(scene: Scene, question: str, tolerance: float) -> Plan:
-    """Of a mechanism each model is solved: that takes milliseconds, and no sweep covers so many shapes of it."""
-    candidates, finest = mechanism_candidates(scene, QUESTIONS.index(question))
+    """Each model is solved: see `is_solved`."""
+    candidates, finest = solved_candidates(scene, QUESTIONS.index(question))
     number, better = _smallest(candidates, tolerance)
-    chosen, rigid = candidates[number], candidates[0] if scene.rigid_contact else candidates[1]
+    chosen, rigid = candidates[number], [each for each in candidates if each.modes is None][-1]
+    body = "link" if isinstance(scene.target, Mechanism) else "pendulum" if scene.impactor.bends else "rod"
     why = Note(
         "plan-solved",
         Severity.REMARK if chosen.expected_error <= tolerance else Severity.WARNING,
@@ -349,9 +350,10 @@ def _solved(scene: Scene, question: str, tolerance: float) -> Plan:
         tolerance=tolerance,
         rigid=None if chosen is rigid else _finite(rigid.expected_error),
         modes=finest,
+        body=body,
     )
-    groups = {"mass_ratio": float(scene.mass_ratio)}
-    return Plan(scene, question, tolerance, groups, chosen, better, candidates, why, True, chosen.modes)
+    groups = {"mass_ratio": float(scene.mass_ratio)} if math.isfinite(scene.mass_ratio) else {}
+    return Plan(scene, question, tolerance, groups, chosen, better, candidates, why, True, None)
 
 
 def _unmeasured(scene: Scene, question: str, tolerance: float) -> Plan:

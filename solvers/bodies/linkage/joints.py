@@ -1,5 +1,6 @@
 """Joints between links, and the drives that set them going, as scene files give them."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -134,7 +135,7 @@ def read_direction(key: str, given: object) -> Point:
     """A direction in the plane, made a unit vector."""
     whole = isinstance(given, (list, tuple)) and len(given) == 2
     vector = np.array(read_point(key, given, 1e9)) if whole else np.zeros(2)
-    length = float(np.hypot(*vector))
+    length = math.hypot(*vector.tolist())
     if length == 0.0:
         raise SceneError(key, given, allowed("direction-in-plane"))
     x, y = (vector if abs(length - 1.0) < 1e-15 else vector / length).tolist()
