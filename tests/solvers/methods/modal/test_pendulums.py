@@ -132,3 +132,15 @@ def test_its_number_of_modes_is_its_own():
     assert coarse.diagnostics["estimated_error"] > 0.1
     assert fine.diagnostics["estimated_error"] < 5e-3
     assert coarse.scene.impactor.modes(50).frequencies.size == 3
+
+
+def test_restitution_on_a_stop_depends_on_one_number():
+    """Pi = K L^3 (v L^2 / c)^(1/2) / E I with c^2 = E I / rho A, so K I^(-5/4): of two bars of one Pi e is the same."""
+    found = []
+    for share in (1.0, 1.7):
+        bar = SLOWER | {"modes": 10, "section": {"area": 1.92e-4, "second_moment": share * 8.8426e-9}}
+        contact = {"law": "hertz", "stiffness": 6.92e9 * share**1.25}
+        found.append(solvers.solve(struck(bar, STOP, contact, name="modal", residual=False)).impactor_velocity)
+    assert found[0] == approx(found[1], rel=1e-6)
+    softer = solvers.solve(struck(SLOWER | {"modes": 10}, STOP, {"law": "hertz", "stiffness": 1e8}, name="modal"))
+    assert -softer.impactor_velocity > -1.3 * found[0]  # less goes into bending
