@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from ..bodies import Bending
+from ..bodies import Bending, FlexiblePendulum
 from ..contact.duration import contact_time
 from ..contact.protocol import Damped
 from ..scene import Scene
@@ -87,7 +87,8 @@ def general_notes(
     error = solution.diagnostics.get("estimated_error")
     trusted = not any(note.severity is Severity.INVALID for note in notes)  # which says more, or that it was cut short
     if error is not None and error >= MAX_TRUSTED_ERROR and resolution is not None and trusted:
-        found.append(Note("velocity-coarse", Severity.WARNING, error=error, resolution=resolution))
+        own = "links" if scene.target.own_modes else "pendulum" if isinstance(scene.impactor, FlexiblePendulum) else ""
+        found.append(Note("velocity-coarse", Severity.WARNING, error=error, resolution=resolution, own=own))
     return found
 
 
