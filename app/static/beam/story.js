@@ -108,6 +108,11 @@ export class BeamStory {
       ['contacts', (s) => s.contacts],
       [moving ? 'impactor-at-end' : 'impactor', (s) => given(s.final)],
     ];
+    if (both.some(({ diagnostics }) => diagnostics.balances !== undefined))
+      rows.splice(1, 0, [
+        'balances',
+        ({ diagnostics: { balances } }) => (balances === undefined ? '–' : String(balances)),
+      ]);
     if (!beam.held) rows.push([moving ? 'target-at-end' : 'target', (s) => given(s.targetFinal)]);
     if (main.restitution.newton === null)
       rows.push(['restitution-at-contact', (s) => given(s.restitution.newton_at_contact)]);

@@ -52,6 +52,7 @@
  * @property {number | null} estimated_error
  * @property {number} [resolved_time]  the finest that modes can tell [s]
  * @property {number} [raw_contacts]
+ * @property {number} [balances]  of impulse and momentum
  * @property {number} [energy_drift]  the largest, as a share
  * @property {number} [constraint_error]  [m]
  * @property {number} [pivot_moment]  of a pendulum that bends [N m]

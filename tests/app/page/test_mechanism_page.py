@@ -145,5 +145,7 @@ def test_sudden_reactions_stand_beside_all_that_the_joints_give(open_page):
     expect(rows).to_have_count(2)
     expect(rows.nth(0)).to_contain_text("sudden alone")
     expect(rows.nth(1)).to_contain_text("all to the parting")
+    balances = page.header("main")["diagnostics"]["balances"]
+    expect(page.tab.locator("tr", has_text="balances of impulse and momentum")).to_contain_text(str(balances))
     page = open_page("?scene=rotating-bar&tab=numbers")
     expect(page.tab.locator("tr", has_text="ground – bar")).to_have_count(1)
