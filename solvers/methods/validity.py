@@ -88,7 +88,10 @@ def general_notes(
     trusted = not any(note.severity is Severity.INVALID for note in notes)  # which says more, or that it was cut short
     if error is not None and error >= MAX_TRUSTED_ERROR and resolution is not None and trusted:
         own = "links" if scene.target.own_modes else "pendulum" if isinstance(scene.impactor, FlexiblePendulum) else ""
-        found.append(Note("velocity-coarse", Severity.WARNING, error=error, resolution=resolution, own=own))
+        if own and resolution == "modes":
+            found.append(Note("own-modes-coarse", Severity.WARNING, error=error, body=own))
+        else:
+            found.append(Note("velocity-coarse", Severity.WARNING, error=error, resolution=resolution))
     return found
 
 
