@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from functools import cache
 from typing import Any
 
@@ -19,6 +20,7 @@ from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.space import in_space
 
+LINKS = re.compile(r"(target|impactor)\.links\.\d+\.modes")
 SET_BY_THE_PAGE = {"quasi-static": ("model",), "modal": ("steps",)}  # options that the page chooses itself
 QUESTIONS = {
     "question": Question(param.Selector(default=QUANTITIES[0], objects=list(QUANTITIES)), "question"),
@@ -72,6 +74,8 @@ def page_choices(changes: dict[str, Any]) -> dict[str, Any] | None:
             own = _method_choices(dict(value))
         elif key == "target.theory":
             own = {"theory": value}
+        elif LINKS.fullmatch(key):  # which the page gives all as many
+            own = {"modes": value}
         elif key == "contact" and value.get("law") == "hertz":
             own = {"law": "hertz", "hertz_stiffness": value["stiffness"]}
         else:

@@ -122,7 +122,12 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
     if scene.struck is not scene:
         found = plan(scene.struck, question, tolerance)
-        return replace(found, scene=scene, groups=found.groups | {"mass_ratio": scene.mass_ratio})
+        candidates = [_of_impactor(each) for each in found.candidates]
+        chosen, better = _smallest(candidates, tolerance)
+        groups = found.groups | {"mass_ratio": scene.mass_ratio}
+        return replace(
+            found, scene=scene, groups=groups, chosen=candidates[chosen], next_better=better, candidates=candidates
+        )
     if is_solved(scene):
         return _solved(scene, question, tolerance)
     family = family_of(scene)
@@ -139,6 +144,12 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
         _covered(scene, family, groups), modes,
     )  # fmt: skip
     return _with_reason(found, candidates[:chosen])
+
+
+def _of_impactor(candidate: Candidate) -> Candidate:
+    """Its changes of the links of what is struck, as those of what strikes."""
+    changes = {key.replace("target.links.", "impactor.links."): value for key, value in candidate.changes.items()}
+    return replace(candidate, changes=changes)
 
 
 def _smallest(candidates: list[Candidate], tolerance: float) -> tuple[int, Candidate | None]:

@@ -73,8 +73,18 @@ def _models(scene: Scene, finest: int) -> list[_Model]:
     if bends and scene.target.rods:
         rigid = {key: value for key, value in scene.impactor.table().items() if key not in ("modes", *BENDING_KEYS)}
         found.append(_Model("rigid-pendulum", {"impactor": rigid, "method": {"name": Waves.NAME}}))
-    most = scene.target.most_modes if isinstance(scene.target, Mechanism) else finest // 2
-    for count in [count for count in COUNTS if count < most] + [most]:
-        own: dict[str, Any] = {"impactor.modes": count} if bends else {}
-        found.append(_Model("modal", own | {"method": {"name": "modal", "modes": count}}, count))
+    known = scene.target.most_modes if isinstance(scene.target, Mechanism) else 0
+    for count in sorted({known, finest // 2} | {count for count in COUNTS if count < finest // 2}):
+        if count:
+            own = _own_modes(scene, count) if count > known else {}
+            found.append(_Model("modal", own | {"method": {"name": "modal", "modes": count}}, count))
     return found
+
+
+def _own_modes(scene: Scene, count: int) -> dict[str, Any]:
+    """What gives bodies that say themselves how many modes they have so many; for fewer the method's number does."""
+    if isinstance(scene.impactor, FlexiblePendulum):
+        return {"impactor.modes": count}
+    if not isinstance(scene.target, Mechanism):
+        return {}
+    return {f"target.links.{n}.modes": count for n, link in enumerate(scene.target.links, 1) if link.modes}

@@ -90,3 +90,9 @@ def test_no_other_question_is_taken(name, value):
 
 def test_honest_questions_are_taken():
     assert accepted("plan_tolerance", 0.2) and accepted("question", "stresses") and accepted("plan_shown", True)
+
+
+def test_more_modes_of_links_are_the_slider_of_modes():
+    row = next(row for row in planned("four-bar-moves")["candidates"] if row["model"].get("modes") == 5)
+    assert row["choices"] == {"method": "modal", "modes": 5}
+    assert planned("figure-9.11")["candidates"][2]["choices"] is None  # a rigid pendulum is another body

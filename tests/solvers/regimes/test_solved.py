@@ -59,3 +59,13 @@ def test_stops_and_rods_that_turn_are_solved_too(name):
         found = plan(SCENES[name], question, 0.05)
         assert found.measured and found.chosen.modes and found.expected_error <= 0.05
     assert plan(SCENES[name], "stresses").candidates
+
+
+def test_more_modes_than_links_have_are_asked_of_the_links():
+    """Of the four-bar that moves four are given, and five are needed; of a mechanism that strikes, of the impactor."""
+    found = plan(SCENES["four-bar-moves"], "final-velocities", 0.05)
+    assert found.chosen.modes == 5 and found.chosen.changes["target.links.3.modes"] == 5
+    assert [link.modes for link in found.planned.target.links] == [0, 0, 5]
+    striking = plan(SCENES["trip-hammer"].replace({"impactor.links.1.modes": 3}), "final-velocities", 1e-3)
+    assert striking.chosen.modes == striking.chosen.changes["impactor.links.1.modes"] == 5
+    assert striking.planned.impactor.links[0].modes == 5
