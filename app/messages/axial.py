@@ -21,6 +21,7 @@ from solvers.solution.motion import Balances, SendsWaves, knows_field
 from solvers.solution.restitution import common_velocity
 from solvers.text.notes import Note
 
+from ..choices.opened import opened_charts
 from ..choices.request import Request
 from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown, whole_numbers
 from .parts import parts_told
@@ -37,16 +38,18 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
     """The message for one scene on an axis."""
     scene, trip = request.scene, request.scene.time_unit
     force_unit, stress_unit = _units(scene)
+    arrays: dict[str, Any]
     rods, arrays = _rods(scene, exact)
     carried = None if other is None else _carried_by_the_browser(other)
     arrays |= _histories(request, exact, other, carried is not None)
     if turns(scene.target):
         rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, scene.speed * trip)
     arrays |= cycle(exact) | _balances(other, trip, force_unit)
-    steps = None
+    marched = carried or (None if other is None else _of_frame(other))
     if carried is not None:
         arrays["modalForce"] = carried.record.contact_force / force_unit
-        steps = carried.step / trip
+    elif marched is not None:
+        arrays["fieldForce"] = whole_numbers(marched.record.contact_force / force_unit)
     elif other is not None and request.method == other.method["name"] and knows_field(other.known_motion):
         arrays |= _sampled_fields(other, stress_unit, scene.speed * trip)
     header = {
@@ -61,6 +64,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "note": scene.note,
         "parts": parts_told(request),
         "unshown": unshown(scene),
+        "opens": opened_charts(request.chosen["scene"]),
         "trip": trip,
         "duration": exact.duration / trip,
         "rods": rods,
@@ -75,7 +79,8 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "forceUnit": force_unit,
         "stressUnit": stress_unit,
         "modes": request.modes,
-        "step": steps,
+        "step": None if marched is None else marched.step / trip,
+        "attached": other is not None and other.method.get("frame") == "attached",
         "exact": _figures(exact) | {"name": _known_as(exact)},
         "gaps": _gaps(exact),
         "lastBall": _last_ball(exact),
@@ -145,6 +150,14 @@ def _carried_by_the_browser(solution: Solution) -> ModalMotion | None:
     return motion if solution.method["frame"] == "mean-axis" and solution.method["residual"] else None
 
 
+def _of_frame(solution: Solution) -> ModalMotion | None:
+    """Likewise where it rebuilds the fields alone: of a rod at rest, by modes without those left out or of a frame."""
+    scene, motion = solution.scene, solution.known_motion
+    if not isinstance(motion, ModalMotion) or scene.impactor.rods or not isinstance(scene.target, Rod):
+        return None
+    return motion if solution.method["frame"] != "attached-far" and not scene.target.velocity else None
+
+
 def _nominal(scene: Scene) -> float | None:
     """The restitution that the usual formula of a law with damping names."""
     law = scene.contact
@@ -174,7 +187,7 @@ def _target(scene: Scene) -> dict[str, Any]:
     } | rotation_told(target)
 
 
-def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, np.ndarray]]:
+def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, Any]]:
     """Every rod from left to right, and the waves that its ends send: time and value, at a jump the time stands twice.
 
     A uniform rod that is fixed or free at its far end is its own mirror: one wave says all.

@@ -23,6 +23,7 @@ from solvers.studies.contact_times import compare_with_half_space, contact_times
 from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
+from ..choices.opened import opened_charts
 from ..choices.request import Request
 from .encoding import (
     FORCE_POINTS,
@@ -144,6 +145,7 @@ def beam_frame(request: Request) -> bytes:
         "note": scene.note,
         "parts": parts_told(request),
         "unshown": unshown(scene),
+        "opens": opened_charts(request.chosen["scene"]),
         "trip": 1e-3,
         "duration": MS * main.duration,
         "speed": scene.speed,

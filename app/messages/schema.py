@@ -39,6 +39,7 @@ COMMON: Fields = {
     "note": Field("string"),
     "parts": Field("PartTold[]", "bodies, and rods, links and joints one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
+    "opens": Field("Opens", "what the scene is opened with"),
     "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
 }
 CYCLE: Fields = _optional(
@@ -62,7 +63,8 @@ AXIAL: Fields = {
     "forceUnit": Field("number", "Z v [N]"),
     "stressUnit": Field("number", "v sqrt(E rho) [Pa]"),
     "modes": Field("number", "chosen"),
-    "step": Field("number | null", "of the modal force [T]"),
+    "step": Field("number | null", "of the modal force, or that on the modes [T]"),
+    "attached": Field("boolean", "whether these modes are those of a frame fixed to the struck end"),
     "exact": Field("AxialFigures"),
     "other": Field("AxialFigures | null", "the method beside it"),
     "gaps": Field("Gap[]", "between rods: number of the second rod, and when it is closed [T]"),
@@ -89,6 +91,9 @@ AXIAL: Fields = {
             "otherTime": Field("(other force)", "[T]"),
             "otherForce": Field("(other force)", "[Z v]"),
             "modalForce": Field("(steps)", "one for each step, from which the browser rebuilds the modes [Z v]"),
+            "fieldForce": Field(
+                "(steps)", "likewise, for the fields alone: its history is that of the other force [Z v]"
+            ),
             "exactBar": Field("(motion, bar places)", "of a pendulum that bends, from its pivot on [v T]"),
             "otherBar": Field("(motion, bar places)", "likewise [v T]"),
             "exactMoments": Field(
@@ -265,6 +270,10 @@ RECORDS: dict[str, Fields] = {
         "cut": Field("boolean", "whether it was to be followed for longer"),
         "energies": Field("string[]", "names of the parts"),
         "jolts": Field("number[][]", "size of the impulse at every joint in the first impacts [N s]"),
+    },
+    "Opens": {
+        "charts": Field("string[]", "by name"),
+        "place": Field("number | null", "at which the stress is told [m]"),
     },
     "PartTold": {
         "key": Field("string", "of its table: impactor, target, target.rods.2"),

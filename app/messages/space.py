@@ -16,6 +16,7 @@ from solvers.numerics.rigid.friction import sliding_path
 from solvers.numerics.rigid.impulses import principal, strike
 from solvers.numerics.rigid.rotation import rotations
 
+from ..choices.opened import opened_charts
 from ..choices.request import Request
 from ..choices.scene_of import base_of
 from ..choices.space import equivalent_box, own_frame
@@ -59,6 +60,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         "note": scene.note,
         "parts": parts_told(request),
         "unshown": unshown(scene),
+        "opens": opened_charts(""),
         "duration": duration,
         "size": size,
         "across": _listed(across),

@@ -1,6 +1,7 @@
 // Fields rebuilt in the browser, against closed forms.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { attachedModes } from '../../app/static/axial/attached_modes.js';
 import { at, Field, RigidField, SampledField, WaveField } from '../../app/static/axial/fields.js';
 import { ModalField } from '../../app/static/axial/modal_field.js';
 import { fieldOf } from '../../app/static/beam/field.js';
@@ -120,4 +121,32 @@ test('a damped mode of a beam under a constant force settles as an oscillator do
     shape.forEach((value, j) => near(found[j], value * q, 1e-10));
     near(field.profile(1e3 * t, 'moment')[2], shape[2] * q + force, 1e-8);
   }
+});
+
+test('the stress at a place is that of the profiles there', () => {
+  const frame = { duration: 2, rods: [{ ...ROD, mirror: -1 }], f0Time: [0, 2], f0: [1, 1], exactForce: [1], ...still };
+  const { x, y } = new WaveField(frame).stressAt(0.5);
+  const told = (t) => y[x.findIndex((each) => each >= t)];
+  assert.deepEqual([0.1, 0.2, 0.8, 0.95, 1.5].map(told), [0, 1, 1, 0, 0]);
+  const sampled = { duration: 10, rods: [ROD], shapes: { fieldStress: [2, 3] }, ...still };
+  const tables = { fieldStress: [0, 1, 2, 4, 5, 6], fieldVelocity: [0], fieldDisplacement: [0] };
+  const { x: times, y: found } = new SampledField({ ...sampled, ...tables }, 'other').stressAt(1.5);
+  assert.deepEqual(
+    [[...times], [...found]],
+    [
+      [0, 10],
+      [1.5, 5.5],
+    ],
+  );
+  assert.equal(new Field({ duration: 2, ...still }, 'exact').stressAt(0), null);
+});
+
+test('a frame fixed to the struck end has the frequencies, shapes and stresses of solvers.numerics.rods', () => {
+  const { felt, omega, rows } = attachedModes(5);
+  const turns = Array.from(omega, (w) => w / 2 / Math.PI);
+  [1.00054354, 2.00471949, 3.01871995, 4.06079367, 5.9757652].forEach((value, i) => near(turns[i], value, 1e-8));
+  [2.00331149, 2.01480741, 2.03851379, 2.06930394, 15.62947177].forEach((value, i) => near(felt[i], value, 1e-7));
+  const { cosines, sines } = rows(Float64Array.of(0, 0.3, 1));
+  [1, 0.59082234, -0.99749652, 1, -0.28952096, 1.01147898].forEach((value, k) => near(cosines[k], value, 1e-8));
+  [0.126974283, 0.832600557, 0, 0.254409538, 1.00790516, 0].forEach((value, k) => near(sines[k], value, 1e-8));
 });

@@ -36,6 +36,9 @@ const moving = (velocity) => text('axial.chart.velocity', { value: figures(veloc
 
 export class SpaceTime {
   several = false; // rods
+  reach = 1; // metres in a unit of places
+  /** @type {number[]} */ joints = []; // of rods
+  /** @type {number | null} */ marked = null; // a place [m] that another chart is of
 
   /**
    * @param {Axis} axis
@@ -65,13 +68,15 @@ export class SpaceTime {
     // places as shares of one rod, or in metres where there are several, of which those that strike lie above zero
     this.several = rods.length > 1;
     const reach = this.several ? 1 : field.to || 1;
+    this.reach = reach;
+    this.joints = rods.slice(1).map((rod) => rod.from / reach);
     const [from, to] = [field.from / reach, field.to / reach];
     this.chart.options.y = [to, from];
     this.chart.label = this.several ? (v, digits) => signed(v, Math.max(digits, 1)) : placeOnRod;
     const { contacts } = (drawnFromOther(frame) && frame.other) || frame.exact;
     const about = {
       series: [],
-      rules: rods.slice(1).map((rod) => rod.from / reach),
+      rules: this.#rules(),
       bars: { name: text('axial.chart.in-contact'), spans: contacts, at: 0, least: 2 },
     };
     if (field instanceof RigidField) {
@@ -90,6 +95,18 @@ export class SpaceTime {
       return text('axial.chart.probe', { value: found, place: figures(place, 2), several: this.several });
     };
     this.chart.show({ ...about, picture: { image: this.image, x: [0, duration], probe } });
+  }
+  #rules() {
+    return this.marked === null ? this.joints : [...this.joints, this.marked / this.reach];
+  }
+  /**
+   * A dashed line at a place, or no more.
+   * @param {number | null} place  [m]
+   */
+  mark(place) {
+    if (place === this.marked) return;
+    this.marked = place;
+    this.chart.show({ ...this.chart.own, rules: this.#rules() });
   }
   draw() {
     this.chart.draw();

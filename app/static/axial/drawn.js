@@ -15,7 +15,7 @@ export const drawnFromOther = ({ chosen, exact, other, otherBar, rods }) =>
  * @param {AxialFrame} frame
  */
 export const drawnRigid = (frame) =>
-  drawnFromOther(frame) && frame.rods.length > 0 && !frame.modalForce && !frame.fieldStress;
+  drawnFromOther(frame) && frame.rods.length > 0 && !frame.modalForce && !frame.fieldForce && !frame.fieldStress;
 
 /**
  * The solution whose events are told: of rods that are drawn rigid no waves are.

@@ -3,7 +3,10 @@
 import { given, arrayOf } from '../shell/message.js';
 import { Mirrored, Wave } from './wave.js';
 
+/** @import { Samples } from '../charts/scale.js' */
 /** @import { AxialFrame, Numbers } from '../shell/message.js' */
+
+const SAMPLES = 2000; // of a stress over time, by waves
 
 /** @typedef {'stress' | 'velocity' | 'displacement'} What */
 /** @typedef {(column: number, values: Float64Array) => void} Visit */
@@ -18,6 +21,18 @@ export function at(samples, t, duration) {
   const place = Math.min(Math.max(t / duration, 0), 1) * (samples.length - 1);
   const i = Math.min(Math.floor(place), samples.length - 2);
   return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
+}
+
+/**
+ * Values at instants spread evenly over [0, duration].
+ * @param {number} duration
+ * @param {number} count
+ * @param {(t: number) => number} value
+ * @returns {Samples}
+ */
+export function evenly(duration, count, value) {
+  const x = Float64Array.from({ length: count + 1 }, (_, k) => (k / count) * duration);
+  return { x, y: x.map(value) };
 }
 
 /**
@@ -70,6 +85,14 @@ export class Field {
   image(what, columns, rows, visit) {
     const column = new Float64Array(rows);
     for (let c = 0; c < columns; c++) visit(c, this.profile(((c + 0.5) / columns) * this.frame.duration, what, column));
+  }
+  /**
+   * The stress at a place over time; nothing where it is not known.
+   * @param {number} _place  [m]
+   * @returns {Samples | null}
+   */
+  stressAt(_place) {
+    return null;
   }
   /**
    * Displacement of the struck end.
@@ -154,6 +177,14 @@ export class WaveField extends Field {
     }
     return out;
   }
+  /** @param {number} place */
+  stressAt(place) {
+    const rod = this.rods.findLast(({ from }) => from <= place) ?? this.rods[0];
+    const { f, g, transit, area, from, to } = rod;
+    const s = ((place - from) / (to - from)) * transit;
+    const { duration } = this.frame;
+    return evenly(duration, SAMPLES, (t) => (f.exactly(t - s) + g.exactly(t - transit + s)) / area);
+  }
 }
 
 /** Rods as rigid lines, by a method that tells no places apart: a body that is held stays, whatever its face does. */
@@ -231,5 +262,17 @@ export class SampledField extends Field {
         a * ((1 - b) * field[p + places] + b * field[p + places + 1]);
     }
     return out;
+  }
+  /** @param {number} place */
+  stressAt(place) {
+    const along = (this.to > this.from ? (place - this.from) / (this.to - this.from) : 0) * (this.places - 1);
+    const j = Math.min(Math.max(Math.floor(along), 0), this.places - 2);
+    const row = (/** @type {number} */ i) => i * this.places + j;
+    const { stress } = this.tables;
+    const last = this.instants - 1;
+    return evenly(this.frame.duration, last, (t) => {
+      const p = row(Math.round((t / this.frame.duration) * last));
+      return stress[p] + (along - j) * (stress[p + 1] - stress[p]);
+    });
   }
 }

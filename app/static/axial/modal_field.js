@@ -1,10 +1,13 @@
 // The field of one rod by its modes.
+import { attachedModes } from './attached_modes.js';
 import { given } from '../shell/message.js';
-import { Field } from './fields.js';
+import { evenly, Field } from './fields.js';
 
 /** @import { AxialFrame } from '../shell/message.js' */
 /** @import { What } from './fields.js' */
 
+const SAMPLES = 12; // of a stress, in the shortest period
+const [LEAST_SAMPLES, MOST_SAMPLES] = [400, 2400];
 const SAVED_NUMBERS = 400_000; // of states that are kept, to go back to
 
 /** The modal field: the browser carries the same oscillators through the same forces as the server did. */
@@ -18,7 +21,7 @@ export class ModalField extends Field {
   /** @param {AxialFrame} frame */
   constructor(frame) {
     super(frame, 'other');
-    this.force = given(frame.modalForce, 'modalForce');
+    this.force = given(frame.modalForce ?? frame.fieldForce, 'modalForce');
     this.h = given(frame.step, 'step');
     this.from = frame.rods[0].from;
     this.to = frame.rods[0].to;
@@ -28,11 +31,14 @@ export class ModalField extends Field {
     const { h } = this;
     this.steps = this.force.length;
     this.stride = Math.max(1, Math.ceil((this.steps * n) / SAVED_NUMBERS));
-    this.omega = Float64Array.from({ length: n }, (_, i) => 2 * Math.PI * (fixed ? i + 0.5 : i + 1));
+    this.attached = frame.attached && this.free ? attachedModes(n) : null;
+    const own = Float64Array.from({ length: n }, (_, i) => 2 * Math.PI * (fixed ? i + 0.5 : i + 1));
+    this.omega = this.attached?.omega ?? own;
+    const felt = this.attached?.felt ?? new Float64Array(n).fill(2);
     this.cosine = this.omega.map((w) => Math.cos(w * h));
     this.sine = this.omega.map((w) => Math.sin(w * h));
-    this.kickQ = this.omega.map((w) => (8 / (w * w)) * Math.sin((w * h) / 2) ** 2);
-    this.kickW = this.omega.map((w) => (4 / (w * w)) * Math.sin(w * h));
+    this.kickQ = this.omega.map((w, i) => ((4 * felt[i]) / (w * w)) * Math.sin((w * h) / 2) ** 2);
+    this.kickW = this.omega.map((w, i) => ((2 * felt[i]) / (w * w)) * Math.sin(w * h));
     this.q = new Float64Array(n);
     this.w = new Float64Array(n);
   }
@@ -82,22 +88,43 @@ export class ModalField extends Field {
     }
   }
   /**
-   * Cosines and sines of every mode at every place.
+   * Every mode at every place, evenly spread: its shape, and its stress over its frequency.
    * @param {number} points
    */
   table(points) {
-    const known = this.shapes.get(points);
+    const shapes = this.attached?.shapes ?? this.shapes;
+    const known = shapes.get(points);
     if (known) return known;
-    const n = this.omega.length;
+    const made = this.rows(Float64Array.from({ length: points }, (_, j) => j / (points - 1)));
+    shapes.set(points, made);
+    return made;
+  }
+  /**
+   * The same at any places.
+   * @param {Float64Array} shares  of the length
+   */
+  rows(shares) {
+    if (this.attached) return this.attached.rows(shares);
+    const [n, points] = [this.omega.length, shares.length];
     const made = { cosines: new Float64Array(n * points), sines: new Float64Array(n * points) };
     for (let i = 0; i < n; i++)
       for (let j = 0; j < points; j++) {
-        const angle = (this.omega[i] * j) / (points - 1) / 2;
+        const angle = (this.omega[i] * shares[j]) / 2;
         made.cosines[i * points + j] = Math.cos(angle);
         made.sines[i * points + j] = Math.sin(angle);
       }
-    this.shapes.set(points, made);
     return made;
+  }
+  /** @param {number} place */
+  stressAt(place) {
+    const { sines } = this.rows(Float64Array.of((place - this.from) / (this.to - this.from)));
+    const count = Math.min(Math.max(SAMPLES * this.omega.length * this.frame.duration, LEAST_SAMPLES), MOST_SAMPLES);
+    return evenly(this.frame.duration, Math.ceil(count), (t) => {
+      this.seek(t);
+      let sum = 0;
+      for (let i = 0; i < sines.length; i++) sum += this.q[i] * this.omega[i] * sines[i];
+      return sum;
+    });
   }
   /**
    * @param {number} t

@@ -1,20 +1,21 @@
 // Everything that is shown of an impact along one axis: stage, views over time, contact law, story.
 import { Axis } from '../charts/axis.js';
-import { between } from '../charts/scale.js';
+import { between, within } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { Cycle, Displacements, Force, SpaceTime } from './charts.js';
 import { drawnFromOther } from './drawn.js';
-import { at, Field, RigidField, SampledField, unitOf, WaveField } from './fields.js';
-import { ModalField } from './modal_field.js';
+import { exactFieldOf, otherFieldOf } from './field_of.js';
+import { at, unitOf } from './fields.js';
+import { Gauge } from './gauge.js';
 import { Moments } from './moments.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame } from '../shell/message.js' */
-/** @import { What } from './fields.js' */
+/** @import { Field, What } from './fields.js' */
 
 const LEAST_ROOM = 1e-4; // of the whole impact, about what is looked at closely
 
@@ -37,7 +38,8 @@ export class AxialView {
     this.force = new Force(this.axis, go);
     this.displacements = new Displacements(this.axis, go);
     this.moments = new Moments(this.axis, go);
-    this.charts = [this.spaceTime, this.force, this.displacements, this.moments];
+    this.gauge = new Gauge(this.axis, go, page);
+    this.charts = [this.spaceTime, this.force, this.displacements, this.moments, this.gauge];
     this.cycle = new Cycle();
     this.story = new Story(
       (t) => page.player.seek(t + this.after),
@@ -54,8 +56,8 @@ export class AxialView {
     this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
     this.spaceTime.chart.title.after(this.colours.root);
-    const [waves, force, moved, moments] = this.charts.map(({ chart }) => chart);
-    this.stack = new Stack('axial', { waves, force, moments, moved }, () => page.redraw());
+    const [waves, force, moved, moments, stress] = this.charts.map(({ chart }) => chart);
+    this.stack = new Stack('axial', { waves, force, moments, moved, stress }, () => page.redraw(), ['stress']);
     this.strip = force; // is seen on a phone, whatever else is
     this.buttons = [this.whole];
     this.story.numbers.prepend(this.cycle.chart.root);
@@ -85,7 +87,8 @@ export class AxialView {
     this.force.load(frame);
     this.displacements.load(frame);
     this.moments.load(frame);
-    this.stack.arrange();
+    this.gauge.load(frame);
+    this.stack.lead(frame.chosen.scene, frame.opens.charts);
     this.cycle.load(frame);
     this.dress();
   }
@@ -107,7 +110,22 @@ export class AxialView {
     this.draw();
   }
   draw() {
+    this.#gaugeStress();
     for (const { chart } of [...this.charts, this.cycle]) if (!chart.root.hidden) chart.draw();
+  }
+  /** What is told of one place is worked out while it is seen; the x-t diagram says where that is. */
+  #gaugeStress() {
+    const { frame, gauge, spaceTime } = this;
+    const seen = Boolean(frame.rods.length) && !this.stack.root.hidden && this.stack.shows('stress');
+    if (seen) gauge.follow(this.exactField, frame.other ? this.otherField : null);
+    if (frame.rods.length) spaceTime.mark(seen ? gauge.place : null);
+  }
+  /** @param {number} place  of which the stress is told [m] */
+  gaugeAt(place) {
+    this.gauge.place = within(place, this.gauge.reach);
+    this.draw();
+    this.show(this.page.player.t);
+    this.page.history.later();
   }
   /**
    * A measured force has come, or gone.
@@ -160,23 +178,4 @@ export class AxialView {
     }
     return found;
   }
-}
-
-/** @param {AxialFrame} frame */
-function exactFieldOf(frame) {
-  if (frame.exactStress) return new SampledField(frame, 'exact');
-  return frame.rods.length ? new WaveField(frame) : new Field(frame, 'exact');
-}
-
-/**
- * The field that the pictures of a message show.
- * @param {AxialFrame} frame
- */
-export const fieldOf = (frame) => (drawnFromOther(frame) ? otherFieldOf(frame) : exactFieldOf(frame));
-
-/** @param {AxialFrame} frame */
-function otherFieldOf(frame) {
-  if (frame.modalForce) return new ModalField(frame);
-  if (frame.fieldStress) return new SampledField(frame, 'other');
-  return frame.rods.length ? new RigidField(frame) : new Field(frame, 'other');
 }

@@ -61,6 +61,13 @@ export class Wave {
   /** @param {number} t */
   at(t) {
     if (this.bold) return t < 0 ? 0 : this.bold[Math.min(Math.floor(t * this.boldPerTrip), this.bold.length - 1)];
+    return this.exactly(t);
+  }
+  /**
+   * As narrow as it is.
+   * @param {number} t
+   */
+  exactly(t) {
     return t < 0 ? 0 : this.value[Math.min(Math.floor(t * this.perTrip), CELLS)];
   }
   /** @param {number} t */
@@ -87,6 +94,10 @@ export class Mirrored {
   /** @param {number} t */
   at(t) {
     return this.sign * this.wave.at(t - this.transit);
+  }
+  /** @param {number} t */
+  exactly(t) {
+    return this.sign * this.wave.exactly(t - this.transit);
   }
   /** @param {number} t */
   total(t) {

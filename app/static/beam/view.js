@@ -115,7 +115,7 @@ export class BeamView {
     this.strip = first ?? force; // is seen on a phone, whatever else is
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
-    this.stack.arrange();
+    this.stack.lead(frame.chosen.scene, frame.opens.charts);
     this.dispersion.load(frame);
     const { lengthwise } = this.field;
     this.spaceTime.chart.title.textContent = text(

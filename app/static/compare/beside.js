@@ -1,6 +1,6 @@
 // The picture of a kept solution, beside that of the one that is shown, by the same clock.
+import { fieldOf as fieldOfRods } from '../axial/field_of.js';
 import { unitOf } from '../axial/fields.js';
-import { fieldOf as fieldOfRods } from '../axial/view.js';
 import { Stage } from '../axial/stage.js';
 import { fieldOf as fieldOfBeam, FIELDS } from '../beam/field.js';
 import { BeamStage } from '../beam/stage.js';

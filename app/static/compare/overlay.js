@@ -3,6 +3,7 @@ import { KEPT } from '../charts/styles.js';
 import { naming } from '../text/words.js';
 import { comparable, kindsOf } from './settings.js';
 
+/** @import { Kept } from '../axial/gauge.js' */
 /** @import { Series, Stretches } from '../charts/chart.js' */
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { View } from '../shell/view.js' */
@@ -39,6 +40,29 @@ const lineOf = (samples, unit, how) =>
   samples ? [{ x: Array.from(samples.x, (t) => t / unit), y: samples.y, ...how }] : [];
 
 /**
+ * How curves of a kept run are called and drawn.
+ * @param {Run} run
+ * @param {'exact' | 'other'} which
+ * @returns {{ name: string, style: Series['style'] }}
+ */
+function dressOf({ frame, letter }, which) {
+  return which === 'exact'
+    ? { name: letter, style: `kept${letter}` }
+    : { name: `${letter}, ${otherOf(frame)}`, style: `kept${letter}Dashed` };
+}
+
+/**
+ * What a gauge on the rods tells of it.
+ * @param {Frame} now
+ * @param {Run} run
+ * @returns {Kept[]}
+ */
+function toldOf(now, run) {
+  const { frame } = run;
+  return frame.kind === 'axial' ? drawnOf(now, run).map((which) => ({ frame, which, ...dressOf(run, which) })) : [];
+}
+
+/**
  * @param {AxialFrame | BeamFrame} now
  * @param {Run[]} runs
  * @returns {Laid}
@@ -50,11 +74,7 @@ function laidOf(now, runs) {
     for (const which of drawnOf(now, run)) {
       const found = run.histories(which);
       if (!found) continue;
-      const exact = which === 'exact';
-      const name = exact ? run.letter : `${run.letter}, ${otherOf(run.frame)}`;
-      const style = exact
-        ? /** @type {const} */ (`kept${run.letter}`)
-        : /** @type {const} */ (`kept${run.letter}Dashed`);
+      const { name, style } = dressOf(run, which);
       const thin = /** @type {const} */ (`kept${run.letter}Thin`);
       laid.force.push(...lineOf(found.force, now.trip, { name, style }));
       laid.moved.push(...lineOf(found.impactor, now.trip, { name, style, unit: 'm' }));
@@ -93,6 +113,7 @@ export function layOver(view, now, all) {
         ]
       : [],
   );
+  if (view.gauge) view.gauge.kept = runs.flatMap((run) => toldOf(now, run));
   view.dispersion?.chart.lay(now.kind === 'beam' ? runs.flatMap((run) => dispersionOf(run)) : []);
 }
 

@@ -52,9 +52,11 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
   const add = (/** @type {string} */ key, /** @type {unknown} */ value) => found.push([key, String(value)]);
   if (moment || (player.played && !player.playing)) add('t', Number(player.t.toPrecision(4)));
   if (moment && player.playing) add('playing', true);
-  const { axis, usual, what } = view;
+  const { axis, gauge, usual, what } = view;
   if (axis?.zoomed) add('view', axis.view.map((t) => Number(t.toPrecision(5))).join(','));
   if (what && what !== usual) add('colour', what);
+  if (gauge && !gauge.chart.root.hidden && gauge.place !== gauge.usual)
+    add('gauge', Number(gauge.place.toPrecision(5)));
   if (layout.mode !== 'phone' && layout.tabs.selected === 'numbers') add('tab', 'numbers');
   if (compare.runs.length) add('kept', keptText(compare.runs, frame));
   if (compare.beside) add('beside', compare.beside.letter);

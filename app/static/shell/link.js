@@ -5,6 +5,7 @@ import { keptOf } from './kept.js';
 /** @import { Page } from '../page.js' */
 /** @import { Wanted } from './kept.js' */
 
+const PLACE = /^-?\d{1,4}(\.\d{1,9})?$/; // [m]
 const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
 
 /**
@@ -13,6 +14,7 @@ const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
  * @property {boolean} playing
  * @property {[number, number] | null} view  the stretch of time
  * @property {string | null} colour
+ * @property {number | null} gauge  the place of which the stress is told [m]
  * @property {boolean} numbers  their tab is open
  * @property {Wanted[]} kept
  * @property {string | null} beside
@@ -48,6 +50,7 @@ export function readLink(search, { model, view }) {
     playing: get('playing', yes) ?? false,
     view: get('view', (value) => stretchOf(value.split(',').map(time))),
     colour: get('colour', (value) => view.whats?.find((what) => what === value) ?? null),
+    gauge: get('gauge', (value) => (PLACE.test(value) ? Number(value) : null)),
     numbers: get('tab', (value) => value === 'numbers' || null) ?? false,
     kept,
     beside: get('beside', (value) => kept.find(({ letter }) => letter === value)?.letter ?? null),
@@ -71,10 +74,11 @@ function stretchOf([start, end, ...more]) {
  * @param {Link} link
  * @returns {boolean}  whether it says where the clock is
  */
-export function follow(page, { bad, beside, colour, kept, locked, numbers, playing, t, view: stretch }) {
+export function follow(page, { bad, beside, colour, gauge, kept, locked, numbers, playing, t, view: stretch }) {
   const { compare, layout, player, view } = page;
   if (bad.length) page.complain([page.model.refused, text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
+  if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);
   if (numbers && layout.mode !== 'phone') layout.tabs.select('numbers');
   if (t !== null) player.seek(t);

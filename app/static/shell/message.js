@@ -21,7 +21,14 @@
  * @property {string} note
  * @property {PartTold[]} parts  bodies, and rods, links and joints one by one
  * @property {string[]} unshown  keys that the scene sets and that have no control
+ * @property {Opens} opens  what the scene is opened with
  * @property {number} duration  axial: in round trips; beam: in milliseconds; bodies: seconds on either side of it
+ */
+/**
+ * What a scene is opened with.
+ * @typedef {object} Opens
+ * @property {string[]} charts  by name
+ * @property {number | null} place  at which the stress is told [m]
  */
 /**
  * A body, or a rod of a chain, a link or a joint.
@@ -164,7 +171,8 @@
  * @property {number} forceUnit  [N]
  * @property {number} stressUnit  [Pa]
  * @property {number} modes
- * @property {number | null} step  of the modal force
+ * @property {number | null} step  of the modal force, or that on the modes
+ * @property {boolean} attached  whether these modes are those of a frame fixed to the struck end
  * @property {AxialFigures} exact
  * @property {AxialFigures | null} other
  * @property {Gap[]} gaps  between rods
@@ -185,6 +193,7 @@
  * @property {Numbers} [otherTime]
  * @property {Numbers} [otherForce]
  * @property {Numbers} [modalForce]  one for each step
+ * @property {Numbers} [fieldForce]  likewise, for the fields alone
  * @property {Numbers} [exactBar]  (motion, bar places), flat: of a pendulum that bends, from its pivot on [v T]
  * @property {Numbers} [otherBar]
  * @property {Numbers} [exactMoments]  (instant, 3), flat: of a bar that bends, at its pivot or axis, half way, contact

@@ -15,14 +15,18 @@ const HEAD = 30 * scale; // of a folded one
 export class Stack {
   /** @type {Record<string, boolean>} */ folded; // what a hand has folded or opened, by name
   /** @type {HTMLButtonElement[]} */ buttons = [];
+  /** @type {unknown} */ scene = null; // that is shown
+  /** @type {string[]} */ leading = []; // charts that it was opened with
 
   /**
    * @param {string} name  under which is kept what is folded
    * @param {Record<string, Chart>} charts  by name, from the top
    * @param {() => void} changed
+   * @param {string[]} [late]  those that are folded unless a hand or a scene opens them
    */
-  constructor(name, charts, changed) {
+  constructor(name, charts, changed, late = []) {
     this.name = name;
+    this.late = late;
     this.charts = Object.entries(charts);
     this.changed = changed;
     this.folded = kept(`folded.${name}`, {});
@@ -47,20 +51,53 @@ export class Stack {
   get here() {
     return this.charts.map(([, chart]) => chart.root.parentElement === this.root && !chart.root.hidden);
   }
+  /** Pixels for charts, their heads taken off; that of a late one, while it is folded, is no reason to fold another. */
+  get room() {
+    const counted = this.charts.filter(([key], k) => this.here[k] && (!this.late.includes(key) || this.#wanted(key)));
+    return this.root.clientHeight - HEAD * counted.length;
+  }
+  /** @param {string} key */
+  #wanted(key) {
+    return this.leading.includes(key) || this.folded[key] === false;
+  }
   /**
-   * Which are open: as a hand has left them, else as many as there is room for.
+   * Another scene comes with charts that are to be seen first, or the same is shown on.
+   * @param {unknown} scene
+   * @param {string[]} charts
+   */
+  lead(scene, charts) {
+    if (scene !== this.scene) this.leading = charts;
+    this.scene = scene;
+    this.arrange();
+  }
+  /**
+   * Which are open: those that the scene is opened with, the others as a hand has left them, else as many as there is
+   * room for.
    * @returns {boolean[]}
    */
   get open() {
-    const { here, least } = this;
-    let room = this.root.clientHeight - HEAD * here.filter(Boolean).length;
-    return this.charts.map(([key], k) => {
-      if (!here[k]) return true;
+    const { here, leading, least } = this;
+    let { room } = this;
+    /** @type {boolean[]} */
+    const found = this.charts.map(() => true);
+    const leads = this.charts.map(([key]) => leading.includes(key));
+    for (const k of [...found.keys()].sort((a, b) => Number(leads[b]) - Number(leads[a]))) {
+      const [key] = this.charts[k];
+      if (!here[k]) continue;
       const fits = room >= least - HEAD;
-      const open = this.folded[key] === undefined ? fits : !this.folded[key];
-      if (open) room -= least - HEAD;
-      return open;
-    });
+      const left = this.folded[key] === undefined ? null : !this.folded[key] && (fits || !leading.length);
+      found[k] = leads[k] || (left ?? (fits && !this.late.includes(key)));
+      if (found[k]) room -= least - HEAD;
+    }
+    return found;
+  }
+  /**
+   * Whether a chart is seen, as far as this stack can tell.
+   * @param {string} key
+   */
+  shows(key) {
+    const [, chart] = this.charts.find(([name]) => name === key) ?? [];
+    return Boolean(chart && !chart.root.hidden && !chart.root.classList.contains('folded'));
   }
   arrange() {
     if (!this.root.clientHeight) return;
@@ -79,13 +116,17 @@ export class Stack {
     const k = this.charts.findIndex(([name]) => name === key);
     const opening = !this.open[k];
     this.folded[key] = !opening;
+    this.leading = this.leading.filter((name) => name !== key); // of this one a hand says now
     // where there is no room for another, the last of the others that are open gives its own
     const { here, least } = this;
     const open = this.open.map((each, i) => each && here[i]);
-    const room = Math.floor((this.root.clientHeight - HEAD * here.filter(Boolean).length) / (least - HEAD));
+    const room = Math.floor(this.room / (least - HEAD));
     const last = open.findLastIndex((each, i) => each && i !== k);
-    if (opening && open.filter(Boolean).length > Math.max(room, 1) && last >= 0)
-      this.folded[this.charts[last][0]] = true;
+    if (opening && open.filter(Boolean).length > Math.max(room, 1) && last >= 0) {
+      const [other] = this.charts[last];
+      this.folded[other] = true;
+      this.leading = this.leading.filter((name) => name !== other);
+    }
     keep(`folded.${this.name}`, this.folded);
     this.arrange();
     this.changed();

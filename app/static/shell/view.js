@@ -3,6 +3,7 @@
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Cycle } from '../axial/charts.js' */
+/** @import { Gauge } from '../axial/gauge.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Stack } from './stack.js' */
@@ -21,6 +22,8 @@
  * @property {Stack} [stack]  charts over time
  * @property {Chart} [strip]  the one of them that a phone always shows
  * @property {Cycle} [cycle]
+ * @property {Gauge} [gauge]
+ * @property {(place: number) => void} [gaugeAt]  have the stress told of another place [m]
  * @property {Dispersion} [dispersion]
  * @property {() => void} dress  pictures in their colours and to their scale
  * @property {string} [what]  that the colours show

@@ -106,7 +106,7 @@ const PRODUCTS = /(?<=[\d⁰¹²³⁴⁵⁶⁷⁸⁹∞][ \u00a0][GMkmµn]?N(?:[
  */
 export const unbroken = (words) => words.replace(UNITS, '\u00a0').replace(PRODUCTS, '\u00a0');
 
-const PREFIXED = new Set(['N', 'Hz']);
+const PREFIXED = new Set(['N', 'Hz', 'Pa']);
 
 /**
  * A scale for numbers of this size: factor and prefix of the unit.

@@ -1,0 +1,68 @@
+"""The stress at a place over time: on the scenes that are named after it, and where a hand moves it to."""
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+import solvers
+from app.choices.opened import opened_charts
+from app.choices.request import Request
+from app.choices.scene_of import own_choices
+from app.messages.solutions import beside
+from solvers.accuracy.reference import exact_solution
+
+from .test_page import settled
+
+STACK = "() => strikewave.page.view.stack.shows('stress')"
+CURVES = """() => strikewave.page.view.gauge.chart.content.series.map(({ x, y, factor }) =>
+  [[...x].map((t) => t * strikewave.page.frame.trip), [...y].map((value) => value * factor)])"""
+TITLE = "Stress at a place"
+OPENED = [name for name in solvers.scene_names() if opened_charts(name)["charts"] == ["stress"]]
+
+
+def test_seven_figures_tell_it():
+    figures = ("9.12", "9.13", "9.14", "10.4", "10.5", "10.6", "10.7")
+    assert sorted(OPENED) == sorted(f"figure-{number}" for number in figures)
+
+
+@pytest.mark.parametrize("name", ["figure-9.13", "figure-9.14", "figure-10.5", "figure-10.6"])
+def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(open_page, name):
+    """Against the fields of the solutions themselves, of which the browser has other numbers."""
+    page = open_page(f"?scene={name}")
+    assert page.evaluate(STACK)
+    request = Request.of(own_choices(name))
+    exact = exact_solution(request.scene, request.restitution)
+    place = np.array([opened_charts(name)["place"]])
+    found = page.evaluate(CURVES)
+    assert len(found) == 2
+    for solution, (time, stress) in zip((exact, beside(request, exact)), found, strict=True):
+        time, stress = np.array(time)[5:-5], np.array(stress)[5:-5]
+        known = solution.motion.stress(time, place)[:, 0]
+        assert np.abs(stress - known).max() < 0.02 * np.abs(known).max()
+
+
+def test_the_place_is_set_by_hand_and_kept_in_the_address(open_page):
+    page = open_page()
+    assert not page.evaluate(STACK)  # on scenes that are not named after it, it waits
+    page.tab.get_by_role("button", name=f"Unfold: {TITLE}").click()
+    field = page.tab.get_by_label("Place of the stress, in millimetres from the struck end")
+    expect(field).to_have_value("150")
+    field.fill("300")
+    field.press("Enter")
+    page.wait("() => strikewave.page.view.gauge.place === 0.3")
+    page.wait("() => location.search.includes('gauge=0.3')")
+    field.fill("400")
+    field.press("Enter")
+    expect(page.tab.locator(".toast")).to_contain_text("from 0 to 300 mm")
+    expect(field).to_have_value("300")
+    again = open_page("?gauge=0.1")
+    assert again.evaluate("() => strikewave.page.view.gauge.place") == 0.1
+
+
+def test_what_is_kept_is_laid_over(open_page):
+    page = open_page("?scene=figure-9.13")
+    page.evaluate("() => { strikewave.page.compare.keep(); }")
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 4)"))
+    settled(page)
+    names = "() => strikewave.page.view.gauge.chart.content.series.map(({ name }) => name)"
+    assert page.evaluate(names) == ["exact waves", "modes", "A"]
