@@ -7,8 +7,10 @@ import param
 import solvers
 from solvers import LAWS, METHODS
 from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
+from solvers.bodies.pendulum import SHAPES
 from solvers.contact.friction import MODELS
 from solvers.methods.base import Method
+from solvers.methods.modal.method import FRAMES
 from solvers.methods.multibody.method import Multibody
 from solvers.validation import shown
 
@@ -50,13 +52,16 @@ class Choices(param.Parameterized):
     restitution_model = param.Selector(default=MODELS[0], objects=list(MODELS))  # of restitution, where they rub
     tilt = param.Number(default=0.0, bounds=(0.0, 80.0))  # of their normal, away from that of the scene [degrees]
     tilt_way = param.Number(default=0.0, bounds=(-180.0, 180.0))  # where to, about it [degrees]
+    shapes = param.Selector(default=SHAPES[0], objects=list(SHAPES))  # of a pendulum that bends
+    floating_frame = param.Selector(default=FRAMES[0], objects=list(FRAMES[:2]))  # of the modes of a free rod
     modes = param.Integer(default=50, bounds=(1, 200))
     elements = param.Integer(default=50, bounds=(1, 200))
     method = param.Selector(default="waves", objects=list(SOLVED_BY))
     motion_seconds = param.Number(default=0.0, bounds=(0.0, 20.0))  # for which links move on; 0: as long as is usual
     motion_links = param.Selector(default=LINKS[0], objects=list(LINKS))  # as what links that bend move on
 
-    KEYS: ClassVar = {"damping": "target.damping"}  # of choices that stand in scene files as they are
+    # of choices that stand in scene files as they are
+    KEYS: ClassVar = {"damping": "target.damping", "shapes": "impactor.shapes"}
     CHOSEN = tuple(name for name, each in dict(locals()).items() if isinstance(each, param.Parameter))
 
     def chosen(self) -> dict[str, Any]:

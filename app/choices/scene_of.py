@@ -5,13 +5,15 @@ from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
+import param
 
 import solvers
-from solvers import LAWS, Body, Scene, SceneError
+from solvers import LAWS, Body, Modal, Rod, Scene, SceneError
 from solvers.bodies import AnyBody, Balls, FlexiblePendulum, Mechanism
 from solvers.contact import Rigid
 from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.viscous import LEAST_RESTITUTION
+from solvers.methods.modal.method import FRAMES
 from solvers.methods.multibody.method import Multibody
 
 from .beam import BEAM_CHOICES, on_beam, other_beam
@@ -23,6 +25,7 @@ from .space import has_length, in_space, leaning, struck_at, struck_place
 DEPTH = 1e-5  # [m] at which `force_at_depth` says how stiff a power law is: its stiffness has no unit of its own
 
 RESTORING = ("balance", "rigid", Multibody.NAME)  # methods that take a restitution
+OF_MODES = ("shapes",)  # keys of bodies that act on their modes alone
 OF_ANOTHER_NAME = ("stiffness", "restitution", "nominal_restitution", "damping")  # constants set by other choices
 
 
@@ -77,6 +80,7 @@ def _own_values(name: str, bodies: str) -> dict[str, Any]:
     named = method.get("name")  # which may be one that the page does not have
     wanted["method"] = named if named in SOLVED_BY else solvers.usual_method(scene)
     wanted |= keyed(name, bodies)
+    wanted |= {"floating_frame": method["frame"]} if has_frames(scene) and "frame" in method else {}
     if bends_alone(scene):
         wanted["modes"] = scene.impactor.known_as(FlexiblePendulum).count
     if on_mechanism(scene):
@@ -95,12 +99,18 @@ def keyed(name: str, bodies: str) -> dict[str, Any]:
     scene, found = base_of(name, bodies), {}
     for choice, key in Choices.KEYS.items():
         body, _, quantity = key.partition(".")
-        if quantity in getattr(scene, body).KEYS and _takes(scene, key, Choices.param[choice].bounds[1]):
+        if quantity in getattr(scene, body).KEYS and _takes(scene, key, _extreme(choice)):
             found[choice] = getattr(getattr(scene, body), quantity)
     return found
 
 
-def _takes(scene: Scene, key: str, value: float) -> bool:
+def _extreme(choice: str) -> Any:
+    """The last value that a choice can have."""
+    parameter = Choices.param[choice]
+    return parameter.objects[-1] if isinstance(parameter, param.Selector) else parameter.bounds[1]
+
+
+def _takes(scene: Scene, key: str, value: Any) -> bool:
     """Whether a scene may have this value: some keys are only for some supports."""
     try:
         scene.replace({key: value})
@@ -162,7 +172,7 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     if base.prescribed_force:
         return first
     names = [*first, "method", "speed", "law", *law_choices(chosen["law"])]
-    names += keyed(chosen["scene"], chosen["bodies"])
+    names += [name for name in keyed(chosen["scene"], chosen["bodies"]) if name not in OF_MODES]
     if on_mechanism(base):
         names += mechanism_values(base)
     elif on_beam(base):
@@ -178,14 +188,26 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
             return names
         bends = base.target.known_as(Mechanism).flexible
         return [*names, "motion_seconds", *(["motion_links"] if bends else [])]
-    shown = "modal" if chosen["method"] == "waves" else chosen["method"]
+    shown = Modal.NAME if chosen["method"] == "waves" else chosen["method"]
     if kind_of(base) == "axial":
         able = able_methods(chosen["scene"], chosen["bodies"])
         if able <= {"waves"}:
             names.remove("method")  # there is nothing to compare with
         if shown not in able:
             return names
+        names += _of_modes(chosen, base) if shown == Modal.NAME else []
     return names + resolutions(base, shown)
+
+
+def _of_modes(chosen: dict[str, Any], base: Scene) -> list[str]:
+    """The choices that say by which modes a bar is described."""
+    shapes = [name for name in keyed(chosen["scene"], chosen["bodies"]) if name in OF_MODES]
+    return shapes + (["floating_frame"] if has_frames(base) else [])
+
+
+def has_frames(scene: Scene) -> bool:
+    """Whether the modes of what is struck can be described in a frame that is fixed to its end."""
+    return isinstance(scene.target, Rod) and scene.target.support == "free"
 
 
 @lru_cache(maxsize=512)
@@ -280,6 +302,9 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
         changes |= {f"impactor.{key}": value for key, value in base.impactor.of_mass(mass).items()}
     if bends_alone(base) and chosen["modes"] != own.get("modes"):
         changes["impactor.modes"] = chosen["modes"]
+    frame = chosen["floating_frame"]
+    if base.method.get("name") == Modal.NAME and has_frames(base) and frame != base.method.get("frame", FRAMES[0]):
+        changes["method"] = {**base.method, "frame": frame}
     if any(chosen[name] != own.get(name, chosen[name]) for name in ("law", "restitution", *law_choices(chosen["law"]))):
         changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
     return base.replace(changes)

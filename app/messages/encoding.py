@@ -27,6 +27,7 @@ SHOWN = (
     "elements",
     "restitution",
     "model",
+    "frame",
 )  # keys of a method that the page sets, or shows
 CHECKED = bool(os.environ.get("IMPACT_CHECK_MESSAGES"))  # set by the tests: takes a twelfth of making a message
 EARLY = 0.15  # share of instants that are evenly spread; the others are closer together at first

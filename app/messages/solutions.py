@@ -9,7 +9,7 @@ from solvers.methods.multibody.method import Multibody
 
 from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
-from ..choices.scene_of import RESTORING, own_options, resolutions
+from ..choices.scene_of import RESTORING, has_frames, own_options, resolutions
 
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 LEAST_STEPS = 1_000  # of a draft, where a scene sets more
@@ -45,6 +45,8 @@ def method_options(name: str, request: Request, exact: Solution | None = None) -
         own.pop("residual", None)  # without the modes left out nothing gives way
     if name == "modal":
         options = own | {"modes": request.modes}
+        if has_frames(scene):
+            options["frame"] = request.chosen["floating_frame"]
         if exact is not None and isinstance(scene.target, Rod) and "steps" not in own:
             period = scene.target.modes(request.modes).shortest_period
             touching = exact.contacts[-1].end

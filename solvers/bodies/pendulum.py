@@ -147,6 +147,8 @@ class FlexiblePendulum(Pivoted, Beam):
     count: int = 5  # of modes
     shapes: str = SHAPES[0]
 
+    KEYS = Pendulum.KEYS
+
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> Self:
         for name in ("mass", "inertia", "centre"):

@@ -10,6 +10,7 @@
 const HEAVIER = 4;
 const FASTER = 2;
 const RODS = ['fixed-rod', 'free-rod'];
+const PENDULUMS = ['figure-9.2', 'figure-9.11']; // rigid, and one that bends
 const IN_SPACE = 'note-rod'; // a rod that turns as it is struck on its end
 
 /**
@@ -38,6 +39,15 @@ export function questionsOf(frame) {
   const found = all
     .filter(([, name, first, second]) => acting.includes(name) && first !== second)
     .map(([key, name, first, second]) => ({ key, first: { [name]: first }, second: { [name]: second } }));
+  const { own } = frame;
+  if (acting.includes('shapes'))
+    found.unshift({ key: 'shapes', first: { shapes: 'pinned-free' }, second: { shapes: 'clamped-free' } });
+  if (acting.includes('floating_frame') && own.floating_frame === 'attached')
+    found.unshift({ key: 'frame', first: { floating_frame: 'mean-axis' }, second: { floating_frame: 'attached' } });
+  if (PENDULUMS.includes(String(chosen.scene))) {
+    const [first, second] = PENDULUMS.map((scene) => ({ scene }));
+    found.unshift({ key: 'bends', first, second, alone: true });
+  }
   if (RODS.includes(String(chosen.scene)))
     found.push(
       { key: 'support', first: { scene: RODS[0] }, second: { scene: RODS[1] } },

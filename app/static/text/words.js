@@ -29,7 +29,12 @@ const COUNTED = {
 /** @type {Record<string, string>} */
 const OPTIONS = {
   method: 'method-choice',
-  ...Object.fromEntries(['law', 'motion_links', 'restitution_model', 'support', 'theory'].map((name) => [name, name])),
+  ...Object.fromEntries(
+    ['floating_frame', 'law', 'motion_links', 'restitution_model', 'shapes', 'support', 'theory'].map((name) => [
+      name,
+      name,
+    ]),
+  ),
 };
 /** @param {string} name */
 const labelOf = (name) => ({

@@ -7,9 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.choices.choices import Choices, accepts, refusal
+from app.choices.request import Request
 from app.choices.scene_of import acting_choices, choices_of, chosen_scene, keyed, own_choices
+from app.messages.solutions import beside
 from app.page.address import from_address
 from app.page.picker import scene_groups
+from solvers.accuracy.reference import exact_solution
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e-4, 1e4, 10**40, "1", None, True, [1.0]])
@@ -69,6 +72,28 @@ def test_a_value_of_scene_files_acts_where_a_body_takes_it():
     assert "damping" in acting_choices(chosen)
     assert chosen_scene(chosen).target.damping == 0.05
     assert "damping" not in acting_choices(own_choices("fixed-rod"))
+
+
+def answered(scene: str, **changed) -> float:
+    """Velocity of the impactor by the method beside the exact solution [m/s]."""
+    request = Request.of(own_choices(scene) | changed)
+    found = beside(request, exact_solution(request.scene, request.restitution))
+    assert found is not None and found.impactor_velocity is not None
+    return found.impactor_velocity
+
+
+def test_frame_and_shapes_are_chosen_where_modes_are_shown():
+    """Thesis 10.2: -1.018 m/s by clamped and -1.009 m/s by free modes; 10.3: 6.282 and 6.302 rad/s, see figure 10.9."""
+    assert own_choices("figure-10.2")["floating_frame"] == "attached"
+    assert answered("figure-10.2") == pytest.approx(-1.0195, abs=1e-4)
+    assert answered("figure-10.2", floating_frame="mean-axis") == pytest.approx(-1.0089, abs=1e-4)
+    assert answered("figure-10.8") / 0.19 == pytest.approx(-6.282, abs=1e-3)
+    assert answered("figure-10.8", shapes="clamped-free") == pytest.approx(answered("figure-10.9"), rel=1e-9)
+    for scene, name in (("figure-10.2", "floating_frame"), ("figure-10.8", "shapes")):
+        assert name in acting_choices(own_choices(scene))
+        assert name not in acting_choices(own_choices(scene) | {"method": "fe-nodal"})
+    for scene in ("fixed-rod", "stepped-rod", "rigid-pendulum", "figure-8.15"):
+        assert not {"floating_frame", "shapes"} & set(acting_choices(own_choices(scene)))
 
 
 def test_a_mass_that_is_set_at_an_end_counts_in_the_mass_ratio(monkeypatch):

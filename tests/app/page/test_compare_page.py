@@ -48,6 +48,17 @@ WIDE, PHONE = (1440, 900), (390, 844)
         ("", "Does a heavier hammer hit harder?", "mass_ratio", 1, 0.25, WIDE, PHONE),
         ("?scene=hammer-on-cantilever", "5 or 100 modes?", "modes", 5, 100, PHONE, WIDE),
         ("?scene=stepped-rod", "Hertz or rigid?", "law", "rigid", "hertz", WIDE, PHONE),
+        ("?scene=figure-10.4", "Clamped or free modes?", "floating_frame", "mean-axis", "attached", WIDE, PHONE),
+        ("?scene=figure-10.12", "Pinned or clamped shapes?", "shapes", "pinned-free", "clamped-free", WIDE, PHONE),
+        (
+            "?scene=figure-9.11",
+            "Does it matter that the pendulum bends?",
+            "scene",
+            "figure-9.2",
+            "figure-9.11",
+            PHONE,
+            WIDE,
+        ),
         ("?scene=brick-off-centre", "With and without loss?", "restitution", 1, 0, PHONE, WIDE),
     ],
 )
