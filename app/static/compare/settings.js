@@ -7,7 +7,8 @@ import { LABELS } from '../text/words.js';
 
 /** @type {Set<string | undefined>} */
 const UNITS = new Set(['N/m', 'N/m¹·⁵', 'N', 'm']); // that a value is written with
-const HOW = ['method', 'modes', 'elements', 'shapes', 'floating_frame']; // settings of how a scene is solved, not of what it is
+// settings of how a scene is solved, not of what it is
+const HOW = ['method', 'modes', 'elements', 'shapes', 'floating_frame'];
 const MOTION = ['motion_seconds', 'motion_links']; // and of how far, by what model, it is followed
 
 /**

@@ -41,6 +41,7 @@ def test_picture_caption_and_charts_of_bodies_without_waves_tell_one_solution(op
 @pytest.mark.parametrize("scene, words", [("figure-5.24", "27000 rad/s are critical"), ("figure-5.22", "(5.56)")])
 def test_a_rod_turns(open_page, scene, words):
     page = open_page(f"?scene={scene}")
+    page.turn_to("Story")  # one of them is opened with an analysis
     expect(page.tab.locator("p.symbols:visible")).to_contain_text(words)
     page.evaluate(AT, 0.05)
     early = page.evaluate(DRAWN)
