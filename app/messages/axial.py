@@ -284,6 +284,7 @@ def _sampled_fields(solution: Solution, stress_unit: float, length_unit: float) 
 
 
 def _figures(solution: Solution) -> dict[str, Any]:
+    swings = {} if solution.impactor_velocity is None else solution.swings
     trip, speed = solution.scene.time_unit, solution.scene.speed
     return {
         "name": solution.method["name"],
@@ -301,6 +302,7 @@ def _figures(solution: Solution) -> dict[str, Any]:
         ],
         "final": None if solution.impactor_velocity is None else solution.impactor_velocity / speed,
         "targetFinal": solution.target_velocity / speed,
+        "spins": [swings[body].spin if body in swings else None for body in ("impactor", "target")],
         "peakForce": solution.peak_force,
         "peakIndentation": solution.peak_indentation,
         "residualIndentation": solution.residual_indentation,

@@ -81,7 +81,7 @@ def described(mechanism: Mechanism) -> dict[str, Any]:
             {
                 "name": link.name,
                 "flexible": link.flexible,
-                "nodes": len(link.nodes),
+                "nodes": [node / link.length for node in link.nodes],
                 "depth": 2.0 * link.section.half_depth if link.section and link.section.second_moment else 0.0,
             }
             for link in mechanism.links

@@ -255,6 +255,7 @@ RECORDS: dict[str, Fields] = {
         "contacts": Field("Contact[]", "start, end [T], impulse [N s], peak force [N]"),
         "cutOff": Field("boolean[]", "whether a wave ended the contact at once"),
         "left": Field("number[]", "velocity of the impactor after each contact [v]"),
+        "spins": Field("(number | null)[]", "angular velocities of impactor and target, of those on a pivot [rad/s]"),
     },
     "BeamFigures": FIGURES
     | {

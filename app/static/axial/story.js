@@ -121,7 +121,7 @@ export class Story {
     this.table.replaceChildren(contactHead(['', 'T', 'T', 'N s', 'kN']), make('tbody', {}, ...rows));
   }
   answers() {
-    const { chosen, exact, prediction, modalForce, other } = this.frame;
+    const { chosen, exact, impactor, prediction, modalForce, other, speed } = this.frame;
     const both = other ? [exact, other] : [exact];
     /** @type {string[][]} */
     const rows = [];
@@ -129,6 +129,10 @@ export class Story {
       rows.push([name, ...both.map(show), last]);
     row('impactor', (s) => velocity(s.final), prediction ? signed(prediction.impactor) : '');
     row('target', (s) => velocity(s.targetFinal), prediction ? signed(prediction.target) : '');
+    const arm = impactor.place ?? 0;
+    const predicted = prediction && arm ? signed((prediction.impactor * speed) / arm) : '';
+    if (exact.spins[0] !== null) row('spin', (s) => velocity(s.spins[0]), predicted);
+    if (exact.spins[1] !== null) row('target-spin', (s) => velocity(s.spins[1]), '');
     for (const name of RESTITUTIONS) {
       const last = name === 'newton' ? signed(Number(chosen.restitution)) : '';
       row(name, (s) => velocity(s.restitution[name]), last);

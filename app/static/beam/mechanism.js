@@ -20,6 +20,7 @@ const ROOM = 46; // pixels about the mechanism, at most
 const SHARE_OF_ROOM = 0.2; // of the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
+const NODE = 2.2; // radius
 const ROUNDING = 1e-9; // of what the contact gives, below which a joint bears nothing
 const SCALE_LETTERS = 12 / 11; // of what stands above, which is written larger
 
@@ -221,6 +222,24 @@ export class Mechanism {
         this.#coloured(c, line, this.thick(n), (share) => value(n, share), end, fibres);
     });
     c.lineCap = 'butt';
+    this.#nodes(c);
+  }
+  /**
+   * Those of finite elements.
+   * @param {Context} c
+   */
+  #nodes(c) {
+    c.fillStyle = '#ffffff';
+    c.strokeStyle = '#1c2733';
+    c.lineWidth = 1;
+    this.told.links.forEach(({ nodes }, n) => {
+      for (const share of nodes) {
+        c.beginPath();
+        c.arc(...this.along(n, share), NODE, 0, 7);
+        c.fill();
+        c.stroke();
+      }
+    });
   }
   /**
    * @param {Context} c

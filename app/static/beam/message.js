@@ -79,7 +79,10 @@
  * @property {[number, number]} normal  from impactor to link
  * @property {number} mass  of all links [kg]
  */
-/** @typedef {{ name: string, flexible: boolean, nodes: number, depth: number }} LinkTold  nodes: of finite elements */
+/**
+ * @typedef {{ name: string, flexible: boolean, nodes: number[], depth: number }} LinkTold  nodes: of finite elements, as
+ *   shares of its length
+ */
 /**
  * A mechanism that moves on.
  * @typedef {object} MovingTold

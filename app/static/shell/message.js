@@ -85,6 +85,7 @@
  * @property {Contact[]} contacts  [T, T, N s, N]
  * @property {boolean[]} cutOff  whether a wave ended the contact at once
  * @property {number[]} left  velocities of the impactor after each contact
+ * @property {(number | null)[]} spins  of impactor and target, of those on a pivot [rad/s]
  */
 /** @typedef {Figures & OfContacts} AxialFigures */
 /**

@@ -8,6 +8,7 @@ import solvers
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
 from app.messages.beam import extremes, main_solution
+from app.messages.encoding import read_header
 from app.messages.mechanism import rigid_answer
 from app.messages.solve import solve_frame
 from tests.catalog import SCENES
@@ -78,3 +79,9 @@ def test_links_meet_again_at_the_speeds_from_before():
     rates = arrays(solve_frame(own_choices("table-6.10")))["rates"].reshape(-1, 2, 2)
     apart = rates[:, :, 0] - rates[:, :, 1]
     assert (apart[:, 0] > 0.0).all() and np.abs(apart[:20, 1]).max() < 1e-9
+
+
+def test_nodes_of_elements_are_told_as_shares_of_the_length():
+    [link] = read_header(own_message("figure-6.12"))["mechanism"]["links"]
+    assert link["nodes"] == approx([0.25, 0.5, 0.75, 299 / 300, 1.0])
+    assert read_header(own_message("figure-6.7"))["mechanism"]["links"][0]["nodes"] == []

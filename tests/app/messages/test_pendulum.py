@@ -98,3 +98,16 @@ def test_a_rod_that_turns_bends_at_its_axis():
     axis, between, tip = np.abs(found["exactMoments"]).max(axis=0)
     assert axis > 100.0 and tip < 1e-6 * axis  # it is struck at its free end
     assert 1e-2 * axis < between < 2.0 * axis
+
+
+@pytest.mark.parametrize("name, printed", [("figure-10.8", 6.282), ("figure-10.9", 6.286)])
+def test_a_pendulum_turns_back_at_the_angular_velocity_that_is_printed(name, printed):
+    """6.282 rad/s, thesis figure 10.8; of figure 10.9 6.286, see its note."""
+    header = read_header(own_message(name))
+    assert header["other"]["spins"] == [approx(-printed, abs=1e-3), None]
+    assert header["exact"]["spins"][0] == approx(-6.345, abs=5e-3)
+    assert header["exact"]["spins"][0] == approx(header["exact"]["final"] * header["speed"] / 0.19)
+
+
+def test_what_hangs_on_no_pivot_has_no_angular_velocity():
+    assert read_header(own_message("fixed-rod"))["exact"]["spins"] == [None, None]

@@ -149,3 +149,10 @@ def test_sudden_reactions_stand_beside_all_that_the_joints_give(open_page):
     expect(page.tab.locator("tr", has_text="balances of impulse and momentum")).to_contain_text(str(balances))
     page = open_page("?scene=rotating-bar&tab=numbers")
     expect(page.tab.locator("tr", has_text="ground – bar")).to_have_count(1)
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1280, 720), (820, 1180)])
+@pytest.mark.parametrize("scene", ["figure-6.7", "figure-6.8"])
+def test_figures_of_displacements_are_opened_with_their_chart(open_page, scene, size):
+    page = open_page(f"?scene={scene}", size=size)
+    assert page.evaluate("() => strikewave.page.view.stack.shows('moved')")
