@@ -1,5 +1,6 @@
 """Mechanisms on the page: links and reactions drawn, rigid links beside, impulses at the joints in numbers."""
 
+import pytest
 from playwright.sync_api import expect
 from pytest import approx
 

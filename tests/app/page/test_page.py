@@ -157,7 +157,8 @@ def test_scrubbing_moves_one_cursor_in_all_views(open_page):
     # the cursor is the only thing drawn in its colour on the upper canvas of each chart
     columns, expected = page.evaluate(
         """() => {
-          const charts = strikewave.page.view.charts.map(({ chart }) => chart).filter(({ root }) => !root.hidden);
+          const charts = strikewave.page.view.charts.map(({ chart }) => chart)
+            .filter(({ box, root }) => box && !root.hidden); // without those that are folded
           const cursor = ({ above, ratio, box }) => {
             const row = above.getContext('2d').getImageData(0, Math.round((box.y + 3) * ratio), above.width, 1).data;
             const hits = [];
