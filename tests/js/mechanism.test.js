@@ -6,7 +6,7 @@ import { Mechanism } from '../../app/static/beam/mechanism.js';
 import { MovingMechanism } from '../../app/static/beam/moving.js';
 import { css } from '../../app/static/charts/styles.js';
 
-const LINK = { name: 'bar', flexible: true, depth: 0.01 };
+const LINK = { name: 'bar', flexible: true, nodes: [], depth: 0.01 };
 const TOLD = { links: [LINK], joints: [], struck: 0, at: 1, contact: [1, 0], normal: [0, -1], mass: 1 };
 const SHAPES = {
   bendTime: [0, 1, 2],

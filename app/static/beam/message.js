@@ -80,8 +80,8 @@
  * @property {number} mass  of all links [kg]
  */
 /**
- * @typedef {{ name: string, flexible: boolean, nodes: number[], depth: number }} LinkTold  nodes: of finite elements, as
- *   shares of its length
+ * Nodes are those of finite elements, as shares of its length.
+ * @typedef {{ name: string, flexible: boolean, nodes: number[], depth: number }} LinkTold
  */
 /**
  * A mechanism that moves on.
