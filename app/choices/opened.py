@@ -11,11 +11,13 @@ _STRESS = {  # by scene: the place of its figure, from the struck end [m]
     "figure-10.6": 0.74,
     "figure-10.7": 0.0,
 }
-_MOTION = ("figure-6.7", "figure-6.8")
+_OF_TIME = {"figure-6.7": "moved", "figure-6.8": "moved"} | {
+    f"figure-{number}": "force" for number in ("9.11", "10.2", "10.10")
+}
 
 
 def opened_charts(scene: str) -> dict[str, Any]:
     """Names of charts, and where the stress is told [m]; nothing for most scenes."""
     if scene in _STRESS:
         return {"charts": ["stress"], "place": _STRESS[scene]}
-    return {"charts": ["moved"] if scene in _MOTION else [], "place": None}
+    return {"charts": [_OF_TIME[scene]] if scene in _OF_TIME else [], "place": None}
