@@ -40,7 +40,8 @@ function plainEvents(frame) {
   const { contacts, left, stillTouching } = toldOf(frame);
   if (impactor.kind === 'pulse') return pulseEvents(contacts);
   const striker = impactor.kind;
-  const waves = rods.length > 0 && !drawnRigid(frame) && (target.support === 'anechoic' ? 'endless' : true);
+  const run = target.support === 'anechoic' ? 'endless' : rods.length === 1 ? 'uniform' : true;
+  const waves = rods.length > 0 && !drawnRigid(frame) && run;
   const found = contacts.flatMap(([start, end], k) => {
     const touches = k
       ? text('axial.event.meets-again', { number: k + 1 })

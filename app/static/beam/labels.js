@@ -88,18 +88,28 @@ export class Labels {
    * @returns {Box[]}
    */
   #obstacles() {
-    const { held, told, along } = this.mechanism;
+    const { told, along } = this.mechanism;
     /** @type {Box[]} */
     const found = told.joints.map(({ link, links, share }) => {
       const [x, y] = along.call(this.mechanism, link, share);
       const [beside, below] = links.includes('ground') ? GROUND : [PIN, PIN];
       return [x - beside, y - PIN, x + beside, y + below];
     });
-    if (held) {
-      const half = 0.5 * Math.max(held.width, held.height) + ROOM;
-      found.push([held.x - half, held.y - half, held.x + half, held.y + half]);
-    }
-    return found;
+    const held = this.#held();
+    return held ? [...found, held] : found;
+  }
+  /** What strikes, where it is. @returns {Box | null} */
+  #held() {
+    const { held } = this.mechanism;
+    if (!held) return null;
+    const half = 0.5 * Math.max(held.width, held.height) + ROOM;
+    return [held.x - half, held.y - half, held.x + half, held.y + half];
+  }
+  /** Where it comes past at other instants. @returns {Box[]} */
+  #ways() {
+    const { past, wide } = this.mechanism;
+    const half = 0.5 * wide;
+    return past.map(([x, y]) => [x - half, y - half, x + half, y + half]);
   }
   /** Links as a few straight pieces each. @returns {{ pieces: Point[], half: number }[]} */
   #lines() {
@@ -118,7 +128,7 @@ export class Labels {
     const { mechanism, taken } = this;
     const { height, told, width } = mechanism;
     const boxes = [...words, ...this.#obstacles()];
-    const lines = this.#lines();
+    const [held, ways, lines] = [this.#held(), this.#ways(), this.#lines()];
     /** @type {(box: Box) => number} */
     const hidden = (box) => {
       const [left, top, right, bottom] = box;
@@ -143,9 +153,11 @@ export class Labels {
         return /** @type {Box} */ ([x - half - 1, y - HALF_LINE, x + half + 1, y + HALF_LINE]);
       };
       const order = [...(taken[n] === undefined ? [] : [taken[n]]), ...places.keys()];
-      const free = order.find((k) => !hidden(boxOf(k)));
-      const best = free ?? order.reduce((a, b) => (hidden(boxOf(b)) < hidden(boxOf(a)) ? b : a));
+      const free = order.filter((k) => !hidden(boxOf(k)));
+      const apart = free.find((k) => !ways.some((other) => overlap(boxOf(k), other))) ?? free[0];
+      const best = apart ?? order.reduce((a, b) => (hidden(boxOf(b)) < hidden(boxOf(a)) ? b : a));
       taken[n] = best;
+      if (held && overlap(boxOf(best), held)) return; // what strikes is over it
       boxes.push(boxOf(best));
       const [x, y] = places[best];
       c.strokeText(name, x, y);

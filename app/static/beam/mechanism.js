@@ -34,6 +34,7 @@ export class Mechanism {
   largest = 0; // reaction [N]
   /** @type {Point[][]} */ placed = []; // links as they are drawn, in pixels
   /** @type {Drawn | null} */ held = null; // where the striker is
+  /** @type {Point[]} */ past = []; // where it comes to at other instants, in pixels
   /** @type {import('./labels.js').Box | null} */ away = null; // where it is said how far that has gone
 
   shown = 'reach'; // movement whose scale can be shared
@@ -174,10 +175,8 @@ export class Mechanism {
   striking(c, place, [nx, ny], touching) {
     const { impactor } = this.frame;
     const [wx, wy] = [nx, -ny];
-    const size = Math.min(Math.max(36 * (impactor.mass / this.told.mass) ** (1 / 6), 18), 48);
-    const aside = 0.5 * this.thick(this.told.struck) + 1;
-    const [x, y] = this.pixel(...place);
-    const [a, b] = [x - (aside + size / 2) * wx, y - (aside + size / 2) * wy];
+    const size = this.wide;
+    const [a, b] = this.middleOf(place, [nx, ny]);
     const left = Math.max(-a, a - this.width, -b, b - this.height) > (CUT - 0.5) * size;
     this.away = null;
     if (left) gone(c, this, [a, b]);
@@ -196,6 +195,21 @@ export class Mechanism {
     }
     c.restore();
     this.held = { x: a, y: b, width: size, height: size, way: [wx, wy], sized: true };
+  }
+  /** How large what strikes is drawn [px]. */
+  get wide() {
+    return Math.min(Math.max(36 * (this.frame.impactor.mass / this.told.mass) ** (1 / 6), 18), 48);
+  }
+  /**
+   * Where the middle of what strikes is drawn.
+   * @param {Point} place  of its face, on the middle line of the link [m]
+   * @param {Point} normal  into the link
+   * @returns {Point}
+   */
+  middleOf(place, [nx, ny]) {
+    const aside = 0.5 * (this.thick(this.told.struck) + this.wide) + 1;
+    const [x, y] = this.pixel(...place);
+    return [x - aside * nx, y + aside * ny];
   }
   /** @param {number} n */
   thick(n) {

@@ -16,6 +16,7 @@ const TOP = 26; // pixels
 const GROUND = 8; // more below, where the ground is drawn
 const LEAST_FOR_DASHES = 380; // pixels, where there is room to say what they are
 const AXES = 20; // pixels, of a moving frame
+const PAST = 60; // of its places that names keep clear of
 const SEEN = 0.012; // of the whole time for which an impact is marked
 
 export class MovingMechanism extends Mechanism {
@@ -155,11 +156,17 @@ export class MovingMechanism extends Mechanism {
     this.#path(c);
     const normals = given(frame.normals, 'normals');
     const edges = normals.length / 2;
-    const angle = between(normals.subarray(0, edges), normals.subarray(edges), t);
+    const normal = (/** @type {number} */ time) => {
+      const angle = between(normals.subarray(0, edges), normals.subarray(edges), time);
+      return /** @type {Point} */ ([Math.cos(angle), Math.sin(angle)]);
+    };
+    const step = Math.ceil(times.length / PAST);
+    const some = times.filter((_, k) => k % step === 0);
+    this.past = Array.from(some, (time, k) => this.middleOf([mass.x[step * k], mass.y[step * k]], normal(time)));
     const off = (/** @type {'x' | 'y'} */ way) => between(times, mass[way], t) + between(beside.time, beside[way], t);
     const touching = frame.contacts.some(([start, end]) => t >= start && t <= end + SEEN * frame.duration);
     const place = /** @type {Point} */ ([off('x'), off('y')]);
-    this.striking(c, place, [Math.cos(angle), Math.sin(angle)], touching);
+    this.striking(c, place, normal(t), touching);
   }
   /**
    * The way of the mass.

@@ -84,3 +84,28 @@ def test_links_beside_the_struck_one_show_their_waves(open_page):
             const [r, , b] = c.getImageData(x * ratio, y * ratio, 1, 1).data; return Math.abs(r - b); }); }"""
     )
     assert max(coloured) > 40  # grey links have next to none
+
+
+def test_no_name_lies_under_the_mass(open_page):
+    page = open_page("?scene=bouncing-on-piston", size=(390, 844))
+    under, read = page.evaluate(
+        f"""() => {{ const {{ stage }} = strikewave.page.beam, {{ mechanism }} = stage, {{ player }} = strikewave.page;
+          const context = CanvasRenderingContext2D.prototype, {{ fillText }} = context;
+          const names = mechanism.told.links.map(({{ name }}) => name), under = new Set(), read = new Set();
+          let written = [];
+          context.fillText = function (text, x, y) {{
+            const {{ width }} = this.measureText(text);
+            if (this.canvas === stage.canvas && names.includes(text)) written.push([text, x, y, width]);
+            return fillText.call(this, text, x, y); }};
+          for (let k = 0; k <= 100; k++) {{
+            written = [];
+            player.go((k / 100) * player.duration);
+            const {{ held }} = {STAGE}.mechanism;
+            for (const [text, x, y, width] of written) {{
+              read.add(text);
+              const apart = held && [Math.abs(x - held.x) - held.width / 2, Math.abs(y - held.y) - held.height / 2];
+              if (apart && apart[0] < width / 2 && apart[1] < 5) under.add(text); }} }}
+          context.fillText = fillText;
+          return [[...under], [...read]]; }}"""
+    )
+    assert under == [] and sorted(read) == ["crank", "piston", "rod"]

@@ -57,3 +57,9 @@ def test_what_is_felt_of_a_rod_on_its_end(open_page):
     page.answered(lambda: page.tab.get_by_role("button", name="Hit it in the centre").click())
     settled(page)
     expect(said).not_to_contain_text("gives way")
+
+
+def test_of_a_rod_without_changes_of_section_none_are_told(open_page):
+    page = open_page("?scene=rod-with-end-mass")
+    expect(page.tab.locator("ol.events")).to_contain_text("A wave sets out along the rod.")
+    expect(page.tab.locator("ol.events")).not_to_contain_text("change of section")
