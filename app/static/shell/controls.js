@@ -9,6 +9,7 @@ import { Slider } from './slider.js';
 /** @import { Spec } from './model.js' */
 
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
+const LONGER_TITLE = 72; // beyond which it is everywhere
 
 /**
  * @typedef {object} Control
@@ -62,6 +63,7 @@ export class Controls {
       input.value = value;
       input.title = shown.textContent = input.selectedOptions[0]?.textContent ?? '';
       shown.classList.toggle('long', input.title.length > LONG_TITLE);
+      shown.classList.toggle('longer', input.title.length > LONGER_TITLE);
     };
     return { root, set };
   }

@@ -193,7 +193,7 @@ def test_on_a_tablet_an_analysis_has_the_room_of_the_sheet(open_page):
     expect(wide).to_be_hidden()
 
 
-@pytest.mark.parametrize("size", [(820, 1180), (390, 844)], ids=str)
+@pytest.mark.parametrize("size", [(1440, 900), (820, 1180), (390, 844)], ids=str)
 def test_the_longest_title_is_read_whole(open_page, size):
     page = open_page("?scene=figure-7.1", size=size)
     shown = page.tab.locator(".field-scene .title")
