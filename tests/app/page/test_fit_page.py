@@ -304,3 +304,9 @@ def test_a_method_that_knows_no_waves_says_so_where_they_would_be(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'hammer-on-cantilever')"))
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('method', 'rigid')"))
     assert "no velocity by this method" in page.evaluate(SAID, "spaceTime")
+
+
+def test_figures_of_a_convergence_lie_beside_one_another_on_a_phone(open_page):
+    page = open_page("?scene=table-6.6&panel=convergence", size=(390, 844))
+    page.wait("() => strikewave.page.root.querySelectorAll('.study-convergence tbody tr').length > 2")
+    assert page.evaluate(WRITTEN) == []
