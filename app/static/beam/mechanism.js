@@ -20,6 +20,8 @@ const ROOM = 46; // pixels about the mechanism, at most
 const SHARE_OF_ROOM = 0.2; // of the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
+const HEAD = 44; // pixels, of words and colours above
+const FOOT = 26; // of a support below the lowest link
 const NODE = 2.2; // radius
 const ROUNDING = 1e-9; // of what the contact gives, below which a joint bears nothing
 const SCALE_LETTERS = 12 / 11; // of what stands above, which is written larger
@@ -90,6 +92,14 @@ export class Mechanism {
     this.middle = [(left + right) / 2, (low + high) / 2];
     this.center = [width / 2, height / 2 + 6];
     this.height = height;
+    this.#lower();
+  }
+  /** Off the words and colours above, if what strikes comes from there, as far as there is room below. */
+  #lower() {
+    const { contact, normal } = this.told;
+    const above = this.middleOf(contact, normal)[1] - this.wide / 2;
+    const below = this.height - FOOT - this.pixel(0, this.box[2])[1];
+    this.center[1] += Math.max(0, Math.min(HEAD - above, below));
   }
   /**
    * @param {number} x

@@ -52,7 +52,8 @@ export function mechanismEvents(frame) {
   const found = [[contacts[0][0], tell('meets', frame, { approach: speed(approach), bends })]];
   contacts.slice(0, LISTED).forEach(([start, end], k) => {
     if (k > 0) found.push([start, tell('meets-again', frame, { number: k + 1, ...ratesAt(frame, k, 0) })]);
-    if (k < last) found.push([end, tell('parts', frame, { lasts: duration(end - start), ...ratesAt(frame, k, 1) })]);
+    const lasts = end > start ? duration(end - start) : text('beam.event.no-time');
+    if (k < last) found.push([end, tell('parts', frame, { lasts, ...ratesAt(frame, k, 1) })]);
   });
   if (last >= LISTED)
     found.push([contacts[LISTED][0], tell('repeated', frame, { first: LISTED + 1, last: main.contacts })]);

@@ -157,3 +157,13 @@ def test_sudden_reactions_stand_beside_all_that_the_joints_give(open_page):
 def test_figures_of_displacements_are_opened_with_their_chart(open_page, scene, size):
     page = open_page(f"?scene={scene}", size=size)
     assert page.evaluate("() => strikewave.page.view.stack.shows('moved')")
+
+
+def test_what_strikes_from_above_keeps_off_the_colours(open_page):
+    """On a phone, where they are beside each other; 44 pixels are theirs."""
+    page = open_page("?scene=table-6.6", size=(390, 844))
+    top = """() => {
+      const { mechanism } = strikewave.page.beam.stage;
+      return mechanism.middleOf(mechanism.told.contact, mechanism.told.normal)[1] - mechanism.wide / 2;
+    }"""
+    assert page.evaluate(top) >= 40
