@@ -4,7 +4,7 @@ Assigned as a whole, or asked for their largest value, Numba compiles the texts 
 message that nobody will see.
 """
 
-from ..jit.kernels import inner_kernel, kernel
+from ..jit.kernels import inner_kernel
 
 
 @inner_kernel
@@ -21,7 +21,7 @@ def add_to(target, factor, source):
         target[i] += factor * source[i]
 
 
-@kernel
+@inner_kernel
 def dot(first, second):
     """Sum of the products of two arrays (n,)."""
     total = 0.0
@@ -30,7 +30,7 @@ def dot(first, second):
     return total
 
 
-@kernel
+@inner_kernel
 def largest(values, count):
     """The largest of the first `count` values."""
     found = values[0]

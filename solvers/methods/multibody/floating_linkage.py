@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
+from ...jit.reference import referred
 from ...numerics.multibody.floating import Face, Ties, begin_at
 from ...numerics.multibody.frozen import null_space
 from ...numerics.multibody.integrals import frames_of, shortening, stations_of
@@ -105,13 +106,14 @@ def bent_start(mechanism: Mechanism, linkage: Floating, rows: Rows) -> tuple[np.
     q, v, rigid = frozen.bent.copy(), frozen.rates.copy(), system.rigid
     for link, start in zip(system.links, system.offsets, strict=False):
         q[start : start + 3] = *link.origin, link.angle
+    given = referred(linkage)
     for _ in range(MAX_CLOSINGS):
-        begin_at(linkage, q, room.gap, room.jacobian, room.moving)
+        begin_at(given, q, room.gap, room.jacobian, room.moving)
         change = _least(room.jacobian[:, rigid], linkage.unit[rigid], room.gap)
         q[rigid] -= change
         if not np.any(np.abs(change) > CLOSED * linkage.unit[rigid]):
             break
-    struck = np.array(begin_at(linkage, q, room.gap, room.jacobian, room.moving))
+    struck = np.array(begin_at(given, q, room.gap, room.jacobian, room.moving))
     v[rigid] -= _least(room.jacobian[:, rigid], linkage.unit[rigid], room.jacobian @ v - room.moving)
     return q, v, struck
 

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...bodies import Mechanism
+from ...jit.reference import referred
 from ...numerics.multibody import flight, moving, variational
 from ...numerics.multibody.bouncing import march
 from ...provenance import clock
@@ -184,18 +185,8 @@ class Multibody(Method):
         moves = _flexible(mechanism) if mechanism.flexible else _rigid(mechanism)
         contact, normal = struck_by(mechanism, scene.impactor), np.array(mechanism.struck.normal)
         rows = moves.rows.joint.size
-        state, later = (
-            flight.State(
-                moves.coordinates.copy(),
-                moves.rates.copy(),
-                moves.struck.copy(),
-                scene.impactor.velocity * normal,
-                np.zeros(rows),
-                np.zeros(rows),
-                np.zeros(4),
-            )
-            for _ in range(2)
-        )
+        begun = moves.coordinates, moves.rates, moves.struck, scene.impactor.velocity * normal
+        state, later = (flight.state_of(*begun, rows) for _ in range(2))
         every = math.ceil(steps / MAX_INSTANTS)
         law, surface = law_of(scene, mechanism, self.contact_steps, duration / steps)
         most = 2 * MOST_IMPACTS if scene.rigid_contact else self.most_contact_steps
@@ -203,8 +194,9 @@ class Multibody(Method):
         stages = moving.SINGLE if self.quick else moving.STAGES
         seen = moves.seen(kept.time.size, len(mechanism.links))
         count = march(
-            moves.linkage, moves.room, contact, law, surface, stages, self.restitution, duration / steps, steps,
-            every, state, later, kept, seen,
+            referred(moves.linkage), referred(moves.room), referred(contact), law, referred(surface), stages,
+            self.restitution, duration / steps, steps, every,
+            referred(state), referred(later), referred(kept), referred(seen),
         )  # fmt: skip
         open_rows = np.flatnonzero(~(seen.gap[:count] <= MOST_OPEN * mechanism.extent))
         torn = bool(open_rows.size)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit.kernels import kernel
+from ...jit.kernels import inner_kernel
 
 
 class BeamLine(NamedTuple):
@@ -66,7 +66,7 @@ def wave_numbers(square, shear, rotary):
     return alpha, (square - bent * turned) / alpha, gamma_a, gamma_b
 
 
-wave_numbers_kernel = kernel(wave_numbers)
+wave_numbers_kernel = inner_kernel(wave_numbers)
 
 
 def dispersion(line: BeamLine, wavenumber: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

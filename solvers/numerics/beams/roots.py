@@ -16,7 +16,7 @@ from .dispersion import wave_numbers_kernel
 EVEN_PINNED, ODD_PINNED, EVEN_CLAMPED, ODD_CLAMPED, EVEN_FREE, ODD_FREE, CANTILEVER = range(7)
 
 
-@kernel
+@inner_kernel
 def _difference(a2, b2, half):
     """sin(a h) cosh(b h) / a - cos(a h) sinh(b h) / b by its series, for small arguments; a2, b2 squared, signed."""
     u, v = -a2 * half**2, b2 * half**2
@@ -50,8 +50,8 @@ def _at_end(alpha, beta, half):
     return cos, sin, cosh, sinh, _difference(alpha, beta, half) / scale
 
 
-@kernel
-def count_below(problem, z, half, shear, rotary, end_mass):
+@inner_kernel
+def _count(problem, z, half, shear, rotary, end_mass):
     """How many natural frequencies lie below z^2, motions as a whole included."""
     square = z**4
     alpha, beta, gamma_a, gamma_b = wave_numbers_kernel(square, shear, rotary)
@@ -95,12 +95,33 @@ def count_below(problem, z, half, shear, rotary, end_mass):
     return even + odd + _negative(determinant * even_end * odd_end, even_turn + odd_turn)
 
 
+@kernel
+def count_below(problem, z, half, shear, rotary, end_mass):
+    """The same, for Python."""
+    return _count(problem, z, half, shear, rotary, end_mass)
+
+
 @inner_kernel
 def _negative(determinant, pivot):
     """Negative eigenvalues of a symmetric 2 x 2 matrix with this determinant and this element on its diagonal."""
     if determinant < 0.0:
         return 1.0
     return 2.0 if pivot < 0.0 else 0.0
+
+
+def slender_roots(problem: int, count: int, half: float) -> np.ndarray:
+    """The same as `roots` of Euler-Bernoulli beams without an end mass, (count,), by Newton: x = z half is
+    start +- atan(tanh x). Error: rounding."""
+    n = np.arange(1, count + 1)
+    if problem == CANTILEVER:
+        start, sign = np.pi * ((n + 1) // 2 - 0.5), np.where(n % 2, -1.0, 1.0)
+    else:  # clamped or free ends make no difference
+        start, sign = np.pi * n, -1.0 if problem in (EVEN_CLAMPED, EVEN_FREE) else 1.0
+    x = start + 0.25 * np.pi * sign
+    for _ in range(5):
+        end = np.tanh(x)
+        x -= (x - start - sign * np.arctan(end)) / (1.0 - sign * (1.0 - end**2) / (1.0 + end**2))
+    return x / half
 
 
 @allocating_kernel
@@ -111,7 +132,7 @@ def roots(problem, count, rigid, half, shear, rotary, end_mass):
     for i in range(count):
         wanted = rigid + i + 1
         high = low + step
-        while count_below(problem, high, half, shear, rotary, end_mass) < wanted:
+        while _count(problem, high, half, shear, rotary, end_mass) < wanted:
             step *= 2.0
             low, high = high, high + step
         start = low
@@ -119,7 +140,7 @@ def roots(problem, count, rigid, half, shear, rotary, end_mass):
             middle = 0.5 * (low + high)
             if middle <= low or middle >= high:
                 break
-            if count_below(problem, middle, half, shear, rotary, end_mass) < wanted:
+            if _count(problem, middle, half, shear, rotary, end_mass) < wanted:
                 low = middle
             else:
                 high = middle

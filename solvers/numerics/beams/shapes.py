@@ -17,6 +17,7 @@ from .roots import (
     ODD_PINNED,
     count_below,
     roots,
+    slender_roots,
 )
 
 # By support: the problems it falls into, how many motions as a whole each has, and its length
@@ -47,7 +48,11 @@ def natural_field(line: BeamLine, support: str, count: int, end_mass: float = 0.
     if support == "pinned-pinned":
         return _pinned(line, count)
     shear, rotary = line.shear_number, line.rotary_number
-    found = [roots(problem, count, rigid, half, shear, rotary, end_mass) for problem, rigid, half in PROBLEMS[support]]
+    if shear == rotary == end_mass == 0.0:
+        found = [slender_roots(problem, count, half) for problem, _, half in PROBLEMS[support]]
+    else:
+        numbers = shear, rotary, end_mass
+        found = [roots(problem, count, rigid, half, *numbers) for problem, rigid, half in PROBLEMS[support]]
     if support == "pinned-free":
         return _about_centre(found[0] ** 4, shear, rotary, np.ones(count, int), support, 0.0, 1.0)
     if support == "cantilever":

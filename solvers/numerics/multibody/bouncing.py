@@ -6,11 +6,8 @@ Impacts are located to rounding. Source: of impulses thesis 6.3, (6.12), in the 
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
-from ...jit.reference import refer
 from .flight import LOST, advance, copy_state, feel, meeting, push, write
-from .moving import Linkage
 from .pressing import press
-from .variational import Floating
 
 # Of a step: after two flights as short as this the mass rests on the link. Endless ever smaller impacts end there.
 SHORTEST_FLIGHT = 1e-2
@@ -37,11 +34,9 @@ def _rest(linkage, w, contact, state, depth, time):
 
 
 @kernel
-def march(
-    linkage: Linkage | Floating,
-    w, contact, law, surface, stages, restitution, step, steps, every, state, later, kept, seen,
-):  # fmt: skip
+def march(linkage, w, contact, law, surface, stages, restitution, step, steps, every, state, later, kept, seen):
     """From a state in which they touch and approach, in place, through `steps` steps; `later` is room for another.
+    Tuples, but the functions of the `law`, are given by reference.
 
     Impacts follow the contact `law` of the `surface` in steps of their own or, where both are None, are impulses with a
     restitution. A mass that comes beside the link passes it. Where flights between impulses become too short it rests
@@ -50,9 +45,7 @@ def march(
     one for `every` so many steps, at the last, two an impulse and one for every step of a contact, if there is room;
     and in `seen` what is seen of the links there.
     """
-    linkage, w, contact, surface = refer(linkage), refer(w), refer(contact), refer(surface)
-    state, later, kept = refer(state), refer(later), refer(kept)
-    room, until, face, time, row, number = kept.time.size - 2, steps * step, 0.0, 0.0, 0, 0
+    room, until, face, time, row, number = kept.time.size - 2, steps * step, 0.0, 0.0, np.int64(0), 0  # no literal row
     met, rate, before, last, short = True, 1.0, -1.0, -np.inf, 0
     while number < steps and row < room:
         if met:
@@ -94,5 +87,5 @@ def march(
         if number % every == 0 or number == steps:
             write(kept, row, time, state)
             row += 1
-    linkage.look(w, kept.time, kept.coordinates, kept.rates, row, refer(seen))
+    linkage.look(w, kept.time, kept.coordinates, kept.rates, row, seen)
     return row

@@ -51,8 +51,9 @@ def course(instants: int, size: int, rows: int) -> Course:
 
 class State(NamedTuple):
     """Coordinates, rates, place and velocity of the mass, impulses of the constraints, and of these what they do at
-    once; `contact` (4,), see `IMPULSE`."""
+    once; `contact` (4,), see `IMPULSE`. They are parts of `whole`."""
 
+    whole: np.ndarray
     q: np.ndarray
     v: np.ndarray
     place: np.ndarray
@@ -62,15 +63,16 @@ class State(NamedTuple):
     contact: np.ndarray
 
 
+def state_of(coordinates: np.ndarray, rates: np.ndarray, place: np.ndarray, speed: np.ndarray, rows: int) -> State:
+    """Before any impact, with room for the impulses of so many constraints."""
+    parts = coordinates, rates, place, speed, np.zeros(rows), np.zeros(rows), np.zeros(4)
+    whole = np.concatenate(parts)
+    return State(whole, *np.split(whole, np.cumsum([part.size for part in parts])[:-1]))
+
+
 @inner_kernel
 def copy_state(target, source):
-    copy_to(target.q, source.q)
-    copy_to(target.v, source.v)
-    copy_to(target.place, source.place)
-    copy_to(target.speed, source.speed)
-    copy_to(target.reactions, source.reactions)
-    copy_to(target.sudden, source.sudden)
-    copy_to(target.contact, source.contact)
+    copy_to(target.whole, source.whole)
 
 
 @inner_kernel

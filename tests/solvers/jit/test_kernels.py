@@ -15,7 +15,7 @@ from numba.core.dispatcher import Dispatcher
 import solvers
 from solvers.jit import kernels, methods
 from solvers.jit.kernels import address, allocating_kernel, inner_kernel, kernel
-from solvers.jit.reference import refer
+from solvers.jit.reference import refer, referred
 
 ROOT = Path(__file__).parents[3]
 
@@ -54,6 +54,34 @@ def test_a_tuple_by_reference_has_the_fields_of_its_value():
     given = Nested(Pair(np.zeros(3), np.zeros(3)), 0.25, np.array([4.0]))
     assert _through(given) == 34.25
     assert given.pair.first.tolist() == [0.0, 10.0, 20.0] and given.pair.second.tolist() == [0.0, 0.5, 1.0]
+
+
+class Counted(NamedTuple):
+    pairs: Nested
+    order: np.ndarray
+    table: np.ndarray
+    count: int
+
+
+@kernel
+def _seen(counted, row):
+    """Of a tuple by reference: its number of values, and what is in a row of its table."""
+    counted.pairs.pair.first[row] = counted.pairs.number
+    return counted.count * counted.order.size * counted.table.shape[1] + counted.table[row, 1]
+
+
+def test_a_tuple_is_given_by_reference_from_python():
+    given = Counted(Nested(Pair(np.zeros(3), np.zeros(3)), 0.25, np.ones(1)), np.arange(4), np.eye(2, 5)[:, ::2], 7)
+    assert _seen(referred(given), 0) == 84.0 and given.pairs.pair.first.tolist() == [0.25, 0.0, 0.0]
+    fixed = np.eye(2)
+    fixed.flags.writeable = False
+    assert _seen(referred(given._replace(table=fixed)), 1) == 57.0
+    assert len(_seen.overloads) == 2 and referred(None) is None
+
+
+def test_what_is_given_by_reference_has_arrays_and_numbers_alone():
+    with pytest.raises((TypeError, ValueError)):
+        referred(Pair("a", np.zeros(1)))
 
 
 @allocating_kernel
