@@ -1,7 +1,7 @@
 // The bodies: what each is and what follows from it, with a field for every value that can be set.
 import { family, named, text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
-import { inUnit, placeOf, read, unitOf, written } from './body_values.js';
+import { inUnit, isCoordinate, placeOf, read, unitOf, written } from './body_values.js';
 import { make } from './dom.js';
 
 /** @import { Page } from '../page.js' */
@@ -14,6 +14,7 @@ const KINDS = family('bodies.kind');
 const PATIENCE = 3000; // ms without an answer, after which a value is asked for again; then twice as many
 const MAX_TRIES = 5;
 const MANY = 2; // bodies, beyond which they are opened one by one
+const STEPS = 200;
 let made = 0;
 
 /**
@@ -132,7 +133,7 @@ export class Bodies {
     reset.onclick = () => this.set(key);
     const fields = values.map((told) => {
       const whole = `${key}.${told.quantity}`;
-      const field = told.quantity === 'material' ? this.#material(whole, name) : this.#number(whole, told, name);
+      const field = told.quantity === 'material' ? this.#material(whole, name) : this.#number(whole, told, name, parts);
       this.fields.set(whole, field);
       return field.root;
     });
@@ -180,9 +181,10 @@ export class Bodies {
    * @param {string} key
    * @param {ValueTold} told
    * @param {string} body
+   * @param {PartTold[]} parts  all bodies
    * @returns {Field}
    */
-  #number(key, { quantity, own, low, high }, body) {
+  #number(key, { quantity, own, low, high }, body, parts) {
     made += 1;
     const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
     input.autocomplete = 'off';
@@ -193,7 +195,9 @@ export class Bodies {
     let typing = false;
     const label = make('label', { htmlFor: input.id, textContent: NAMES[quantity] });
     const sign = make('span', { className: 'unit', textContent: unit.sign });
-    const row = rowOf(label, input, sign);
+    const scale = scaleOf(quantity, Number(own), parts);
+    const slider = scale && sliderOf(scale, (value) => this.set(key, value));
+    const row = rowOf(label, input, sign, ...(slider ? [slider.root] : []));
     const end = (/** @type {number | null} */ value) => `${pretty(Number(value) / unit.factor)} ${unit.sign}`.trim();
     input.oninput = () => (typing = true);
     input.onchange = () => {
@@ -219,6 +223,7 @@ export class Bodies {
         row.complain(sentence);
         typing = false;
         if (sentence) input.value = last;
+        if (sentence) slider?.show();
       },
       show: ({ value, own: scenes }) => {
         unit = unitOf(quantity, Number(scenes ?? value ?? 0));
@@ -228,6 +233,7 @@ export class Bodies {
         if (shown !== last) row.complain('');
         last = shown;
         if (!typing) input.value = last;
+        slider?.show(Number(value), `${last} ${unit.sign}`, text('bodies.slider', { name: NAMES[quantity], body }));
         row.mark(same(value, scenes), scenes === null ? text('bodies.unknown') : written(quantity, Number(scenes)));
       },
     };
@@ -257,6 +263,53 @@ function rowOf(label, input, ...more) {
     input.title = own ? '' : text('bodies.own', { value: scenes });
   };
   return { root, complain, mark };
+}
+
+/**
+ * Of a size that is tried by hand, values along a slider from 0 to 1, that of the scene in the middle: lengths from
+ * half to twice, places of joints as far as these are apart.
+ * @typedef {{ at: (share: number) => number, share: (value: number) => number }} Scale
+ * @param {string} quantity
+ * @param {number} own
+ * @param {PartTold[]} parts  all bodies
+ * @returns {Scale | null}
+ */
+function scaleOf(quantity, own, parts) {
+  if (quantity === 'length' && own > 0)
+    return { at: (share) => own * 2 ** (2 * share - 1), share: (value) => (Math.log2(value / own) + 1) / 2 };
+  if (!isCoordinate(quantity)) return null;
+  const places = parts.flatMap(({ values }) => values.filter((each) => isCoordinate(each.quantity)));
+  const all = places.map((each) => Number(each.own));
+  const reach = Math.max(...all) - Math.min(...all);
+  return { at: (share) => own + reach * (share - 0.5), share: (value) => (value - own) / reach + 0.5 };
+}
+
+/**
+ * A slider, which shows what the server holds unless a hand holds it.
+ * @param {Scale} scale
+ * @param {(value: number) => void} send
+ */
+function sliderOf(scale, send) {
+  const root = make('input', { type: 'range', min: 0, max: STEPS, step: 1 });
+  let held = false;
+  let share = 0.5;
+  root.oninput = () => {
+    held = true;
+    const value = scale.at(Number(root.value) / STEPS);
+    send(Number(root.value) === STEPS / 2 ? value : Number(value.toPrecision(3)));
+  };
+  root.onchange = () => (held = false);
+  return {
+    root,
+    /** Where a value is refused, the last one again. */
+    show: (value = NaN, said = root.ariaValueText ?? '', title = root.ariaLabel ?? '') => {
+      if (!Number.isNaN(value)) share = Math.min(Math.max(scale.share(value), 0), 1);
+      root.ariaValueText = said;
+      root.ariaLabel = title;
+      root.style.setProperty('--fill', `${100 * share}%`);
+      if (!held || Number.isNaN(value)) root.value = String(Math.round(STEPS * share));
+    },
+  };
 }
 
 /**

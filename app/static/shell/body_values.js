@@ -8,7 +8,6 @@ import { engineering, figures, localised } from '../text/format.js';
 const PART = /^(impactor|target(?:\.(?:rods|links|joints)\.\d+)?)\.(.+)$/;
 const GIVEN = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(\S*)$/i;
 const DIGITS = 6; // of a value in its field
-const COORDINATES = ['x', 'y']; // of which 0 is no small length
 const SI = family('body.unit');
 /** @type {Record<string, [sign: string, factor: number, from: number][]>} */
 const SHOWN = {
@@ -46,6 +45,12 @@ const ALSO = { m: { cm: 1e-2, km: 1e3 }, 'm²': { 'cm²': 1e-4 }, kg: { t: 1e3 }
 ALSO['N/m'] = { 'N/mm': 1e3 };
 ALSO['kg/m³'] = { 'g/cm³': 1e3 };
 
+/**
+ * Of a joint; 0 is no small length of it.
+ * @param {string} quantity
+ */
+export const isCoordinate = (quantity) => quantity === 'x' || quantity === 'y';
+
 /** @param {string} key */
 export function partsOfKey(key) {
   const [, part = '', quantity = ''] = PART.exec(key) ?? [];
@@ -77,7 +82,7 @@ export const isBodyKey = (key) => PART.test(key);
  */
 export function unitOf(quantity, size) {
   const si = SI[quantity] ?? '';
-  const least = Math.abs(size || (COORDINATES.includes(quantity) ? 1e-3 : 0));
+  const least = Math.abs(size || (isCoordinate(quantity) ? 1e-3 : 0));
   const [sign, factor] = (SHOWN[si] ?? []).findLast(([, , from]) => least >= from * (1 - 1e-9)) ?? [si, 1];
   return { sign, factor };
 }

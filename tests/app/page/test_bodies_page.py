@@ -20,7 +20,7 @@ def body(page, number: int):
 
 
 def field(page, name: str, number: int = 2):
-    return body(page, number).get_by_label(name)
+    return body(page, number).locator("input.number, select").and_(page.tab.get_by_label(name))
 
 
 def typed(page, name: str, text: str, number: int = 2) -> None:
@@ -159,6 +159,25 @@ def test_a_mechanism_is_built_otherwise_by_its_links_and_joints(open_page):
     field(page, "Place x", 7).press("Enter")
     expect(page.tab.locator(".wrong:visible")).to_contain_text("The mechanism cannot be like that. Allowed: ")
     expect(field(page, "Place x", 7)).to_have_value("0")
+
+
+def test_sizes_are_tried_by_sliders_too(open_page):
+    page = open_page("?scene=four-bar")
+    body(page, 7).locator("summary").click()
+    slider = body(page, 7).get_by_label("Place y, slider")
+    expect(slider).to_have_value("100")
+    page.answered(lambda: slider.fill("120"))
+    page.wait("() => !strikewave.page.bodies.asked")
+    expect(field(page, "Place y", 7)).to_have_value("350")  # a tenth of what the joints are apart, more
+    page.answered(lambda: slider.fill("100"))
+    page.wait("() => location.search === '?scene=four-bar'")
+    page = open_page("?scene=fixed-rod")
+    slider = body(page, 2).get_by_label("Length, slider")
+    page.answered(lambda: slider.fill("200"))
+    expect(field(page, "Length")).to_have_value("600")
+    typed(page, "Length", "45 cm")
+    expect(slider).to_have_value("158")
+    assert slider.get_attribute("aria-valuetext") == "450 mm"
 
 
 def test_a_value_that_has_no_answer_yet_comes_back_with_the_page(open_page):

@@ -223,7 +223,7 @@ def test_a_scene_whose_settings_are_changed_says_so(open_page):
 
 def test_what_is_wrong_with_a_value_is_seen_on_a_phone(open_page):
     page = open_page(size=(390, 844))
-    length = page.tab.locator(".body").nth(1).get_by_label("Length")
+    length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
     length.evaluate("element => element.scrollIntoView({ block: 'end' })")
     length.fill("3 µm")
     length.press("Enter")
@@ -254,7 +254,7 @@ def test_words_beside_bodies_in_space_lie_on_no_handle(open_page, scene):
 
 def test_limits_of_a_value_are_in_the_unit_of_its_field(open_page):
     page = open_page()
-    length = page.tab.locator(".body").nth(1).get_by_label("Length")
+    length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
     length.fill("3 µm")
     length.press("Enter")
     wrong = page.tab.locator(".wrong:visible")
