@@ -8,6 +8,7 @@ import { duration, figures, speed } from '../text/format.js';
 /** @import { BeamFrame } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
 
+const SLOW = 0.1; // s of a solve, from which it is said why
 /** @type {Record<string, string>} */
 const OF_COLOURS = { links: 'target_rigid' }; // parts that have the colour of another
 
@@ -39,11 +40,14 @@ export const movingEvents = (frame) =>
 /** @param {BeamFrame} frame  whether contacts last, by a law */
 const byLaw = ({ moving }) => moving?.restitution === null;
 
+/** @param {BeamFrame} frame  whether any link does */
+const bends = (frame) => given(frame.mechanism, 'mechanism').links.some(({ flexible }) => flexible);
+
 /** @param {BeamFrame} frame */
 export const movingReasons = (frame) =>
   tell('why', frame, {
     law: byLaw(frame),
-    bends: given(frame.mechanism, 'mechanism').links.some(({ flexible }) => flexible),
+    bends: bends(frame),
   });
 
 /**
@@ -52,11 +56,13 @@ export const movingReasons = (frame) =>
  */
 export function keptOf(frame) {
   const { cut, restitution, rigid } = given(frame.moving, 'moving');
-  const { constraint_error: gap, energy_drift: drift, estimated_error: error } = frame.main.diagnostics;
+  const { constraint_error: gap, energy_drift: drift, estimated_error: error, steps } = frame.main.diagnostics;
+  const { wall_time: took } = frame.main.diagnostics;
   const law = { law: byLaw(frame), restitution: restitution ?? 1 };
   const joined = given(frame.mechanism, 'mechanism').joints.length > 0;
   const words = [tell('impacts', frame, law), text('motion.kept', { drift, gap, joined })];
   if (rigid) words.push(text('motion.rigid', { why: said(rigid) }));
+  if (took > SLOW) words.push(text('motion.slow', { took, steps, bends: bends(frame) }));
   if (cut) words.push(tell('cut', frame));
   if (error) words.push(text('motion.uncertain', { error }));
   return words.join(' ');

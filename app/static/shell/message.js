@@ -62,6 +62,7 @@
  * @property {number} [balances]  of impulse and momentum
  * @property {number} [energy_drift]  the largest, as a share
  * @property {number} [constraint_error]  [m]
+ * @property {number} [steps]
  * @property {number} [pivot_moment]  of a pendulum that bends [N m]
  * @property {number} [contact_moment]
  */

@@ -51,6 +51,18 @@ def test_a_link_that_bends_is_drawn_bent_larger_and_the_mass_meets_it_there(open
     assert abs(apart) < 3  # pixels, of a bar that is struck at its tip
     expect(page.tab.get_by_role("button", name="velocity", exact=True)).to_be_hidden()
     expect(page.tab.get_by_label("Links that bend")).to_be_visible()
+    said = page.tab.get_by_text("The solve took")
+    for seconds in (0.05, 0.25):  # as it may take for longer
+        page.evaluate(
+            """took => { const { frame, beam } = strikewave.page; frame.main.diagnostics.wall_time = took;
+            beam.story.load(frame); }""",
+            seconds,
+        )
+        expect(said).to_have_count(int(seconds > 0.1))
+    steps = page.header("main")["diagnostics"]["steps"]
+    expect(said).to_contain_text(
+        f"The solve took 250 ms: it takes {steps} steps, short enough for the fastest vibration"
+    )
     page.answered(lambda: page.tab.get_by_label("Method", exact=True).select_option("modal"))
     expect(page.tab.get_by_label("Links that bend")).to_be_hidden()
     expect(page.tab.get_by_role("heading", name="Contact force")).to_be_visible()
