@@ -63,16 +63,20 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
     return "\n".join([*lines, "", str(found.summary), *(text("report.note", note=note) for note in found.notes)])
 
 
-def print_convergence(scene: solvers.Scene, modes: str | None, as_json: bool) -> int:
-    """Print a line for each number of modes or elements, and what they show, or all of it in JSON."""
+def print_convergence(scene: solvers.Scene, lists: dict[str, str | None], as_json: bool) -> int:
+    """Print a column for each level, and what they show, or all of it in JSON; `lists` by option, as written."""
     named, _ = solvers.read_method(scene.method, scene)
     method = named.NAME if {"modes", "elements"} & set(named.table()) else "modal"
-    counts = () if modes is None else ([number("--modes", part, int) for part in modes.split(",")],)
+    values: dict[str, Any] = {
+        option: [number(f"--{option}", part, int if option == "modes" else float) for part in written.split(",")]
+        for option, written in lists.items()
+        if written is not None
+    }
     try:
-        found = convergence(scene, *counts, method=method)
+        found = convergence(scene, method=method, **values)
     except SceneError as refused:
-        if refused.key == "modes":
-            raise SceneError("--modes", refused.value, refused.reason) from None
+        if refused.key in lists:
+            raise SceneError(f"--{refused.key}", refused.value, refused.reason) from None
         raise
     print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else convergence_table(scene, found))
     return 0
@@ -82,10 +86,11 @@ def convergence_table(scene: solvers.Scene, found: Convergence) -> str:
     names = [named("quantity", name) + (f" [{unit}]" if unit else "") for name, unit in found.units.items()]
     width = max(map(len, names))
     by = text("convergence.by", method=found.method, seconds=found.wall_time)
+    beside = found.reference_values or {}
+    heads = [f"{count:>14g}" for count in found.counts] + ([f"{found.reference:>14}"] if found.reference else [])
     lines = [scene.title or text("report.scene"), f"  {by}", ""]
-    lines.append(
-        f"  {named('convergence.kind', found.kind):{width}}" + "".join(f"{count:>14d}" for count in found.counts)
-    )
-    for name, values in zip(names, found.values.values(), strict=True):
-        lines.append(f"  {name:{width}}" + "".join(f"{value:>14.7g}" for value in values))
+    lines.append(f"  {named('convergence.kind', found.kind):{width}}" + "".join(heads))
+    for name, (key, values) in zip(names, found.values.items(), strict=True):
+        known = [f"{beside[key]:>14.7g}" if key in beside else f"{'-':>14}"] if found.reference else []
+        lines.append(f"  {name:{width}}" + "".join([*(f"{value:>14.7g}" for value in values), *known]))
     return "\n".join([*lines, "", *(f"  {told}" for told in found.table()["told"].values())])

@@ -108,6 +108,8 @@ def _histories(request: Request, exact: Solution, other: Solution | None, carrie
         arrays |= striker_arrays(name, solution, even, length_unit)
         arrays |= pivot_moments(name, solution, coarse) | axis_moments(name, solution, coarse)
         arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
+        if solution is exact and isinstance(scene.target, Waveguide) and not scene.target.held:
+            arrays["exactWhole"] = _gone(even, solution.known_motion.rigid_velocity(even)) / length_unit
         if solution is exact and isinstance(solution.motion, RowMotion):
             before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])
             arrays["exactRow"] = (solution.motion.ball_positions(even) + before) / length_unit
@@ -115,6 +117,11 @@ def _histories(request: Request, exact: Solution, other: Solution | None, carrie
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / scene.time_unit, f"{name}Force": force / force_unit}
     return arrays | bent_shapes(exact, even, length_unit)
+
+
+def _gone(time: np.ndarray, velocity: np.ndarray) -> np.ndarray:
+    """How far something has come [m] at each instant, by the velocities at these."""
+    return np.concatenate(([0.0], np.cumsum(np.diff(time) * 0.5 * (velocity[1:] + velocity[:-1]))))
 
 
 def _known_as(exact: Solution) -> str:

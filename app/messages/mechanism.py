@@ -23,6 +23,7 @@ RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that
 PARTS = 10  # straight pieces of a link that bends
 INSTANTS = 75
 REACTIONS = 200  # instants
+REACTIONS_OF_ONE = 800  # where there is one joint alone, and balances shake all modes
 AMOUNTS_BESIDE = 4_000  # numbers that tell of links beside the struck one
 
 
@@ -45,7 +46,9 @@ def mechanism_fields(solution: Solution, rigid: Solution | None) -> tuple[dict[s
         "linkMoves": whole_numbers(places - places[0]),
     }
     if motion.mechanism.joints:
-        fine = instants(solution.duration, REACTIONS)
+        alone = len(motion.mechanism.joints) == 1 and solution.scene.rigid_contact
+        count = REACTIONS_OF_ONE if alone else REACTIONS
+        fine = instants(solution.duration, count)
         arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
         if rigid is not None and isinstance(rigid.motion, MechanismMotion):
             forces = whole_numbers(rigid.motion.reaction_forces(fine))

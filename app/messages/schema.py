@@ -77,6 +77,7 @@ AXIAL: Fields = {
     "leastRestitution": Field("number", "that a damping law delivers"),
     "exactMass": Field("(motion)", "displacement of the impactor, evenly in time [v T]"),
     "exactEnd": Field("(motion)", "and of the struck end [v T]"),
+    "exactWhole": Field("(motion)", "and of the mass centre of a rod that nothing holds [v T]", True),
     "exactRow": Field("(motion, balls)", "displacement of every ball of a row, gaps before it included [v T]", True),
     "exactTime": Field("(exact force)", "at a jump twice [T]"),
     "exactForce": Field("(exact force)", "[Z v]"),
@@ -275,6 +276,7 @@ RECORDS: dict[str, Fields] = {
     "Opens": {
         "charts": Field("string[]", "by name"),
         "place": Field("number | null", "at which the stress is told [m]"),
+        "until": Field("number | null", "from the first touch on, what is looked at [s]"),
     },
     "PartTold": {
         "key": Field("string", "of its table: impactor, target, target.rods.2"),

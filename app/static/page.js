@@ -269,6 +269,8 @@ export class Page {
     this.compare.take(data, this.frame);
     if (this.root.dataset.kind !== this.frame.kind) this.turn();
     this.view.load(this.frame);
+    const { strip } = this.view;
+    if (this.layout.mode === 'phone' && strip && !this.layout.strip.contains(strip.root)) this.place();
     this.analyses.draw();
     this.player.load(this.frame);
     if (this.compare.due) this.compare.keep();

@@ -5,22 +5,27 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
+from ..choices.opened import opening_of
 from ..choices.questions import Question
-from . import bounces, joints, mode_change, plan, stability, stretch, tolerance
+from . import bounces, convergence, joints, mode_change, plan, stability, stretch, tolerance
 from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
 from .record import record_figure
 from .tradeoff import stored_data, tradeoff_data, tradeoff_figure, tradeoff_kernels
-from .trust import convergence_data, convergence_figure, trust_data, trust_figure
+from .trust import trust_data, trust_figure
 
 OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links")
 KINDS = frozenset(("axial", "beam", "bodies"))  # of scene, see app.choices.scene_of.kind_of
 
 
-def opened_with(scene: str, before: str = "") -> dict[str, bool]:
-    """The openers of the views that a scene is opened with, and, shut, of those that the scene `before` it was."""
-    return {view.opener: scene in view.opens for view in VIEWS if scene in view.opens or before in view.opens}
+def opened_with(scene: str, before: str = "") -> dict[str, Any]:
+    """The openers of the views that a scene is opened with, and what is asked in them; and, shut, of those that the
+    scene `before` it was opened with."""
+    shown, gone = opening_of(scene).views, opening_of(before).views
+    found: dict[str, Any] = {view.opener: view.name in shown for view in VIEWS if view.name in (*shown, *gone)}
+    asked = (question for view in VIEWS if view.name in shown for question in view.asked.items())
+    return found | {name: question.parameter.default for name, question in asked}
 
 
 def everything(asked: dict[str, Any]) -> Hashable:
@@ -57,7 +62,6 @@ class View:
     every_law: bool = False  # whether it is compiled ahead for every contact law
     late: bool = False  # whether few ask for it, so that it is compiled after all others
     scenes: tuple[str, ...] = ()  # with which it is compiled, where the first of its kinds would not do
-    opens: tuple[str, ...] = ()  # scenes that are opened with it, as it shows what they are named after
 
     @property
     def opener(self) -> str:
@@ -111,19 +115,19 @@ VIEWS = (  # in the order in which an address names them
     View("tradeoff", stored_data, run=tradeoff_data, kernels=tradeoff_kernels, figure=tradeoff_figure,
          depends_on=any_method),
     View("trust", trust_data, figure=trust_figure, kinds=BEAMS, rests=True),
-    View("convergence", convergence_data, figure=convergence_figure, panel="trust", kinds=BEAMS, rests=True),
+    View("convergence", convergence.convergence_data, figure=convergence.convergence_figure,
+         asked=convergence.QUESTIONS, kinds=AXIAL | BEAMS, rests=True),
     View("methods", methods_table, kinds=AXIAL, rests=True, every_law=True),
     View("stability", run=stability.stability_data, kernels=stability.stability_kernels, kept=True,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
     View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
-         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",),
-         opens=("bouncing-ball",)),
+         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
     View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
-         scenes=("bent-rods",), opens=("bent-rods",)),
+         scenes=("bent-rods",)),
     View("stretch", stretch.stretch_data, figure=stretch.stretch_figure, kinds=AXIAL,
-         depends_on=stretch.of_turning_rods, scenes=("figure-5.24",), opens=("figure-5.23", "figure-5.24")),
+         depends_on=stretch.of_turning_rods, scenes=("figure-5.24",)),
     View("mode_change", mode_change.mode_change_data, kinds=BEAMS, depends_on=mode_change.of_struck_nodes,
-         scenes=("table-6.10",), opens=tuple(f"table-6.{number}" for number in (9, 10, 11, 12))),
+         scenes=("table-6.10",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS] + [

@@ -1,12 +1,11 @@
-"""How far to trust an impact on a beam: the same many times with tiny changes, and with more and more modes."""
+"""How far to trust an impact on a beam: the same many times with tiny changes."""
 
 import json
 from typing import Any
 
 import numpy as np
 
-from solvers import Balance, Mechanism, Modal, ensemble
-from solvers.studies.convergence import convergence
+from solvers import ensemble
 
 from ..choices.request import Request
 from ..messages.beam import MS, method_at_impact
@@ -14,8 +13,6 @@ from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 RUNS = 200
-COUNTS = (3, 5, 10, 20, 40)  # of modes, or of elements where finite elements are chosen
-COUNTED = ("modal", "mode-switch", "fe-nodal", "fe-modal")
 MOST_POINTS = 400  # of a band
 BANDS = {"force": "N", "displacement": "m", "velocity": "m/s"}  # names in the answer, and units
 
@@ -54,19 +51,6 @@ def _ensemble(request: Request) -> dict[str, Any]:
     }
 
 
-def convergence_data(chosen: dict[str, Any]) -> str:
-    """The impact with more and more modes as JSON: `chosen` and the table of the study, or `error`, a sentence."""
-    answer: dict[str, Any] = {"chosen": chosen}
-    try:
-        request = Request.of(chosen)
-        scene, method = request.scene, method_at_impact(request)
-        counted = (*COUNTED, Balance.NAME) if isinstance(scene.target, Mechanism) else COUNTED
-        answer |= convergence(scene, COUNTS, method if method.NAME in counted else Modal()).table()
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
-    return json.dumps(answer, allow_nan=False)
-
-
 def _listed(values: np.ndarray) -> list[float]:
     return [float(f"{value:.5g}") for value in values.tolist()]
 
@@ -97,37 +81,3 @@ def trust_figure() -> list[Any]:
         cursor(plot, f"trust-cursor-{name}")
         plots.append(plot)
     return plots
-
-
-def convergence_figure() -> list[Any]:
-    """How far each quantity is from its value with the most modes, in sources "lines" and "differences"."""
-    axes = {"x_axis_type": "log", "y_axis_type": "log"}
-    from bokeh.models import FixedTicker
-
-    words = page().family("convergence")
-    plot = blank(
-        "convergence", "", page().text("convergence.axis", kind="modes"), words["difference"], height=340, **axes
-    )
-    plot.xaxis.ticker = FixedTicker(name="convergence-counts")
-    lines = source("lines", "counts", "sizes", "colour")
-    plot.multi_line("counts", "sizes", source=lines, line_color={"field": "colour"}, line_width=1.5)
-    points = source("differences", "count", "size", "colour", "marker", "diameter", "quantity", "value")
-    look = {
-        "fill_color": {"field": "colour"},
-        "line_color": "white",
-        "marker": {"field": "marker"},
-        "size": {"field": "diameter"},
-    }
-    dots = plot.scatter("count", "size", source=points, **look)
-    hover(
-        plot,
-        [dots],
-        {
-            "": "@quantity",
-            words["number"]: "@count",
-            words["value"]: "@value",
-            words["apart"]: "@size{0.0[000]} %",
-        },
-    )
-    legend(plot, [({"field": "quantity"}, [dots])])
-    return [plot]

@@ -1,4 +1,7 @@
-"""What more modes, or more elements, do to each figure of an impact: whether it converges, and how fast."""
+"""What more modes, elements or steps do to each figure of an impact: whether it converges, and how fast.
+
+Of repeated balances also what a restitution at each of them does.
+"""
 
 import math
 import time
@@ -8,22 +11,19 @@ from typing import Any
 
 import numpy as np
 
-from .. import validation
 from ..bodies import Mechanism, Rod
-from ..bodies.linkage.links import Link
+from ..bodies.linkage.links import GROUND
 from ..methods import METHODS
-from ..methods.base import Method, SceneNotSupported
+from ..methods.base import Method
+from ..methods.grazing import one_front
 from ..numerics.processors import all_processors
 from ..scene import Scene
-from ..solution.motion import Bends
+from ..solution.motion import Balances, Bends
 from ..solution.solution import Solution
-from ..solve import read_method
 from ..text.notes import Note, Severity
-from ..validation import SceneError, allowed
+from .levels import Levels, levels_of
 from .sensitivity import plain
 
-COUNTS = (3, 5, 10, 20, 40, 80)
-FEWEST, MOST = 3, 12  # counts
 INSTANTS, PLACES = 2_000, 41  # at which largest values of fields are looked for
 CLOSE = 1e-6  # relative differences below this count as none
 REGULAR = 0.7  # of natural logarithms about a fitted power: a factor of two
@@ -39,73 +39,93 @@ class Convergence:
 
     `differences` are those to the finest count, relative to the largest value, or for the velocity to the speed of
     approach and for the energy lost to the initial energy. `order` p: the differences fall as counts^-p; None where
-    they do not, or where there is nothing to fit.
+    they do not, or where there is nothing to fit. `reference`: the method that gives the impact without balances, and
+    `reference_values` its figures: exact waves of a mass on a rod, rigid links of a mechanism.
     """
 
     method: str
-    kind: str  # "modes" or "elements"
-    counts: np.ndarray
+    kind: str  # "modes", "elements", "step" or "restitution"
+    counts: np.ndarray  # or steps [s], or restitutions
     units: dict[str, str]
     values: dict[str, np.ndarray]
     differences: dict[str, np.ndarray]
     order: dict[str, float | None]
     summary: dict[str, Note]
     wall_time: float
+    reference: str | None = None
+    reference_values: dict[str, float] | None = None
 
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
         table = plain({option.name: getattr(self, option.name) for option in fields(self)})
         words = {name: f"{name.replace('_', ' ')}: {note}" for name, note in self.summary.items()}
         codes = {name: note.table() for name, note in self.summary.items()}
+        if self.reference is None:
+            del table["reference"], table["reference_values"]
         return table | {"summary": words, "told": words, "summary_codes": codes}
 
 
-def convergence(scene: Scene, modes: Sequence[int] = COUNTS, method: str | Method = "modal") -> Convergence:
-    """The impact solved with each of these numbers of modes; of elements by 'fe-nodal' and 'fe-modal'.
+def convergence(
+    scene: Scene,
+    modes: Sequence[int] | None = None,
+    method: str | Method = "modal",
+    *,
+    steps: Sequence[float] | None = None,
+    restitutions: Sequence[float] | None = None,
+) -> Convergence:
+    """The impact solved with each of these numbers of modes; of elements by methods that are finer by these.
 
-    Bodies that say themselves how many modes they have, links and pendulums that bend, are given as many.
-    All are followed for as long as the finest one. What is compared: velocity and impulse, peak force, first parting,
-    contacts, deepest position of the struck point, energy lost, and of the fields the largest shear force of a beam, of
-    a rod the largest stress: where it is held, and anywhere.
+    Of repeated balances also with each of these `steps` [s], which fall, or `restitutions`, which fall as well. Bodies
+    that say themselves how many modes they have, links and pendulums that bend, are given as many.
+    All are followed for as long as the finest one; balances until the bodies part for good. What is compared: velocity
+    and impulse, peak force, first parting, contacts, deepest position of the struck point, energy lost, and of the
+    fields the largest shear force of a beam, of a rod the largest stress: where it is held, and anywhere. Of balances
+    their number, the mean jump of the impactor's velocity, its velocity after the first contact, the share of the
+    energy that is lost, and the sums of the sudden impulses at the joint of the struck link.
     Error: peaks of fields are sampled at 2 000 instants.
     Cost: the solves, side by side on all processors.
+    Source: thesis tables 6.2 to 6.6 and 6.8.
     """
     begun = time.perf_counter()
-    counts = _counts(modes)
-    chosen, kind, duration = _method(scene, method)
-    refused = chosen.refusal(scene)
-    if refused:
-        raise SceneNotSupported("method.name", chosen.NAME, refused)
-    counts, levels = _levels(scene, chosen, kind, counts)
-    finest = _solved(levels[-1], duration)
-    with all_processors() as pool:
-        others = list(pool.map(lambda level: _solved(level, finest.duration), levels[:-1]))
-        rows = list(pool.map(_figures, [*others, finest]))
-    numbers = np.array(counts, float)
+    levels = levels_of(scene, method, modes, {"step": steps, "restitution": restitutions})
+    kind = levels.kind
+    finest, rows = _solve_all(levels)
+    reference, beside = _reference(scene, levels)
+    numbers = np.array(levels.values, float)
     values = {name: np.array([row[name] for row in rows]) for name in rows[-1]}
     values = {name: column for name, column in values.items() if np.isfinite(column).all() and column.any()}
-    scales = {"final_velocity": scene.speed, "energy_lost": scene.initial_energy}
+    scales = {"final_velocity": scene.speed, "energy_lost": scene.initial_energy, "energy_lost_share": 100.0}
+    scales["first_velocity"] = scene.speed
+    steps_taken = finest.duration / numbers if kind == "step" else numbers
     rated = {
-        name: _rate(name, numbers, column, scales.get(name, float(np.abs(column).max())), kind)
+        name: _rate(name, steps_taken, column, scales.get(name, float(np.abs(column).max())), kind)
         for name, column in values.items()
     }
     if scene.rigid_contact and scene.bends:
         rated = {name: (*found[:2], _without_limit(found[2])) for name, found in rated.items()}
     return Convergence(
-        method=chosen.NAME,
+        method=levels.method.NAME,
         kind=kind,
-        counts=np.array(counts),
+        counts=np.array(levels.values),
         units={name: UNITS[name] for name in values},
         values=values,
         differences={name: found[0] for name, found in rated.items()},
         order={name: found[1] for name, found in rated.items()},
         summary={name: found[2] for name, found in rated.items()},
         wall_time=time.perf_counter() - begun,
+        reference=reference,
+        reference_values=beside and {name: value for name, value in beside.items() if name in values},
     )
 
 
 UNITS = {
     "final_velocity": "m/s",
+    "first_velocity": "m/s",
+    "balances": "",
+    "mean_jump": "m/s",
+    "energy_lost_share": "%",
+    "joint_impulse": "N s",
+    "joint_moment_impulse": "N m s",
     "impulse": "N s",
     "peak_force": "N",
     "contacts": "",
@@ -120,54 +140,29 @@ UNITS = {
 }
 
 
-def _counts(given: Sequence[int]) -> list[int]:
-    if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
-        raise SceneError("modes", given, allowed("list", low=FEWEST, high=MOST, of="whole"))
-    counts = [validation.whole_number("modes", count, 1, 10_000) for count in given]
-    if counts != sorted(set(counts)):
-        raise SceneError("modes", counts, allowed("rising"))
-    return counts
+def _solve_all(levels: Levels) -> tuple[Solution, list[dict[str, float]]]:
+    """The last solution, and the figures of all."""
+    finest = _solved(levels.each[-1], levels.duration)
+    duration = levels.duration if isinstance(finest.motion, Balances) else finest.duration
+    with all_processors() as pool:
+        others = list(pool.map(lambda level: _solved(level, duration), levels.each[:-1]))
+        return finest, list(pool.map(_figures, [*others, finest]))
 
 
-def _method(scene: Scene, given: str | Method) -> tuple[Method, str, float | None]:
-    """The method without its estimate of the error, the option that is varied, and the duration."""
-    named, duration = read_method(scene.method, scene)
-    if isinstance(given, Method):
-        chosen = given
-    elif given == named.NAME:
-        chosen = named
+def _reference(scene: Scene, levels: Levels) -> tuple[str | None, dict[str, float] | None]:
+    """What balances are compared with: its method and its figures."""
+    target = scene.target
+    if levels.method.NAME != "balance":
+        return None, None
+    if isinstance(target, Mechanism) and target.flexible and scene.rigid_contact and levels.kind != "restitution":
+        rigid = METHODS["rigid"].read({"restitution": getattr(levels.method, "restitution", 1.0)})
+        solution = rigid.solve(replace(scene, target=target.with_rigid_links, given={}))
+    elif one_front(scene):
+        solution = METHODS["waves"].read({}).without_estimate().solve(scene)
     else:
-        chosen = METHODS[validation.choice("method.name", given, METHODS)].read({})
-    options = {option.name for option in fields(chosen)}
-    kind = next((name for name in ("elements", "modes") if name in options), None)
-    if any(link.flexible for link in _links(scene)):  # of whose modes alone it depends how well they are known
-        return chosen.without_estimate(), "modes", duration
-    if kind is None:
-        known = [name for name, method in METHODS.items() if {"elements", "modes"} & {f.name for f in fields(method)}]
-        raise SceneError("method.name", chosen.NAME, allowed("resolved-method", names=known))
-    if getattr(chosen, kind) is None:  # some, where it is left out, do without
-        chosen = replace(chosen, **{kind: 1})
-    return chosen.without_estimate(), kind, duration
-
-
-def _links(scene: Scene) -> list[Link]:
-    return [link for body in (scene.impactor, scene.target) if isinstance(body, Mechanism) for link in body.links]
-
-
-def _levels(scene: Scene, method: Method, kind: str, counts: list[int]) -> tuple[list[int], list[tuple[Method, Scene]]]:
-    """Method and scene by each of the counts, as far as links of finite elements have so many modes."""
-    found: dict[int, tuple[Method, Scene]] = {}
-    has = any(option.name == kind for option in fields(method))
-    for count in counts:
-        level, finer = replace(method, **{kind: count}) if has else method, scene
-        bodies = {"impactor": scene.impactor.with_own_modes(count), "target": scene.target.with_own_modes(count)}
-        if kind == "modes" and any(body is not getattr(scene, name) for name, body in bodies.items()):
-            finer = replace(scene, **bodies, given={})
-        if all(link.modes in (0, count) for link in _links(finer)):
-            found[count] = level, finer
-    if len(found) < FEWEST:
-        raise SceneError("modes", counts, allowed("fewer-modes", low=FEWEST))
-    return list(found), list(found.values())
+        return None, None
+    found = _figures(solution)
+    return solution.method["name"], {name: value for name, value in found.items() if math.isfinite(value)}
 
 
 def _solved(level: tuple[Method, Scene], duration: float | None) -> Solution:
@@ -187,6 +182,8 @@ def _figures(solution: Solution) -> dict[str, float]:
         "energy_lost": solution.energy["dissipated"],
     }
     target, motion = solution.scene.target, solution.known_motion
+    if isinstance(motion, Balances) or solution.method["name"] in ("rigid", "waves"):
+        given |= _of_balances(solution)
     instants = np.linspace(0.0, solution.duration, INSTANTS + 1)
     given["peak_deflection"] = float(motion.end_position(instants).max())
     if target.bends or isinstance(target, Rod):
@@ -199,14 +196,38 @@ def _figures(solution: Solution) -> dict[str, float]:
     return {name: math.nan if (value := given.get(name)) is None else value for name in UNITS}
 
 
+def _of_balances(solution: Solution) -> dict[str, float | None]:
+    """What thesis 6.4 tells of repeated balances; one impulse of rigid bodies is one of them."""
+    scene, motion, found = solution.scene, solution.known_motion, {}
+    found["energy_lost_share"] = 100.0 * solution.energy["dissipated"] / scene.initial_energy
+    if scene.target.rods and scene.impactor.free_mass:
+        end = min(solution.contacts[0].end, solution.duration)
+        found["first_velocity"] = float(motion.impactor_velocity(np.array([end]))[0])
+    if solution.method["name"] == "waves":
+        return found
+    found["balances"] = motion.impulses[1].size if isinstance(motion, Balances) else len(solution.contacts)
+    if scene.impactor.free_mass:
+        found["mean_jump"] = abs(solution.impulse) / scene.impactor.mass / found["balances"]
+    if solution.reactions and isinstance(scene.target, Mechanism):
+        held = [GROUND in joint.links for joint in scene.target.joints]
+        joints = [scene.target.struck.link in joint.links for joint in scene.target.joints]
+        both = [a and b for a, b in zip(held, joints, strict=True)]
+        reaction = solution.reactions[(both if any(both) else joints).index(True)]
+        found["joint_impulse"] = math.hypot(*reaction["impulse"])
+        found["joint_moment_impulse"] = abs(reaction["moment_impulse"])
+    return found
+
+
 def _rate(
     name: str, counts: np.ndarray, values: np.ndarray, scale: float, kind: str
 ) -> tuple[np.ndarray, float | None, Note]:
     """Relative differences to the finest, the order, and the note."""
     differences = np.abs(values - values[-1]) / scale
-    own = {"resolution": kind}
+    if kind == "restitution":
+        return differences, None, _varies(values, scale)
+    own = {"resolution": f"{kind}s" if kind == "step" else kind}
     if name == "contacts":
-        return differences, None, _settles(counts, values, kind)
+        return differences, None, _settles(counts, values, own["resolution"])
     if differences.max() <= CLOSE:
         return differences, None, Note("same-for-all", Severity.REMARK, **own, error=differences.max())
     power, irregular, last = _power(counts, np.abs(values))
@@ -229,6 +250,15 @@ def _without_limit(note: Note) -> Note:
     if note.code != NO_ORDER:
         return note
     return Note(NO_ORDER, note.severity, **note.values | {"limitless": True})
+
+
+def _varies(values: np.ndarray, scale: float) -> Note:
+    """With something that is no resolution, from its largest value to its least."""
+    spread, changes = float(np.ptp(values)) / scale, np.diff(values)
+    if spread <= CLOSE:
+        return Note("same-for-each", Severity.REMARK, error=spread)
+    way = "rises" if (changes < 0.0).all() else "falls" if (changes > 0.0).all() else "neither"
+    return Note("varies", Severity.REMARK, error=100.0 * spread, way=way)
 
 
 def _settles(counts: np.ndarray, values: np.ndarray, kind: str) -> Note:

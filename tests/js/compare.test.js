@@ -86,6 +86,13 @@ test('only what acts is asked, and nothing that changes nothing', () => {
     ['modes', 'law', 'hammer', 'constant', 'speed', 'support', 'quarter'],
   );
   assert.ok(!questionsOf(rod({ speed: 100 })).some(({ key }) => key === 'speed'));
+  const framed = { ...rod({ floating_frame: 'attached' }), own: {} };
+  framed.acting.push('floating_frame');
+  const clamped = questionsOf(framed).find(({ key }) => key === 'clamped');
+  assert.deepEqual(
+    [clamped?.first, ...(clamped?.between ?? []), clamped?.second],
+    [{ modes: 5 }, { modes: 10 }, { modes: 30 }],
+  );
 });
 
 test('a force that grows is explained by the law that does so, and by no other', () => {

@@ -257,6 +257,9 @@ export class Cycle {
 // what curves are called in the legend, and at the cursor
 const MASS = { name: text('axial.chart.impactor'), cursor: text('axial.chart.mass') };
 const FACE = { name: text('axial.chart.face'), cursor: text('axial.chart.end') };
+const WHOLE = { name: text('axial.chart.whole'), cursor: text('axial.chart.whole') };
+// Where the struck end is what the rod is described by, a mass that flies off takes no more room than this
+const ASIDE = /** @type {const} */ ({ reach: 1, below: 0.5 });
 
 export class Displacements {
   /**
@@ -277,20 +280,22 @@ export class Displacements {
   }
   /** @param {AxialFrame} frame */
   load(frame) {
-    const { duration, prediction, other, target } = frame;
+    const { attached, duration, prediction, other, target } = frame;
     const factor = frame.speed * frame.trip;
     const x = even(frame.exactMass.length, duration);
     /** @type {Series[]} */
     const series = [
-      { x, y: frame.exactMass, factor, ...MASS, style: 'exact' },
+      { x, y: frame.exactMass, factor, ...MASS, ...(attached ? ASIDE : {}), style: 'exact' },
       { x, y: frame.exactEnd, factor, ...FACE, style: 'struck' },
     ];
+    if (frame.exactWhole) series.push({ x, y: frame.exactWhole, factor, ...WHOLE, reach: 0, style: 'whole' });
     if (other) {
       const name = naming(other.name);
       series.push({ x, y: given(frame.otherMass, 'otherMass'), factor, reach: 0, name, style: 'thinOther' });
-      series.push({ x, y: given(frame.otherEnd, 'otherEnd'), factor, reach: 0, name, style: 'dashedOther' });
+      const end = attached ? text('axial.chart.reference', { name }) : name;
+      series.push({ x, y: given(frame.otherEnd, 'otherEnd'), factor, reach: 0, name: end, style: 'dashedOther' });
     }
-    if (prediction) {
+    if (prediction && !attached) {
       const straight = (/** @type {number} */ rate) => ({ x: [0, duration], y: [0, rate * duration], factor });
       series.push({
         ...straight(prediction.impactor),

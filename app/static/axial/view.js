@@ -79,8 +79,9 @@ export class AxialView {
     this.frame = frame;
     this.exactField = exactFieldOf(frame);
     this.#otherField = null;
-    this.axis.load(0, this.page.compare.span(frame));
-    this.whole.hidden = true;
+    const { chosen, opens } = frame;
+    this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
+    this.whole.hidden = !this.axis.zoomed;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
     const methods = [frame.exact.name, frame.other?.name ?? 'rigid'];
     this.force.chart.root.hidden = methods.every((name) => name === 'rigid'); // an impulse without duration

@@ -6,6 +6,7 @@ import { family, text } from '../text/catalogue.js';
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
 /** @import { BeamFrame, Numbers } from '../shell/message.js' */
+/** @import { Run } from '../compare/run.js' */
 
 /** @typedef {'force' | 'moment'} Kind */
 
@@ -40,6 +41,7 @@ const some = (values) => values.some((value) => value !== 0);
 export class Reactions {
   /** @type {Kind} */ kind = 'force';
   /** @type {BeamFrame} */ frame;
+  /** @type {Run[]} */ kept = [];
 
   /**
    * @param {Axis} axis
@@ -88,6 +90,25 @@ export class Reactions {
     add(reactionTime, reactions, false);
     if (referenceReactions && referenceReactionTime) add(referenceReactionTime, referenceReactions, true);
     this.chart.show({ series, unit: kind === 'moment' ? 'N m' : 'N', shades: contacts });
+    this.chart.lay(this.kept.flatMap((run) => this.#laid(run)));
+  }
+  /** @param {Run[]} runs  of which the same is shown */
+  keep(runs) {
+    this.kept = runs;
+    if (this.frame?.mechanism && !this.chart.root.hidden) this.#show();
+  }
+  /**
+   * The same of a kept run, of as many joints.
+   * @param {Run} run
+   * @returns {Series[]}
+   */
+  #laid({ frame, letter }) {
+    const joints = this.frame.mechanism?.joints.length ?? 0;
+    if (frame.kind !== 'beam' || frame.mechanism?.joints.length !== joints) return [];
+    const { reactionTime: x, reactions } = frame;
+    if (!x || !reactions) return [];
+    const borne = valuesOf(reactions, joints, this.kind).filter(some).slice(0, JOINTS);
+    return borne.map((y, n) => ({ x, y, name: letter, style: n ? `kept${letter}Thin` : `kept${letter}` }));
   }
   draw() {
     this.chart.draw();

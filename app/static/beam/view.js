@@ -101,9 +101,9 @@ export class BeamView {
   load(frame) {
     this.frame = frame;
     this.field = fieldOf(frame);
-    this.axis.load(0, this.page.compare.span(frame));
-    this.whole.hidden = true;
-    this.slow.hidden = this.frame.contacts.length < 2;
+    const { chosen, opens } = frame;
+    this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
+    this.#offer();
     this.force.load(frame);
     this.motion.load(frame);
     this.cycle.load(frame);
@@ -112,10 +112,10 @@ export class BeamView {
     const { chart: force } = this.force;
     force.root.hidden = withoutForce(frame);
     const first = [force, this.reactions.chart, this.motion.chart].find(({ root }) => !root.hidden);
-    this.strip = first ?? force; // is seen on a phone, whatever else is
     const { mechanism } = frame;
     this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
     this.stack.lead(frame.chosen.scene, frame.opens.charts);
+    this.strip = this.stack.leader ?? first ?? force; // is seen on a phone, whatever else is
     this.dispersion.load(frame);
     const { lengthwise } = this.field;
     this.spaceTime.chart.title.textContent = text(
@@ -171,9 +171,15 @@ export class BeamView {
       if (!(part instanceof Dispersion)) part.cursor(t);
     } else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t));
   }
+  /** A phone has no room for both buttons beside the caption. */
+  #offer() {
+    const { zoomed } = this.axis;
+    this.whole.hidden = !zoomed;
+    this.slow.hidden = this.frame.contacts.length < 2 || (zoomed && this.page.layout.mode === 'phone');
+  }
   // Another stretch of time fills the views.
   zoomed() {
-    this.whole.hidden = !this.axis.zoomed;
+    this.#offer();
     this.draw();
   }
   /**

@@ -8,16 +8,49 @@ const ROOM = 0.35; // about a stretch that is looked at, as a share of it
 export class Axis {
   /** @type {Range} */ whole = [0, 1];
   /** @type {Range} */ view = [0, 1];
+  /** @type {Range} */ opened = [0, 1]; // what was in view at first
+  untouched = true; // by hand, since the scene was opened
+  /** @type {unknown} */ scene = null;
   /** @type {(() => void)[]} */ #watchers = [];
 
   /**
-   * Begin with another whole, all of it in view; nobody is told.
+   * Begin with another whole, all of it or a part from its start on in view; nobody is told.
+   * @param {number} low
+   * @param {number} high
+   * @param {number} [until]
+   */
+  load(low, high, until = high) {
+    this.whole = [low, high];
+    this.opened = [low, Math.min(until, high)];
+    this.view = [...this.opened];
+  }
+
+  /**
+   * Another answer, from 0 on; its first part in view if the scene is opened with that, until a hand moves it.
+   * @param {unknown} scene
+   * @param {number} high
+   * @param {number | null} until
+   */
+  open(scene, high, until) {
+    this.untouched = scene !== this.scene || (this.untouched && !this.moved);
+    this.scene = scene;
+    this.load(0, high, (this.untouched && until) || high);
+  }
+
+  /**
+   * Make the whole longer or shorter; a part that is in view stays.
    * @param {number} low
    * @param {number} high
    */
-  load(low, high) {
-    this.whole = [low, high];
-    this.view = [low, high];
+  reach(low, high) {
+    const { moved, opened, view, whole } = this;
+    this.load(low, high, opened[1] < whole[1] ? opened[1] : high);
+    if (moved) this.show(view);
+  }
+
+  /** Whether a hand has brought something else into view. */
+  get moved() {
+    return this.view.some((end, k) => end !== this.opened[k]);
   }
 
   /** Whether less than the whole is in view. */

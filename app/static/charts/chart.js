@@ -26,6 +26,7 @@ import { Tools } from './tools.js';
  * @property {keyof typeof STYLES} style
  * @property {boolean} [path]  x is in any order
  * @property {import('./scale.js').Reach} [reach]  how far it may widen the range; by default it leads
+ * @property {number} [below]  how far below nought, of what is above it, where it does not lead
  * @property {string} [cursor]  what its value at the clock is called in the head; none by default
  * @property {string} [unit]  the only one of the chart in which it can be drawn
  */

@@ -174,7 +174,8 @@ export function extremes({ x, y, path }, view) {
 
 /**
  * The range of y for what lies in view.
- * @param {(Samples & { path?: boolean, factor?: number, reach?: Reach })[]} series  values are y times factor
+ * @param {(Samples & { path?: boolean, factor?: number, reach?: Reach, below?: number })[]} series  values are y times
+ *   factor; `below`: how far one that does not lead may go below nought, of what is above
  * @param {Range} view
  * @param {object} how
  * @param {boolean} how.zoomed
@@ -193,7 +194,8 @@ export function rangeOf(series, view, { zoomed, zero = false, pad }) {
     if (!seen) continue;
     const [least, most] = seen.map((value) => value * (series[k].factor ?? 1));
     const bounded = reaches[k] < Infinity && high > 0;
-    low = Math.min(low, bounded ? Math.max(least, reaches[k] * Math.min(low, 0)) : least);
+    const floor = reaches[k] * Math.min(low, 0) - (series[k].below ?? 0) * high;
+    low = Math.min(low, bounded ? Math.max(least, floor) : least);
     high = Math.max(high, bounded ? Math.min(most, reaches[k] * high) : most);
   }
   if (!(high > low)) {

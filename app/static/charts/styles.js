@@ -101,6 +101,7 @@ const KNOWN = {
   halfSpace: { color: COLORS.halfSpace, width: 1.3 },
   prediction: { color: COLORS.prediction, width: 1.6, dash: [6, 4] },
   dots: { color: COLORS.prediction, width: 1.6, dash: [2, 3] },
+  whole: { color: COLORS.record, width: 1.4, dash: [7, 3] },
   limit: { color: COLORS.ink, width: 1.2, dash: [5, 4] },
   mode: { color: COLORS.waves, mark: 'dot' },
   fastMode: { color: COLORS.cursor, mark: 'dot' },

@@ -117,25 +117,31 @@ export class Compare {
     this.page.goTo(frame.chosen);
   }
   /**
-   * A ready-made comparison: both settings are solved, the first is kept.
+   * A ready-made comparison: all settings are solved, all but the last are kept.
    * @param {Question} question
    */
   ask(question) {
-    const { alone, first, key, second } = question;
+    const { alone, between = [], first, key, second } = question;
     const { page } = this;
     const chosen = alone ? {} : page.frame.chosen;
-    page.goTo({ ...chosen, ...first }, (frame) => {
-      const run = frame && this.keep();
-      if (!run) return;
-      run.asked = key;
-      this.coming = question;
-      this.tell(frame);
-      page.layout.show('story');
-      page.goTo({ ...chosen, ...second }, (answer) => {
-        this.coming = null;
-        if (!answer) this.tell(page.frame); // what is shown with an answer is told anyhow
+    const settings = [first, ...between, second];
+    const next = (/** @type {number} */ place) => {
+      page.goTo({ ...chosen, ...settings[place] }, (frame) => {
+        if (place === settings.length - 1) {
+          this.coming = null;
+          if (!frame) this.tell(page.frame); // what is shown with an answer is told anyhow
+          return;
+        }
+        const run = frame && this.keep();
+        if (!run) return;
+        run.asked = key;
+        this.coming = question;
+        this.tell(frame);
+        page.layout.show('story');
+        next(place + 1);
       });
-    });
+    };
+    next(0);
   }
   /**
    * Have what a link says is kept solved again, out of sight, and come back to what is shown.
@@ -180,9 +186,7 @@ export class Compare {
     for (const oldest of [...this.known.keys()].slice(0, -REMEMBERED)) this.known.delete(oldest);
     layOver(page.view, page.frame, this.runs);
     const { axis } = page.view;
-    const zoomed = axis?.zoomed && axis.view;
-    axis?.load(0, this.span(page.frame));
-    if (zoomed) axis?.show(zoomed);
+    axis?.reach(0, this.span(page.frame));
     page.view.dress();
     this.tell(page.frame);
     page.redraw();

@@ -113,6 +113,7 @@ export function layOver(view, now, all) {
         ]
       : [],
   );
+  view.reactions?.keep(runs);
   if (view.gauge) view.gauge.kept = runs.flatMap((run) => toldOf(now, run));
   view.dispersion?.chart.lay(now.kind === 'beam' ? runs.flatMap((run) => dispersionOf(run)) : []);
 }

@@ -3,14 +3,21 @@
 /** @import { Chosen, Frame } from '../shell/message.js' */
 
 /**
- * Two settings: other than what is chosen now, or, `alone`, than the scene has them.
- * @typedef {{ key: string, first: Partial<Chosen>, second: Partial<Chosen>, alone?: boolean }} Question
+ * Settings: other than what is chosen now, or, `alone`, than the scene has them. All but the second are kept.
+ * @typedef {object} Question
+ * @property {string} key
+ * @property {Partial<Chosen>} first
+ * @property {Partial<Chosen>[]} [between]
+ * @property {Partial<Chosen>} second
+ * @property {boolean} [alone]
  */
 
 const HEAVIER = 4;
 const FASTER = 2;
 const RODS = ['fixed-rod', 'free-rod'];
 const PENDULUMS = ['figure-9.2', 'figure-9.11']; // rigid, and one that bends
+const TURNING_BARS = ['figure-6.9', 'figure-6.10']; // of 8 and of 12 modes across
+const CLAMPED = [5, 10, 30]; // modes of a rod in a frame that is fixed to its struck end
 const IN_SPACE = 'note-rod'; // a rod that turns as it is struck on its end
 
 /**
@@ -44,6 +51,12 @@ export function questionsOf(frame) {
     found.unshift({ key: 'shapes', first: { shapes: 'pinned-free' }, second: { shapes: 'clamped-free' } });
   if (acting.includes('floating_frame') && own.floating_frame === 'attached')
     found.unshift({ key: 'frame', first: { floating_frame: 'mean-axis' }, second: { floating_frame: 'attached' } });
+  if (acting.includes('floating_frame') && chosen.floating_frame === 'attached') {
+    const [first, middle, second] = CLAMPED.map((modes) => ({ modes }));
+    found.unshift({ key: 'clamped', first, between: [middle], second });
+  }
+  if (TURNING_BARS.includes(String(chosen.scene)))
+    found.unshift({ key: 'across', first: { modes: 8 }, second: { modes: 12 } });
   if (PENDULUMS.includes(String(chosen.scene))) {
     const [first, second] = PENDULUMS.map((scene) => ({ scene }));
     found.unshift({ key: 'bends', first, second, alone: true });

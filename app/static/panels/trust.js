@@ -1,6 +1,5 @@
 // How far to trust an impact on a beam: the same impact many times with tiny changes; its band goes behind the curves.
 import { Figure } from '../charts/figure.js';
-import { SERIES } from '../charts/styles.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { duration, figures, prefixed, scaled } from '../text/format.js';
@@ -29,17 +28,6 @@ import { duration, figures, prefixed, scaled } from '../text/format.js';
 /** @typedef {Record<typeof EDGES[number], number[]>} Edges  of what 90 % of the runs do, and of what all do */
 /** @typedef {{ velocity: Edges }} Moving */
 /** @typedef {Words & Band & Moving & { summary: Note, runs: number, notes: Note[], spread: Spread[] }} Ensemble */
-/**
- * @typedef {object} Columns
- * @property {string} kind  of what there are more and more
- * @property {number[]} counts
- * @property {Record<string, (number | null)[]>} values
- * @property {Record<string, (number | null)[]>} differences  to the finest, as shares
- * @property {Record<string, string>} units
- * @property {Record<string, Note>} summary_codes
- * @property {Record<string, number | null>} order
- */
-/** @typedef {Words & Columns} Orders */
 
 const COLUMNS = ['this-impact', 'lowest', 'highest', 'half-range', 'sensitivity'];
 
@@ -51,21 +39,19 @@ const BANDS = [
   ['velocity', 'm/s'],
 ];
 const ROWS = 21; // of the table of a band
-const DIAMETER = 8; // pixels of a marker
-const LEAST = 1e-8; // share of a value that can be told from none
 
 /**
  * A figure in the units of the page.
  * @param {number | null} value
  * @param {string} unit
  */
-function shown(value, unit) {
+export function shown(value, unit) {
   if (value === null) return '–';
   if (unit === 's') return duration(value * 1e3);
   if (unit === 'm') return `${figures(value * 1e6, 4)} µm`;
-  if (unit === 'N') {
+  if (unit === 'N' || unit === 'Pa') {
     const [factor, prefix] = prefixed(Math.abs(value));
-    return `${figures(value * factor, 4)} ${prefix}N`;
+    return `${figures(value * factor, 4)} ${prefix}${unit}`;
   }
   return `${figures(value, 4)}${unit ? ` ${unit}` : ''}`;
 }
@@ -108,9 +94,16 @@ export class Study {
     this.page.drawCharts();
     this.page.show(this.page.player.t);
   }
+  /**
+   * Whether there is nothing to be said of this scene.
+   * @param {Frame} frame
+   */
+  away({ kind }) {
+    return kind !== 'beam';
+  }
   /** @param {Frame} frame */
   take(frame) {
-    const away = frame.kind !== 'beam';
+    const away = this.away(frame);
     this.button.ariaPressed = String(this.open && !away);
     this.button.hidden = away;
     this.button.title = this.texts.title;
@@ -138,9 +131,16 @@ export class Study {
     if (this.root.hidden) return;
     this.root.ariaBusy = String(!found);
     this.said.textContent = !found ? this.texts.idle : (found.error ?? this.words(found));
-    if (this.figure) this.figure.root.hidden = Boolean(found?.error);
+    if (this.figure && found) this.figure.root.hidden = Boolean(found.error) || this.blank(found);
     if (found?.error) this.table.replaceChildren();
     else if (found) this.rows(found);
+  }
+  /**
+   * Whether a figure would show nothing of it.
+   * @param {Found} _found
+   */
+  blank(_found) {
+    return false;
   }
   /**
    * What else is to be drawn of it.
@@ -239,85 +239,4 @@ class Trust extends Study {
   }
 }
 
-const SETTLING = new Set(['same-for-all', 'converges', 'contacts-settle']); // notes of figures that have a limit
-const STUDIED = [
-  'final_velocity',
-  'impulse',
-  'peak_force',
-  'support_shear',
-  'peak_shear',
-  'peak_deflection',
-  'contacts',
-  'first_parting',
-  'last_parting',
-  'energy_lost',
-];
-
-/** @extends {Study<Orders>} */
-class Convergence extends Study {
-  /** @param {Page} page */
-  constructor(page) {
-    super(page, 'convergence');
-    const part = { name: 'convergence', title: text('convergence.figure'), about: text('convergence.about') };
-    this.figure = new Figure('convergence', [part]);
-    this.root.append(this.figure.root);
-  }
-  /** @param {Orders | null} found  quantities that differ by nothing have no place on the logarithmic axis */
-  drawn(found) {
-    if (!found?.differences || !this.figure || !this.changed) return;
-    const { counts, differences, kind, units, values } = found;
-    const points = STUDIED.filter((name) => name in differences).flatMap((name, k) => {
-      const { color, marker, size: scale } = SERIES[k % SERIES.length];
-      return differences[name].flatMap((difference, i) => {
-        const there = difference !== null && difference > LEAST && i < counts.length - 1;
-        const value = shown(values[name][i], units[name]);
-        const quantity = named('figure', name);
-        return there ? [{ count: counts[i], size: 100 * difference, color, marker, scale, quantity, value }] : [];
-      });
-    });
-    const quantities = [...new Set(points.map(({ quantity }) => quantity))];
-    const lines = quantities.map((one) => points.filter(({ quantity }) => quantity === one));
-    this.figure.fill('lines', {
-      counts: lines.map((line) => line.map(({ count }) => count)),
-      sizes: lines.map((line) => line.map(({ size }) => size)),
-      colour: lines.map(([first]) => first.color),
-    });
-    this.figure.fill('differences', {
-      count: points.map(({ count }) => count),
-      size: points.map(({ size }) => size),
-      colour: points.map(({ color }) => color),
-      marker: points.map(({ marker }) => marker),
-      diameter: points.map(({ scale }) => DIAMETER * scale),
-      quantity: points.map(({ quantity }) => quantity),
-      value: points.map(({ value }) => value),
-    });
-    const sizes = points.map(({ size }) => size);
-    this.figure.set('convergence-across', { axis_label: text('convergence.axis', { kind }) });
-    this.figure.set('convergence-counts', { ticks: counts, minor_ticks: [] });
-    this.figure.range('convergence-x', [0.8 * counts[0], 1.25 * counts[counts.length - 2]]);
-    this.figure.range('convergence-y', [0.5 * Math.min(...sizes, 10), 2 * Math.max(...sizes, 10)]);
-  }
-  /** @param {Orders} found */
-  words({ kind }) {
-    return text('convergence.help', { kind });
-  }
-  /** @param {Orders} found */
-  rows(found) {
-    const { counts, kind, summary_codes: summary, units, values } = found;
-    const rows = STUDIED.filter((name) => name in values).map((name) => {
-      const settles = SETTLING.has(summary[name].code);
-      const cells = [
-        named('figure', name),
-        said(summary[name]),
-        ...values[name].map((value) => shown(value, units[name])),
-      ];
-      const line = rowOf(cells, { className: settles ? 'firm' : 'loose' });
-      line.children[1].className = 'summary';
-      return line;
-    });
-    const head = headOf(['', '', ...counts.map((count) => text(`option.${kind}`, { value: count }))]);
-    this.table.replaceChildren(head, make('tbody', {}, ...rows));
-  }
-}
-
-export const PANELS = { trust: Trust, convergence: Convergence }; // by their names in the address
+export const PANELS = { trust: Trust }; // by their names in the address

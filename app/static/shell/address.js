@@ -53,7 +53,7 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
   if (moment || (player.played && !player.playing)) add('t', Number(player.t.toPrecision(4)));
   if (moment && player.playing) add('playing', true);
   const { axis, gauge, usual, what } = view;
-  if (axis?.zoomed) add('view', axis.view.map((t) => Number(t.toPrecision(5))).join(','));
+  if (axis?.moved) add('view', axis.view.map((t) => Number(t.toPrecision(5))).join(','));
   if (what && what !== usual) add('colour', what);
   if (gauge && !gauge.chart.root.hidden && gauge.place !== gauge.usual)
     add('gauge', Number(gauge.place.toPrecision(5)));

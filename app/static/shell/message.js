@@ -29,6 +29,7 @@
  * @typedef {object} Opens
  * @property {string[]} charts  by name
  * @property {number | null} place  at which the stress is told [m]
+ * @property {number | null} until  from the first touch on, what is looked at [s]
  */
 /**
  * A body, or a rod of a chain, a link or a joint.
@@ -187,6 +188,7 @@
  * @property {number} leastRestitution
  * @property {Numbers} exactMass
  * @property {Numbers} exactEnd
+ * @property {Numbers} [exactWhole]  displacement of the mass centre of a rod that nothing holds
  * @property {Numbers} [exactRow]  of every ball of a row, (instant, ball), flat
  * @property {Numbers} exactTime
  * @property {Numbers} exactForce

@@ -99,6 +99,11 @@ export class Stack {
     const [, chart] = this.charts.find(([name]) => name === key) ?? [];
     return Boolean(chart && !chart.root.hidden && !chart.root.classList.contains('folded'));
   }
+  /** @returns {Chart | undefined} the first that the scene was opened with, unless it is for those who look for it */
+  get leader() {
+    const [first] = this.leading.filter((key) => !this.late.includes(key));
+    return this.charts.find(([key]) => key === first)?.[1];
+  }
   arrange() {
     if (!this.root.clientHeight) return;
     this.open.forEach((open, k) => {

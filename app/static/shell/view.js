@@ -4,6 +4,7 @@
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Cycle } from '../axial/charts.js' */
 /** @import { Gauge } from '../axial/gauge.js' */
+/** @import { Reactions } from '../beam/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Stack } from './stack.js' */
@@ -23,6 +24,7 @@
  * @property {Chart} [strip]  the one of them that a phone always shows
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
+ * @property {Reactions} [reactions]
  * @property {(place: number) => void} [gaugeAt]  have the stress told of another place [m]
  * @property {Dispersion} [dispersion]
  * @property {() => void} dress  pictures in their colours and to their scale

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 import solvers
 from app.choices.choices import Choices
-from app.choices.scene_of import choices_of, chosen_scene
+from app.choices.opened import opened_charts
+from app.choices.scene_of import choices_of, chosen_scene, own_choices
 from app.messages.axial import rigid_prediction
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
@@ -105,6 +106,22 @@ def test_the_rigid_prediction_is_the_classical_answer():
     after = rigid_prediction(free, 0.6)
     assert after["target"] - after["impactor"] == pytest.approx(0.6)
     assert after["impactor"] + free.mass_ratio * after["target"] == pytest.approx(1.0)  # momentum, (9.1)
+
+
+def test_figure_10_3_tells_how_far_the_rod_has_come_as_a_whole():
+    """By momentum: the mass centre goes on evenly, (10.7), where the struck end, the reference coordinate, rests."""
+    message = solve_frame(own_choices("figure-10.3"))
+    header, found = read_header(message), arrays(message)
+    time = np.linspace(0.0, header["duration"], found["exactMass"].size)
+    expected = (time - found["exactMass"]) / own_choices("figure-10.3")["mass_ratio"]
+    assert found["exactWhole"] == pytest.approx(expected, abs=1e-4 * expected[-1])
+    last = time > 0.5
+    speeds = np.diff(found["exactWhole"][last]) / np.diff(time[last]) * header["speed"]
+    assert speeds == pytest.approx(0.1525, abs=1e-4)
+    rests = (time > 0.4) & (time < 0.9)
+    assert np.ptp(found["otherEnd"][rests]) < 0.02 * expected[-1] < np.ptp(found["exactWhole"][rests])
+    assert opened_charts("figure-10.3")["charts"] == ["moved"]
+    assert "exactWhole" not in arrays(solve_frame(own_choices("fixed-rod")))
 
 
 def test_a_row_of_balls_is_drawn_as_it_moves():

@@ -16,7 +16,8 @@ from app.messages.beam import MS, PLACES, chosen_method, struck_velocity
 from app.messages.encoding import instants, read_header
 from app.messages.solve import solve_frame
 from app.page.picker import scene_groups
-from app.views.trust import convergence_data, trust_data
+from app.views.convergence import convergence_data
+from app.views.trust import trust_data
 from solvers import METHODS, SceneError
 from tests.catalog import SCENES
 
@@ -166,7 +167,7 @@ def test_the_studies_are_plain_data():
         bounds = [np.array(band[name]) for name in ("lowest", "low", "high", "highest")]
         assert all((a <= b + 1e-4 * np.abs(b).max()).all() for a, b in itertools.pairwise(bounds))
         assert bounds[0].size == len(trust["time"])
-    study = json.loads(convergence_data(chosen))
+    study = json.loads(convergence_data(chosen | {"convergence_by": "own"}))
     assert study["counts"] == [3, 5, 10, 20, 40]
     assert len(study["values"]["support_shear"]) == 5
     assert "error" in json.loads(trust_data(choices("figure-8.25", place=0.0)))

@@ -142,7 +142,7 @@ def test_how_far_to_trust_it(open_page):
     expect(table).to_contain_text("final velocity")
     expect(table.locator("tr.firm").first).to_contain_text("firm")
     assert page.evaluate("() => strikewave.page.beam.band.force.high.length") > 100
-    page.analysis("Convergence in modes")
+    page.analysis("Convergence")
     page.wait(STUDIED, "convergence", timeout=LONG)
     expect(page.tab.locator(".study-convergence table")).to_contain_text("shear force at the support")
     shown = """name => {

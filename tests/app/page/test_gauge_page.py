@@ -25,6 +25,17 @@ def test_seven_figures_tell_it():
     assert sorted(OPENED) == sorted(f"figure-{number}" for number in figures)
 
 
+def test_figure_10_6_compares_numbers_of_clamped_modes(open_page):
+    """Ready made: two are kept, the third is shown, all in the chart of the place."""
+    page = open_page("?scene=figure-10.6")
+    page.tab.get_by_role("button", name="Compare", exact=True).click()
+    page.tab.get_by_role("button", name="5, 10 or 30 clamped modes?").click()
+    page.wait("() => strikewave.page.compare.runs.length === 2 && strikewave.page.frame.modes === 30")
+    kept = page.evaluate("() => strikewave.page.compare.runs.map(({ frame }) => frame.modes)")
+    assert kept == [5, 10] and page.evaluate(STACK)
+    page.wait("() => strikewave.page.view.gauge.kept.length === 2")
+
+
 @pytest.mark.parametrize("name", ["figure-9.13", "figure-9.14", "figure-10.5", "figure-10.6"])
 def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(open_page, name):
     """Against the fields of the solutions themselves, of which the browser has other numbers."""

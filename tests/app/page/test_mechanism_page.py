@@ -167,3 +167,21 @@ def test_what_strikes_from_above_keeps_off_the_colours(open_page):
       return mechanism.middleOf(mechanism.told.contact, mechanism.told.normal)[1] - mechanism.wide / 2;
     }"""
     assert page.evaluate(top) >= 40
+
+
+def test_the_delay_of_reactions_is_what_figure_6_9_is_opened_on(open_page):
+    """On the first millisecond, as modes change too, until a hand asks for the whole; then of two numbers of modes."""
+    page = open_page("?scene=figure-6.9")
+    view = "() => strikewave.page.view.axis.view"
+    assert page.evaluate("() => strikewave.page.view.stack.shows('reactions')")
+    assert page.evaluate(view) == [0, 1] and "view=" not in page.evaluate("() => location.search")
+    page.tab.get_by_role("button", name="Compare", exact=True).click()
+    page.tab.get_by_role("button", name="8 or 12 modes across?").click()
+    page.wait("() => strikewave.page.compare.runs.length === 1 && strikewave.page.frame.main.modes !== null")
+    page.wait("() => strikewave.page.frame.chosen.modes === 12 && !strikewave.page.asked")
+    assert page.evaluate(view) == [0, 1]
+    laid = page.evaluate("() => strikewave.page.view.reactions.chart.laid.map(({ name }) => name)")
+    assert laid == ["A"]
+    page.tab.get_by_role("button", name="Show the whole impact").click()
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('modes', 8)"))
+    assert page.evaluate(view)[1] > 10

@@ -152,3 +152,39 @@ def test_shapes_of_fifteen_elements_are_those_of_table_6_6():
     for modes, share in ((5, 0.12629296659), (10, 0.07991293925), (15, 0.0539979924)):
         found = solvers.solve(scene.replace({"target.links": [bar | {"modes": modes, "nodes": places}]}))
         assert abs(found.reactions[0]["impulse"][1]) / found.impulse == approx(share, rel=1e-8)
+
+
+def shares(motion, *windows):
+    """Of the largest force that the first joint bears in the first millisecond: the largest in each window [us]."""
+    time = np.linspace(0.0, 1e-3, 4001)
+    force = np.abs(motion.reaction_forces(time)[:, 0, 1])
+    within = ((time >= 1e-6 * start) & (time < 1e-6 * end) for start, end in windows)
+    return force.max(), [force[each].max() / force.max() for each in within]
+
+
+@pytest.mark.parametrize("name", ["figure-6.9", "figure-6.10"])
+def test_what_the_joint_bears_is_the_shear_force_at_the_end(name):
+    """As the thesis evaluates it; here by the modes of a clamped beam, there by all elastic forces."""
+    motion = solvers.solve(SCENES[name]).motion
+    time, modes = np.linspace(0.0, 2e-3, 301), motion.frozen.modes
+    shear = motion.target_state(time).coordinates @ modes.shears(np.array([0.0]))[modes.is_excited, 0]
+    reaction = motion.reaction_forces(time)[:, 0, 1]
+    assert np.abs(reaction) == approx(np.abs(shear), abs=1e-6 * np.abs(shear).max())
+
+
+def test_the_joint_feels_it_late_and_more_of_it_with_more_modes():
+    """Figures 6.9 and 6.10; fewer modes blur the delay, a contact law does not, and with it they converge."""
+    few, more = (solvers.solve(SCENES[name]) for name in ("figure-6.9", "figure-6.10"))
+    windows = (0, 60), (0, 150)
+    peak, (early, later) = shares(few.motion, *windows)
+    assert early < 0.25 and later > 0.69
+    assert shares(more.motion)[0] > 1.4 * peak
+    touching = np.linspace(0.0, 0.013, 4001)
+    levels = [np.sqrt(np.mean(found.motion.reaction_forces(touching)[:, 0, 1] ** 2)) for found in (few, more)]
+    assert levels == approx([1.2e3, 1.7e3], rel=0.05)
+    law = {"contact": {"law": "hertz", "stiffness": 1e10}, "method": {"name": "modal"}}
+    found = [
+        shares(solvers.solve(SCENES[name].replace(law)).motion, *windows) for name in ("figure-6.9", "figure-6.10")
+    ]
+    assert found[0][1][0] < 0.065 and found[1][1][0] < 0.01 and min(late for _, (_, late) in found) > 0.15
+    assert found[1][0] == approx(1.69e3, rel=0.02)

@@ -1,0 +1,136 @@
+"""What a study of convergence varies: modes, elements, the step of balances or their restitution, and the levels."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+from .. import validation
+from ..bodies import Mechanism
+from ..bodies.linkage.links import Link
+from ..methods import METHODS
+from ..methods.base import Method, SceneNotSupported
+from ..scene import Scene
+from ..solve import read_method
+from ..validation import SceneError, allowed
+
+COUNTS = (3, 5, 10, 20, 40, 80)
+RESTITUTIONS = (1.0, 0.7, 0.3, 0.0)
+STEPS = (1.0, 0.5, 0.2, 0.1)  # of the method's own
+FEWEST, MOST = 3, 12  # levels
+COUNTED = ("elements", "modes")
+VALUES = ("step", "restitution")  # what else can be varied, where the method has it
+GIVEN = {"step": "steps", "restitution": "restitutions"}  # by kind: what the study is given
+
+
+@dataclass(frozen=True)
+class Levels:
+    """The same impact at several levels, from coarse to fine, or from restitution 1 to 0."""
+
+    method: Method
+    kind: str  # of COUNTED or VALUES
+    values: list[float]  # by level
+    each: list[tuple[Method, Scene]]  # by level
+    duration: float | None  # [s], where the scene says it
+
+
+def kinds_of(scene: Scene, method: Method) -> list[str]:
+    """What can be varied, the number of modes or of elements first."""
+    options = {option.name for option in fields(method)}
+    if any(link.flexible for link in _links(scene)):  # of whose modes alone it depends how well they are known
+        found = ["modes"]
+    elif COUNTED[0] in options and (getattr(method, COUNTED[0]) or not getattr(method, COUNTED[1], None)):
+        found = [COUNTED[0]]
+    else:
+        found = [name for name in COUNTED[1:] if name in options]
+    return found + [name for name in VALUES if getattr(method, name, None) is not None]
+
+
+def levels_of(
+    scene: Scene,
+    given: str | Method,
+    counts: Sequence[int] | None,
+    values: Mapping[str, Sequence[float] | None],
+) -> Levels:
+    """The levels of `counts`, or of the values of one kind. Raises SceneError, SceneNotSupported."""
+    chosen, duration = _method(scene, given)
+    known = kinds_of(scene, chosen)
+    kinds = [name for name, each in values.items() if each is not None]
+    if len(kinds) > 1 or (kinds and counts is not None):
+        raise SceneError(GIVEN[kinds[-1]], values[kinds[-1]], allowed("one-varied"))
+    kind = kinds[0] if kinds else next((name for name in known if name in COUNTED), None)
+    if kind is None:
+        resolved = [name for name, method in METHODS.items() if set(COUNTED) & {f.name for f in fields(method)}]
+        raise SceneError("method.name", chosen.NAME, allowed("resolved-method", names=resolved))
+    if kind not in known:
+        raise SceneError(GIVEN[kind], values[kind], allowed("varied", method=chosen.NAME, names=known))
+    refused = chosen.refusal(scene)
+    if refused:
+        raise SceneNotSupported("method.name", chosen.NAME, refused)
+    if kind in VALUES:
+        falling = _falling(kind, values[kind] or ())
+        return Levels(chosen, kind, falling, [(_with(chosen, kind, value), scene) for value in falling], duration)
+    if getattr(chosen, kind, 1) is None:  # some, where it is left out, do without
+        chosen = replace(chosen, **{kind: 1})
+    numbers, each = _counted(scene, chosen, kind, _counts(COUNTS if counts is None else counts))
+    return Levels(chosen, kind, numbers, each, duration)
+
+
+def _counts(given: Sequence[int]) -> list[int]:
+    if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
+        raise SceneError("modes", given, allowed("list", low=FEWEST, high=MOST, of="whole"))
+    counts = [validation.whole_number("modes", count, 1, 10_000) for count in given]
+    if counts != sorted(set(counts)):
+        raise SceneError("modes", counts, allowed("rising"))
+    return counts
+
+
+def _falling(kind: str, given: Sequence[float]) -> list[float]:
+    name = GIVEN[kind]
+    if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
+        raise SceneError(name, given, allowed("list", low=FEWEST, high=MOST, of="numbers"))
+    values = [validation.number(name, value, -math.inf, math.inf) for value in given]
+    if values != sorted(set(values), reverse=True):
+        raise SceneError(name, values, allowed("falling"))
+    return values
+
+
+def _with(method: Method, kind: str, value: float) -> Method:
+    """The method with one option as its scene file could give it."""
+    written = {name: each for name, each in method.table().items() if name != "name" and each is not None}
+    return type(method).read(written | {kind: value}).without_estimate()
+
+
+def _method(scene: Scene, given: str | Method) -> tuple[Method, float | None]:
+    """The method without its estimate of the error, and the duration."""
+    named, duration = read_method(scene.method, scene)
+    if isinstance(given, Method):
+        chosen = given
+    elif given == named.NAME:
+        chosen = named
+    else:
+        chosen = METHODS[validation.choice("method.name", given, METHODS)].read({})
+    return chosen.without_estimate(), duration
+
+
+def _links(scene: Scene) -> list[Link]:
+    return [link for body in (scene.impactor, scene.target) if isinstance(body, Mechanism) for link in body.links]
+
+
+def _counted(
+    scene: Scene, method: Method, kind: str, counts: list[int]
+) -> tuple[list[float], list[tuple[Method, Scene]]]:
+    """Method and scene by each of the counts, as far as links of finite elements have so many modes."""
+    found: dict[int, tuple[Method, Scene]] = {}
+    has = any(option.name == kind for option in fields(method))
+    for count in counts:
+        options: dict[str, Any] = {kind: count} if has else {}
+        level, finer = replace(method, **options), scene
+        bodies = {"impactor": scene.impactor.with_own_modes(count), "target": scene.target.with_own_modes(count)}
+        if kind == "modes" and any(body is not getattr(scene, name) for name, body in bodies.items()):
+            finer = replace(scene, **bodies, given={})
+        if all(link.modes in (0, count) for link in _links(finer)):
+            found[count] = level, finer
+    if len(found) < FEWEST:
+        raise SceneError("modes", counts, allowed("fewer-modes", low=FEWEST))
+    return list(found), list(found.values())
