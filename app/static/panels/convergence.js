@@ -24,6 +24,7 @@ import { Study, shown } from './trust.js';
  * @property {Record<string, number>} [reference_values]
  */
 /** @typedef {Words & Columns} Orders */
+const SCALED = ['s', 'm', 'N', 'Pa']; // units that values have prefixes of
 const KINDS = ['modes', 'elements', 'step', 'restitution'];
 const MICRO = 1e6; // of the steps in the figure
 const DIAMETER = 8; // pixels of a marker
@@ -144,18 +145,17 @@ class Convergence extends Study {
       if (button instanceof HTMLElement) button.hidden = !kinds.includes(button.dataset.kind ?? '');
     const rows = quantitiesOf(found).map((name) => {
       const settles = SETTLING.has(summary[name].code);
-      const known = reference ? [shown(beside?.[name] ?? null, units[name])] : [];
-      const cells = [
-        named('figure', name),
-        said(summary[name]),
-        ...values[name].map((value) => shown(value, units[name])),
-        ...known,
-      ];
-      const line = rowOf(cells, { className: settles ? 'firm' : 'loose' });
+      const unit = SCALED.includes(units[name]) ? units[name] : ''; // else it stands once
+      const all = [...values[name], ...(reference ? [beside?.[name] ?? null] : [])];
+      const title = unit || !units[name] ? named('figure', name) : `${named('figure', name)}, ${units[name]}`;
+      const cells = [title, said(summary[name]), ...all.map((value) => shown(value, unit))];
+      const line = rowOf(cells, { className: kind === 'restitution' ? '' : settles ? 'firm' : 'loose' });
       line.children[1].className = 'summary';
       return line;
     });
-    const heads = counts.map((value) => (kind === 'step' ? shown(value, 's') : text(`option.${kind}`, { value })));
+    const heads = counts.map((value) =>
+      kind === 'step' ? shown(value, 's') : text('convergence.level', { kind, value }),
+    );
     const last = reference ? [named('reference', reference)] : [];
     const levels = counts.length + last.length;
     this.table.style.setProperty('--levels', String(levels));
