@@ -1,19 +1,28 @@
 """What may be given: one check per kind of value, one sentence per refusal."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 from .text.notes import Note, Severity
 
 
 class SceneError(ValueError):
-    """A value that cannot be used: which key, what it got, what is allowed."""
+    """A value that cannot be used: which key, what it got, what is allowed.
 
-    def __init__(self, key: str, value: object, reason: str | Note):
-        self.key, self.value = key, value
+    What is in a list goes by its number, from 1 on, as in `Scene.replace`; `of` is the name of what the key belongs to.
+    """
+
+    def __init__(self, key: str, value: object, reason: str | Note, of: str = ""):
+        self.key, self.value, self.of = key, value, of
         self.reason = reason if isinstance(reason, Note) else allowed("other", allowed=reason)
-        super().__init__(f"{key}: got {shown(value)}; allowed: {self.reason}")
+        super().__init__(f"{self.named}: got {shown(value)}; allowed: {self.reason}")
+
+    @property
+    def named(self) -> str:
+        """The key, with the name of what it belongs to."""
+        return f"{self.key} of '{self.of}'" if self.of else self.key
 
     @property
     def allowed(self) -> str:
@@ -32,8 +41,17 @@ def shown(value: object) -> str:
 
 def refused(error: SceneError) -> Note:
     """The same as a note."""
-    values = {"key": error.key, "value": shown(error.value), "allowed": error.reason.table()}
+    values = {"key": error.named, "value": shown(error.value), "allowed": error.reason.table()}
     return Note("refusals.value", Severity.REFUSAL, **values)
+
+
+@contextmanager
+def naming(name: str) -> Iterator[None]:
+    """What is refused meanwhile is said to belong to what has this name."""
+    try:
+        yield
+    except SceneError as error:
+        raise type(error)(error.key, error.value, error.reason, error.of or name) from None
 
 
 def allowed(code: str, **values: Any) -> Note:

@@ -83,7 +83,7 @@ def read_vector(key: str, given: object, largest: float, unit: str = "") -> Vect
     """Three numbers. Raises SceneError naming the key, or the place in the list."""
     if not isinstance(given, (list, tuple)) or len(given) != 3:
         raise SceneError(key, given, _three_numbers(largest, unit))
-    x, y, z = (validation.number(f"{key}[{i}]", value, -largest, largest, unit) for i, value in enumerate(given))
+    x, y, z = (validation.number(f"{key}[{i}]", value, -largest, largest, unit) for i, value in enumerate(given, 1))
     return x, y, z
 
 
@@ -112,7 +112,7 @@ def _read_inertia(key: str, given: Mapping[str, Any]) -> Tensor:
     if any(isinstance(row, (list, tuple)) for row in inertia):
         if "axes" in given:
             raise SceneError(f"{key}.axes", given["axes"], allowed("axes-of-moments"))
-        rows = [read_vector(f"{name}[{i}]", row, HEAVIEST_MOMENT, "kg m2") for i, row in enumerate(inertia)]
+        rows = [read_vector(f"{name}[{i}]", row, HEAVIEST_MOMENT, "kg m2") for i, row in enumerate(inertia, 1)]
         tensor = np.array(rows)
         if np.abs(tensor - tensor.T).max() > MAX_ASYMMETRY * np.abs(tensor).max():
             raise SceneError(name, inertia, allowed("symmetric-tensor"))
@@ -130,7 +130,7 @@ def _read_axes(key: str, given: object) -> np.ndarray:
     """Three directions at right angles, as rows."""
     if not isinstance(given, (list, tuple)) or len(given) != 3:
         raise SceneError(key, given, allowed("axes"))
-    axes = np.array([read_normal(f"{key}[{i}]", row) for i, row in enumerate(given)])
+    axes = np.array([read_normal(f"{key}[{i}]", row) for i, row in enumerate(given, 1)])
     if np.abs(axes @ axes.T - np.eye(3)).max() > FOUR_DIGITS:
         raise SceneError(key, given, allowed("right-angles"))
     left, _, right = np.linalg.svd(axes)  # the nearest ones that are so exactly

@@ -105,7 +105,7 @@ def _between_links(mechanism: Mechanism, joint: int | None) -> int:
 
 
 def _bar(mechanism: Mechanism, link: Link) -> Bar:
-    key = f"target.links[{mechanism.links.index(link)}]"
+    key = f"target.links[{1 + mechanism.links.index(link)}]"
     for word, value in (("section", link.section), ("material", link.material)):
         if value is None:
             raise SceneError(f"{key}.{word}", None, allowed("flexible-link", link=link.name))
@@ -120,7 +120,7 @@ def _away(number: int, link: Link, pin: Joint) -> np.ndarray:
     """Unit vector along a link away from a joint at its end."""
     part = float((np.array(pin.at) - np.array(link.start)) @ link.along) / link.length
     if AT_END < part < 1.0 - AT_END:
-        raise SceneError(f"target.joints[{number}].at", list(pin.at), allowed("at-end-of-link", link=link.name))
+        raise SceneError(f"target.joints[{number + 1}].at", list(pin.at), allowed("at-end-of-link", link=link.name))
     return link.along if part <= AT_END else -link.along
 
 

@@ -40,7 +40,7 @@ class Joint:
         if not isinstance(chosen, (list, tuple)) or len(chosen) != 2 or not all(isinstance(n, str) for n in chosen):
             raise SceneError(f"{key}.links", chosen, allowed("joined-links", links=[GROUND, *names]))
         first, second = (
-            validation.choice(f"{key}.links[{i}]", name, (GROUND, *names)) for i, name in enumerate(chosen)
+            validation.choice(f"{key}.links[{i}]", name, (GROUND, *names)) for i, name in enumerate(chosen, 1)
         )
         if first == second:
             raise SceneError(f"{key}.links", list(chosen), allowed("joined-links", links=[GROUND, *names]))

@@ -192,7 +192,7 @@ def read_point(key: str, given: object, largest: float = FARTHEST, unit: str = "
     """Two numbers. Raises SceneError naming the key, or the place in the list."""
     if not isinstance(given, (list, tuple)) or len(given) != 2:
         raise SceneError(key, given, allowed("point", unit=unit))
-    x, y = (validation.number(f"{key}[{i}]", value, -largest, largest) for i, value in enumerate(given))
+    x, y = (validation.number(f"{key}[{i}]", value, -largest, largest) for i, value in enumerate(given, 1))
     return x, y
 
 
@@ -214,7 +214,7 @@ def _read_nodes(key: str, given: Mapping[str, Any], length: float, modes: int) -
     found = given["nodes"]
     if not isinstance(found, (list, tuple)) or not 1 <= len(found) <= MOST_MODES:
         raise SceneError(f"{key}.nodes", found, allowed("list", low=1, high=MOST_MODES, of="numbers"))
-    places = [validation.number(f"{key}.nodes[{i}]", each, 0.0, length, "m") for i, each in enumerate(found)]
+    places = [validation.number(f"{key}.nodes[{i}]", each, 0.0, length, "m") for i, each in enumerate(found, 1)]
     ordered = all(later - before > NEAREST_NODES * length for before, later in pairwise([0.0, *places]))
     if not ordered or abs(places[-1] - length) > NEAREST_NODES * length:
         raise SceneError(f"{key}.nodes", list(found), allowed("nodes", length=length))

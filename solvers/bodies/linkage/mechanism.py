@@ -17,7 +17,7 @@ from ...validation import SceneError, allowed
 from ..material import Material, read_radius
 from ..protocol import AnyBody
 from .joints import Drive, Joint, Spring, read_direction
-from .links import GROUND, Link, Point, read_point
+from .links import GROUND, LONGEST_NAME, Link, Point, read_point
 from .mobility import check_mobility
 from .struck import StruckMechanism
 
@@ -79,26 +79,27 @@ class Mechanism(AnyBody):
     def read(cls, key: str, given: Mapping[str, Any]) -> "Mechanism":
         given = validation.table(key, given, cls.KEYS)
         links = tuple(
-            Link.read(f"{key}.links[{i}]", each) for i, each in enumerate(_listed(key, given, "links", 1, MOST_LINKS))
+            _read_link(f"{key}.links[{i}]", each)
+            for i, each in enumerate(_listed(key, given, "links", 1, MOST_LINKS), 1)
         )
         names = [link.name for link in links]
-        for number, name in enumerate(names):
-            if name in names[:number]:
+        for number, name in enumerate(names, 1):
+            if name in names[: number - 1]:
                 raise SceneError(f"{key}.links[{number}].name", name, allowed("another-name"))
         size = _size(links)
         joints = tuple(
             Joint.read(f"{key}.joints[{i}]", each, links, size)
-            for i, each in enumerate(_listed(key, given, "joints", 0, 3 * MOST_LINKS))
+            for i, each in enumerate(_listed(key, given, "joints", 0, 3 * MOST_LINKS), 1)
         )
         drives = tuple(
             Drive.read(f"{key}.drives[{i}]", each, joints)
-            for i, each in enumerate(_listed(key, given, "drives", 0, len(joints)))
+            for i, each in enumerate(_listed(key, given, "drives", 0, len(joints)), 1)
         )
         struck = Struck.read(f"{key}.struck", validation.required(key, given, "struck", allowed("struck")), links)
         gravity = read_point(f"{key}.gravity", given.get("gravity", NO_GRAVITY), STRONGEST_GRAVITY, "m/s2")
         springs = tuple(
             Spring.read(f"{key}.springs[{i}]", each, joints)
-            for i, each in enumerate(_listed(key, given, "springs", 0, len(joints)))
+            for i, each in enumerate(_listed(key, given, "springs", 0, len(joints)), 1)
         )
         radius = read_radius(f"{key}.radius", given.get("radius"))
         return _checked(cls(links, joints, drives, struck, gravity, radius, springs), key)
@@ -297,6 +298,13 @@ def _checked(mechanism: Mechanism, key: str) -> Mechanism:
     on it. Raises SceneError as `check_mobility`."""
     check_mobility(key, mechanism.system, mechanism.joints, mechanism.drives, _size(mechanism.links))
     return mechanism
+
+
+def _read_link(key: str, given: object) -> Link:
+    """One of them; what is refused says of which, by its name."""
+    name = given.get("name") if isinstance(given, Mapping) else None
+    with validation.naming(name if isinstance(name, str) and len(name) <= LONGEST_NAME else ""):
+        return Link.read(key, given)
 
 
 def _listed(key: str, given: Mapping[str, Any], name: str, low: int, high: int) -> Sequence[object]:

@@ -30,16 +30,18 @@ def check_mobility(key: str, system: System, joints: Sequence[Joint], drives: Se
                 allowed("joint-redundant", links=names, lost=lost),
                 allowed("joint-singular", links=names),
             )
-            raise SceneError(f"{key}.joints[{number}]", joint.table(), redundant if anywhere else singular)
+            raise SceneError(f"{key}.joints[{number + 1}]", joint.table(), redundant if anywhere else singular)
         if upto == freedoms:
-            raise SceneError(f"{key}.joints[{number}]", joint.table(), allowed("joint-locks", links=list(joint.links)))
+            raise SceneError(
+                f"{key}.joints[{number + 1}]", joint.table(), allowed("joint-locks", links=list(joint.links))
+            )
         reached = upto
     for number, drive in enumerate(drives):
         upto = reached + number + 1
         if _rank(rows[:upto]) < upto:
             links = list(joints[drive.joint].links)
             redundant, singular = allowed("drive-redundant", links=links), allowed("drive-singular", links=links)
-            raise SceneError(f"{key}.drives[{number}]", drive.table(), redundant if upto > freedoms else singular)
+            raise SceneError(f"{key}.drives[{number + 1}]", drive.table(), redundant if upto > freedoms else singular)
 
 
 def _rows(system: System, size: float) -> np.ndarray:

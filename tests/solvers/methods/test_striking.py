@@ -197,7 +197,7 @@ def test_studies_know_it(target):
         ({"impactor.struck": {"link": "arm", "at": 1.0, "normal": [0, 0]}}, "impactor.struck.normal", "not both zero"),
         ({"impactor.velocity": 1.0}, "impactor.velocity", "no such key"),
         ({"impactor.height": 1.0}, "impactor.height", "no such key"),
-        ({"impactor.joints": [ARM["joints"][0]] * 2}, "impactor.joints[1]", "over-constrained"),
+        ({"impactor.joints": [ARM["joints"][0]] * 2}, "impactor.joints[2]", "over-constrained"),
     ],
 )
 def test_what_cannot_be_is_refused_by_its_own_key(changes, key, allowed):

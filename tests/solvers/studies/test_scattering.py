@@ -73,9 +73,9 @@ def test_links_need_a_section_and_the_joint_their_end():
         del link[name]
     with pytest.raises(SceneError) as refused:
         solvers.joint_scattering(solvers.Scene.from_table(tables))
-    assert refused.value.key == "target.links[1].section"
+    assert refused.value.key == "target.links[2].section"
     tables = BENT.table()
     tables["target"]["links"][1]["from"] = [0.3, -0.1]
     with pytest.raises(SceneError) as refused:
         solvers.joint_scattering(solvers.Scene.from_table(tables))
-    assert refused.value.key == "target.joints[0].at"
+    assert refused.value.key == "target.joints[1].at"

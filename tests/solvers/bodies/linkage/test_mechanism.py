@@ -63,31 +63,31 @@ def test_an_impactor_may_stand_still_or_run_away_from_what_overtakes_it():
 @pytest.mark.parametrize(
     ("key", "value", "named", "code"),
     [
-        ("target.joints.2.at", [0.4, 0.9], "target.joints[2].at", "on-link"),
-        ("target.joints.2.at", [0.2, 0.5], "target.joints[2].at", "on-link"),
-        ("target.joints.2.links", ["coupler", "rod"], "target.joints[2].links[1]", "choice"),
-        ("target.joints.2.links", ["bar", "bar"], "target.joints[2].links", "joined-links"),
-        ("target.joints.2.kind", "ball", "target.joints[2].kind", "choice"),
-        ("target.joints.2.kind", "prismatic", "target.joints[2].axis", "missing-key"),
-        ("target.joints.2.axis", [1.0, 0.0], "target.joints[2].axis", "only-with"),
-        ("target.joints.2.kind", "fixed", "target.joints[3]", "joint-locks"),
-        ("target.links.0.inertia", 0.0, "target.links[0].inertia", "number"),
-        ("target.links.0.inertia", -1.0, "target.links[0].inertia", "number"),
-        ("target.links.0.to", [0.0, 0.0], "target.links[0].inertia", "link-inertia"),
-        ("target.links.0.name", "ground", "target.links[0].name", "link-name"),
-        ("target.links.0.name", "bar", "target.links[2].name", "another-name"),
-        ("target.links.0.modes", 3, "target.links[0].section", "flexible-link"),
-        ("target.links.0.from", [0.0, float("nan")], "target.links[0].from[1]", "number"),
+        ("target.joints.2.at", [0.4, 0.9], "target.joints[3].at", "on-link"),
+        ("target.joints.2.at", [0.2, 0.5], "target.joints[3].at", "on-link"),
+        ("target.joints.2.links", ["coupler", "rod"], "target.joints[3].links[2]", "choice"),
+        ("target.joints.2.links", ["bar", "bar"], "target.joints[3].links", "joined-links"),
+        ("target.joints.2.kind", "ball", "target.joints[3].kind", "choice"),
+        ("target.joints.2.kind", "prismatic", "target.joints[3].axis", "missing-key"),
+        ("target.joints.2.axis", [1.0, 0.0], "target.joints[3].axis", "only-with"),
+        ("target.joints.2.kind", "fixed", "target.joints[4]", "joint-locks"),
+        ("target.links.0.inertia", 0.0, "target.links[1].inertia", "number"),
+        ("target.links.0.inertia", -1.0, "target.links[1].inertia", "number"),
+        ("target.links.0.to", [0.0, 0.0], "target.links[1].inertia", "link-inertia"),
+        ("target.links.0.name", "ground", "target.links[1].name", "link-name"),
+        ("target.links.0.name", "bar", "target.links[3].name", "another-name"),
+        ("target.links.0.modes", 3, "target.links[1].section", "flexible-link"),
+        ("target.links.0.from", [0.0, float("nan")], "target.links[1].from[2]", "number"),
         ("target.links", [], "target.links", "list"),
         ("target.links", {"name": "bar"}, "target.links", "list"),
-        ("target.drives.0.joint", 4, "target.drives[0].joint", "whole-number"),
-        ("target.drives.0.speed", "fast", "target.drives[0].speed", "number"),
+        ("target.drives.0.joint", 4, "target.drives[1].joint", "whole-number"),
+        ("target.drives.0.speed", "fast", "target.drives[1].speed", "number"),
         ("target.struck.normal", [0.0, 0.0], "target.struck.normal", "direction-in-plane"),
         ("target.struck.link", "rod", "target.struck.link", "choice"),
         ("target.struck.at", 1.1, "target.struck.at", "number"),
         ("target.gravity", 9.81, "target.gravity", "point"),
-        ("target.links.2.nodes", [0.4, 0.3, 0.8], "target.links[2].nodes", "nodes"),
-        ("target.links.2.nodes", [0.4, 0.7], "target.links[2].nodes", "nodes"),
+        ("target.links.2.nodes", [0.4, 0.3, 0.8], "target.links[3].nodes", "nodes"),
+        ("target.links.2.nodes", [0.4, 0.7], "target.links[3].nodes", "nodes"),
         ("impactor.kind", "pulse", "impactor.kind", "strikes-mechanism"),
         ("impactor.kind", "body", "impactor.kind", "strikes-mechanism"),
     ],
@@ -96,6 +96,14 @@ def test_a_refusal_names_the_link_or_the_joint(key, value, named, code):
     error = refusal(four_bar(), key, value)
     assert error.key.startswith(named)
     assert error.reason.code == f"allowed.{code}"
+
+
+def test_a_refusal_counts_as_keys_do_and_names_the_link():
+    """The second of three: `--set target.links.2.modes` is refused by the same number."""
+    error = refusal(four_bar(), "target.links.1.mass", "heavy")  # in the table itself from 0 on, as always in Python
+    assert (error.key, error.of) == ("target.links[2].mass", "coupler")
+    with pytest.raises(SceneError, match=r"^target\.links\[2\]\.modes of 'coupler': got 2\.5; allowed: a whole number"):
+        four_bar().replace({"target.links.2.modes": 2.5})
 
 
 def test_too_many_joints_are_told_from_a_bad_configuration():
@@ -109,7 +117,7 @@ def test_too_many_joints_are_told_from_a_bad_configuration():
     scene = {"impactor": {"kind": "mass", "mass": 1.0, "velocity": 1.0}, "target": target}
     with pytest.raises(SceneError) as refused:
         Scene.from_table(scene)
-    assert refused.value.key == "target.joints[1]" and refused.value.reason.code == "allowed.joint-redundant"
+    assert refused.value.key == "target.joints[2]" and refused.value.reason.code == "allowed.joint-redundant"
     lever = BAR | {"name": "lever", "from": [0.4, 0.8], "to": [0.4, 1.6]}
     flat = [
         {"links": ["ground", "bar"], "at": [0.4, 0.0]},
@@ -120,13 +128,13 @@ def test_too_many_joints_are_told_from_a_bad_configuration():
     third = BAR | {"name": "third", "from": [0.4, 1.6], "to": [0.4, 2.0]}
     with pytest.raises(SceneError) as refused:
         Scene.from_table(scene | {"target": target | {"links": [BAR, lever, third], "joints": flat}})
-    assert refused.value.key == "target.joints[3]" and refused.value.reason.code == "allowed.joint-singular"
+    assert refused.value.key == "target.joints[4]" and refused.value.reason.code == "allowed.joint-singular"
 
 
 def test_a_second_drive_of_one_freedom_and_a_drive_at_a_dead_point_are_told_apart():
     drives = [{"joint": 0, "speed": -5.236}, {"joint": 3, "speed": 1.0}]
     error = refusal(four_bar(), "target.drives", drives)
-    assert error.key == "target.drives[1]" and error.reason.code == "allowed.drive-redundant"
+    assert error.key == "target.drives[2]" and error.reason.code == "allowed.drive-redundant"
     slider = {
         "kind": "mechanism",
         "links": [
@@ -146,7 +154,7 @@ def test_a_second_drive_of_one_freedom_and_a_drive_at_a_dead_point_are_told_apar
     tables = {"impactor": {"kind": "mass", "mass": 1.0, "velocity": 1.0}, "target": slider}
     with pytest.raises(SceneError) as refused:
         Scene.from_table(tables)
-    assert refused.value.key == "target.drives[0]" and refused.value.reason.code == "allowed.drive-singular"
+    assert refused.value.key == "target.drives[1]" and refused.value.reason.code == "allowed.drive-singular"
     slider["drives"] = [{"joint": 0, "speed": 10.0}]
     scene = Scene.from_table(tables)
     assert scene.target.velocity == approx(0.0, abs=1e-12)  # at the dead point the piston stands still
@@ -163,12 +171,12 @@ def test_rates_follow_from_the_drives():
 
 def test_a_bar_without_a_section_that_bends_is_refused():
     error = refusal(four_bar(3), "target.links.2.section", {"area": FLAT["width"] * FLAT["height"]})
-    assert error.key == "target.links[2].section.second_moment"
+    assert error.key == "target.links[3].section.second_moment"
 
 
 def test_a_link_that_has_shapes_is_no_thread():
     refused = refusal(rotating_bar(5), "target.links.0.from", [1e6, 0.0])
-    assert refused.key == "target.links[0].to" and "'bar'" in str(refused)
+    assert refused.key == "target.links[1].to" and "'bar'" in str(refused)
 
 
 def test_a_drive_that_hardly_moves_is_as_good_as_none():
