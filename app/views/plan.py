@@ -18,6 +18,7 @@ from ..choices.choices import accepts
 from ..choices.map_point import choices_at
 from ..choices.questions import Question
 from ..choices.request import Request
+from ..choices.scene_of import bends_alone
 from ..choices.space import in_space
 
 LINKS = re.compile(r"(target|impactor)\.links\.\d+\.modes")
@@ -52,7 +53,7 @@ def _plan(found: Plan, scene: Scene) -> dict[str, Any]:
             "model": candidate.parts,
             "error": candidate.expected_error if math.isfinite(candidate.expected_error) else None,
             "unknown": math.isnan(candidate.expected_error),
-            "choices": None if in_space(scene) else page_choices(candidate.changes),
+            "choices": None if in_space(scene) else page_choices(candidate.changes, bends_alone(scene)),
         }
         for candidate in found.candidates
     ]
@@ -66,15 +67,16 @@ def _plan(found: Plan, scene: Scene) -> dict[str, Any]:
     }
 
 
-def page_choices(changes: dict[str, Any]) -> dict[str, Any] | None:
-    """The choices of the page that make these changes of a scene; None where it has none for one of them."""
+def page_choices(changes: dict[str, Any], pendulum: bool = False) -> dict[str, Any] | None:
+    """The choices of the page that make these changes of a scene; None where it has none for one of them. `pendulum`:
+    all that rings is one that strikes, and its own modes are those that are chosen."""
     wanted: dict[str, Any] = {}
     for key, value in changes.items():
         if key == "method":
             own = _method_choices(dict(value))
         elif key == "target.theory":
             own = {"theory": value}
-        elif LINKS.fullmatch(key):  # which the page gives all as many
+        elif LINKS.fullmatch(key) or (pendulum and key == "impactor.modes"):  # which the page gives all as many
             own = {"modes": value}
         elif key == "contact" and value.get("law") == "hertz":
             own = {"law": "hertz", "hertz_stiffness": value["stiffness"]}

@@ -170,12 +170,16 @@ export class AxialView {
     const forces = frame.other ? [this.force.exact, this.force.other] : [this.force.exact];
     const called = fields.map(({ solution }) => frame[solution]?.name.replaceAll('-', '_'));
     const places = called.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
-    const found = [['time_s', ...called.map((name) => `force_${name}_N`), ...places].join(',')];
+    const gauged = frame.rods.length ? fields.map((field) => field.stressAt(this.gauge.place)) : [];
+    const where = `at_${Number((1e3 * this.gauge.place).toPrecision(5))}_mm`;
+    const stresses = called.flatMap((name, k) => (gauged[k] ? [`compression_${name}_${where}_Pa`] : []));
+    const found = [['time_s', ...called.map((name) => `force_${name}_N`), ...places, ...stresses].join(',')];
     for (let k = 0; k <= points; k++) {
       const t = (k / points) * frame.duration;
       const force = forces.map((each) => (each ? between(each.x, each.y, t) : NaN) * frame.forceUnit);
       const moved = fields.flatMap((field) => [field.mass(t) * length, field.end(t) * length]);
-      found.push([t * frame.trip, ...force, ...moved].map((v) => v.toPrecision(7)).join(','));
+      const pressed = gauged.flatMap((each) => (each ? [between(each.x, each.y, t) * frame.stressUnit] : []));
+      found.push([t * frame.trip, ...force, ...moved, ...pressed].map((v) => v.toPrecision(7)).join(','));
     }
     return found;
   }

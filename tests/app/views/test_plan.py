@@ -51,6 +51,17 @@ def test_a_model_can_be_shown_where_the_page_has_all_that_it_changes():
     assert page_choices({"method": {"name": "waves"}, "impactor.mass": 2.0}) is None
 
 
+def test_modes_of_a_pendulum_that_strikes_a_stop_are_those_of_the_page():
+    """On a rod they are the rod's: there a plan by fewer modes of the pendulum is no choice of the page."""
+    rows = {
+        (row["model"]["name"], row["model"].get("modes")): row["choices"]
+        for row in planned("figure-10.11")["candidates"]
+    }
+    assert rows["modal", 3] == {"modes": 3, "method": "modal"}
+    changes = {"impactor.modes": 3, "method": {"name": "modal", "modes": 3}}
+    assert page_choices(changes) is None and page_choices(changes, True) == rows["modal", 3]
+
+
 def test_what_is_shown_is_what_was_planned():
     scene, question = "xylophone-bar", "peak-force"
     own = plan(load(scene), question).candidates
