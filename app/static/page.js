@@ -72,6 +72,7 @@ export class Page {
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = make('p', { className: 'caption' });
+    new ResizeObserver(() => this.fit()).observe(this.caption);
     this.player = new Player((t) => this.show(t), {
       events: () => this.events(),
       range: () => this.range(),
@@ -347,10 +348,14 @@ export class Page {
     const { caption } = this.told.events;
     if (this.caption.textContent === caption) return;
     this.caption.textContent = caption;
-    const { classList } = this.caption;
+    this.fit();
+  }
+  /** The caption, within its row. */
+  fit() {
+    const { classList, textContent: caption } = this.caption;
     classList.remove('long', 'longest');
     const cut = () => this.caption.scrollHeight > this.caption.clientHeight + 1;
-    classList.toggle('long', caption.length > LONG_CAPTION || cut());
+    classList.toggle('long', (caption ?? '').length > LONG_CAPTION || cut());
     classList.toggle('longest', cut());
   }
   /** @returns {Event[]} at the instants at which what they have changed is seen */

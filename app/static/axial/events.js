@@ -40,12 +40,13 @@ function plainEvents(frame) {
   const { contacts, left, stillTouching } = toldOf(frame);
   if (impactor.kind === 'pulse') return pulseEvents(contacts);
   const striker = impactor.kind;
+  const struck = target.kind === 'mass' && target.shape === 'ball' ? 'sphere' : target.kind;
   const run = target.support === 'anechoic' ? 'endless' : rods.length === 1 ? 'uniform' : true;
   const waves = rods.length > 0 && !drawnRigid(frame) && run;
   const found = contacts.flatMap(([start, end], k) => {
     const touches = k
       ? text('axial.event.meets-again', { number: k + 1 })
-      : text('axial.event.touches', { striker, target: target.kind, waves });
+      : text('axial.event.touches', { striker, target: struck, waves });
     const last = k === contacts.length - 1;
     const gone = { striker, last, ...going(left[k]) };
     const parts = text(end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);

@@ -22,6 +22,7 @@ const SIGNS = /** @type {const} */ ([
 const SMALL = letters(11);
 const HEAD = 15 * scale; // pixels of what is written above a diagram
 const REACH = 0.72; // of the room to both sides that the end of the scale takes
+const TICKS = 13 * scale; // pixels between the places of values at the side, below which they are in the title
 const APART = 14; // pixels between a label and the largest value, whose place is left out where there are fewer
 
 /**
@@ -58,6 +59,7 @@ function diagram(c, stage, t, name, symbol, unit, top, height) {
   curve(c, stage, values, zero, reach, room);
   const [factor, prefix] = prefixed(most);
   const { left, long, narrow } = stage;
+  const ticks = !narrow && REACH * room > TICKS;
   c.strokeStyle = COLORS.edge;
   c.lineWidth = 1;
   c.beginPath();
@@ -72,11 +74,11 @@ function diagram(c, stage, t, name, symbol, unit, top, height) {
   c.font = SMALL;
   c.textBaseline = 'middle';
   c.textAlign = 'right';
-  for (const side of narrow ? [] : [-1, 0, 1])
+  for (const side of ticks ? [-1, 0, 1] : [])
     c.fillText(figures(-side * most * factor, 2), left - 8, zero + side * most * reach);
   c.textBaseline = 'top';
   c.textAlign = 'left';
-  const ends = narrow ? ` (± ${figures(most * factor, 2)})` : '';
+  const ends = ticks ? '' : ` (± ${figures(most * factor, 2)})`;
   let peak = 0;
   for (let j = 0; j < values.length; j++) if (Math.abs(values[j]) > Math.abs(values[peak])) peak = j;
   const value = `${figures(values[peak] * factor)} ${prefix}${unit}`;

@@ -18,7 +18,6 @@ const PIN = 7; // pixels about a joint
 const GROUND = [16, 24]; // pixels beside and below one on the ground
 const [EDGE, TOP] = [10, 48]; // pixels, as near to the edges as which the way to a mass is drawn
 const ARROW = 20;
-export const CUT = 0.2; // of a body, that may be beyond the edge before it counts as gone
 const FLOWN = 26; // below the words at the upper edge
 const PIECES = 8; // of a link that bends, as far as words are concerned
 

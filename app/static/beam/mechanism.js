@@ -5,7 +5,7 @@ import { COLORS, css } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { bendingOf } from './bending.js';
 import { arrow, drawJoint } from './joints.js';
-import { CUT, gone, Labels } from './labels.js';
+import { gone, Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
@@ -187,7 +187,7 @@ export class Mechanism {
     const [wx, wy] = [nx, -ny];
     const size = this.wide;
     const [a, b] = this.middleOf(place, [nx, ny]);
-    const left = Math.max(-a, a - this.width, -b, b - this.height) > (CUT - 0.5) * size;
+    const left = Math.max(-a, a - this.width, -b, b - this.height) > -0.5 * size;
     this.away = null;
     if (left) gone(c, this, [a, b]);
     if (left) return;

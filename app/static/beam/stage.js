@@ -7,7 +7,7 @@ import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
-import { CUT, flown } from './labels.js';
+import { flown } from './labels.js';
 import { Mechanism } from './mechanism.js';
 import { MovingMechanism } from './moving.js';
 import { drawSupports } from './supports.js';
@@ -272,7 +272,7 @@ export class BeamStage {
     const x = this.struck;
     const y = this.face + between(frame.time, frame.impactorPath, t) * this.scale;
     const size = Math.min(Math.max(44 * (impactor.mass / frame.beam.mass) ** (1 / 6), 18), 56);
-    const flew = y < (impactor.kind === 'rod' ? 0.5 : 1 - CUT) * size;
+    const flew = y < (impactor.kind === 'rod' ? 0.5 : 1) * size;
     this.hit = { x, y, size, flew };
     if (flew) {
       flown(c, impactor.kind, [x, y], this.scale);
@@ -335,6 +335,14 @@ export class BeamStage {
     if (this.mechanism?.bends ?? true) this.#colours(c, end);
   }
   /**
+   * Whether what strikes a mechanism is where the scale of colours is.
+   * @param {number} x  of its left end
+   */
+  #covered(x) {
+    const held = this.mechanism?.held;
+    return Boolean(this.narrow && held && held.x + held.width / 2 > x - 4 && held.y - held.height / 2 < 34);
+  }
+  /**
    * The scale of colours, away from the impactor, which flies back over the struck place.
    * @param {CanvasRenderingContext2D} c
    * @param {number} end  of what is written at the left
@@ -344,7 +352,7 @@ export class BeamStage {
     const bar = Math.min((narrow ? 90 : 130) * larger, width - end - 28);
     const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
     const x = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
-    const y = 22;
+    const y = this.mechanism && this.#covered(x) ? this.mechanism.height - 14 : 22;
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
     const largest = this.usual[what] * unit;
     const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];

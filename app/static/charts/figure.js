@@ -10,7 +10,7 @@ import { dress, NARROW } from './dress.js';
  * @typedef {object} Part  one plot
  * @property {string} name
  * @property {string} title
- * @property {boolean} [headed]  whether the title stands above the plot; else it is in it
+ * @property {boolean} [headed]  whether the title stands above the plot, or never; else it is in it
  * @property {string} about  what is to be seen, for those who do not see it
  * @property {() => (string | number)[][]} [numbers]  a table of what is drawn; its first row is the head
  * @property {HTMLElement} [below]  what is said of it
@@ -97,7 +97,7 @@ export class Figure {
     this.document = views.roots[0].model.document;
     for (const { area, headed, name, root } of this.parts) {
       dress(this.model(name), area);
-      root.firstElementChild?.classList.toggle('unseen', !headed && area.clientWidth >= NARROW);
+      root.firstElementChild?.classList.toggle('unseen', !(headed ?? area.clientWidth < NARROW));
     }
     for (const [name, values] of this.given) this.model(name)?.setv(values);
     if (matchMedia('(pointer: coarse)').matches) this.#leaveFingers();

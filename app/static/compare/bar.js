@@ -11,6 +11,8 @@ import { signOf } from './told.js';
 /** @import { Compare } from './compare.js' */
 /** @import { Run } from './run.js' */
 
+const EDGE = 8; // pixels between the menu and the edge of the window
+
 export class Bar {
   /** @param {Compare} compare */
   constructor(compare) {
@@ -36,6 +38,8 @@ export class Bar {
   #toggle() {
     if (this.menu.hidden) this.#fill();
     this.menu.hidden = !this.menu.hidden;
+    const { top } = this.menu.getBoundingClientRect();
+    this.menu.style.maxHeight = `${window.innerHeight - top - EDGE}px`; // else the last are below the window
     this.more.ariaExpanded = String(!this.menu.hidden);
   }
   /** Open the menu, from elsewhere on the page. */

@@ -204,7 +204,7 @@ const rounded = (value) => Number(value.toPrecision(2));
  * A number and its unit stay on one line.
  * @param {string} words
  */
-const bound = (words) => words.replaceAll(' ', '\u00a0');
+export const bound = (words) => words.replaceAll(' ', '\u00a0');
 
 /**
  * Some percent more or less; so many times, where it is a multiple.

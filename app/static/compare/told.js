@@ -3,7 +3,7 @@ import { KEPT } from '../charts/styles.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { heading, scrolled } from '../shell/story.js';
 import { text } from '../text/catalogue.js';
-import { comparedOf, difference, figuresOf, leastSaid, sentences, written } from './figures.js';
+import { bound, comparedOf, difference, figuresOf, leastSaid, sentences, written } from './figures.js';
 import { comparable, differing, lineOf } from './settings.js';
 import { verdictOf } from './verdict.js';
 
@@ -19,6 +19,12 @@ export function signOf(letter) {
   sign.style.background = KEPT[letter];
   return sign;
 }
+
+/**
+ * A value that goes on a second line with its whole unit, if at all.
+ * @param {string} words
+ */
+const parted = (words) => words.replace(/ (.*)/, (_, unit) => ` ${bound(unit)}`);
 
 export class Told {
   constructor() {
@@ -88,10 +94,10 @@ export class Told {
     const rows = own.map((figure) => {
       const cells = others.map((figures) => {
         const other = figures.find(({ key }) => key === figure.key);
-        const change = make('small', { textContent: other ? difference(other, figure) : '' });
-        return make('span', {}, other ? written(other) : '–', ' ', change);
+        const change = make('small', { textContent: other ? bound(difference(other, figure)) : '' });
+        return make('span', {}, other ? parted(written(other)) : '–', ' ', change);
       });
-      return rowOf([figure.name, written(figure), ...cells]);
+      return rowOf([figure.name, parted(written(figure)), ...cells]);
     });
     const head = headOf(['', text('compare.now'), ...runs.map(({ letter }) => letter)]);
     const named = [...head.querySelectorAll('th')].slice(-runs.length);

@@ -48,7 +48,7 @@ class Energy extends Panel {
     super(page, 'energy', text('energy.button'), text('energy.title'), text('energy.heading'));
     this.said = make('p', { className: 'help', role: 'status', textContent: text('energy.idle') });
     const numbers = () => this.#numbers();
-    const part = { name: 'energy', title: text('energy.heading'), about: text('energy.about'), numbers };
+    const part = { name: 'energy', title: text('energy.heading'), about: text('energy.about'), headed: false, numbers };
     this.figure = new Figure('energy', [part]);
     this.root.append(this.said, this.figure.root);
   }

@@ -33,6 +33,7 @@ const SAME = 0.01; // of the largest of its kind, by which a projection may miss
 class ModeChange extends Panel {
   /** @type {'velocities' | 'coordinates'} */ what = 'velocities';
   scene = ''; // of the answer that is shown
+  by = ['modes'];
 
   /** @param {Page} page */
   constructor(page) {

@@ -12,6 +12,7 @@ const OF_THE_METHOD = ['method', 'modes', 'elements', 'motion_seconds', 'motion_
 export class Panel {
   /** @type {string | undefined} */ came; // the answer as it came, and what was read of it
   /** @type {Answer | null} */ read = null;
+  /** @type {string[]} */ by = []; // of what the method is, that on which its answer depends
   /** @type {Figure | null} */ figure = null; // that is shown while the panel is open
 
   /**
@@ -65,15 +66,16 @@ export class Panel {
     return this.read;
   }
   /**
-   * Whether an answer is that to the scene drawn, by whatever method, and to what is asked.
+   * Whether an answer is that to the scene drawn, by whatever method it does not depend on, and to what is asked.
    * @param {Answer | null} found
    * @returns {boolean}
    */
   fresh(found) {
-    const { page } = this;
+    const { by, page } = this;
     if (!found) return false;
+    const free = OF_THE_METHOD.filter((key) => !by.includes(key));
     return (
-      page.names.every((key) => OF_THE_METHOD.includes(key) || found.chosen[key] === page.frame.chosen[key]) &&
+      page.names.every((key) => free.includes(key) || found.chosen[key] === page.frame.chosen[key]) &&
       this.asked.every((key) => found.chosen[key] === page.model[key])
     );
   }

@@ -116,6 +116,7 @@ export class Analyses {
   /** Each in its place, and of several only the last. */
   arrange() {
     const { layout, side } = this;
+    this.order = this.order.filter(({ open }) => open); // so that a scene may open again what was closed
     const wide = this.#there(true).at(-1);
     const narrow = this.#there(false).at(-1);
     for (const view of this.all) {

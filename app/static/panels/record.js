@@ -84,6 +84,7 @@ class Measurement {
     this.automatic = button(text('record.automatic'), () => this.reset());
     this.automatic.title = text('record.automatic-about');
     this.said = make('p', { className: 'help' });
+    this.wrong = make('p', { className: 'wrong', role: 'alert' });
     this.result = make('div', { hidden: true }, this.figure.root, this.#movers(), this.said);
     const heading = make('h2', { textContent: text('record.heading') });
     this.root = make(
@@ -91,6 +92,7 @@ class Measurement {
       { className: 'analysis record-panel', hidden: true },
       heading,
       this.#form(),
+      this.wrong,
       this.result,
     );
     this.#listen();
@@ -153,6 +155,7 @@ class Measurement {
     this.file = file;
     this.name.textContent = file.name;
     this.answer = this.refusal = null;
+    this.wrong.textContent = '';
     this.result.hidden = true;
     if (asks) this.ask();
   }
@@ -224,7 +227,7 @@ class Measurement {
    */
   answered(answer, frame) {
     const refusal = 'error' in answer ? answer.error : null;
-    if (refusal && refusal !== this.refusal) this.page.complain(refusal); // once, not at every step of a slider
+    if (refusal !== this.refusal) this.wrong.textContent = refusal; // said once, not at every step of a slider
     this.refusal = refusal;
     this.answer = 'error' in answer ? null : { ...answer, trip: frame.trip };
     this.result.hidden = !this.answer;

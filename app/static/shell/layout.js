@@ -19,7 +19,7 @@ const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
 const CENTRE = 420; // pixels that the docks leave to the centre
 const USUAL = 0.58; // of the window that they take at most, unless they were sized, and of that the left one:
 const USUAL_LEFT = 0.4;
-const LEAST = 180; // pixels of a dock
+const LEAST = 220; // pixels of a dock
 
 /** @typedef {'desk' | 'tablet' | 'phone'} Mode */
 /** @typedef {{ left?: number, right?: number, sheet?: number, folded?: Record<string, boolean> }} Sizes */

@@ -44,6 +44,8 @@ export function head(c, [x, y], [dx, dy], long) {
 const taken = new WeakMap(); // of the picture that is being drawn
 const LINE = 13; // pixels
 const ELSEWHERE = [0, 1, -1, 2, -2, 3, 4, 5]; // lines lower, where a label is in the way
+const ASIDE = [0, 1, -1]; // and of its own width to the right
+const PLATE = 'rgba(255,255,255,.8)'; // on which what lies on a body is read
 
 /**
  * Begin a picture without labels.
@@ -54,30 +56,41 @@ const ELSEWHERE = [0, 1, -1, 2, -2, 3, 4, 5]; // lines lower, where a label is i
 export const unlabelled = (c, words, drawn) => taken.set(c, { words, drawn });
 
 /**
- * Where a label begins, so far up or down that it lies on no other, and on no body if it can.
+ * @param {Box} one
+ * @param {Box} other
+ */
+const overlap = ([l, t, r, b], [left, top, right, bottom]) => r >= left && l <= right && b >= top && t <= bottom;
+
+/**
+ * Where a label is, so far up, down or aside that it lies on no other and within the picture, and on no body if it can.
  * @param {Context} c  its font and alignment set
  * @param {string} text
  * @param {number} x
  * @param {number} y
+ * @returns {[x: number, y: number, box: Box, onBody: boolean]}
  */
 function freed(c, text, x, y) {
   const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = c.measureText(text);
   const { words, drawn } = taken.get(c) ?? { words: [], drawn: [] };
   const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
-  const isFree = (/** @type {number} */ lines, /** @type {Box[]} */ others) =>
-    middle + (lines - 0.5) * LINE >= 0 &&
-    others.every(
-      ([l, t, r, b]) =>
-        x + right < l || x - left > r || middle + (lines + 0.5) * LINE < t || middle + (lines - 0.5) * LINE > b,
-    );
-  const all = [...words, ...drawn];
-  const lines = ELSEWHERE.find((each) => isFree(each, all)) ?? ELSEWHERE.find((each) => isFree(each, words)) ?? 0;
-  words.push([x - left, middle + (lines - 0.5) * LINE, x + right, middle + (lines + 0.5) * LINE]);
-  return y + lines * LINE;
+  const wide = c.canvas.clientWidth;
+  const places = ASIDE.flatMap((aside) =>
+    ELSEWHERE.map((lines) => {
+      const [across, line] = [x + aside * (left + right + LINE), middle + lines * LINE];
+      const box = /** @type {Box} */ ([across - left, line - LINE / 2, across + right, line + LINE / 2]);
+      return { across, box, down: y + lines * LINE };
+    }),
+  );
+  const seen = places.filter(({ box: [l, t, r] }, k) => t >= 0 && (k < ELSEWHERE.length || (l >= 0 && r <= wide)));
+  const free = (/** @type {Box[]} */ others) => seen.find(({ box }) => others.every((other) => !overlap(box, other)));
+  const clear = free([...words, ...drawn]);
+  const { across, box, down } = clear ?? free(words) ?? places[0];
+  words.push(box);
+  return [across, down, box, !clear];
 }
 
 /**
- * Text beyond a point, on the side where `way` points; a white edge keeps it legible on bodies.
+ * Text beyond a point, on the side where `way` points; a white edge keeps it legible on lines, a plate on bodies.
  * @param {Context} c
  * @param {string} text
  * @param {Point} place
@@ -91,9 +104,15 @@ export function label(c, text, [x, y], [dx, dy]) {
   c.lineWidth = 3;
   c.strokeStyle = '#ffffff';
   const left = x + (6 * dx) / long;
-  const at = freed(c, text, left, y + (4 * dy) / long);
-  c.strokeText(text, left, at);
-  c.fillText(text, left, at);
+  const [at, line, [l, t, r, b], onBody] = freed(c, text, left, y + (4 * dy) / long);
+  if (onBody) {
+    const ink = c.fillStyle;
+    c.fillStyle = PLATE;
+    c.fillRect(l - 3, t - 1, r - l + 6, b - t + 2);
+    c.fillStyle = ink;
+  }
+  c.strokeText(text, at, line);
+  c.fillText(text, at, line);
   c.restore();
 }
 

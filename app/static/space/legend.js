@@ -19,6 +19,8 @@ const BUTTONS = [170, 34]; // pixels that they take at the upper right
 const RADIUS = 20; // pixels of the arc of a spin
 const HANDLE = 7; // pixels about a handle or a line
 const PIECES = 8; // of half a line
+const EDGE = 3; // pixels about a body
+const ARROW = 5; // pixels about an arrow
 const LEAST_AXIS = 3; // pixels of its axis, below which it is seen from its end
 
 /**
@@ -58,26 +60,32 @@ const timeOf = (frame, t) =>
   text('space.when', { before: t < 0, time: `${brief(Math.abs(t) * frame.duration * 1e3)} ms` });
 
 /**
- * Where no label may lie: on the time, below the picture, and under the buttons that turn the picture.
+ * Where no label may lie: on the time, on the length to measure by, below the picture, and under the buttons that turn
+ * it.
  * @param {Context} c
- * @param {SpaceFrame} frame
+ * @param {BodiesStage} stage
  * @param {number} t
- * @param {number} width
- * @param {number} height
  * @returns {Box[]}
  */
-export function corners(c, frame, t, width, height) {
+export function corners(c, { frame, high: height, scale, wide: width }, t) {
   c.font = FONT;
   const [left, top] = placeOfTime(c, frame, t, width);
   return [
     [0, 0, left + c.measureText(timeOf(frame, t)).width + 4, top + 14 * larger],
     [width - BUTTONS[0] * larger, 0, width, BUTTONS[1] * larger],
     [0, height, width, Infinity], // below the picture
+    [
+      width - 20 - Math.max(roundBelow((0.2 * width) / scale) * scale, 40 * larger),
+      height - 34 * larger,
+      width,
+      height,
+    ],
   ];
 }
 
 /**
- * Where handles and bodies are: of a line small squares along it, of others the middle.
+ * Where handles, arrows and bodies are, also those from before: of what is longer than wide squares along it, of others
+ * the middle.
  * @param {BodiesStage} stage
  * @param {number} t
  */
@@ -85,18 +93,38 @@ export function drawnAt(stage, t) {
   const about = (/** @type {Point} */ [x, y], /** @type {number} */ half) =>
     /** @type {Box} */ ([x - half, y - half, x + half, y + half]);
   const found = [about(stage.hands.tip, HANDLE), about([stage.x, stage.y], HANDLE)];
-  for (const { axes = AXES, radius = 0, shape, sides = [0, 0, 0], name } of stage.bodies) {
+  for (const { axes = AXES, before, radius = 0, shape, sides = [0, 0, 0], name } of stage.bodies) {
     if (shape === 'stop') continue;
     const { centre, turned } = stage.pose(name, t);
-    const long = sides.filter((side) => side > 0).length === 1 ? sides.findIndex((side) => side > 0) : -1;
-    const half = Math.max(radius, Math.min(...sides) / 2) * stage.scale;
-    if (long < 0) found.push(about(stage.at(centre), Math.max(half, HANDLE)));
-    for (let k = -PIECES; k <= PIECES && long >= 0; k++) {
-      const along = turned(times(axes[long], (sides[long] * k) / (2 * PIECES)));
-      found.push(about(stage.at(add(centre, along)), HANDLE));
+    const [, wide, most] = [...sides].sort((a, b) => a - b);
+    const half = Math.max(Math.max(radius, wide / 2) * stage.scale + EDGE, HANDLE);
+    const axis = axes[sides.indexOf(most)];
+    for (let k = most ? -PIECES : 0; k <= (most ? PIECES : 0); k++) {
+      const along = turned(times(axis, ((most - wide) * k) / (2 * PIECES)));
+      found.push(about(stage.at(add(centre, along)), half));
     }
+    if (t < 0) continue;
+    const from = stage.at(stage.pose(name, -1).centre);
+    found.push(about(from, Math.max(radius * stage.scale, HANDLE)));
+    found.push(...onWay(from, stage.flat(times(before.velocity, stage.long / stage.speed))));
+    const away = stage.flat(times(stage.frame.push, (0.9 * stage.long) / (stage.frame.impulse || 1)));
+    found.push(...onWay([stage.x, stage.y], name === 'target' ? away : [-away[0], -away[1]]));
   }
   return found;
+}
+
+/**
+ * Squares along an arrow.
+ * @param {Point} from
+ * @param {[across: number, up: number]} way
+ * @returns {Box[]}
+ */
+function onWay([x, y], [across, up]) {
+  const count = Math.ceil(Math.hypot(across, up) / (2 * ARROW));
+  return Array.from({ length: count }, (_, k) => {
+    const [a, b] = [x + (across * (k + 1)) / count, y - (up * (k + 1)) / count];
+    return [a - ARROW, b - ARROW, a + ARROW, b + ARROW];
+  });
 }
 
 /**

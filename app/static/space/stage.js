@@ -132,7 +132,7 @@ export class BodiesStage {
     this.time = t;
     const now = Math.min(Math.max(t, -1), 1);
     const [tip, contact, ...bodies] = drawnAt(this, now);
-    unlabelled(c, [...corners(c, frame, now, width, height), tip, contact], bodies);
+    unlabelled(c, [...corners(c, this, now), tip, contact], bodies);
     const when = now < 0 ? 'before' : 'after';
     for (const name of BOTH)
       if (frame.bodies[name].shape === 'stop')

@@ -5,79 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-INSTANTS = [0, 0.1, 0.35, 0.6, 1]  # as shares of the impact
-
-# Words drawn on canvases that leave them, or lie on other words; at instants of the impact.
-DRAWN = """(instants) => {
-  const { page } = strikewave;
-  const context = CanvasRenderingContext2D.prototype;
-  const { fillText } = context;
-  const found = new Set();
-  const seen = (canvas) => canvas.isConnected && canvas.checkVisibility();
-  for (const share of instants) {
-    const written = new Map();
-    context.fillText = function (text, x, y) {
-      const box = this.measureText(text), place = this.getTransform();
-      const { x: left, y: top } = place.transformPoint({
-        x: x - box.actualBoundingBoxLeft, y: y - box.actualBoundingBoxAscent });
-      const { x: right, y: bottom } = place.transformPoint({
-        x: x + box.actualBoundingBoxRight, y: y + box.actualBoundingBoxDescent });
-      const words = written.get(this.canvas) ?? [];
-      if (text.trim()) written.set(this.canvas, [...words, { text, left, top, right, bottom }]);
-      return fillText.call(this, text, x, y);
-    };
-    page.player.go(share * page.player.duration);
-    for (const [canvas, words] of written)
-      for (const [k, { text, left, top, right, bottom }] of seen(canvas) ? words.entries() : []) {
-        if (left < -1 || top < -1 || right > canvas.width + 1 || bottom > canvas.height + 1) found.add(`cut: ${text}`);
-        for (const other of words.slice(k + 1))
-          if (Math.min(right, other.right) - Math.max(left, other.left) > 1 &&
-              Math.min(bottom, other.bottom) - Math.max(top, other.top) > 1)
-            found.add(`overlap: ${text}, ${other.text}`);
-      }
-  }
-  context.fillText = fillText;
-  return [...found];
-}"""
-
-# Words of the page that their boxes cut off, that are beyond the window with nothing to scroll, or that lie on others.
-WRITTEN = """() => {
-  const all = (root) => [...root.querySelectorAll('*')].flatMap((e) => [e, ...(e.shadowRoot ? all(e.shadowRoot) : [])]);
-  const above = (e) => e.parentElement ?? e.getRootNode().host;
-  const own = (e) => [...e.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
-  const clipped = (e) => getComputedStyle(e).clipPath !== 'none';
-  const words = all(document).filter((e) => own(e) && e.checkVisibility({ visibilityProperty: true })
-    && !['OPTION', 'SCRIPT', 'STYLE'].includes(e.tagName) && !clipped(e) && !e.closest('.unseen, svg'));
-  const found = new Set();
-  const boxes = words.map((e) => {
-    const text = e.textContent.trim().slice(0, 40);
-    const { overflowX } = getComputedStyle(e);
-    if (['hidden', 'clip'].includes(overflowX) && e.scrollWidth > e.clientWidth + 1) found.add(`cut: ${text}`);
-    const range = document.createRange();
-    range.selectNodeContents(e);
-    let [left, top, right, bottom, scrolls] = [-Infinity, -Infinity, Infinity, Infinity, false];
-    for (let box = above(e); box; box = above(box)) {
-      const { overflowX: across, overflowY: down } = getComputedStyle(box);
-      if (across === 'visible' && down === 'visible') continue;
-      const edge = box.getBoundingClientRect();
-      [left, top] = [Math.max(left, edge.left), Math.max(top, edge.top)];
-      [right, bottom] = [Math.min(right, edge.right), Math.min(bottom, edge.bottom)];
-      scrolls ||= [across, down].some((how) => ['auto', 'scroll'].includes(how));
-    }
-    return [...range.getClientRects()].filter((box) => box.width > 1).flatMap((box) => {
-      if (!scrolls && (box.right > innerWidth + 1 || box.left < -1)) found.add(`beyond: ${text}`);
-      const part = { text, e, left: Math.max(box.left, left), top: Math.max(box.top, top),
-        right: Math.min(box.right, right), bottom: Math.min(box.bottom, bottom) };
-      return part.right - part.left > 2 && part.bottom - part.top > 2 ? [part] : [];
-    });
-  }).flat();
-  boxes.forEach((a, k) => {
-    for (const b of boxes.slice(k + 1))
-      if (!a.e.contains(b.e) && !b.e.contains(a.e) && Math.min(a.right, b.right) - Math.max(a.left, b.left) > 3 &&
-          Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4) found.add(`overlap: ${a.text}, ${b.text}`);
-  });
-  return [...found];
-}"""
+from ..fitting import DRAWN, INSTANTS, LARGE, WRITTEN
 
 
 @pytest.mark.parametrize(
@@ -129,13 +57,6 @@ def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):
     said = page.evaluate(SAID_ON_STAGE, 1)
     assert [words for words in said if re.fullmatch(r"mass: [\d.]+\smm beyond", words)]
     assert not [words for words in page.evaluate(SAID_ON_STAGE, 0) if "beyond" in words]
-
-
-LARGE = """new MutationObserver((_, seen) => {
-  if (!document.documentElement) return;
-  document.documentElement.style.fontSize = '24px';
-  seen.disconnect();
-}).observe(document, { childList: true })"""
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (820, 1180), (390, 844)], ids=str)
@@ -306,7 +227,14 @@ def test_a_method_that_knows_no_waves_says_so_where_they_would_be(open_page):
     assert "no velocity by this method" in page.evaluate(SAID, "spaceTime")
 
 
+CUT_CELLS = """(table) => [...strikewave.page.root.querySelectorAll(`${table} td`)]
+  .filter(({ clientWidth, scrollWidth }) => scrollWidth > clientWidth).map(({ textContent }) => textContent)"""
+
+
 def test_figures_of_a_convergence_lie_beside_one_another_on_a_phone(open_page):
     page = open_page("?scene=table-6.6&panel=convergence", size=(390, 844))
     page.wait("() => strikewave.page.root.querySelectorAll('.study-convergence tbody tr').length > 2")
     assert page.evaluate(WRITTEN) == []
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'hammer-on-cantilever')"))
+    page.wait("() => strikewave.page.root.querySelector('.study-convergence tbody')?.textContent.includes('0.7262')")
+    assert page.evaluate(CUT_CELLS, ".study-convergence") == []

@@ -1,0 +1,146 @@
+"""What did not fit in states that bench.states takes pictures of: menus, refusals, kept solutions, other schemes."""
+
+import pytest
+from playwright.sync_api import expect
+
+from ..fitting import DRAWN, INSTANTS, WRITTEN
+from .test_fit_page import SAID_ON_STAGE
+
+PHONE = (390, 844)
+KEEP = """() => { const { compare, frame } = strikewave.page; compare.keep(); return compare.runs.length; }"""
+LINES = """(selector) => [...strikewave.page.root.querySelectorAll(selector)].map((e) => {
+  const range = document.createRange();
+  range.selectNodeContents(e);
+  return new Set([...range.getClientRects()].map(({ bottom }) => Math.round(bottom))).size;
+})"""
+
+
+def kept(page, *ratios: float) -> None:
+    """Solutions with these mass ratios."""
+    for ratio in ratios:
+        page.answered(lambda ratio=ratio: page.evaluate(f"() => strikewave.page.choose('mass_ratio', {ratio})"))
+        page.evaluate(KEEP)
+
+
+def test_of_the_sheet_at_its_highest_nothing_is_covered(open_page):
+    page = open_page(size=(820, 1180))
+    page.evaluate("() => { const { layout } = strikewave.page; layout.sizes.sheet = 0.8; layout.place(); }")
+    page.laid_out()
+    assert page.evaluate(WRITTEN) == []
+    expect(page.tab.locator(".dock.right")).to_be_in_viewport(ratio=1)
+
+
+def test_what_is_scrolled_away_is_not_seen_above_the_head_of_an_analysis(open_page):
+    page = open_page("?scene=fixed-rod&panel=ratios", size=(820, 1180))
+    page.wait("() => strikewave.page.analyses.ratios.figure.views")
+    above = """() => {
+      const { root } = strikewave.page.analyses.ratios, wide = root.parentElement;
+      wide.scrollTop = 300;
+      const { left, top } = root.querySelector('.panel-head').getBoundingClientRect();
+      return wide.scrollTop > 100 && root.contains(root.getRootNode().elementFromPoint(left + 40, top - 4));
+    }"""
+    assert page.evaluate(above) is False
+
+
+def test_a_caption_is_read_whole_beside_the_way_back_from_a_zoom(open_page):
+    page = open_page("?scene=hammer-on-cantilever", size=PHONE)
+    page.evaluate("() => strikewave.page.view.axis.show([0.3, 0.34])")
+    expect(page.tab.get_by_role("button", name="Show the whole impact")).to_be_visible()
+    caption = page.tab.locator(".caption")
+    page.wait("() => { const { caption: c } = strikewave.page; return c.scrollHeight <= c.clientHeight + 1; }")
+    assert caption.bounding_box()["width"] > 200
+
+
+def test_heads_of_a_table_are_words_on_a_phone(open_page):
+    page = open_page("?scene=bouncing-ball&panel=bounces", size=PHONE)
+    expect(page.tab.locator(".bounces tbody tr").first).to_be_attached()
+    assert max(page.evaluate(LINES, ".bounces th")) <= 2
+
+
+def test_an_analysis_says_its_name_once(open_page):
+    page = open_page("?scene=fixed-rod&panel=energy", size=PHONE)
+    page.wait("() => strikewave.page.analyses.energy.figure.views")
+    page.laid_out()
+    assert page.tab.locator(".energy h2:not(.unseen)").count() == 1
+
+
+def test_figures_of_four_kept_solutions_have_their_units_beside_them(open_page):
+    page = open_page(size=(1280, 720))
+    kept(page, 0.4, 0.8, 1.2, 1.6)
+    page.turn_to("Numbers")
+    assert set(page.evaluate(LINES, ".side-by-side small")) <= {0, 1}
+
+
+def test_the_menu_of_comparisons_ends_in_the_window(open_page):
+    page = open_page(size=(1280, 720))
+    kept(page, 0.4, 0.8)
+    page.tab.locator(".more-pins").click()
+    box = page.tab.locator(".pins .menu").bounding_box()
+    assert box["y"] + box["height"] <= 720
+
+
+def test_why_a_record_is_refused_stays_at_its_form(open_page):
+    page = open_page()
+    page.analysis("Compare with measured data")
+    file = {"name": "one.csv", "mimeType": "text/csv", "buffer": b"time,force\n1,2\n"}
+    page.tab.locator(".record-panel input[type=file]").set_input_files(file)
+    expect(page.tab.locator(".record-panel .wrong")).to_contain_text("a name with its unit")
+    page.errors.clear()  # the browser writes one of any refused request
+
+
+@pytest.mark.parametrize("scene", ["hammer-on-cantilever", "xylophone-bar"])
+def test_a_striker_is_seen_whole_or_said_to_be_beyond(open_page, scene):
+    page = open_page(f"?scene={scene}", size=PHONE)
+    cut = """() => {
+      const { player, view: { stage } } = strikewave.page, found = [];
+      for (let k = 0; k <= 60; k++) {
+        player.go((k / 60) * player.duration);
+        if (!stage.hit.flew && stage.hit.y < stage.hit.size - 0.5) found.push(k);
+      }
+      return found;
+    }"""
+    assert page.evaluate(cut) == []
+
+
+def test_ends_of_diagrams_are_in_their_titles_where_they_are_low(open_page):
+    page = open_page("?scene=table-6.10", size=(1280, 720))
+    assert [words for words in page.evaluate(SAID_ON_STAGE, 0.1) if words.startswith("M") and "(±" in words]
+
+
+def test_what_a_ball_touches_is_a_ball(open_page):
+    assert "The ball touches the other ball." in open_page("?scene=two-balls").tab.locator(".caption").inner_text()
+
+
+def test_words_in_a_small_space_lie_on_no_others(open_page):
+    page = open_page("?scene=brick-off-centre&speed=2&kept=A,speed:0.8&beside=A", size=PHONE)
+    page.wait("() => strikewave.page.compare.beside")
+    page.laid_out()
+    assert page.evaluate(DRAWN, [*INSTANTS, 0.9]) == []
+
+
+def test_a_scene_opens_its_analysis_each_time_it_is_come_back_to(open_page):
+    page = open_page(size=PHONE)
+    for scene in ("table-6.10", "fixed-rod", "table-6.10"):
+        page.turn_to("Controls")
+        page.answered(lambda scene=scene: page.evaluate(f"() => strikewave.page.controls.send('scene', '{scene}')"))
+    page.wait("() => strikewave.page.layout.tabs.selected === 'analysis'")
+
+
+def test_an_answer_for_another_number_of_modes_is_awaited_where_it_depends_on_them(open_page):
+    page = open_page("?scene=table-6.10")
+    fresh = """(name) => {
+      const { analyses, frame } = strikewave.page;
+      return analyses[name].fresh({ chosen: { ...frame.chosen, modes: frame.chosen.modes - 1 } });
+    }"""
+    assert [page.evaluate(fresh, name) for name in ("mode_change", "energy")] == [False, True]
+
+
+def test_a_dark_scheme_of_high_contrast_has_the_scene_and_the_pictures_on_its_own_ground(open_page):
+    page = open_page(forced_colors="active", color_scheme="dark")
+    colours = """() => ['.topbar .field-scene select', '.stages canvas'].map((each) => {
+      const { backgroundColor, filter } = getComputedStyle(strikewave.page.root.querySelector(each));
+      const dark = backgroundColor.match(/\\d+/g)?.slice(0, 3).every((part) => Number(part) < 60);
+      return [dark, filter.startsWith('invert')];
+    })"""
+    [[dark, _], [_, turned]] = page.evaluate(colours)
+    assert dark and turned
