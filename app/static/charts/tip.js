@@ -138,7 +138,8 @@ export class Tip {
     root.hidden = false;
     const left = chart.px(found.x);
     const right = left > chart.frame.x + 0.5 * chart.frame.w;
-    root.style.transform = right ? `translateX(${left - AWAY}px) translateX(-100%)` : `translateX(${left + AWAY}px)`;
+    const place = right ? `${left - AWAY}px - 100%` : `${left + AWAY}px`;
+    root.style.transform = `translateX(clamp(0px, ${place}, ${chart.width}px - 100%))`; // within the chart
     chart.point();
   }
 

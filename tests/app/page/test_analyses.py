@@ -132,7 +132,7 @@ def test_a_bad_file_is_refused_and_the_page_lives(open_page, content, said):
     opened(page, "Compare with measured data")
     file = {"name": "bad.csv", "mimeType": "text/csv", "buffer": content}
     page.tab.locator("input[type=file]").set_input_files(file)
-    expect(page.tab.locator(".toast")).to_contain_text(said)
+    expect(page.tab.locator(".record-panel .wrong")).to_contain_text(said)
     assert page.evaluate(f"() => {RECORD}.answer") is None
     assert [error for error in page.errors if "status of 4" not in error] == []
     page.errors.clear()  # the browser itself notes that the file was refused

@@ -51,6 +51,18 @@ def test_a_caption_is_read_whole_beside_the_way_back_from_a_zoom(open_page):
     assert caption.bounding_box()["width"] > 200
 
 
+def test_what_a_chart_says_under_a_pointer_is_in_the_window(open_page):
+    page = open_page(size=PHONE)
+    page.turn_to("Charts")
+    box = page.tab.locator(".time-views canvas").first.bounding_box()
+    for share in (0.2, 0.45, 0.5, 0.55, 0.9):
+        page.tab.mouse.move(box["x"] + share * box["width"], box["y"] + 0.4 * box["height"])
+        tip = page.tab.locator(".time-views .tip").first
+        expect(tip).to_be_visible()
+        edges = tip.bounding_box()
+        assert edges["x"] >= 0 and edges["x"] + edges["width"] <= PHONE[0]
+
+
 def test_heads_of_a_table_are_words_on_a_phone(open_page):
     page = open_page("?scene=bouncing-ball&panel=bounces", size=PHONE)
     expect(page.tab.locator(".bounces tbody tr").first).to_be_attached()
@@ -77,15 +89,6 @@ def test_the_menu_of_comparisons_ends_in_the_window(open_page):
     page.tab.locator(".more-pins").click()
     box = page.tab.locator(".pins .menu").bounding_box()
     assert box["y"] + box["height"] <= 720
-
-
-def test_why_a_record_is_refused_stays_at_its_form(open_page):
-    page = open_page()
-    page.analysis("Compare with measured data")
-    file = {"name": "one.csv", "mimeType": "text/csv", "buffer": b"time,force\n1,2\n"}
-    page.tab.locator(".record-panel input[type=file]").set_input_files(file)
-    expect(page.tab.locator(".record-panel .wrong")).to_contain_text("a name with its unit")
-    page.errors.clear()  # the browser writes one of any refused request
 
 
 @pytest.mark.parametrize("scene", ["hammer-on-cantilever", "xylophone-bar"])
