@@ -99,8 +99,9 @@ export class Layout {
     const { root, sizes } = this;
     const room = window.innerWidth - CENTRE;
     const usual = USUAL * window.innerWidth;
-    const left = Math.min(sizes.left ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
-    const wanted = sizes.right ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
+    const least = (/** @type {number | undefined} */ size) => size && Math.max(size, LEAST);
+    const left = Math.min(least(sizes.left) ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
+    const wanted = least(sizes.right) ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
     const right = Math.min(wanted, room - left);
     const wide = this.mode === 'tablet' ? Math.min(248 * scale, room) : left;
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);

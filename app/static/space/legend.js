@@ -18,7 +18,6 @@ const PLACE = [12, 10]; // of the time
 const BUTTONS = [170, 34]; // pixels that they take at the upper right
 const RADIUS = 20; // pixels of the arc of a spin
 const HANDLE = 7; // pixels about a handle or a line
-const PIECES = 8; // of half a line
 const EDGE = 3; // pixels about a body
 const ARROW = 5; // pixels about an arrow
 const LEAST_AXIS = 3; // pixels of its axis, below which it is seen from its end
@@ -99,8 +98,9 @@ export function drawnAt(stage, t) {
     const [, wide, most] = [...sides].sort((a, b) => a - b);
     const half = Math.max(Math.max(radius, wide / 2) * stage.scale + EDGE, HANDLE);
     const axis = axes[sides.indexOf(most)];
-    for (let k = most ? -PIECES : 0; k <= (most ? PIECES : 0); k++) {
-      const along = turned(times(axis, ((most - wide) * k) / (2 * PIECES)));
+    const pieces = Math.ceil(((most - wide) * stage.scale) / (4 * half)); // to both sides, without gaps
+    for (let k = -pieces; k <= pieces; k++) {
+      const along = turned(times(axis, pieces && ((most - wide) * k) / (2 * pieces)));
       found.push(about(stage.at(add(centre, along)), half));
     }
     if (t < 0) continue;

@@ -147,3 +147,20 @@ def test_a_dark_scheme_of_high_contrast_has_the_scene_and_the_pictures_on_its_ow
     })"""
     [[dark, _], [_, turned]] = page.evaluate(colours)
     assert dark and turned
+
+
+def test_an_impulse_is_written_beside_a_long_rod(open_page):
+    page = open_page("?scene=percussion-rod")
+    on_rod = """() => {
+      const { stage } = strikewave.page.view, { fillText } = CanvasRenderingContext2D.prototype;
+      let box = null;
+      CanvasRenderingContext2D.prototype.fillText = function (text, x, ...rest) {
+        const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right } = this.measureText(text);
+        if (text.startsWith('J =')) box = [x - left, x + right];
+        return fillText.call(this, text, x, ...rest);
+      };
+      stage.draw(0);
+      CanvasRenderingContext2D.prototype.fillText = fillText;
+      return box[0] < stage.x && box[1] > stage.x;
+    }"""
+    assert page.evaluate(on_rod) is False
