@@ -19,7 +19,7 @@ const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
 const CENTRE = 420; // pixels that the docks leave to the centre
 const USUAL = 0.58; // of the window that they take at most, unless they were sized, and of that the left one:
 const USUAL_LEFT = 0.4;
-const LEAST = 220; // pixels of a dock
+const LEAST = { left: 220, right: 250 }; // pixels of a dock, in which its words fit
 
 /** @typedef {'desk' | 'tablet' | 'phone'} Mode */
 /** @typedef {{ left?: number, right?: number, sheet?: number, folded?: Record<string, boolean> }} Sizes */
@@ -99,9 +99,9 @@ export class Layout {
     const { root, sizes } = this;
     const room = window.innerWidth - CENTRE;
     const usual = USUAL * window.innerWidth;
-    const least = (/** @type {number | undefined} */ size) => size && Math.max(size, LEAST);
-    const left = Math.min(least(sizes.left) ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
-    const wanted = least(sizes.right) ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
+    const least = (/** @type {'left' | 'right'} */ name) => sizes[name] && Math.max(sizes[name], LEAST[name]);
+    const left = Math.min(least('left') ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
+    const wanted = least('right') ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
     const right = Math.min(wanted, room - left);
     const wide = this.mode === 'tablet' ? Math.min(248 * scale, room) : left;
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
@@ -121,7 +121,7 @@ export class Layout {
     const resize = (/** @type {number} */ wanted) => {
       if (name === 'sheet') this.lent = false;
       if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / window.innerHeight, 0), SNAPS[2]);
-      else this.sizes[name] = Math.max(wanted, LEAST);
+      else this.sizes[name] = Math.max(wanted, LEAST[name]);
       this.#measure();
     };
     const rest = () => {
