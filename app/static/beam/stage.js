@@ -349,9 +349,11 @@ export class BeamStage {
    */
   #colours(c, end) {
     const { frame, narrow, what, width } = this;
-    const bar = Math.min((narrow ? 90 : 130) * larger, width - end - 28);
     const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
-    const x = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length ? beside : width - bar - 14;
+    const right = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length; // is where it strikes
+    const room = right ? this.struck - 0.5 * this.hit.size - 6 - beside : width - end - 28;
+    const bar = Math.min((narrow ? 90 : 130) * larger, room);
+    const x = right ? beside : width - bar - 14;
     const y = this.mechanism && this.#covered(x) ? this.mechanism.height - 14 : 22;
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
     const largest = this.usual[what] * unit;
