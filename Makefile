@@ -59,11 +59,11 @@ $(VENV)/.installed-test: $(VENV)/.created pyproject.toml constraints.txt
 	@$(PIP_INSTALL) --editable '.[test,docs]'
 	@touch $(VENV)/.installed $@
 
-# Debian's own Chromium where there is one; elsewhere the build that Playwright brings.
+# One that is there; else Debian's own, without windows; else the build that Playwright brings.
 chromium: $(VENV)/.installed-test
-	@command -v chromium >/dev/null 2>&1 || [ -n "$$CHROMIUM" ] || { echo "Installing Chromium"; \
+	@command -v chromium-headless-shell >/dev/null || command -v chromium >/dev/null || [ -n "$$CHROMIUM" ] || { echo "Installing Chromium"; \
 		{ grep -qs '^ID=debian' /etc/os-release && $(SUDO) apt-get update -qq && \
-		$(SUDO) apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core >/dev/null; } || \
+		$(SUDO) apt-get install -qq -y --no-install-recommends chromium-headless-shell fonts-dejavu-core >/dev/null; } || \
 		$(BIN)/playwright install --with-deps chromium; }
 
 # Checks of the browser code; the page itself needs none of them.
