@@ -13,6 +13,7 @@ SHIPPED = Path(__file__).parent / "tradeoffs"
 SAID = ("title", "source", "note", "method")  # parts of a scene that do not change what happens
 DIGITS = {"wall_time": 4, "first_time": 4, "spread": 4}  # kept of times; of all else FIGURES
 FIGURES = 5
+KEY_FIGURES = 9  # of numbers in a key: what follows from those given may differ in the last bits between machines
 KNOWN = ("points", "scene", "quantities")  # packed in their own way, or known from the scene and the library
 SENTENCES = ("refused", "remarks")  # made of their codes
 DERIVED = ("label", "best_for")  # of a point, known from the rest
@@ -22,7 +23,7 @@ LEVEL = ("method", "ladder", "knob")  # of a point, the same for a whole ladder 
 def scene_key(scene: Scene) -> str:
     """The same for scenes in which the same happens, whatever they are called and however they are solved."""
     table = {name: part for name, part in scene.struck.table().items() if name not in SAID}
-    return sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:24]
+    return sha256(json.dumps(_rounded(table, KEY_FIGURES), sort_keys=True).encode()).hexdigest()[:24]
 
 
 def _path(scene: Scene, machine: Mapping[str, Any], version: str) -> Path:
@@ -120,7 +121,7 @@ def _whole_note(head: list[str], values: list[Any]) -> dict[str, Any]:
 
 def _rounded(value: Any, figures: int) -> Any:
     if isinstance(value, float):
-        return float(f"{value:.{figures - 1}e}")
+        return float(f"{value:.{figures - 1}e}") + 0.0  # no zero below zero
     if isinstance(value, Mapping):
         return {key: _rounded(part, figures) for key, part in value.items()}
     if isinstance(value, (list, tuple)):
