@@ -20,7 +20,7 @@ from solvers.records.files import check_size
 
 from ..jobs.compiler import COMPILER
 from ..jobs.loops import of_loop
-from ..jobs.workers import Workers
+from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
 from ..text.catalogues import page
 from ..views.record import record_answer
@@ -94,8 +94,8 @@ class MeasuredRecord(RequestHandler):
             self.write(answer)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             self._refuse(400, str(refusal))
-        except Exception:
-            log.exception("a record could not be compared")
+        except Exception as error:
+            log.error("a record could not be compared", exc_info=not isinstance(error, Lost))
             self._refuse(500, page().text("serving.record.failed"))
         finally:
             self._comparing.discard(self)
