@@ -13,6 +13,7 @@ from ..bodies import Mechanism
 from ..methods.base import SceneNotSupported, no_method
 from ..provenance import machine, version
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
@@ -32,7 +33,7 @@ MAX_LEVEL_SHARE = 0.15  # share of all the time that one level may take
 
 
 def tradeoff(
-    scene: Scene,
+    scene: SceneOrName,
     quantities: Sequence[str] | None = None,
     cancel: Callable[[], bool] | None = None,
     progress: Callable[[TradeOff], None] | None = None,
@@ -50,6 +51,7 @@ def tradeoff(
     Cost: about `seconds` of one core, less if nothing is left to refine.
     Raises SceneNotSupported if no method can solve the scene, SceneError for a quantity that does not exist.
     """
+    scene = scene_of(scene)
     chosen = tuple(validation.choice("quantity", name, QUANTITIES) for name in quantities or QUANTITIES)
     seconds = validation.number("seconds", seconds, 0.1, 3600.0, "s")
     table = None if fresh else store.measured_here(scene, machine(), _code(scene))
@@ -69,12 +71,13 @@ def tradeoff(
     return _narrowed(found, chosen)
 
 
-def stored_tradeoff(scene: Scene) -> TradeOff | None:
+def stored_tradeoff(scene: SceneOrName) -> TradeOff | None:
     """The table at once, if there is one: measured on this machine, or one that came with the library, `shipped`.
 
     Times of the latter are scaled, where this machine has been calibrated (`calibrate`). `changed` names what of its
     code is no longer that which was measured.
     """
+    scene = scene_of(scene)
     table, shipped = store.measured_here(scene, machine(), _code(scene)), False
     if table is None:
         table, shipped = store.shipped(scene), True

@@ -18,6 +18,7 @@ from ..methods.base import Method
 from ..methods.grazing import one_front
 from ..numerics.processors import all_processors
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import Balances, Bends
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
@@ -83,7 +84,7 @@ class Convergence:
 
 
 def convergence(
-    scene: Scene,
+    scene: SceneOrName,
     modes: Sequence[int] | None = None,
     method: str | Method = "modal",
     *,
@@ -103,6 +104,7 @@ def convergence(
     Cost: the solves, side by side on all processors.
     Source: thesis tables 6.2 to 6.6 and 6.8.
     """
+    scene = scene_of(scene)
     begun = time.perf_counter()
     levels = levels_of(scene, method, modes, {"step": steps, "restitution": restitutions})
     kind = levels.kind
