@@ -18,7 +18,7 @@ HEAD_SECONDS, MAX_HEAD = 5.0, 65_536  # for a request to arrive, and its bytes
 MAX_AT_ONCE = 200  # connections
 LAST_SECONDS = 0.5  # that answers under way have, when the server is ready
 HEADERS = (
-    "HTTP/1.1 503 Service Unavailable",
+    "HTTP/1.1 503 Unavailable",
     "Content-Type: text/html; charset=utf-8",
     f"Retry-After: {AGAIN}",
     "Cache-Control: no-store",

@@ -26,10 +26,10 @@ def listen_on(sockets: list[socket]) -> None:
     """Have the next server of Bokeh take these sockets, which are bound already."""
 
     def take(address: str | None, port: int) -> tuple[list[socket], int]:
-        bokeh_server.bind_sockets = bind_sockets
+        vars(bokeh_server)["bind_sockets"] = bind_sockets
         return sockets, port
 
-    bokeh_server.bind_sockets = take
+    vars(bokeh_server)["bind_sockets"] = take
 
 
 def _nothing_here(self, path):

@@ -74,8 +74,7 @@ def build(
     from . import install
     from .door import Door
     from .limits import MAX_BODY, MAX_HEADER, MAX_MESSAGE
-    from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts, pack, shell
-    from .uploads import MeasuredRecord
+    from .pages import pack, shell
 
     _quiet()
     install.install()
@@ -94,14 +93,7 @@ def build(
         show=False,
         start=False,
         location=False,
-        extra_patterns=[
-            (r"/liveness", Alive),
-            (r"/record", MeasuredRecord),
-            (r"/figures/([a-z-]+)", Figure),
-            (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
-            (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
-            (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
-        ],
+        extra_patterns=_routes(),
         websocket_max_message_size=MAX_MESSAGE,
         http_server_kwargs={
             "max_body_size": MAX_BODY,
@@ -119,6 +111,21 @@ def build(
     )
     server.io_loop.add_callback(lambda: of_loop(Workers).fill())
     return server
+
+
+def _routes() -> list[tuple]:
+    """What is served beside the page and its socket."""
+    from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts
+    from .uploads import MeasuredRecord
+
+    return [
+        (r"/liveness", Alive),
+        (r"/record", MeasuredRecord),
+        (r"/figures/([a-z-]+)", Figure),
+        (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
+        (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
+        (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
+    ]
 
 
 def _quiet() -> None:
