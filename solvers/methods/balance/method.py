@@ -40,7 +40,8 @@ class Balance(Method):
     """Impulsive balances with a restitution each, as many as it takes, and free motion in between.
 
     Rods struck on their end, beams struck across: meshes of `elements` (with all their modes or the lowest `modes`, 20
-    of a beam by default), or their exact modes where only `modes` is given. `variant`: "event-located" balances at the
+    of a beam by default), or their exact modes where only `modes` is given; links and pendulums that bend by their own
+    modes and shapes. `variant`: "event-located" balances at the
     very instants at which the faces meet, and lets them stay together where restitution leaves endless ever smaller
     balances; "step-end", Newmark's fixed `step` with balances at step ends only; "step-halving", steps halved until the
     faces overlap by less than `tolerance`.
@@ -161,7 +162,10 @@ class Balance(Method):
             return None
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
-        others = [self._coarser(scene, parts)._run(scene, run.duration) for parts in (2, 3)]
+        others = []
+        for parts in (2, 3):
+            fewer = replace(scene, impactor=scene.impactor.with_share_of_modes(1.0 / parts))
+            others.append(self._coarser(scene, parts)._run(fewer, run.duration))
         if run.full or any(other.full for other in others):
             return None
         estimated = max(abs(run.final_velocity - other.final_velocity) for other in others) / scene.speed
