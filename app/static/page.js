@@ -12,7 +12,7 @@ import { Controls } from './shell/controls.js';
 import { make } from './shell/dom.js';
 import { First } from './shell/first.js';
 import { History } from './shell/history.js';
-import { hasUndo, taken } from './shell/keys.js';
+import { taken } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
 import { decode } from './shell/message.js';
@@ -96,6 +96,7 @@ export class Page {
     this.analyses.settle(this.layout);
     this.first = new First(this);
     this.symbols = new Symbols(this.root);
+    this.history.watch(this.root);
     for (const { stage } of Object.values(this.views))
       stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
     this.root.append(this.toast);
@@ -186,7 +187,7 @@ export class Page {
     const key = (/** @type {KeyboardEvent} */ event) => {
       if (event.altKey || event.defaultPrevented) return;
       if (event.ctrlKey || event.metaKey) {
-        if (!hasUndo(event) && this.history.key(event)) event.preventDefault();
+        if (this.history.key(event)) event.preventDefault();
         return;
       }
       if (taken(event)) return;

@@ -1,7 +1,7 @@
 // The bodies: what each is and what follows from it, with a field for every value that can be set.
 import { family, named, text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
-import { inUnit, isCoordinate, placeOf, read, unitOf, written } from './body_values.js';
+import { inUnit, isCoordinate, placeOf, read, unitOf, unitsFor, written } from './body_values.js';
 import { make } from './dom.js';
 
 /** @import { Page } from '../page.js' */
@@ -199,7 +199,10 @@ export class Bodies {
     const slider = scale && sliderOf(scale, (value) => this.set(key, value));
     const row = rowOf(label, input, sign, ...(slider ? [slider.root] : []));
     const end = (/** @type {number | null} */ value) => `${pretty(Number(value) / unit.factor)} ${unit.sign}`.trim();
-    input.oninput = () => (typing = true);
+    input.oninput = () => {
+      typing = input.value.trim() !== last;
+      if (!typing) row.complain(''); // what was refused is undone
+    };
     input.onchange = () => {
       const given = input.value.trim();
       typing = given !== last;
@@ -210,7 +213,8 @@ export class Bodies {
       }
       const value = read(given, quantity, unit);
       const said = { given: given.slice(0, 24), unit: unit.sign || 'none', low: end(low), high: end(high) };
-      if (Number.isNaN(value)) return row.complain(text('bodies.not-number', said));
+      const wrong = { ...said, units: unitsFor(quantity) };
+      if (Number.isNaN(value)) return row.complain(text('bodies.not-number', wrong));
       if (low !== null && high !== null && !(value >= low && value <= high))
         return row.complain(text('bodies.not-within', said));
       row.complain('');
