@@ -13,7 +13,7 @@ from ..numerics.rods import attached_rod_modes, rod_modes
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
-from .material import LENGTH_RANGE, Material, read_radius, required_material
+from .material import LENGTH_RANGE, MATERIALS, Material, read_radius, required_material
 from .protocol import AnyBody
 from .sections import section_of_bar
 
@@ -70,8 +70,8 @@ class Rod(Waveguide):
 
     length: float  # L [m]
     area: float  # A [m2]
-    material: Material
-    support: str
+    material: Material = MATERIALS["steel"]
+    support: str = "fixed"  # of a target, as in scene files; one that strikes is "free"
     velocity: float = 0.0  # [m/s], positive the way the impactor goes
     end_mass: float = 0.0  # rigid mass on the far end [kg]
     radius: float | None = None  # of curvature of the struck end [m]
