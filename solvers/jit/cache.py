@@ -88,13 +88,21 @@ def _usable(folder: Path) -> Path:
     try:
         own = Path(tempfile.mkdtemp(prefix="strikewave-"))
         if folder.is_dir():
-            shutil.copytree(folder, own, dirs_exist_ok=True)
+            _copy(folder, own)
         atexit.register(shutil.rmtree, own, ignore_errors=True)
     except OSError:
         own = folder
         caching.UserProvidedCacheLocator.ensure_cache_path = lambda self: None  # it may be read all the same
     log.warning("kernels cannot be kept in %s (%s); this process keeps them in %s", folder, reason, own)
     return own
+
+
+def _copy(folder: Path, own: Path) -> None:
+    """The files of a folder, without its modes: in those, nothing may be written."""
+    for each in sorted(folder.rglob("*")):
+        copy = own / each.relative_to(folder)
+        with suppress(PermissionError):  # what cannot be read is compiled again
+            copy.mkdir(exist_ok=True) if each.is_dir() else shutil.copyfile(each, copy)
 
 
 class _KernelFile(caching.IndexDataCacheFile):
