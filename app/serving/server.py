@@ -15,6 +15,7 @@ from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
 from solvers.validation import SceneError
 
+from ..jobs.calibrating import calibrate_machine
 from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.workers import Workers, prepare
@@ -48,6 +49,7 @@ def serve(port: int, address: str, origins: list[str]) -> int:
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
     print(command().text("run.page-at", address=f"http://{host}:{port}"), flush=True)
+    server.io_loop.add_callback(calibrate_machine)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()
