@@ -1,6 +1,10 @@
 """What of the pinned Bokeh, Panel and Tornado must be otherwise for a page that anybody may open."""
 
+from socket import socket
+
+from bokeh.server import server as bokeh_server
 from bokeh.server.urls import per_app_patterns
+from bokeh.server.util import bind_sockets
 from panel.io.server import ComponentResourceHandler
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
@@ -16,6 +20,16 @@ def install() -> None:
     RequestHandler.set_default_headers = set_headers  # pyright: ignore[reportAttributeAccessIssue]
     ComponentResourceHandler.parse_url_path = _nothing_here  # it imports the module that an address names
     StaticFileHandler.get = _without_null(StaticFileHandler.get)
+
+
+def listen_on(sockets: list[socket]) -> None:
+    """Have the next server of Bokeh take these sockets, which are bound already."""
+
+    def take(address: str | None, port: int) -> tuple[list[socket], int]:
+        vars(bokeh_server)["bind_sockets"] = bind_sockets
+        return sockets, port
+
+    vars(bokeh_server)["bind_sockets"] = take
 
 
 def _nothing_here(self, path):

@@ -37,7 +37,8 @@ class Levels:
 def kinds_of(scene: Scene, method: Method) -> list[str]:
     """What can be varied, the number of modes or of elements first."""
     options = {option.name for option in fields(method)}
-    if any(link.flexible for link in _links(scene)):  # of whose modes alone it depends how well they are known
+    alone = scene.impactor.own_modes and not isinstance(scene.impactor, Mechanism) and scene.target.time_unit is None
+    if alone or any(link.flexible for link in _links(scene)):  # of whose modes alone it depends how well they are known
         found = ["modes"]
     elif COUNTED[0] in options and (getattr(method, COUNTED[0]) or not getattr(method, COUNTED[1], None)):
         found = [COUNTED[0]]

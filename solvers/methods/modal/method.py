@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod, Waveguide
+from ...bodies import AnyBody, Beam, Bending, FlexiblePendulum, Pivoted, Rod, Waveguide
 from ...numerics.modes import Modes
 from ...numerics.oscillators import Record, Residual, march
 from ...provenance import clock
@@ -14,6 +14,7 @@ from ...scene import Scene
 from ...solution.solution import Later, Solution, later, summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..estimates import error_left
 from ..options import flag, option, whole, word
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
 from .frames import frame_figures, pivot_figures
@@ -30,6 +31,9 @@ MAX_USUAL_STEPS = 60_000
 # Times as many where a beam is struck: a contact there may be over long before the beam has swung once.
 BEAM_STEPS_FACTOR = 8
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
+# Of an estimate: other numbers of modes, as shares; of a rigid contact more of them, as its rebound scatters.
+SHARES, RIGID_SHARES, FINER_SHARES = (1 / 2, 2 / 3), (1 / 2, 2 / 5, 1 / 3), (3 / 2, 2.0)
+FEW_MODES = 20
 FRAMES = ("mean-axis", "attached", "attached-far")
 MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
 MAX_SURE_CONTACTS = 6  # with a beam; of more, its conditioning is tested
@@ -212,26 +216,39 @@ class Modal(Method):
     def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float | None:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
 
-        Against two of them, as one coarse answer may agree with the fine one by chance. None where the target says
-        itself how many modes it has and nothing but they gives way.
+        Of few modes, as of a pendulum that has its own, against more: fewer are no rod or beam any longer. None where
+        the target says itself how many modes it has and nothing but they gives way. The factors are such that random
+        impacts keep to it: `tests/random_estimates.py`.
         """
         if scene.target.own_modes and scene.rigid_contact:
             return None
-        others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
+        shares, order, factor = self._estimate(scene)
         if not any(motion.pair.truncated):
-            others = {self.modes}
-        final, differences = motion.final_velocity, []
-        for modes in others:
-            fewer = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes))
-            other = replace(self, modes=modes, steps=max(10, motion.steps // 2))._march(fewer, motion.duration)
-            differences.append(abs(final - other.final_velocity))
-        estimated = float(max(differences) / scene.speed)
+            shares = ()
+        steps, differences = max(10, motion.steps // 2), []
+
+        def add(modes: int, share: float) -> float:
+            other = replace(scene, impactor=scene.impactor.with_share_of_modes(share))
+            found = replace(self, modes=modes, steps=steps)._march(other, motion.duration)
+            return (motion.final_velocity - found.final_velocity) / scene.speed
+
+        counts = [max(1, round(share * self.modes)) for share in shares]
+        differences = [(modes / self.modes, add(modes, modes / self.modes)) for modes in counts]
+        estimated = factor * error_left(differences, order) if shares else abs(add(self.modes, 1.0))
         # shorter than any mode kept: all numbers of modes are wrong alike
         steps = _steps_of_a_contact(motion)
         if steps < MIN_STEPS_PER_CONTACT:  # so coarse that half the steps may be as wrong; second order
             estimated = max(estimated, 2.0 * steps**-2.0)
         lasts = scene.halting_time if bodies_that_bend(scene) and scene.rigid_contact else _fading_time(scene)
         return max(estimated, 1.0) if lasts < motion.pair.resolved_time else estimated
+
+    def _estimate(self, scene: Scene) -> tuple[tuple[float, ...], float, float]:
+        """Other numbers of modes, as shares, the order of the error and the factor on what they leave."""
+        if self.modes <= FEW_MODES or isinstance(scene.impactor, FlexiblePendulum):
+            return FINER_SHARES, 1.0, 1.0
+        if scene.rigid_contact:
+            return RIGID_SHARES, 1.0, 2.0
+        return SHARES, 1.33 if scene.contact.JUMPS else 2.0, 1.25
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)
