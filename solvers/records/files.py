@@ -167,7 +167,7 @@ def _choose(names: tuple[str, ...], kind: str | None, gauge: int) -> tuple[tuple
 
 
 _NAME = re.compile(
-    r"\s*(?P<word>t|time|(?:micro|milli)?strain|stress|(?:contact_)?force)"
+    r"\s*(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>_\w+?)??"
     r"(?:\s*[\[(]\s*(?P<bracket>[^\])]*?)\s*[\])]|[_ ]+(?P<bare>[^\d_\s][^_]*?))?(?:_\d+)?\s*",
     re.IGNORECASE,
 )
@@ -176,6 +176,7 @@ _NAME = re.compile(
 def _meaning(name: str) -> tuple[str, float] | None:
     """Kind of a column and the factor to SI units; None for a column that is neither time nor value.
 
+    Of what it is may stand before the unit, as in files that the page saves: `force_waves_N`.
     Raises SceneError where the unit of such a column is none.
     """
     parts = _NAME.fullmatch(name)
@@ -184,7 +185,9 @@ def _meaning(name: str) -> tuple[str, float] | None:
     word, unit = parts["word"].lower(), parts["bracket"] or parts["bare"] or ""
     if word in UNITS["strain"]:
         return "strain", UNITS["strain"][word]
-    kind = {"t": "time", "contact_force": "force"}.get(word, word)
+    kind = {"t": "time", "contact_force": "force", "compression": "stress"}.get(word, word)
+    if parts["of"] and unit not in UNITS[kind]:
+        return None
     if unit not in UNITS[kind]:
         spelled = [f"{kind}_{unit}" if unit else kind for unit in UNITS[kind]]
         raise RecordError("unit", unit, column=name[:NAME_LETTERS], got=unit or "none", names=spelled)

@@ -63,6 +63,15 @@ def test_kinds_and_units(head, kind, factor):
     assert record.kind == kind and record.values == approx(factor * VALUES, rel=1e-8)
 
 
+@pytest.mark.parametrize(
+    "name, kind",
+    [("force_waves_N", "force"), ("force_5_modes_N", "force"), ("compression_modal_at_150_mm_Pa", "stress")],
+)
+def test_columns_that_the_page_saves_are_read_again(name, kind):
+    text = "# scene = fixed-rod\n" + lines(head=f"time_s,{name}")
+    assert read_record(text).kind == kind and read_record(text).values == approx(VALUES, rel=1e-8)
+
+
 def test_the_sign_can_be_turned():
     assert read_record(lines(), sign=-1).values == approx(-VALUES, rel=1e-8)
     with pytest.raises(SceneError, match="sign: got '2'"):
