@@ -142,7 +142,9 @@ class _KernelFile(caching.IndexDataCacheFile):
         with suppress(Exception), open(self._index_path, "rb") as file:  # of a damaged file more has been said
             version = pickle.load(file)
             if version != self._version:
-                self._warn("kernels in %s are of Numba %s; for %s they are compiled again", FOLDER, version, self._version)
+                self._warn(
+                    "kernels in %s are of Numba %s; for %s they are compiled again", FOLDER, version, self._version
+                )
             else:
                 others = [each[1] for each in pickle.load(file)[1] if each[0] == key[0] and each[1] != key[1]]
                 if others:

@@ -4,7 +4,6 @@ A kernel is compiled once per machine and releases the interpreter lock while it
 several threads. `parallel=True` is never used: concurrent parallel regions abort the process.
 """
 
-import warnings
 from collections.abc import Callable
 from typing import Any
 
