@@ -1,4 +1,5 @@
 # make serve: the page.  make check: what is quick, without a browser.  make test: everything.  make docs: the documentation.
+# make tables: what the library has measured and stored, where code has changed since.
 # Each sets up all it needs on a fresh machine.
 PYTHON ?= python3
 VENV := .venv
@@ -10,7 +11,7 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
 # Bytecode is written at the first import, of what is imported: else each of the many processes of tests makes its own.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: serve check coverage test docs bench peers screenshot clean chromium
+.PHONY: serve check coverage test docs bench tables peers screenshot clean chromium
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
@@ -33,6 +34,10 @@ docs: $(VENV)/.installed-test
 
 bench: $(VENV)/.installed-test chromium
 	$(BIN)/python -m bench
+
+# Minutes; stopped half-way it goes on where it was. `make test` refuses a release whose tables are out of date.
+tables: $(VENV)/.installed-test
+	$(BIN)/python -m bench.tables
 
 # Other programs on the same impacts, on one thread; `make bench` runs them too once they are installed.
 peers: $(VENV)/.installed-test
@@ -59,11 +64,11 @@ $(VENV)/.installed-test: $(VENV)/.created pyproject.toml constraints.txt
 	@$(PIP_INSTALL) --editable '.[test,docs]'
 	@touch $(VENV)/.installed $@
 
-# Debian's own Chromium where there is one; elsewhere the build that Playwright brings.
+# One that is there; else Debian's own, without windows; else the build that Playwright brings.
 chromium: $(VENV)/.installed-test
-	@command -v chromium >/dev/null 2>&1 || [ -n "$$CHROMIUM" ] || { echo "Installing Chromium"; \
+	@command -v chromium-headless-shell >/dev/null || command -v chromium >/dev/null || [ -n "$$CHROMIUM" ] || { echo "Installing Chromium"; \
 		{ grep -qs '^ID=debian' /etc/os-release && $(SUDO) apt-get update -qq && \
-		$(SUDO) apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core >/dev/null; } || \
+		$(SUDO) apt-get install -qq -y --no-install-recommends chromium-headless-shell fonts-dejavu-core >/dev/null; } || \
 		$(BIN)/playwright install --with-deps chromium; }
 
 # Checks of the browser code; the page itself needs none of them.

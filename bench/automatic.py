@@ -1,29 +1,36 @@
-"""`method = "auto"` over 500 random scenes: how often it keeps its word. Run alone: the constants of cost.
+"""`method = "auto"` over 500 random scenes: how often it keeps its word; and the constants of cost.
 
 The scenes are of seeds that nothing was developed with. Whoever looks into one of them, to mend what it shows, moves
 FIRST on.
 """
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from datetime import date
 from time import thread_time
+from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import nnls
+from threadpoolctl import threadpool_limits
 
 import solvers
 from solvers import Auto
-from solvers.accuracy.cost_model import STORED, kinds, work_size
+from solvers.accuracy import calibration
+from solvers.accuracy.cost_model import STORED, expected_of, kinds, stored_costs, work_size
+from solvers.accuracy.measured_code import code_of
 from solvers.accuracy.quantities import Reference
 from solvers.accuracy.refinement import ladders
+from solvers.accuracy.three_solves import measured
 from solvers.provenance import machine
 
 from .random_scenes import random_scene
 from .timing import row
 
 FIRST, OTHER_FIRST, BEAM_FIRST = 90_000, 90_500, 90_700  # seeds
-SCENES, OTHER_SCENES, BEAM_SCENES, COST_SCENES = 500, 100, 60, 24
+SCENES, OTHER_SCENES, BEAM_SCENES = 500, 100, 60
+COST_FIRST, COST_SCENES, COST_OTHER_FIRST, COST_OTHER_SCENES = 5000, 24, 6000, 8  # fitted to; and to see how it fits
 LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
@@ -33,7 +40,7 @@ WITHOUT_WAVES = tuple(name for name in solvers.METHODS if name != "waves")
 
 
 def measure() -> dict[str, object]:
-    """Run `python -m bench.automatic` before, if a method has become quicker or slower: it renews costs.json."""
+    """Run `make tables` before, if a method has become quicker or slower: it renews costs.json."""
     found = rate("all methods", _scenes(FIRST, SCENES), None)
     found |= rate("without waves", _scenes(OTHER_FIRST, OTHER_SCENES), WITHOUT_WAVES)
     return found | rate("beams", _scenes(BEAM_FIRST, BEAM_SCENES, beams=1.0), None)
@@ -43,28 +50,79 @@ def _scenes(first: int, count: int, beams: float = 0.0) -> Iterable[solvers.Scen
     return (random_scene(np.random.default_rng(first + number), beams) for number in range(count))
 
 
+class Cost(NamedTuple):
+    """Of one solve, without its estimate of the error."""
+
+    kinds: tuple[str, ...]
+    seconds: float
+    steps: int
+    size: int
+
+
+def costs_of(scenes: Iterable[solvers.Scene]) -> Iterator[Cost]:
+    """Every ladder of each scene, up to where a solve takes long."""
+    with threadpool_limits(1, user_api="blas"):
+        for scene in scenes:
+            for ladder in ladders(scene):
+                for level in ladder.levels:
+                    taken, solution = _timed(level.without_estimate(), scene)
+                    table = level.table()
+                    yield Cost(kinds(table, scene.contact), taken, solution.diagnostics["steps"], work_size(table))
+                    if taken > LONGEST / 4.0:
+                        break
+
+
 def fit_costs() -> dict[str, object]:
     """Time = a + b steps + c steps size + d size^3 of every kind of solve, by relative least squares, stored."""
     rows: dict[str, list[tuple[float, int, int]]] = {}
-    for number in range(COST_SCENES):
-        scene = random_scene(np.random.default_rng(5000 + number), beams=0.3)
-        for ladder in ladders(scene):
-            for level in ladder.levels:
-                taken, solution = _timed(level.without_estimate(), scene)
-                for kind in kinds(level.table(), scene.contact):
-                    rows.setdefault(kind, []).append((taken, solution.diagnostics["steps"], work_size(level.table())))
-                if taken > LONGEST / 4.0:
-                    break
+    before = measured()
+    for number, scene in enumerate(_scenes(COST_FIRST, COST_SCENES, beams=0.3)):
+        for cost in costs_of([scene]):
+            for kind in cost.kinds:
+                rows.setdefault(kind, []).append(cost[1:])
+        print(f"  costs: {number + 1} of {COST_SCENES} scenes", flush=True)
     constants, within = {}, []
-    for kind, measured in rows.items():
-        time, steps, size = np.array(measured, float).T
+    for kind, solves in rows.items():
+        time, steps, size = np.array(solves, float).T
         terms = np.column_stack([np.ones_like(time), steps, steps * size, size**3])
         scale = np.maximum(terms.max(axis=0), 1.0)
-        constants[kind] = (nnls(terms / scale / time[:, None], np.ones_like(time))[0] / scale).tolist()
+        fitted = nnls(terms / scale / time[:, None], np.ones_like(time))[0] / scale
+        constants[kind] = [float(f"{constant:.3e}") for constant in fitted]
         if " " in kind:  # else it stands in for those that are not known
-            within += (np.abs(np.log2(terms @ constants[kind] / time)) <= 1.0).tolist()
-    STORED.write_text(json.dumps({"machine": machine(), "seconds": constants}, indent=1) + "\n", encoding="utf-8")
+            within += (np.abs(np.log2(terms @ fitted / time)) <= 1.0).tolist()
+    after = measured()
+    stored = {
+        "machine": machine(),
+        "date": str(date.today()),
+        "calibration": {kind: min(before[kind], after[kind]) for kind in before},
+        "code": code_of(solvers.METHODS, "costs"),
+        "seconds": constants,
+    }
+    beside = STORED.with_suffix(".part")
+    beside.write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
+    beside.replace(STORED)
+    stored_costs.cache_clear()
     return dict([row("costs foretold within a factor of two", 100.0 * np.mean(within), "%")])
+
+
+def costs_foretold(every: int = 1) -> dict[str, object]:
+    """How near the stored constants are on this machine, calibrated, on scenes that they were not fitted to."""
+    calibration.calibrate()
+    known = stored_costs()["seconds"]
+    off = []
+    for cost in costs_of(list(_scenes(COST_OTHER_FIRST, COST_OTHER_SCENES, beams=0.3))[::every]):
+        if cost.kinds[0] in known:
+            off.append(cost.seconds / expected_of(cost.kinds, cost.steps, cost.size))
+    shares = [100.0 * float(np.mean(np.abs(np.log(off)) <= np.log(factor))) for factor in (2.0, 2.5)]
+    return dict(
+        [
+            row("solves foretold by constants of cost, other scenes", len(off), ""),
+            row("now over foretold: median", float(np.median(off)), "x"),
+            row("within a factor 2", shares[0], "%"),
+            row("within a factor 2.5", shares[1], "%", ">= 95"),
+            row("worst", float(np.exp(np.max(np.abs(np.log(off))))), "x"),
+        ]
+    )
 
 
 def _timed(method: solvers.Method, scene: solvers.Scene) -> tuple[float, solvers.Solution]:
@@ -192,7 +250,3 @@ def exact(scene: solvers.Scene) -> Exact:
     steps = FINER * solvers.FeNodal(elements=ELEMENTS // 2, estimate=False).solve(scene).diagnostics["steps"]
     elements = solvers.FeNodal(elements=ELEMENTS, steps=min(steps, MOST_STEPS), estimate=False)
     return Exact(elements.solve(scene), solvers.Modal(modes=1600, estimate=False).solve(scene))
-
-
-if __name__ == "__main__":
-    fit_costs()

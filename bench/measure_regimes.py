@@ -1,7 +1,7 @@
 """Measure where cheap models hold, and store it as the library's data: python -m bench.measure_regimes
 
 Every point is one scene solved in full and by each cheap model; what is stored are the errors. A few minutes on two
-cores; solvers/regimes/regimes.npz is written anew.
+cores; solvers/regimes/regimes.npz is written anew. Stopped half-way it goes on where it was, unless code has changed.
 """
 
 import argparse
@@ -10,16 +10,20 @@ import json
 import multiprocessing
 import os
 import resource
+import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
+from datetime import date
 from pathlib import Path
 
 import numpy as np
 
+from solvers.accuracy.measured_code import code_of
 from solvers.accuracy.reference import swept_reference
 from solvers.contact import PlasticLinear, PlasticPower, YigitChristoforou
-from solvers.methods import Modal, QuasiStatic
+from solvers.jit.cache import cache_home
+from solvers.methods import Modal, QuasiStatic, RigidImpulse, Waves
 from solvers.provenance import machine
 from solvers.regimes.models import (  # fmt: skip
     BEAMS,
@@ -47,6 +51,7 @@ SLENDER_MODES = 15
 ROD_LOSSY_AXES = np.geomspace(1e-2, 1e3, 16), np.geomspace(1e-2, 1e2, 17)
 BEAM_LOSSY_AXES = np.geomspace(0.1, 100.0, 7), np.geomspace(0.01, 10.0, 10)
 YIELD_RATIOS = np.geomspace(0.5, 500.0, 61)
+METHODS_USED = [method.NAME for method in (Waves, Modal, QuasiStatic, RigidImpulse)]
 PLASTIC = (YigitChristoforou, PlasticLinear, PlasticPower)
 
 
@@ -116,8 +121,26 @@ def plastic_curve(law: type) -> np.ndarray:
     return np.array(rows)
 
 
-def swept(pool: ProcessPoolExecutor, row: Callable, tasks: list[tuple]) -> np.ndarray:
-    return np.array(list(pool.map(row, tasks)))
+def sweeps() -> Iterator[tuple[str, Callable, list[tuple]]]:
+    """Of each: its name, the work on one row, and the rows."""
+    for family, law in itertools.product(RODS, LAWS):
+        yield f"{family}/{law}", models_row, [(family, law, ratio, ROD_AXES[1]) for ratio in ROD_AXES[0]]
+    for family in BEAMS:
+        yield family, models_row, [(family, "linear", ratio, BEAM_AXES[1]) for ratio in BEAM_AXES[0]]
+    for family in (*RODS, *BEAMS):
+        (ratios, times), counts = (ROD_MODES_AXES, ROD_COUNTS) if family in RODS else (BEAM_MODES_AXES, BEAM_COUNTS)
+        yield f"{family}/modes", modes_row, [(family, ratio, times, counts) for ratio in ratios]
+    for family in BEAMS:
+        yield f"{family}/theory", slender_row, [(family, each, SLENDER_AXES[1]) for each in SLENDER_AXES[0]]
+    for family, (law, losses) in itertools.product((*RODS, *BEAMS), LOSSES.items()):
+        ratios, times = ROD_LOSSY_AXES if family in RODS else BEAM_LOSSY_AXES
+        for loss in losses:
+            yield f"{family}/{law}/{loss:g}", lossy_row, [(family, law, loss, ratio, times) for ratio in ratios]
+
+
+def code() -> dict[str, str]:
+    """Fingerprints of what the map is made with."""
+    return code_of(METHODS_USED, "regimes")
 
 
 def measure() -> dict[str, np.ndarray]:
@@ -132,44 +155,47 @@ def measure() -> dict[str, np.ndarray]:
         "rod_lossy_axes_ratio": ROD_LOSSY_AXES[0], "rod_lossy_axes_time": ROD_LOSSY_AXES[1],
         "beam_lossy_axes_ratio": BEAM_LOSSY_AXES[0], "beam_lossy_axes_time": BEAM_LOSSY_AXES[1],
     }  # fmt: skip
-    seconds, scenes = {}, {}
+    seconds, scenes, own = {}, {}, code()
+    parts = cache_home() / f"regimes-{'-'.join(own.values())}"
+    parts.mkdir(parents=True, exist_ok=True)
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(os.cpu_count(), mp_context=context) as pool:
-        sweeps = [
-            (f"{family}/{law}", models_row, [(family, law, r, ROD_AXES[1]) for r in ROD_AXES[0]])
-            for family, law in itertools.product(RODS, LAWS)
-        ]
-        sweeps += [(f, models_row, [(f, "linear", r, BEAM_AXES[1]) for r in BEAM_AXES[0]]) for f in BEAMS]
-        sweeps += [
-            (f"{f}/modes", modes_row, [(f, r, ROD_MODES_AXES[1], ROD_COUNTS) for r in ROD_MODES_AXES[0]]) for f in RODS
-        ]
-        sweeps += [
-            (f"{f}/modes", modes_row, [(f, r, BEAM_MODES_AXES[1], BEAM_COUNTS) for r in BEAM_MODES_AXES[0]])
-            for f in BEAMS
-        ]
-        sweeps += [(f"{f}/theory", slender_row, [(f, s, SLENDER_AXES[1]) for s in SLENDER_AXES[0]]) for f in BEAMS]
-        for f, (law, losses) in itertools.product((*RODS, *BEAMS), LOSSES.items()):
-            ratios, times = ROD_LOSSY_AXES if f in RODS else BEAM_LOSSY_AXES
-            sweeps += [(f"{f}/{law}/{x:g}", lossy_row, [(f, law, x, r, times) for r in ratios]) for x in losses]
-        for name, row, tasks in sweeps:
-            begun = time.perf_counter()
-            values = swept(pool, row, tasks)
-            found[name] = encoded(values)
-            seconds[name], scenes[name] = time.perf_counter() - begun, values.shape[0] * values.shape[1]
+        for name, row, tasks in sweeps():
+            kept, begun = parts / f"{name.replace('/', '-')}.npz", time.perf_counter()
+            if not kept.exists():
+                errors_found = np.array(list(pool.map(row, tasks)))
+                with kept.with_suffix(".part").open("wb") as file:
+                    np.savez(file, errors=encoded(errors_found), seconds=time.perf_counter() - begun)
+                kept.with_suffix(".part").replace(kept)
+            with np.load(kept) as part:
+                found[name], seconds[name] = part["errors"], float(part["seconds"])
+            scenes[name] = found[name].shape[0] * found[name].shape[1]
             print(f"  {name:28}{scenes[name]:6d} scenes  {seconds[name]:8.1f} s", flush=True)
     for law in PLASTIC:
         found[f"plastic/{law.NAME}"] = plastic_curve(law).astype(np.float32)
     children = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024.0
-    made = {"script": "bench/measure_regimes.py", "machine": machine(), "seconds": seconds, "scenes": scenes}
+    made = {
+        "script": "bench/measure_regimes.py",
+        "machine": machine(),
+        "date": str(date.today()),
+        "code": own,
+        "seconds": seconds,
+        "scenes": scenes,
+    }
     found["made"] = np.array(json.dumps(made | {"largest_process_mb": children}))
     return found
 
 
-def main() -> None:
-    argparse.ArgumentParser(description=__doc__).parse_args()
-    np.savez_compressed(STORED, **measure())
+def store() -> None:
+    """Measure and write."""
+    beside = Path(STORED).with_suffix(".part.npz")
+    np.savez_compressed(beside, **measure())
+    beside.replace(STORED)
+    for folder in cache_home().glob("regimes-*"):
+        shutil.rmtree(folder)
     print(f"Stored {Path(STORED).stat().st_size / 1e3:.0f} kB in {STORED}")
 
 
 if __name__ == "__main__":
-    main()
+    argparse.ArgumentParser(description=__doc__).parse_args()
+    store()

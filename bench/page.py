@@ -2,7 +2,6 @@
 
 import asyncio
 import os
-import shutil
 import statistics
 import time
 from contextlib import suppress
@@ -11,7 +10,7 @@ from pathlib import Path
 
 from playwright.sync_api import sync_playwright
 
-from tests.app.conftest import QUIET, Page
+from tests.app.conftest import QUIET, Page, chromium
 from tests.app.socket_client import SocketClient, run
 
 from .serving import served_page
@@ -78,8 +77,7 @@ def measure() -> dict[str, object]:
 def _browser(address: str) -> list:
     rows = []
     with sync_playwright() as playwright:
-        chromium = os.environ.get("CHROMIUM") or shutil.which("chromium")
-        browser = playwright.chromium.launch(executable_path=chromium, args=QUIET)
+        browser = playwright.chromium.launch(executable_path=chromium(), args=QUIET)
         begun = time.perf_counter()
         page = Page(browser, address)
         rows.append(row("page interactive, from the request, first visit", time.perf_counter() - begun, "s", "<= 2"))

@@ -4,15 +4,13 @@ Not part of the bench: it measures nothing, and the pictures are for somebody to
 """
 
 import argparse
-import os
 import re
-import shutil
 from contextlib import nullcontext
 from pathlib import Path
 
 from playwright.sync_api import Error, sync_playwright
 
-from tests.app.conftest import QUIET, Page, Windows
+from tests.app.conftest import QUIET, Page, Windows, chromium
 from tests.app.fitting import DRAWN, INSTANTS, SCROLLED, UNREACHED, WRITTEN
 
 from .serving import served_page
@@ -72,8 +70,7 @@ def crawl(address: str, folder: Path, states: list[State], sizes: list[tuple[int
     """Every state at every size; how many findings."""
     count = 0
     with sync_playwright() as playwright:
-        chromium = os.environ.get("CHROMIUM") or shutil.which("chromium")
-        browser = playwright.chromium.launch(executable_path=chromium, args=QUIET)
+        browser = playwright.chromium.launch(executable_path=chromium(), args=QUIET)
         windows = Windows(browser)
         for state in states:
             for size in sizes:

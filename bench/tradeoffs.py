@@ -1,31 +1,38 @@
 """Trade-offs of the shipped scenes, stored with the library: one for each impact, however many scenes show it.
 
-All that are not stored yet for this machine and state of the library:  python -m bench --only tradeoffs
-Of some scenes, whatever is stored:                                      python -m bench.tradeoffs NAME ...
-Stopped half-way it goes on where it was. On a machine that does nothing else, as these are wall times.
+All whose code has changed since:      make tables, or python -m bench --only tradeoffs
+Of some scenes, whatever is stored:    python -m bench.tradeoffs NAME ...
+Stopped half-way it goes on where it was. Times are of a processor, beside those of a calibration on the same machine:
+tables from several machines go together.
 """
 
 import argparse
 import json
+import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from statistics import median
 
 import solvers
+from solvers.accuracy.measured_code import changed
 from solvers.accuracy.refinement import ladders, refusals
 from solvers.accuracy.store import SHIPPED, pack, scene_key
-from solvers.provenance import machine, version
+from solvers.accuracy.three_solves import Times, measured
 
 from .timing import row
 
 SECONDS = 12.0  # of one scene, compiled
+CALIBRATION_SECONDS = 0.3  # before and after each scene
 
 
 def measure(names: Sequence[str] = (), folder: Path = SHIPPED) -> dict[str, object]:
-    """Every impact not stored yet, or those of the scenes named; what is stored of no scene any more is deleted."""
+    """Every impact whose table is out of date, or those of the scenes named; what is stored of no scene any more is
+    deleted.
+    """
     folder.mkdir(exist_ok=True)
     impacts = impacts_of(names or solvers.scene_names())
-    firsts, kept = [], set()
+    wanted, kept = [], set()
     for scene, called in impacts.values():
         path = folder / f"{scene_key(scene)}.json"
         if not ladders(scene):
@@ -33,8 +40,12 @@ def measure(names: Sequence[str] = (), folder: Path = SHIPPED) -> dict[str, obje
             print(f"  {called[0]}: left out, as no method can solve it ({reasons})")
             continue
         kept.add(path)
-        if names or not already_stored(path):
-            firsts.append(_store(scene, called, path))
+        if names or outdated(path, scene):
+            wanted.append((scene, called, path))
+    begun = time.monotonic()
+    firsts = []
+    for place, one in enumerate(wanted):
+        firsts.append(_store(*one, f"{place + 1} of {len(wanted)}, {time.monotonic() - begun:.0f} s"))
     if not names:
         for path in set(folder.glob("*.json")) - kept:
             path.unlink()
@@ -50,28 +61,40 @@ def impacts_of(names: Sequence[str]) -> dict[str, tuple[solvers.Scene, list[str]
     return found
 
 
-def already_stored(path: Path) -> bool:
-    """Whether this table has been measured on this machine and with these sources."""
+def outdated(path: Path, scene: solvers.Scene) -> list[str]:
+    """What of the code has changed since this table was measured, and methods that solve the scene now but did not, or
+    no longer; "table", if there is none. Whatever machine it was measured on.
+    """
     try:
         table = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
-        return False
-    return (table["machine"], table["version"]) == (machine(), version())
+        return ["table"]
+    own = {ladder.levels[0].NAME for ladder in ladders(scene)}
+    known = {name for name in table.get("code") or () if name in solvers.METHODS}
+    return sorted({*changed(table.get("code")), *(own ^ known)})
 
 
-def _store(scene: solvers.Scene, called: Sequence[str], path: Path) -> float:
+def _calibrated(*others: Times) -> Times:
+    """The shortest of now and of others."""
+    now = measured(CALIBRATION_SECONDS)
+    return {kind: min(each[kind] for each in (now, *others)) for kind in now}
+
+
+def _store(scene: solvers.Scene, called: Sequence[str], path: Path, progress: str) -> float:
     """Measure and write; time to the first point [s]."""
     for ladder in ladders(scene):
         ladder.levels[0].solve(scene)  # compiled
     seen: list[float] = []
+    before = _calibrated()
     table = solvers.tradeoff(scene, fresh=True, seconds=SECONDS, progress=lambda known: seen.append(known.seconds))
+    table = replace(table, calibration=_calibrated(before))
     text = json.dumps(pack(table.table()), allow_nan=False, separators=(",", ":")) + "\n"
     beside = path.with_suffix(".part")
     beside.write_text(text, encoding="utf-8")
     beside.replace(path)
     shared = f" and {len(called) - 1} more" if len(called) > 1 else ""
-    print(f"  {called[0]}{shared}: first point {seen[0]:.2g} s, {len(table.points)} points {table.seconds:.3g} s,"
-          f" {len(text) / 1e3:.3g} kB, {table.reference.kind}", flush=True)  # fmt: skip
+    print(f"  {progress}: {called[0]}{shared}: first point {seen[0]:.2g} s, {len(table.points)} points"
+          f" {table.seconds:.3g} s, {len(text) / 1e3:.3g} kB, {table.reference.kind}", flush=True)  # fmt: skip
     return seen[0]
 
 
@@ -93,7 +116,7 @@ def _figures(paths: Sequence[Path], scenes: int, firsts: Sequence[float]) -> dic
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="built-in scenes; default: all not stored yet")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="built-in scenes; default: all out of date")
     parser.add_argument("--into", type=Path, default=SHIPPED, metavar="FOLDER", help="instead of the library's own")
     options = parser.parse_args()
     measure(options.names, options.into)

@@ -5,6 +5,7 @@ solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 """
 
 from .accuracy.auto import Auto
+from .accuracy.calibration import calibrate
 from .accuracy.comparison import Row, compare
 from .accuracy.reference import reference
 from .accuracy.tradeoff import stored_tradeoff, tradeoff
@@ -85,6 +86,7 @@ __all__ = [
     "Waveguide",
     "Waves",
     "bounces",
+    "calibrate",
     "compare",
     "compare_with_half_space",
     "contact_times",

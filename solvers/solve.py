@@ -9,19 +9,19 @@ from .bodies import Mechanism
 from .methods import METHODS, Modal, usual_method
 from .methods.base import Method
 from .methods.multibody.method import Multibody
-from .scene import Scene
+from .scenes.library import SceneOrName, scene_of
 from .solution.solution import Solution
 from .validation import SceneError, allowed
 
 CHOICES: dict[str, type[Method]] = {**METHODS, Auto.NAME: Auto, Multibody.NAME: Multibody}
 
 
-def read_method(given: Mapping[str, Any], scene: Scene | None = None) -> tuple[Method, float | None]:
+def read_method(given: Mapping[str, Any], scene: SceneOrName | None = None) -> tuple[Method, float | None]:
     """Method and duration [s] from the table `[method]` of a scene file; if it names none, the scene's usual method.
 
     Raises SceneError naming the key; SceneNotSupported if nothing is named and no method can solve the scene.
     """
-    given = dict(given)
+    given, scene = dict(given), None if scene is None else scene_of(scene)
     duration = given.pop("duration", None)
     name = given.pop("name", None)
     if name is None and scene is not None:
@@ -31,13 +31,14 @@ def read_method(given: Mapping[str, Any], scene: Scene | None = None) -> tuple[M
     return CHOICES[validation.choice("method.name", name, CHOICES)].read(given), duration
 
 
-def solve(scene: Scene, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
+def solve(scene: SceneOrName, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
     """Solve a scene by the method it names, by `usual_method` if it names none, or by another one.
 
     `options` are those of the method (`modes`, `steps`, `tolerance`). Duration in seconds; without one, until the
     bodies part for good. Raises SceneError for options that do not exist or are out of range, SceneNotSupported if the
     method cannot solve the scene.
     """
+    scene = scene_of(scene)
     table = dict(scene.method)
     if duration is None:
         duration = table.pop("duration", None)

@@ -4,7 +4,6 @@ import argparse
 import json
 import os
 import re
-import socket
 import sys
 import threading
 import tomllib
@@ -16,9 +15,9 @@ import solvers
 from solvers import SceneError
 from solvers.jit.shortcuts import shorten
 
+from .serve import add_arguments as add_serve_arguments
 from .words import text
 
-DEFAULT_PORT = 5006
 QUIET_SECONDS = 3.0  # [s] until one line says what takes long
 
 
@@ -104,12 +103,7 @@ def _parser() -> argparse.ArgumentParser:
     scenes.set_defaults(run=_scenes)
 
     serve = commands.add_parser("serve", help=text("help.serve.about"))
-    serve.add_argument("--port", help=text("help.serve.port", port=DEFAULT_PORT))
-    serve.add_argument("--address", help=text("help.serve.address"))
-    origin = text("help.serve.origin")
-    serve.add_argument("--allow-origin", action="append", metavar="HOST[:PORT]", help=origin)
-    serve.add_argument("--warm", action="store_true", help=text("help.serve.warm"))
-    serve.set_defaults(run=_serve)
+    add_serve_arguments(serve)
 
     warm = commands.add_parser("warm", help=text("help.warm"))
     warm.set_defaults(run=_warm)
@@ -328,22 +322,3 @@ def _compare(options: argparse.Namespace) -> int:
 
         print(comparison(exact, rows))
     return 0
-
-
-def _serve(options: argparse.Namespace) -> int:
-    port = os.environ.get("IMPACT_PORT", str(DEFAULT_PORT)) if options.port is None else options.port
-    if not (port.isascii() and port.isdigit() and len(port) <= 5 and 1 <= int(port) <= 65535):
-        raise SceneError("--port", port, text("wanted.whole", low=1, high=65535))
-    address = os.environ.get("IMPACT_ADDRESS", "127.0.0.1") if options.address is None else options.address
-    try:
-        socket.getaddrinfo(address or " ", int(port))
-    except (OSError, UnicodeError):
-        raise SceneError("--address", address, text("wanted.address")) from None
-    origins = options.allow_origin or [o for o in os.environ.get("IMPACT_ORIGINS", "").split(",") if o.strip()]
-    for origin in origins:
-        host, _, origin_port = origin.strip().partition(":")
-        if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
-            raise SceneError("--allow-origin", origin, text("wanted.origin"))
-    from ..serving.server import serve
-
-    return serve(int(port), address, [origin.strip() for origin in origins])

@@ -13,7 +13,7 @@ from .answers import KEPT
 from .compiler import COMPILER
 from .loops import of_loop
 from .runner import COMPILING, settled
-from .workers import LONG, QUICK, Job, Workers
+from .workers import LONG, QUICK, Job, Lost, Workers
 
 MAX_RUN_SECONDS = 60.0  # of computing; what a measurement or a map sets itself is less
 log = logging.getLogger("strikewave")
@@ -75,8 +75,8 @@ class LongRun:
                     await self._run(asked)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             await settled(self._refuse(str(refusal)))
-        except Exception:
-            log.exception("a long run failed: %r", asked)
+        except Exception as error:
+            log.error("a long run failed: %r", asked, exc_info=not isinstance(error, Lost))
             await settled(self._refuse(page().text("serving.not-worked-out")))
         finally:
             self._busy, self._job = False, None

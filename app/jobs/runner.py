@@ -13,7 +13,7 @@ from ..text.catalogues import page
 from .answers import Answers
 from .compiler import COMPILER
 from .loops import of_loop
-from .workers import MAX_SECONDS, QUICK, level_after
+from .workers import MAX_SECONDS, QUICK, Lost, level_after
 
 COMPILING = page().text("serving.compiling")
 LONG_AFTER = 1.0  # s after which the visitor is informed that it takes long
@@ -105,8 +105,8 @@ class Runner:
             result = await self._solved(self.current)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             await settled(self._refuse(str(refusal)))
-        except Exception:
-            log.exception("a solve failed: %r", self.current)
+        except Exception as error:
+            log.error("a solve failed: %r", self.current, exc_info=not isinstance(error, Lost))
             await settled(self._refuse(page().text("serving.not-solved")))
         else:
             if result is not None:

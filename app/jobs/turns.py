@@ -91,6 +91,9 @@ class Turnstile:
     def waiting(self) -> int:
         return len(self._waiting)
 
+    def waiting_of(self, who: Hashable) -> int:
+        return sum(each[0] == who for each in self._waiting)
+
     def charge(self, who: Hashable, seconds: float) -> None:
         """Remember that somebody has had so much time."""
         self._shares.charge(who, seconds)

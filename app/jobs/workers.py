@@ -9,22 +9,19 @@ forked, in some milliseconds, from one that has everything loaded.
 import asyncio
 import logging
 import math
-import multiprocessing
 import os
 import signal
-import sys
 import time
 from collections.abc import Callable, Hashable
 from contextlib import suppress
-from multiprocessing import forkserver
 from typing import Any, NamedTuple
 
-from solvers.jit.cache import FOLDER
 from solvers.jit.compiling import NotCompiled
 
 from ..text.catalogues import page
 from .fair import Shares
-from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task, serve
+from .processes import Process
+from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task
 
 CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
@@ -35,10 +32,11 @@ SETTLED = 0.6  # share of a level's seconds below which work comes back to it: e
 # Times the seconds of its level for the first work of a process, which loads kernels and scenes for up to 0.1 s too.
 # Without it what takes 20 ms was moved down with each new process, none of which was there long enough to have them.
 FIRST = 3.0
+STILL_SECONDS = 4.0  # without computing, and without waiting for a processor, after which work is taken to hang
+LOOK_SECONDS = 1.0  # between two looks whether it goes on
+MAX_TRIES = 2  # of work whose process ended by itself, or did not go on
 MAX_FORK_PAUSE = 5.0  # [s] before another is forked in place of one that ended by itself
 IDLE_SECONDS = 10.0  # after which a process that is not among the quick, and has nothing to do, is ended
-BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-PRELOADED = "app.jobs.preload"
 log = logging.getLogger("strikewave")
 
 
@@ -64,7 +62,7 @@ class GivenUp(ValueError):
 
 
 class Lost(RuntimeError):
-    """A process ended in the middle of its work, or did not go on with it."""
+    """Processes ended in the middle of this work, or did not go on with it, as often as it is tried."""
 
 
 class Job:
@@ -75,10 +73,17 @@ class Job:
         self.answer: asyncio.Future = asyncio.get_running_loop().create_future()
         self.begun: float | Any = None  # while a process works on it, when that began
         self.computed = 0.0  # [s] of computing, as it was last looked at
-        self.worker: _Worker | Any = None
+        self.worker: Process | Any = None
+        self.tries = 0
+        self._ending = False
+
+    @property
+    def may_be_tried_again(self) -> bool:
+        return self.tries < MAX_TRIES and not self._ending
 
     def end(self) -> None:
         """Have work that is stoppable end soon, with what it has; the answer comes as usual."""
+        self._ending = True
         if self.worker is None:
             self.answer.cancel()
         else:
@@ -92,11 +97,13 @@ class Workers:
     def __init__(self, levels: tuple[Level, ...] = LEVELS):
         self._levels = levels
         self._loop = asyncio.get_running_loop()
-        self._workers: list[_Worker] = []
+        self._workers: list[Process] = []
         self._waiting: list[Job] = []
         self._forking = [0] * len(levels)
         self._shares = Shares()
         self._stopped = False
+        self._looking: asyncio.TimerHandle | None = None
+        self._looked = 0.0  # when it was last seen whether all go on
         self._deaths = 0  # of processes that ended by themselves, since one answered
 
     def start(
@@ -142,6 +149,8 @@ class Workers:
         self._stopped = True
         for job in [*self._waiting, *(worker.job for worker in self._workers if worker.job is not None)]:
             job.answer.cancel()
+        if self._looking is not None:
+            self._looking.cancel()
         for worker in list(self._workers):
             self._end(worker)
 
@@ -173,7 +182,7 @@ class Workers:
 
     async def _fork(self, level: int) -> None:
         try:
-            worker = await self._loop.run_in_executor(None, _Worker, level)
+            worker = await self._loop.run_in_executor(None, Process, level)
         except OSError as error:
             log.error("no process could be forked (%s)", error)
             self._loop.call_later(MAX_FORK_PAUSE, self.fill)
@@ -188,26 +197,29 @@ class Workers:
         self._loop.add_reader(worker.connection.fileno(), self._read, worker)
         self._rest(worker)
 
-    def _give(self, worker: "_Worker", job: Job) -> None:
+    def _give(self, worker: Process, job: Job) -> None:
         self._waiting.remove(job)
         worker.job, job.worker, job.begun, job.computed = job, worker, time.monotonic(), 0.0
+        job.tries += 1
         worker.begin()
+        if self._looking is None:
+            self._look_later()
         with suppress(OSError):  # of a process that has just ended, which its reader will see
             worker.connection.send(job.task)
         self._watch(worker, job)
 
-    def _seconds(self, worker: "_Worker") -> float:
+    def _seconds(self, worker: Process) -> float:
         """Of computing that its work may take where it is."""
         return self._levels[worker.level].seconds * (1.0 if worker.answered else FIRST)
 
-    def _watch(self, worker: "_Worker", job: Job) -> None:
+    def _watch(self, worker: Process, job: Job) -> None:
         seconds = self._seconds(worker)
         if math.isinf(seconds):
             worker.watch(self._loop.call_later(MAX_WALL * job.task.seconds, self._hangs, worker))
         else:
             worker.watch(self._loop.call_later(seconds, self._look, worker))
 
-    def _look(self, worker: "_Worker") -> None:
+    def _look(self, worker: Process) -> None:
         """Whether work has had the computing that its level allows; on a busy machine that takes longer than that."""
         seconds = self._seconds(worker)
         left = seconds - worker.computed
@@ -216,7 +228,7 @@ class Workers:
         else:
             worker.watch(self._loop.call_later(max(left, 0.005), self._look, worker))
 
-    def _move_down(self, worker: "_Worker") -> None:
+    def _move_down(self, worker: Process) -> None:
         """Work that takes longer than its level allows gives up its seat."""
         job, level = worker.job, worker.level + 1
         self._charge(job)
@@ -234,12 +246,31 @@ class Workers:
             self._waiting.append(job)
         self.fill()
 
-    def _hangs(self, worker: "_Worker") -> None:
-        log.error("%s did not go on, and was ended", worker.job.task.work.__qualname__)
+    def _look_later(self) -> None:
+        self._looked = time.monotonic()
+        self._looking = self._loop.call_later(LOOK_SECONDS, self._look_at_all)
+
+    def _look_at_all(self) -> None:
+        """End what has hung for too long: a process that is stopped uses up no computing time."""
+        late = time.monotonic() - self._looked > 2.0 * LOOK_SECONDS  # then all stood still, this process too
+        self._looking = None
+        working = [worker for worker in self._workers if worker.job is not None]
+        for worker in working:
+            if late:
+                worker.stir()
+            elif worker.still() > STILL_SECONDS:
+                self._hangs(worker)
+        if working:
+            self._look_later()
+
+    def _hangs(self, worker: Process) -> None:
+        log.error("%s did not go on, and its process was ended", worker.job.task.work.__qualname__)
+        for idle in [each for each in self._workers if each.job is None and each.stopped]:
+            self._end(idle)  # before it is given the work that is tried again
         self._end(worker)
         self.fill()
 
-    def _read(self, worker: "_Worker") -> None:
+    def _read(self, worker: Process) -> None:
         """Take what a process says; where it says nothing any more it has ended."""
         try:
             kind, value = worker.connection.recv()
@@ -263,7 +294,7 @@ class Workers:
             _settle(job, kind, value)
         self._rest(worker)
 
-    def _rest(self, worker: "_Worker") -> None:
+    def _rest(self, worker: Process) -> None:
         """It has nothing to do; what is not among the quick ends if that lasts."""
         worker.watch(self._loop.call_later(IDLE_SECONDS, self._end, worker) if worker.level > QUICK else None)
         self.fill()
@@ -283,8 +314,8 @@ class Workers:
         self._shares.charge(job.visitor, computed - job.computed)
         job.computed = computed
 
-    def _end(self, worker: "_Worker", died: bool = False) -> None:
-        """End a process; work that it had gets the reason for an answer."""
+    def _end(self, worker: Process, died: bool = False) -> None:
+        """End a process; work that it had is tried again, or gets the reason for an answer."""
         if worker not in self._workers:
             return
         self._workers.remove(worker)
@@ -298,62 +329,15 @@ class Workers:
         used_up = code == -signal.SIGPROF
         if used_up:
             self._shares.charge(job.visitor, job.task.seconds - job.computed)
-        if not job.answer.done():
-            job.answer.set_exception(GivenUp(job.task.seconds) if used_up else Lost(job.task.work.__qualname__))
-
-
-class _Worker:
-    """A process that solves."""
-
-    def __init__(self, level: int):
-        ours, theirs = forks().Pipe()
-        self.connection, self.level = ours, level
-        self.job: Job | Any = None
-        self.answered = False  # whether it has done any work
-        self._timer: asyncio.TimerHandle | None = None
-        self._since = 0.0
-        self._process = forks().Process(target=serve, args=(theirs,), daemon=True)
-        self._process.start()
-        theirs.close()
-
-    def sink(self, level: int, nice: int) -> None:
-        """To a level that gets less of the processors."""
-        self.level = level
-        if nice:
-            with suppress(OSError):  # it has just ended
-                os.setpriority(os.PRIO_PROCESS, self._process.pid, nice)
-
-    def begin(self) -> None:
-        """From now on its computing counts."""
-        self._since = self._clock()
-
-    @property
-    def computed(self) -> float:
-        """Seconds of computing since then."""
-        return self._clock() - self._since
-
-    def _clock(self) -> float:
-        if sys.platform != "linux":
-            return time.monotonic()
-        try:
-            return time.clock_gettime(~self._process.pid << 3 | 2)  # as clock_getcpuclockid() makes it
-        except OSError:  # it has just ended
-            return self._since
-
-    def watch(self, timer: asyncio.TimerHandle | None) -> None:
-        """One timer at a time."""
-        if self._timer is not None:
-            self._timer.cancel()
-        self._timer = timer
-
-    def end(self, died: bool) -> int | None:
-        """Kill it, unless it has ended; the exit code as it was before."""
-        self.connection.close()
-        self._process.join(0.5 if died else 0.0)
-        code = self._process.exitcode
-        if code is None:
-            self._process.kill()
-        return code
+        if job.answer.done():
+            return
+        if used_up:
+            job.answer.set_exception(GivenUp(job.task.seconds))
+        elif job.may_be_tried_again:
+            job.begun = None
+            self._waiting.append(job)
+        else:
+            job.answer.set_exception(Lost(job.task.work.__qualname__))
 
 
 def level_after(seconds: float, level: int) -> int:
@@ -361,24 +345,6 @@ def level_after(seconds: float, level: int) -> int:
     fits = next(number for number, each in enumerate(LEVELS) if seconds <= each.seconds)
     settles = next(number for number, each in enumerate(LEVELS) if seconds <= SETTLED * each.seconds)
     return settles if fits < level else fits
-
-
-def prepare() -> None:
-    """Start the process that workers are forked from, which loads what they need while this one does other things."""
-    forks()
-    forkserver.ensure_running()
-
-
-def forks() -> Any:
-    """What processes are made by: forked from one that has loaded all they need, and nothing else."""
-    context = multiprocessing.get_context("forkserver")
-    if not _PREPARED:
-        os.environ.setdefault("NUMBA_CACHE_DIR", str(FOLDER))
-        for library in BLAS_THREADS:  # one each: there are as many processes as processors
-            os.environ.setdefault(library, "1")
-        context.set_forkserver_preload([PRELOADED])
-        _PREPARED.append(True)
-    return context
 
 
 def _settle(job: Job, kind: str, value: Any) -> None:
@@ -395,4 +361,3 @@ def _keep(task: asyncio.Task) -> None:
 
 
 _TASKS: set[asyncio.Task] = set()
-_PREPARED: list[bool] = []

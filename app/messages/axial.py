@@ -11,6 +11,7 @@ import numpy as np
 
 from solvers import ContactPeriod, Modal, Rod, Scene, Solution, Waveguide
 from solvers.bodies import Balls, FlexiblePendulum
+from solvers.contact.duration import exponent_of
 from solvers.contact.protocol import Damped
 from solvers.contact.viscous import LEAST_RESTITUTION
 from solvers.methods.modal.method import ModalMotion
@@ -90,6 +91,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,
+        "exponent": exponent_of(scene.contact),
         "leastRestitution": LEAST_RESTITUTION,
     }
     return packed(header, arrays)

@@ -12,6 +12,7 @@ import numpy as np
 
 from solvers import METHODS, Bending, Method, Modal, RigidImpulse, Scene, SceneError, Solution
 from solvers.accuracy.reference import MODES_BESIDE, modes_beside
+from solvers.contact.duration import exponent_of
 from solvers.methods import usual_method
 from solvers.methods.mechanisms import MechanismMotion
 from solvers.methods.modal.method import ModalMotion
@@ -151,7 +152,12 @@ def beam_frame(request: Request) -> bytes:
         "speed": scene.speed,
         "beam": _beam(scene.target) if mechanism is None else struck_link(mechanism),
         "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},
-        "law": {"name": scene.contact.NAME, "damps": scene.contact.LOSSY, "yields": scene.contact.PLASTIC},
+        "law": {
+            "name": scene.contact.NAME,
+            "damps": scene.contact.LOSSY,
+            "yields": scene.contact.PLASTIC,
+            "exponent": exponent_of(scene.contact),
+        },
         "main": _figures(main),
         "reference": None if reference is None else _figures(reference, RIGID_LINKS if mechanism else None),
         "span": _span(main),

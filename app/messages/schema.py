@@ -73,6 +73,7 @@ AXIAL: Fields = {
     "match": Field("number | null", "restitution that would have matched"),
     "damps": Field("boolean", "whether the contact law does"),
     "yields": Field("boolean", "whether the contact law does"),
+    "exponent": Field("number", "power of the indentation with which its force begins, 1 where nothing gives way"),
     "nominal": Field("number | null", "restitution by the usual formula of the law"),
     "leastRestitution": Field("number", "that a damping law delivers"),
     "exactMass": Field("(motion)", "displacement of the impactor, evenly in time [v T]"),
@@ -125,7 +126,7 @@ BEAM: Fields = {
     "mechanism": Field("MechanismTold | null", "of which the struck link stands for the beam"),
     "moving": Field("MovingTold | null", "of one that moves on as far as it goes"),
     "impactor": STRIKER,
-    "law": Field("{ name: string, damps: boolean, yields: boolean }"),
+    "law": Field("{ name: string, damps: boolean, yields: boolean, exponent: number }"),
     "main": Field("BeamFigures"),
     "reference": Field("BeamFigures | null", "the same impact by another number of modes"),
     "span": Field(

@@ -21,7 +21,7 @@ from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
 from .door import FULL
-from .limits import MAX_PAGES_WAITING
+from .limits import MAX_PAGES_OF_ONE, MAX_PAGES_WAITING
 from .still import bare_frame, first_still
 
 LIBRARIES = (  # of the page, in this order: address, and the file there
@@ -44,7 +44,7 @@ POLICY = (
     "connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'self'"
 )  # blob: Panel makes a module of its own code; styles: Bokeh writes them into every shadow root
-PAGES = "pages"  # who all that fetch the page are, when time is shared
+PAGES = "pages"  # with an address: who all that fetch the page from there are, when time is shared
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
 
 
@@ -77,16 +77,17 @@ class Page(RequestHandler):
     """GET of the page. Makes no document and solves nothing: that begins with the socket."""
 
     def initialize(self, **_: Any) -> None:
-        self._door = self.application.settings["door"]
+        settings = self.application.settings
+        self._door, self._address = settings["door"], settings["addresses"].of(self.request)
 
     async def get(self) -> None:
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
-        turnstile = of_loop(Turnstile)
-        busy = turnstile.waiting >= MAX_PAGES_WAITING
+        turnstile, visitor = of_loop(Turnstile), (PAGES, self._address)
+        busy = turnstile.waiting >= MAX_PAGES_WAITING or turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
         if not busy:
-            await turnstile.enter(PAGES)
-        turnstile.charge(PAGES, PAGE_SECONDS)
-        if busy or self._door.full:
+            await turnstile.enter(visitor)
+        turnstile.charge(visitor, PAGE_SECONDS)
+        if busy or self._door.full(self._address):
             self.set_status(503)
             self.set_header("Retry-After", "20")
             self.write(f'<!DOCTYPE html><title>Strikewave</title><meta http-equiv="refresh" content="20"><p>{FULL}</p>')

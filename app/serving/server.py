@@ -19,13 +19,17 @@ from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.workers import Workers, prepare
 from ..text.catalogues import command
+from .addresses import Addresses, Network
 
 CLOSE_SECONDS = 2.0  # for sockets to be closed when the server stops
 log = logging.getLogger("strikewave")
 
 
-def serve(port: int, address: str, origins: list[str]) -> int:
-    """Serve until interrupted. Prints the address once the page answers at once."""
+def serve(port: int, address: str, origins: list[str], proxies: list[Network]) -> int:
+    """Serve until interrupted. Prints the address once the page answers at once.
+
+    `origins`: hosts by which browsers reach the page; `proxies`: of which `X-Forwarded-For` is believed.
+    """
     try:
         tempfile.gettempdir()
     except FileNotFoundError:
@@ -37,7 +41,7 @@ def serve(port: int, address: str, origins: list[str]) -> int:
         COMPILER.start()  # while this process loads Panel
     prepare()  # likewise
     try:
-        server = build(port, address, origins)
+        server = build(port, address, origins, proxies)
     except OSError as error:
         COMPILER.stop()
         key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
@@ -68,7 +72,9 @@ def stop(server: Any) -> None:
     forget(loop)
 
 
-def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10_000) -> Any:
+def build(
+    port: int, address: str, origins: list[str], proxies: list[Network] | None = None, unused_lifetime: int = 10_000
+) -> Any:
     """The server, warm but not started. Raises OSError if the port is taken.
 
     `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
@@ -117,6 +123,7 @@ def build(port: int, address: str, origins: list[str], unused_lifetime: int = 10
         secret_key=secret,
         sign_sessions=True,
         door=Door(secret),
+        addresses=Addresses(proxies or ()),
         warm=True,  # makes one page before the port is opened to anybody
     )
     server.io_loop.add_callback(lambda: of_loop(Workers).fill())

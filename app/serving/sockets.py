@@ -29,9 +29,9 @@ from .limits import (
     HASTE_BURST,
     HASTE_RATE,
     HASTY_SECONDS,
+    LINE_CHECK,
     MAX_OVER_SECONDS,
     MAX_REFUSED,
-    MAX_REOPEN_WAIT,
     MAX_WAITING,
     OVER_PAUSE,
     PART_SECONDS,
@@ -69,9 +69,10 @@ class Socket(WSHandler):
         self._delivering = False
         self._refused = self._pulls = 0
         self._out = False
+        self.address = self.application.settings["addresses"].of(self.request)
         reason = page().text("serving.protocol")
         if self.selected_subprotocol == "bokeh":
-            reason = self._door.refuses(self._token, self.application_context._sessions)
+            reason = self._door.refuses(self._token, self.application_context._sessions, self.address)
         if reason is not None or self._token is None:
             self.close(LIMIT, reason or page().text("serving.protocol"))
             return
@@ -90,15 +91,23 @@ class Socket(WSHandler):
         connection = self.connection
         return None if self._gone or connection is None else lab_of(connection.session.document)
 
+    @property
+    def _open(self) -> bool:
+        return not self._out and self.ws_connection is not None
+
     async def _async_open(self, token: str) -> None:
-        turnstile, address = of_loop(Turnstile), self.request.remote_ip
-        if (pause := self._door.pause(address)) > MAX_REOPEN_WAIT:
+        turnstile = of_loop(Turnstile)
+        pause: float | None = 0.0
+        while self._open and (pause := self._door.pause(self)):
+            await asyncio.sleep(min(pause, LINE_CHECK))
+        if pause is None:
             self.close(LIMIT, FULL)
             return
-        await asyncio.sleep(pause)
-        self._blame(self._door.debt(address))
+        if not self._open:
+            return
+        self._blame(self._door.debt(self.address))
         await turnstile.enter(self.session_id)
-        if self._out or self.ws_connection is None:
+        if not self._open:
             return
         await turnstile.paid(self.session_id, super()._async_open(token))
         if (lab := self._lab) is not None:  # who left meanwhile has none
@@ -116,7 +125,7 @@ class Socket(WSHandler):
         if self._out:
             return
         if self.connection is None:  # a page sends nothing before it knows that its session has begun
-            self.turn_out(TOO_MANY)
+            self.turn_out(TOO_MANY, flood=False)
             return
         if not await self._in_turn() or self._gone or self._out:
             return
@@ -265,12 +274,14 @@ class Socket(WSHandler):
             reply.content["text"] = "refused"
         await self.send_message(reply)
 
-    def turn_out(self, sentence: str) -> None:
+    def turn_out(self, sentence: str, flood: bool = True) -> None:
         """Send the visitor the reason, and close the socket for good; what still comes is not looked at."""
         if self._out:
             return
         self._out = True
-        self._door.bar(self.session_id, self.request.remote_ip)
+        self._door.bar(self.session_id)
+        if flood:
+            self._door.slow(self.address)
         self._mail.clear()
         asyncio.ensure_future(self._tell_and_close(sentence)).add_done_callback(_seen)
 

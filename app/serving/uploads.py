@@ -1,10 +1,13 @@
 """Measured records sent by the browser: received, compared with the chosen scene, answered as JSON.
 
-One request is one record and one answer; nothing is kept. Whoever sends slowly waits for nobody and nobody waits for
-them: only what is compared counts against the others.
+One request is one record and one answer; nothing is kept. Where as many are on their way as may be, the one that is
+longest at it, of the address with most of them, makes room: whoever sends slowly keeps nobody out.
 """
 
 import logging
+import time
+from collections import Counter
+from collections.abc import Collection
 from typing import ClassVar
 from urllib.parse import urlsplit
 
@@ -17,13 +20,14 @@ from solvers.records.files import check_size
 
 from ..jobs.compiler import COMPILER
 from ..jobs.loops import of_loop
-from ..jobs.workers import Workers
+from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
 from ..text.catalogues import page
 from ..views.record import record_answer
 
 MAX_RECEIVED = 32  # records on their way, 2 MB each at most
-MAX_COMPARED = 4  # records being compared, or waiting for it
+MAX_COMPARED = 16  # records being compared, or waiting for it
+COMPARED_OF_ONE = 6  # of them, from one address
 RECEIVE_SECONDS = 20.0  # for a record to arrive
 MAX_PASSED_BY = 12_000_000  # bytes that are read of a record that is too long: a browser listens when it has sent all
 log = logging.getLogger("strikewave")
@@ -36,6 +40,9 @@ class MeasuredRecord(RequestHandler):
     _receiving: ClassVar[set["MeasuredRecord"]] = set()  # of all visitors together
     _comparing: ClassVar[set["MeasuredRecord"]] = set()
 
+    def initialize(self) -> None:
+        self.address, self.begun = self.application.settings["addresses"].of(self.request), time.monotonic()
+
     def prepare(self):
         self._body, self._refusal = bytearray(), None
         if self.request.method != "POST":
@@ -47,9 +54,9 @@ class MeasuredRecord(RequestHandler):
         origin = urlsplit(self.request.headers.get("Origin", "")).netloc.lower()
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
             self._refusal = 403, page().text("serving.record.own-page")
-        elif len(self._receiving) >= MAX_RECEIVED:
-            self._refusal = 429, page().text("serving.record.many")
         else:
+            if len(self._receiving) >= MAX_RECEIVED:
+                first_to_go(self._receiving)._make_room()
             self._receiving.add(self)
             length = self.request.headers.get("Content-Length", "0")
             self._check_size(int(length) if length.isdecimal() else 0)
@@ -67,21 +74,28 @@ class MeasuredRecord(RequestHandler):
             self._refusal = 413, str(refusal)
             self._release()
 
+    def _make_room(self) -> None:
+        """Refuse what is still on its way, at once."""
+        self._release()
+        self.set_header("Connection", "close")
+        self._refuse(429, page().text("serving.record.many"))
+
     async def post(self):
         self._receiving.discard(self)
-        if self._refusal is None and len(self._comparing) >= MAX_COMPARED:
+        of_this = sum(each.address == self.address for each in self._comparing)
+        if self._refusal is None and (len(self._comparing) >= MAX_COMPARED or of_this >= COMPARED_OF_ONE):
             self._refusal = 429, page().text("serving.record.others")
         if self._refusal is not None:
             return self._refuse(*self._refusal)
         self._comparing.add(self)
         try:
-            answer = await _answered(bytes(self._body), self.request.query_arguments, self.request.remote_ip)
+            answer = await _answered(bytes(self._body), self.request.query_arguments, self.address)
             self.set_header("Content-Type", "application/json; charset=UTF-8")
             self.write(answer)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             self._refuse(400, str(refusal))
-        except Exception:
-            log.exception("a record could not be compared")
+        except Exception as error:
+            log.error("a record could not be compared", exc_info=not isinstance(error, Lost))
             self._refuse(500, page().text("serving.record.failed"))
         finally:
             self._comparing.discard(self)
@@ -91,6 +105,7 @@ class MeasuredRecord(RequestHandler):
         self._release()
 
     def on_connection_close(self):
+        super().on_connection_close()
         self._release()
 
     def _release(self):
@@ -100,6 +115,12 @@ class MeasuredRecord(RequestHandler):
     def _refuse(self, status: int, sentence: str) -> None:
         self.set_status(status)
         self.finish({"error": sentence})
+
+
+def first_to_go(receiving: Collection[MeasuredRecord]) -> MeasuredRecord:
+    """Of these records, the one that makes room for another."""
+    most, _ = Counter(each.address for each in receiving).most_common(1)[0]
+    return min((each for each in receiving if each.address == most), key=lambda each: each.begun)
 
 
 async def _answered(content: bytes, arguments: dict[str, list[bytes]], visitor: str) -> str:

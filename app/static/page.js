@@ -33,7 +33,7 @@ import { unbroken } from './text/format.js';
 
 // Styles of the component, which lives in a shadow root; a later sheet wins over an earlier one.
 const SHEETS = [
-  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first'].map((name) => `shell/${name}.css`),
+  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first', 'phone'].map((name) => `shell/${name}.css`),
   'charts/charts.css',
   'compare/compare.css',
   'space/stage.css',

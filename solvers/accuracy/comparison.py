@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from .. import validation
 from ..methods import METHODS, usual_method
 from ..methods.base import Method
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import ResolvesForce
 from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note
@@ -62,7 +64,7 @@ class Row:
 
 
 def compare(
-    scene: Scene,
+    scene: SceneOrName,
     methods: Sequence[str | Method] | None = None,
     repeats: int = 5,
     duration: float | None = None,
@@ -72,12 +74,17 @@ def compare(
     duration: of every solve [s]; else until the bodies have parted by that method.
     Raises SceneNotSupported where not even `reference` has a solution.
     """
+    scene = scene_of(scene)
     exact = reference(scene)
     if methods is None:
         chosen = chosen_methods(scene)
     else:
-        chosen = [METHODS[given].read({}) if isinstance(given, str) else given for given in methods]
+        chosen = [given if isinstance(given, Method) else _named(given) for given in methods]
     return [_row(scene, exact, method, repeats, duration) for method in chosen]
+
+
+def _named(name: str) -> Method:
+    return METHODS[validation.choice("methods", name, METHODS)].read({})
 
 
 def chosen_methods(scene: Scene) -> list[Method]:

@@ -6,6 +6,7 @@ from typing import Any
 from ..bodies import FlexiblePendulum, Mechanism
 from ..methods import METHODS, Balance, Modal, RigidImpulse, Waves, usual_method
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..validation import SceneError, allowed
 
@@ -23,11 +24,12 @@ MODES_BESIDE, STEPS_BESIDE = (40, 20), 20_000
 SHAPES_OF_PENDULUM = 30
 
 
-def reference(scene: Scene) -> Solution:
+def reference(scene: SceneOrName) -> Solution:
     """The solution that others are measured by: exact waves, or else many modes, whose estimate is its uncertainty.
 
     Where neither can, as nothing gives way, the scene's usual method. Raises SceneNotSupported for bodies in space.
     """
+    scene = scene_of(scene)
     for method in (Waves(), Modal(modes=REFERENCE_MODES)):
         if scene.normal is not None or method.refusal(scene) is None:
             return method.solve(scene)

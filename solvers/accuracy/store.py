@@ -13,7 +13,8 @@ SHIPPED = Path(__file__).parent / "tradeoffs"
 SAID = ("title", "source", "note", "method")  # parts of a scene that do not change what happens
 DIGITS = {"wall_time": 4, "first_time": 4, "spread": 4}  # kept of times; of all else FIGURES
 FIGURES = 5
-KNOWN = ("points", "scene", "quantities")  # packed in their own way, or known from the scene and the library
+KEY_FIGURES = 9  # of numbers in a key: what follows from those given may differ in the last bits between machines
+KNOWN = ("points", "scene", "quantities", "shipped", "changed", "scale")  # packed in their own way, or known otherwise
 SENTENCES = ("refused", "remarks")  # made of their codes
 DERIVED = ("label", "best_for")  # of a point, known from the rest
 LEVEL = ("method", "ladder", "knob")  # of a point, the same for a whole ladder but for the value of its resolution
@@ -22,22 +23,22 @@ LEVEL = ("method", "ladder", "knob")  # of a point, the same for a whole ladder 
 def scene_key(scene: Scene) -> str:
     """The same for scenes in which the same happens, whatever they are called and however they are solved."""
     table = {name: part for name, part in scene.struck.table().items() if name not in SAID}
-    return sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:24]
+    return sha256(json.dumps(_rounded(table, KEY_FIGURES), sort_keys=True).encode()).hexdigest()[:24]
 
 
-def _path(scene: Scene, machine: Mapping[str, Any], version: str) -> Path:
-    own = sha256(json.dumps([scene_key(scene), dict(machine), version], sort_keys=True).encode()).hexdigest()[:24]
+def _path(scene: Scene, machine: Mapping[str, Any], code: Mapping[str, str]) -> Path:
+    own = sha256(json.dumps([scene_key(scene), dict(machine), dict(code)], sort_keys=True).encode()).hexdigest()[:24]
     return cache_home() / "tradeoffs" / f"{own}.json"
 
 
-def measured_here(scene: Scene, machine: Mapping[str, Any], version: str) -> dict[str, Any] | None:
-    """The table of this scene, machine and state of the library, or None."""
-    return _read(_path(scene, machine, version))
+def measured_here(scene: Scene, machine: Mapping[str, Any], code: Mapping[str, str]) -> dict[str, Any] | None:
+    """The table of this scene, machine and code, or None."""
+    return _read(_path(scene, machine, code))
 
 
 def keep(scene: Scene, table: Mapping[str, Any]) -> None:
     """Write it to the cache; where that is not possible it will be measured again."""
-    path = _path(scene, table["machine"], table["version"])
+    path = _path(scene, table["machine"], table["code"])
     beside = path.with_suffix(".part")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -120,7 +121,7 @@ def _whole_note(head: list[str], values: list[Any]) -> dict[str, Any]:
 
 def _rounded(value: Any, figures: int) -> Any:
     if isinstance(value, float):
-        return float(f"{value:.{figures - 1}e}")
+        return float(f"{value:.{figures - 1}e}") + 0.0  # no zero below zero
     if isinstance(value, Mapping):
         return {key: _rounded(part, figures) for key, part in value.items()}
     if isinstance(value, (list, tuple)):

@@ -4,18 +4,22 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import date
-from statistics import median
 from typing import Any
+
+from threadpoolctl import threadpool_limits
 
 from .. import validation
 from ..bodies import Mechanism
 from ..methods.base import SceneNotSupported, no_method
 from ..provenance import machine, version
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
-from . import store
+from . import calibration, store
+from .cost_model import scaled_time
+from .measured_code import changed, code_of
 from .quantities import QUANTITIES, Metrics, Reference
 from .reference import exact_waves
 from .refinement import Ladder, label, ladders, ranked, refusals
@@ -29,7 +33,7 @@ MAX_LEVEL_SHARE = 0.15  # share of all the time that one level may take
 
 
 def tradeoff(
-    scene: Scene,
+    scene: SceneOrName,
     quantities: Sequence[str] | None = None,
     cancel: Callable[[], bool] | None = None,
     progress: Callable[[TradeOff], None] | None = None,
@@ -37,36 +41,70 @@ def tradeoff(
     fresh: bool = False,
     seconds: float = MEASUREMENT_SECONDS,
 ) -> TradeOff:
-    """Every method that can solve the scene, a ladder of resolutions each: wall time against error.
+    """Every method that can solve the scene, a ladder of resolutions each: time against error.
+
+    Times are of a processor, the shortest of several solves: what else runs on the machine counts little.
 
     `progress` is given the table so far after each point, coarse and cheap ones first. Once `cancel` says True, what is
-    known is returned, with `stopped`. A complete table is kept in the user's cache, for this scene, machine and state
-    of the library, and given from there unless `fresh`.
+    known is returned, with `stopped`. A complete table is kept in the user's cache, for this scene, machine and code of
+    the methods, and given from there unless `fresh`.
     Cost: about `seconds` of one core, less if nothing is left to refine.
     Raises SceneNotSupported if no method can solve the scene, SceneError for a quantity that does not exist.
     """
+    scene = scene_of(scene)
     chosen = tuple(validation.choice("quantity", name, QUANTITIES) for name in quantities or QUANTITIES)
     seconds = validation.number("seconds", seconds, 0.1, 3600.0, "s")
-    table = None if fresh else store.measured_here(scene, machine(), version())
+    table = None if fresh else store.measured_here(scene, machine(), _code(scene))
     if table is not None:
         return _narrowed(TradeOff.from_table(table), chosen)
     survey = Survey(scene, seconds)
-    try:
-        for _ in survey.points(cancel):
-            if progress is not None:
-                progress(_narrowed(survey.found(), chosen))
-    finally:
-        survey.close()
+    with threadpool_limits(1, user_api="blas"):  # else a part of the work is another thread's
+        try:
+            for _ in survey.points(cancel):
+                if progress is not None:
+                    progress(_narrowed(survey.found(), chosen))
+        finally:
+            survey.close()
     found = survey.found()
     if found.stopped is None:
         store.keep(scene, found.table())
     return _narrowed(found, chosen)
 
 
-def stored_tradeoff(scene: Scene) -> TradeOff | None:
-    """The table at once, if there is one: measured on this machine, or one that the library brings; `machine` says."""
-    table = store.measured_here(scene, machine(), version()) or store.shipped(scene)
-    return None if table is None else _narrowed(TradeOff.from_table(table), tuple(QUANTITIES))
+def stored_tradeoff(scene: SceneOrName) -> TradeOff | None:
+    """The table at once, if there is one: measured on this machine, or one that came with the library, `shipped`.
+
+    Times of the latter are scaled, where this machine has been calibrated (`calibrate`). `changed` names what of its
+    code is no longer that which was measured.
+    """
+    scene = scene_of(scene)
+    table, shipped = store.measured_here(scene, machine(), _code(scene)), False
+    if table is None:
+        table, shipped = store.shipped(scene), True
+    if table is None:
+        return None
+    found = replace(TradeOff.from_table(table), shipped=shipped, changed=changed(table.get("code")))
+    return _narrowed(_scaled(found, scene) if shipped else found, tuple(QUANTITIES))
+
+
+def _code(scene: Scene) -> dict[str, str]:
+    """Of what solves the scene, and of what measures it."""
+    return code_of((ladder.levels[0].NAME for ladder in ladders(scene)), "errors")
+
+
+def _scaled(found: TradeOff, scene: Scene) -> TradeOff:
+    """With times as this machine would take, as far as that is known."""
+    there, law = found.calibration, scene.struck.contact
+    scale = calibration.factors(there)
+    if there is None or scale is None:
+        return found
+    points = []
+    for point in found.points:
+        factor = scaled_time(point.wall_time, point.method, law, there) / point.wall_time
+        spread = point.spread and (factor * point.spread[0], factor * point.spread[1])
+        times = {"wall_time": factor * point.wall_time, "spread": spread, "first_time": factor * point.first_time}
+        points.append(replace(point, **times))
+    return replace(found, points=points, scale=scale)
 
 
 def _narrowed(found: TradeOff, quantities: Sequence[str]) -> TradeOff:
@@ -98,7 +136,7 @@ class Survey:
         self._reference: Reference | Any = None
         self._rated: dict[int, Point] = {}  # by number of the solve, as long as the reference is this one
         self._kind, self._main = self._reference_ladder()
-        self._begun, self._compiling = time.perf_counter(), 0.0
+        self._begun, self._compiling = time.thread_time(), 0.0
 
     def close(self) -> None:
         """What is only needed while solving."""
@@ -106,8 +144,8 @@ class Survey:
             self._stopped = "interrupted"
 
     def _spent(self) -> float:
-        """Seconds of solving, without what compilers took."""
-        return time.perf_counter() - self._begun - self._compiling
+        """Seconds of a processor, without what compilers took."""
+        return time.thread_time() - self._begun - self._compiling
 
     def _reference_ladder(self) -> tuple[str, Ladder | None]:
         """How the reference is found, and the ladder whose finest level it is; none if it is known beforehand."""
@@ -160,16 +198,16 @@ class Survey:
 
     def _solve(self, ladder: Ladder, level: int) -> bool:
         """Solve and time one level; whether a finer one may differ from it."""
-        begun = time.perf_counter()
+        begun = time.thread_time()
         try:
             solution = ladder.solve(level, self.scene)
         except SceneError as refusal:
             self._remark("refused-point", method=label(ladder.levels[level].table()), refusal=str(refusal))
             return False
-        first = time.perf_counter() - begun
+        first = time.thread_time() - begun
         coarser = [point for point in self._solved if point.ladder is ladder]
         times = self._timed(ladder, level, [first] if coarser else [])  # what a coarser one needed is compiled
-        self._compiling += max(0.0, first - 2.0 * median(times))
+        self._compiling += max(0.0, first - 2.0 * min(times))
         metrics = Metrics.of(solution)
         if coarser and metrics.same(coarser[-1].metrics):
             self._remark("finer-changes-nothing", ladder=ladder.name, resolution=ladder.resolution)
@@ -186,11 +224,11 @@ class Survey:
         self._remarks.append(Note(code, Severity.REMARK, **values))
 
     def _timed(self, ladder: Ladder, level: int, times: list[float]) -> list[float]:
-        """Wall times of warm solves; but one if it is long."""
+        """Of a processor, of warm solves; but one if it is long."""
         while len(times) < REPEATS and (sum(times) < TIMED or not times):
-            begun = time.perf_counter()
+            begun = time.thread_time()
             ladder.solve(level, self.scene)
-            times.append(time.perf_counter() - begun)
+            times.append(time.thread_time() - begun)
         return times
 
     def _figures(self, ladder: Ladder, level: int, solution: Solution, first: float, times: list[float]):
@@ -199,7 +237,7 @@ class Survey:
             "ladder": ladder.name if ladder.resolution is None else f"{ladder.name} by {ladder.resolution}",
             "resolution": ladder.resolution,
             "size": ladder.size(level),
-            "wall_time": median(times),
+            "wall_time": min(times),
             "spread": (min(times), max(times)) if len(times) > 1 else None,
             "repeats": len(times),
             "first_time": first,
@@ -225,6 +263,7 @@ class Survey:
             remarks=remarks,
             machine=machine(),
             version=version(),
+            code=_code(self.scene),
             date=str(date.today()),
             seconds=time.perf_counter() - self._started,
             stopped=self._stopped,

@@ -1,4 +1,4 @@
-"""The table of a trade-off: points of wall time and error, what they are measured by, which of them nothing beats."""
+"""The table of a trade-off: points of time and error, what they are measured by, which of them nothing beats."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
@@ -21,7 +21,7 @@ class Point:
     ladder: str  # the method with the options that all its resolutions share, and what makes it finer
     resolution: str | None  # the option that makes it finer
     size: float | None  # the value of that option
-    wall_time: float  # of a whole warm solve with its own error estimate, median of repeats [s]
+    wall_time: float  # of a whole warm solve with its own error estimate, if nothing else runs: the shortest of repeats
     spread: tuple[float, float] | None  # shortest and longest of the repeats [s]; None: solved but once
     repeats: int
     first_time: float  # of the first solve, with what had to be compiled for it [s]
@@ -96,6 +96,11 @@ class TradeOff:
     date: str
     seconds: float  # that all of it took
     stopped: str | None = None  # why it is not complete; None: it is
+    code: dict[str, str] | None = None  # fingerprints of what was measured, and of what measures; None: not known
+    calibration: dict[str, float] | None = None  # of `machine`, beside the measurement, see `accuracy.calibration` [s]
+    shipped: bool = False  # whether it came with the library; else it was measured on this machine
+    changed: list[str] = field(default_factory=list)  # what of the code is no longer that which was measured
+    scale: dict[str, float] | None = None  # times here over those on `machine`, by which they are scaled; None: not
 
     def front(self, quantity: str) -> list[Point]:
         """Points that nothing beats in time and error at once (Pareto), quickest first.

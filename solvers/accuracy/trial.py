@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -39,9 +40,9 @@ class Trial:
     def size(self) -> float | Any:
         return self.ladder.size(self.level)
 
-    @property
+    @cached_property
     def cost(self) -> float:
-        """Expected of a warm solve [s], the same wherever it runs."""
+        """Expected of a warm solve [s], whatever else runs on the machine."""
         return expected_time(self.solution.method, self.solution.diagnostics["steps"], self.solution.scene.contact)
 
     def row(self) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -28,6 +28,7 @@ class Pulse(AnyBody):
     times: tuple[float, ...]  # [s], from 0
     forces: tuple[float, ...]  # [N]
     velocity: float = 1.0  # [m/s]
+    shaped: Mapping[str, Any] | None = field(default=None, compare=False)  # shape, force and duration, where given so
 
     KEYS = ("kind", "shape", "force", "duration", "rise", "points")
     kind = "pulse"
@@ -53,7 +54,9 @@ class Pulse(AnyBody):
             raise SceneError(f"{key}.rise", given["rise"], allowed("only-with", key="shape", value=["trapezoid"]))
         rise = validation.number(f"{key}.rise", given.get("rise", 0.1 * duration), 0.0, 0.5 * duration, "s")
         times, shares = _shape(shape, duration, rise)
-        return cls(tuple(times), tuple(force * share for share in shares))
+        shaped = {"shape": shape, "force": force, "duration": duration}
+        shaped |= {"rise": rise} if shape == "trapezoid" else {}
+        return cls(tuple(times), tuple(force * share for share in shares), shaped=shaped)
 
     def on(self, impedance: float) -> "Pulse":
         """The same pulse on a rod of this impedance [kg/s]."""
@@ -65,8 +68,9 @@ class Pulse(AnyBody):
         return self.times[-1]
 
     def table(self) -> dict[str, Any]:
-        points = [list(point) for point in zip(self.times, self.forces, strict=True)]
-        return {"kind": self.kind, "points": points}
+        if self.shaped is not None:  # as given: digits of a sine hang on the machine's mathematical functions
+            return {"kind": self.kind} | dict(self.shaped)
+        return {"kind": self.kind, "points": [list(point) for point in zip(self.times, self.forces, strict=True)]}
 
 
 def _shape(shape: str, duration: float, rise: float) -> tuple[list[float], list[float]]:

@@ -1,7 +1,7 @@
 """Rigid bodies in space, of any inertia."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -37,6 +37,7 @@ class Body(AnyBody):
     inertia: Tensor = (NOWHERE, NOWHERE, NOWHERE)  # at the centre of mass [kg m2]
     centre: Vector = NOWHERE  # of mass, from the point of impact [m]
     spin: Vector = NOWHERE  # [rad/s]
+    principal: tuple[Vector, Tensor] | None = field(default=None, compare=False)  # moments and axes, where given so
 
     KEYS = ("kind", "mass", "inertia", "axes", "centre", "velocity", "spin")
     kind = "body"
@@ -55,6 +56,7 @@ class Body(AnyBody):
             _read_inertia(key, given),
             read_vector(f"{key}.centre", given.get("centre", NOWHERE), MAX_LENGTH, "m"),
             read_vector(f"{key}.spin", given.get("spin", NOWHERE), FASTEST_SPIN, "rad/s"),
+            _principal(given) if "axes" in given else None,
         )
 
     @property
@@ -62,8 +64,13 @@ class Body(AnyBody):
         return not np.any(self.inertia)
 
     def table(self) -> dict[str, Any]:
+        if self.principal is None:
+            inertia: dict[str, Any] = {"inertia": [list(row) for row in self.inertia]}
+        else:  # as given: digits of the tensor hang on the machine's linear algebra
+            moments, axes = self.principal
+            inertia = {"inertia": list(moments), "axes": [list(row) for row in axes]}
         vectors = {name: list(getattr(self, name)) for name in ("centre", "velocity", "spin")}
-        return {"kind": "body", "mass": self.mass, "inertia": [list(row) for row in self.inertia]} | vectors
+        return {"kind": "body", "mass": self.mass} | inertia | vectors
 
 
 def in_space(body: AnyBody) -> impulses.Bodies:
@@ -124,6 +131,13 @@ def _read_inertia(key: str, given: Mapping[str, Any]) -> Tensor:
     _check_moments(name, inertia, tensor)
     x, y, z = (tuple(row) for row in tensor.tolist())
     return x, y, z
+
+
+def _principal(given: Mapping[str, Any]) -> tuple[Vector, Tensor]:
+    """Principal moments and their axes, checked before, as a file gives them."""
+    rows = (given.get("inertia", NOWHERE), *given["axes"])
+    moments, first, second, third = ((float(x), float(y), float(z)) for x, y, z in rows)
+    return moments, (first, second, third)
 
 
 def _read_axes(key: str, given: object) -> np.ndarray:

@@ -5,16 +5,15 @@ from functools import lru_cache
 
 import numpy as np
 
-from .elastic import Linear, Rigid
+from .elastic import Rigid
 from .protocol import Law, OfPower
-from .viscous import KelvinVoigt
 
 
 def exponent_of(law: Law) -> float:
-    """The power of the indentation with which the force of a law grows at first."""
-    if isinstance(law, (Linear, KelvinVoigt)):
-        return 1.0
-    return law.exponent if isinstance(law, OfPower) else 1.5
+    """The power of the indentation with which the force of a law grows at first; 1 where nothing gives way."""
+    if law.EXPONENT is not None:
+        return law.EXPONENT
+    return law.exponent if isinstance(law, OfPower) else 1.0
 
 
 @lru_cache(maxsize=256)  # the unit of time of a scene is asked for often

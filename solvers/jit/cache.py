@@ -94,12 +94,20 @@ def _usable(folder: Path) -> Path:
     try:
         own = Path(tempfile.mkdtemp(prefix="strikewave-"))
         if folder.is_dir():
-            shutil.copytree(folder, own, dirs_exist_ok=True)
+            _copy(folder, own)
         atexit.register(shutil.rmtree, own, ignore_errors=True)
     except OSError:
         own = folder  # it may be read all the same
     log.warning("kernels cannot be kept in %s (%s); this process keeps them in %s", folder, reason, own)
     return own
+
+
+def _copy(folder: Path, own: Path) -> None:
+    """The files of a folder, without its modes: in those, nothing may be written."""
+    for each in sorted(folder.rglob("*")):
+        copy = own / each.relative_to(folder)
+        with suppress(PermissionError):  # what cannot be read is compiled again
+            copy.mkdir(exist_ok=True) if each.is_dir() else shutil.copyfile(each, copy)
 
 
 class _KernelFile(caching.IndexDataCacheFile):
@@ -142,16 +150,13 @@ class _KernelFile(caching.IndexDataCacheFile):
         with suppress(Exception), open(self._index_path, "rb") as file:  # of a damaged file more has been said
             version = pickle.load(file)
             if version != self._version:
-                self._warn(
-                    "kernels in %s are of Numba %s; for %s they are compiled again", FOLDER, version, self._version
-                )
-            else:
-                others = [each[1] for each in pickle.load(file)[1] if each[0] == key[0] and each[1] != key[1]]
-                if others:
-                    _, processor, _ = others[0]
-                    self._warn(
-                        "kernels in %s are for another processor (%s); they are compiled again", FOLDER, processor
-                    )
+                line = "kernels in %s are of Numba %s; for %s they are compiled again"
+                self._warn(line, FOLDER, version, self._version)
+                return
+            others = [each[1] for each in pickle.load(file)[1] if each[0] == key[0] and each[1] != key[1]]
+            if others:
+                line = "kernels in %s are for another processor (%s); they are compiled again"
+                self._warn(line, FOLDER, others[0][1])
 
     def _load_data(self, name: str) -> Any:
         content = Path(self._data_path(name)).read_bytes()

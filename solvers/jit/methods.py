@@ -13,7 +13,7 @@ PART = {"error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}  # as o
 
 
 def _method(name: str, **options: Any) -> Callable:
-    """As Numba's `overload_method` for tuples that have such a method; for others of that name, a field is one still."""
+    """As Numba's `overload_method`, for tuples that have such a method: a field of that name of others is one still."""
 
     def register(choose: Callable) -> Callable:
         template = make_overload_method_template(numba.types.BaseNamedTuple, name, choose, inline="never", **options)

@@ -1,7 +1,7 @@
-"""What Numba does again and again while it compiles, done once or not at all: PERCENT of the time of compiling.
+"""What Numba does again and again while it compiles, done once or not at all: half to two thirds of its time.
 
-They change Numba for all of a process, so only the program's own processes take them: see `shorten`. What they are worth
-each, and as patches of Numba itself: docs/numba-upstream.md.
+They change Numba for all of a process, so only the program's own processes take them: see `shorten`. What they are
+worth each, and as patches of Numba itself: docs/numba-upstream.md.
 """
 
 import functools

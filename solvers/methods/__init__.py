@@ -1,6 +1,6 @@
 """One file each; a method knows no other method. Here it is decided which of them solves a scene that names none."""
 
-from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from .balance.method import Balance
 from .base import SceneNotSupported, no_method
 from .finite_elements.modal import FeModal
@@ -37,11 +37,12 @@ __all__ = [
 ]
 
 
-def usual_method(scene: Scene) -> str:
+def usual_method(scene: SceneOrName) -> str:
     """Name of the method that solves the scene unless another is asked for.
 
     Raises SceneNotSupported with all the reasons if no method can.
     """
+    scene = scene_of(scene)
     if any(body.time_unit is not None for body in (scene.impactor, scene.target)):
         order = RINGING
     else:

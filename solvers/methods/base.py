@@ -10,6 +10,7 @@ from ..bodies import Balls, FlexiblePendulum, Mechanism
 from ..contact.protocol import Damped
 from ..provenance import compiled
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
 from ..validation import SceneError
@@ -89,12 +90,13 @@ class Method(ABC):
     @abstractmethod
     def _solve(self, scene: Scene, duration: float | None) -> Solution: ...
 
-    def solve(self, scene: Scene, duration: float | None = None) -> Solution:
+    def solve(self, scene: SceneOrName, duration: float | None = None) -> Solution:
         """Solve up to `duration` [s]; without one, until the bodies part for good and a little beyond.
 
         Of its diagnostics `wall_time` [s] is that of the solve alone, `compile_time` [s] what compiling kernels, or
         loading compiled ones, took besides. Raises SceneNotSupported, SceneError for a duration out of range.
         """
+        scene = scene_of(scene)
         if scene.struck is not scene:
             return as_striking(self.solve(scene.struck, duration), scene)
         reason = self.refusal(scene)
@@ -115,11 +117,11 @@ class Method(ABC):
         solution.refine("notes", lambda solved, own: [*own, *self._general_notes(solved, own, whole)])
         return solution
 
-    def solve_in_full(self, scene: Scene, duration: float | None = None) -> Solution:
+    def solve_in_full(self, scene: SceneOrName, duration: float | None = None) -> Solution:
         """`solve`, for who reads the notes: where damping in the contact counts waves twice, they say what the elastic
         law gives, by one more solve when they are first read.
         """
-
+        scene = scene_of(scene)
         if scene.struck is not scene:
             return as_striking(self.solve_in_full(scene.struck, duration), scene)
 

@@ -1,7 +1,7 @@
 """Nodes, weights and matrices of quadrature, rounded once from fifty digits: the same on every machine.
 
-They stand in modules, so that compiled kernels hold them. Eigenvalues and inverses, from which NumPy has them, differ in
-the last bits by the processor.
+They stand in modules, so that compiled kernels hold them. Eigenvalues and inverses, from which NumPy has them, differ
+in the last bits by the processor.
 """
 
 from collections.abc import Callable, Sequence

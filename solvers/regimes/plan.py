@@ -15,6 +15,7 @@ from ..contact.protocol import Damped, Yielding
 from ..methods import METHODS
 from ..numerics.rigid.impulses import strike
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .candidate import Candidate
@@ -106,7 +107,7 @@ class RegimeMap:
     smallest: np.ndarray
 
 
-def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.05) -> Plan:
+def plan(scene: SceneOrName, question: str = "final-velocities", tolerance: float = 0.05) -> Plan:
     """The smallest model that answers the question within the tolerance, from what was measured on scenes around it.
 
     Questions: final-velocities, peak-force, contact-times (first touch to last parting), stresses (the largest
@@ -118,6 +119,7 @@ def plan(scene: Scene, question: str = "final-velocities", tolerance: float = 0.
     With links or a pendulum that bend, and of rods that turn, each model is solved, and one of many modes to compare.
     Source: the validity that thesis 3.5 names in words, and its future work, measured by bench/measure_regimes.py.
     """
+    scene = scene_of(scene)
     validation.choice("question", question, QUESTIONS)
     tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
     if scene.struck is not scene:

@@ -1,5 +1,6 @@
 """Built-in scenes by name, and scene files."""
 
+import difflib
 import re
 from functools import lru_cache
 from pathlib import Path
@@ -10,6 +11,7 @@ from ..validation import SceneError, allowed
 
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
 SCENES = Path(__file__).parent
+SceneOrName = Scene | str | Path  # a name of `scene_names`, or a scene file
 
 
 def _named(error: BaseException) -> str:
@@ -47,9 +49,25 @@ def load(name_or_path: str | Path) -> Scene:
         except (OSError, ValueError):  # no name a file could have
             found = False
         if not found:
-            plain = [name for name in scene_names() if "." not in name][:12]
-            raise SceneError("scene", str(name_or_path), allowed("scene", names=plain))
+            raise _no_such_scene(str(name_or_path))
     return Scene.from_table(read_toml(path))
+
+
+def scene_of(given: SceneOrName) -> Scene:
+    """The scene itself, or the one of this name, for whatever takes a scene. Raises SceneError as `load` does."""
+    if isinstance(given, Scene):
+        return given
+    if isinstance(given, str | Path):
+        return load(given)
+    raise _no_such_scene(given)
+
+
+def _no_such_scene(given: object) -> SceneError:
+    near = difflib.get_close_matches(given, _names(), n=4) if isinstance(given, str) else []
+    if near:
+        return SceneError("scene", given, allowed("scene-near", names=near))
+    plain = [name for name in _names() if "." not in name][:12]
+    return SceneError("scene", given, allowed("scene", names=plain))
 
 
 def read_toml(path: Path) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from ..methods import Modal
 from ..methods.base import SceneNotSupported, never
 from ..numerics.processors import all_processors
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .integrators import BOUND, DIVERGED, LASTING, Outcome
@@ -137,7 +138,7 @@ class Stability:
 
 
 def stability(
-    scene: Scene,
+    scene: SceneOrName,
     integrators: Sequence[str] | None = None,
     axes: Sequence[str] = ("step", "contact_stiffness"),
     grid: Sequence[int | Sequence[float]] = (40, 41),
@@ -162,6 +163,7 @@ def stability(
     `most_steps`, usually 100 000, fewer with more than 200 modes. Raises SceneError.
     Cost: 40 x 41 runs of six integrators with 20 modes take a few seconds on two cores; 1000 modes take minutes.
     """
+    scene = scene_of(scene)
     names = [validation.choice("integrators", name, INTEGRATORS) for name in dict.fromkeys(integrators or INTEGRATORS)]
     first, second = _read_axes(scene, axes, grid)
     modes = _modes(scene) if modes is None else validation.whole_number("modes", modes, 1, 10_000)

@@ -11,6 +11,7 @@ from ..bodies.drop import GRAVITY_RANGE, HEIGHT_RANGE, STANDARD_GRAVITY, height_
 from ..bodies.lumped import SPEED_RANGE
 from ..methods.base import Method, SceneNotSupported, never
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import apparent_time
 from ..solve import solve
 from ..text.notes import Note, Severity, coded
@@ -57,7 +58,7 @@ class Bounces:
 
 
 def bounces(
-    scene: Scene,
+    scene: SceneOrName,
     method: str | Method | None = None,
     cut: float = USUAL_CUT,
     count: int = USUAL_BOUNCES,
@@ -76,6 +77,7 @@ def bounces(
     Raises SceneError for an impactor that is no mass, a target that is not held, or a mechanism, which moves on (see
     `Multibody`); and for values out of range.
     """
+    scene = scene_of(scene)
     moves = isinstance(scene.target, Mechanism) or not scene.target.held
     if not scene.impactor.free_mass or moves or scene.normal is not None:
         raise SceneNotSupported("target.kind", scene.target.kind, allowed("bouncing"))

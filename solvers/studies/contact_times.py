@@ -10,6 +10,7 @@ from ..contact.halving import root_between
 from ..methods import Modal
 from ..methods.base import SceneNotSupported
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution, apparent_time
 from ..text.notes import Note, Severity
 from ..validation import allowed
@@ -84,11 +85,12 @@ def _summary(contacts: int, apparent: float, real: float, half_period: float | N
     return Note("contact-times", Severity.REMARK, **values, swings=swings, half_period=half_period, case=case)
 
 
-def compare_with_half_space(scene: Scene) -> Solution:
+def compare_with_half_space(scene: SceneOrName) -> Solution:
     """The same impactor and contact law on a half-space of the target's material: what the contact alone would do.
 
     Beside the scene's own solution it shows how much of the impact is local. Source: thesis 8.4.4.
     """
+    scene = scene_of(scene)
     if scene.rigid_contact:
         raise SceneNotSupported("contact.law", "rigid", allowed("yielding-law"))
     if not scene.impactor.free_mass or scene.target.material is None:

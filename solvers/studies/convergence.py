@@ -18,6 +18,7 @@ from ..methods.base import Method
 from ..methods.grazing import one_front
 from ..numerics.processors import all_processors
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import Balances, Bends
 from ..solution.solution import Solution
 from ..text.notes import Note, Severity
@@ -27,20 +28,37 @@ from .sensitivity import plain
 INSTANTS, PLACES = 2_000, 41  # at which largest values of fields are looked for
 CLOSE = 1e-6  # relative differences below this count as none
 REGULAR = 0.7  # of natural logarithms about a fitted power: a factor of two
-SETTLED = 1e-3  # differences among the last three that call for no order
+SETTLED = 1e-2  # differences among the last three that call for no order
 SLOWEST = 0.4  # order that still counts as one
-NO_ORDER = "no-order"  # the code of a figure whose differences follow no power
 UNBOUNDED = 0.5  # smallest power of a figure that tends to zero, or to infinity
+REBOUND = (  # figures that hang on the last contact
+    "final_velocity",
+    "impulse",
+    "last_parting",
+    "peak_deflection",
+    "energy_lost",
+    "energy_lost_share",
+)
+WHOLES = {  # what a figure is a part of, where that is not the largest of its own values
+    "final_velocity": "speed",
+    "first_velocity": "speed",
+    "mean_jump": "speed",
+    "energy_lost": "energy",
+    "energy_lost_share": "energy",
+    "joint_impulse": "impulse",
+}
 
 
 @dataclass(frozen=True)
 class Convergence:
     """One figure per count of modes or elements, and what becomes of it; arrays (counts,), SI units.
 
-    `differences` are those to the finest count, relative to the largest value, or for the velocity to the speed of
-    approach and for the energy lost to the initial energy. `order` p: the differences fall as counts^-p; None where
-    they do not, or where there is nothing to fit. `reference`: the method that gives the impact without balances, and
-    `reference_values` its figures: exact waves of a mass on a rod, rigid links of a mechanism.
+    `differences` are those to the finest count, relative to the largest value, for velocities to the speed of approach,
+    for the energy lost to the initial energy and for the impulse at a joint to that of the contact. `order` p: the
+    differences fall as counts^-p; None where they do not, or where there is nothing to fit, and of a rigid contact with
+    what bends, where there is none: a change of a mass in its last digits makes another rebound. `reference`: the
+    method that gives the impact without balances, and `reference_values` its figures: exact waves of a mass on a rod,
+    rigid links of a mechanism.
     """
 
     method: str
@@ -66,7 +84,7 @@ class Convergence:
 
 
 def convergence(
-    scene: Scene,
+    scene: SceneOrName,
     modes: Sequence[int] | None = None,
     method: str | Method = "modal",
     *,
@@ -86,6 +104,7 @@ def convergence(
     Cost: the solves, side by side on all processors.
     Source: thesis tables 6.2 to 6.6 and 6.8.
     """
+    scene = scene_of(scene)
     begun = time.perf_counter()
     levels = levels_of(scene, method, modes, {"step": steps, "restitution": restitutions})
     kind = levels.kind
@@ -94,15 +113,14 @@ def convergence(
     numbers = np.array(levels.values, float)
     values = {name: np.array([row[name] for row in rows]) for name in rows[-1]}
     values = {name: column for name, column in values.items() if np.isfinite(column).all() and column.any()}
-    scales = {"final_velocity": scene.speed, "energy_lost": scene.initial_energy, "energy_lost_share": 100.0}
-    scales["first_velocity"] = scene.speed
+    largest = {name: float(np.abs(column).max()) for name, column in values.items()}
+    wholes = {"speed": scene.speed, "energy": scene.initial_energy, "impulse": largest.get("impulse", math.nan)}
+    scales = {name: wholes.get(WHOLES.get(name, ""), largest[name]) for name in values}
+    if "energy_lost_share" in values:
+        scales["energy_lost_share"] = 100.0
     steps_taken = finest.duration / numbers if kind == "step" else numbers
-    rated = {
-        name: _rate(name, steps_taken, column, scales.get(name, float(np.abs(column).max())), kind)
-        for name, column in values.items()
-    }
-    if scene.rigid_contact and scene.bends:
-        rated = {name: (*found[:2], _without_limit(found[2])) for name, found in rated.items()}
+    chaotic = scene.rigid_contact and scene.bends
+    rated = {name: _rate(name, steps_taken, column, scales[name], kind, chaotic) for name, column in values.items()}
     return Convergence(
         method=levels.method.NAME,
         kind=kind,
@@ -219,37 +237,42 @@ def _of_balances(solution: Solution) -> dict[str, float | None]:
 
 
 def _rate(
-    name: str, counts: np.ndarray, values: np.ndarray, scale: float, kind: str
+    name: str, counts: np.ndarray, values: np.ndarray, scale: float, kind: str, chaotic: bool = False
 ) -> tuple[np.ndarray, float | None, Note]:
-    """Relative differences to the finest, the order, and the note."""
+    """Relative differences to the finest, the order, and the note; `chaotic`: nothing is fitted to the rebound."""
     differences = np.abs(values - values[-1]) / scale
     if kind == "restitution":
         return differences, None, _varies(values, scale)
     own = {"resolution": f"{kind}s" if kind == "step" else kind}
     if name == "contacts":
-        return differences, None, _settles(counts, values, own["resolution"])
+        return differences, None, _settles(counts, values, own["resolution"], chaotic)
     if differences.max() <= CLOSE:
         return differences, None, Note("same-for-all", Severity.REMARK, **own, error=differences.max())
-    power, irregular, last = _power(counts, np.abs(values))
-    if abs(power) >= UNBOUNDED and irregular <= 0.5 * REGULAR and last >= 0.5:
-        return differences, None, Note("diverges", Severity.WARNING, **own, power=power, grows=power > 0.0)
+    if not (chaotic and name in REBOUND):
+        power, irregular, last = _power(counts, np.abs(values))
+        if abs(power) >= UNBOUNDED and irregular <= 0.5 * REGULAR and last >= 0.5:
+            left = float(abs(values[-1])) / scale
+            return differences, None, _without_bound(name, power, left, round(counts[-1]), own)
+    last = differences[-3:].max()
+    left_open = own | {"error": 100.0 * last, "count": round(counts[-3])}
+    if chaotic:
+        return differences, None, Note("no-limit", Severity.WARNING, **left_open)
     order, irregular = _order(counts, differences)
     if order is None or irregular > REGULAR or order < SLOWEST:
-        last = differences[-3:].max()
-        left_open = own | {"error": 100.0 * last, "count": round(counts[-3])}
-        if last <= SETTLED:
-            return differences, None, Note("converged", Severity.REMARK, **left_open)
-        return differences, None, Note(NO_ORDER, Severity.WARNING, **left_open, limitless=False)
+        settled = last <= SETTLED
+        found = Note("settled", Severity.REMARK, **left_open) if settled else None
+        return differences, None, found or Note("no-order", Severity.WARNING, **left_open)
     left = differences[-2] / ((counts[-1] / counts[-2]) ** order - 1.0)
     count = round(counts[-1])
     return differences, order, Note("converges", Severity.REMARK, **own, order=order, error=left, count=count)
 
 
-def _without_limit(note: Note) -> Note:
-    """Of a rigid contact with a beam: where there is no order there is no limit either."""
-    if note.code != NO_ORDER:
-        return note
-    return Note(NO_ORDER, note.severity, **note.values | {"limitless": True})
+def _without_bound(name: str, power: float, share: float, count: int, own: dict[str, str]) -> Note:
+    """Of what follows a power of the resolution: to infinity, or to zero, which is a limit like others."""
+    if power > 0.0:
+        return Note("diverges", Severity.WARNING, **own, power=power)
+    whole = WHOLES.get(name, "largest")
+    return Note("vanishes", Severity.REMARK, **own, power=power, share=100.0 * share, whole=whole, count=count)
 
 
 def _varies(values: np.ndarray, scale: float) -> Note:
@@ -261,10 +284,10 @@ def _varies(values: np.ndarray, scale: float) -> Note:
     return Note("varies", Severity.REMARK, error=100.0 * spread, way=way)
 
 
-def _settles(counts: np.ndarray, values: np.ndarray, kind: str) -> Note:
+def _settles(counts: np.ndarray, values: np.ndarray, kind: str, chaotic: bool) -> Note:
     same = values == values[-1]
     first = int(np.flatnonzero(~same)[-1]) + 1 if not same.all() else 0
-    if first < values.size - 1:
+    if first < values.size - 1 and not (first and chaotic):  # where two are alike by chance
         contacts, count = round(values[-1]), round(counts[first])
         return Note("contacts-settle", Severity.REMARK, contacts=contacts, count=count, resolution=kind)
     return Note("contacts-scatter", Severity.WARNING, lowest=round(values.min()), highest=round(values.max()))

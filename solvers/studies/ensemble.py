@@ -16,6 +16,7 @@ from ..methods.modal.method import again
 from ..methods.modal.motion import ModalMotion
 from ..numerics.processors import all_processors
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import Motion
 from ..solution.solution import ContactPeriod, Solution
 from ..solve import read_method
@@ -67,7 +68,7 @@ class Ensemble:
 
 
 def ensemble(
-    scene: Scene,
+    scene: SceneOrName,
     method: str | Method | None = None,
     runs: int = 200,
     spread: float = 1e-2,
@@ -91,7 +92,7 @@ def ensemble(
     Error: what changes by less than 1e-5 may be the method's own steps.
     Cost: the solves on all processors; `modal` with a rigid impactor runs its bare kernel.
     """
-    begun = time.perf_counter()
+    begun, scene = time.perf_counter(), scene_of(scene)
     runs = validation.whole_number("runs", runs, LEAST_RUNS, MOST_RUNS)
     spread = validation.number("spread", spread, *SPREAD_RANGE)
     seed = validation.whole_number("seed", seed, 0, 2**32 - 1)

@@ -12,7 +12,7 @@ from ..bodies import Mechanism
 from ..bodies.linkage.joints import Joint
 from ..bodies.linkage.links import GROUND, Link
 from ..numerics.waves.scattering import PRISMATIC, Bar, scatter
-from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..validation import SceneError, allowed
 
 INCOMING = ("axial", "bending")
@@ -58,7 +58,7 @@ class JointScattering:
 
 
 def joint_scattering(
-    scene: Scene, joint: int | None = None, frequencies: Sequence[float] | None = None
+    scene: SceneOrName, joint: int | None = None, frequencies: Sequence[float] | None = None
 ) -> JointScattering:
     """What a joint of two links does to axial and bending waves along the first of them.
 
@@ -68,6 +68,7 @@ def joint_scattering(
     Raises SceneError for scenes without such a joint, and for links without section or material.
     Source: thesis 11.3.7; see `numerics.waves.scattering`.
     """
+    scene = scene_of(scene)
     if not isinstance(scene.target, Mechanism):
         raise SceneError("target.kind", scene.target.kind, allowed("joined-mechanism"))
     number = _between_links(scene.target, joint)

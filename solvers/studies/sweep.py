@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from ..numerics.processors import all_processors
 from ..numerics.waves import rigid as rigid_waves
 from ..numerics.waves import rigid_figures
 from ..scene import Scene
+from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..solve import read_method, solve
 from ..validation import SceneError, allowed
@@ -63,7 +65,7 @@ class Figures:
 
 
 def solve_many(
-    scenes: Sequence[Scene] | Scene,
+    scenes: Sequence[SceneOrName] | SceneOrName,
     columns: Mapping[str, Sequence[float]] | None = None,
     method: str | Method | None = None,
     workers: int | None = None,
@@ -75,17 +77,28 @@ def solve_many(
     processors). Raises SceneError for columns that do not fit together, or for a value that is not allowed;
     SceneNotSupported as `solve` does. Bodies in space have no such figures.
     """
-    if isinstance(scenes, Scene):
-        arrays = {key: np.asarray(values, float) for key, values in (columns or {}).items()}
-        _check_columns(arrays)
-        if _quick(scenes, method) and set(arrays) <= QUICK_KEYS and scenes.impactor.kind == "mass":
-            bodies = _bodies_of_columns(scenes, arrays)
-            return _impacts_on_rods(bodies, lambda row: _with(scenes, _row_of(arrays, row)), workers)
-        rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
-        scenes = [_with(scenes, dict(zip(arrays, row, strict=True))) for row in rows]
-    elif columns is not None:
+    if isinstance(scenes, Scene | str | Path):
+        return _varied(scene_of(scenes), columns or {}, method, workers)
+    if columns is not None:
         raise SceneError("columns", sorted(columns), allowed("no-columns"))
     validation.whole_number("number of scenes", len(scenes), 1, MOST_QUICK)
+    return _solved([scene_of(scene) for scene in scenes], method, workers)
+
+
+def _varied(
+    scene: Scene, columns: Mapping[str, Sequence[float]], method: str | Method | None, workers: int | None
+) -> Figures:
+    """Of one scene with columns of values."""
+    arrays = {key: _numbers(key, values) for key, values in columns.items()}
+    _check_columns(arrays)
+    if _quick(scene, method) and set(arrays) <= QUICK_KEYS and scene.impactor.kind == "mass":
+        bodies = _bodies_of_columns(scene, arrays)
+        return _impacts_on_rods(bodies, lambda row: _with(scene, _row_of(arrays, row)), workers)
+    rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
+    return _solved([_with(scene, dict(zip(arrays, row, strict=True))) for row in rows], method, workers)
+
+
+def _solved(scenes: list[Scene], method: str | Method | None, workers: int | None) -> Figures:
     if any(scene.normal is not None for scene in scenes):
         raise SceneError("scenes", "bodies in space", allowed("scenes-on-axis"))
     if all(_quick(scene, method) for scene in scenes):
@@ -99,6 +112,13 @@ def _quick(scene: Scene, method: str | Method | None) -> bool:
     name = scene.method.get("name", Waves.NAME) if method is None else method
     options = scene.method.keys() - {"name"} if method is None else ()
     return name in ("waves", Waves()) and not options and one_front(scene)
+
+
+def _numbers(key: str, values: Any) -> np.ndarray:
+    try:
+        return np.asarray(values, float)
+    except (TypeError, ValueError):  # words, or rows of unequal length
+        raise SceneError(key, values, allowed("list", low=1, high=MOST_QUICK, of="numbers")) from None
 
 
 def _check_columns(columns: Mapping[str, np.ndarray]) -> None:
@@ -211,7 +231,7 @@ def _columns(rows: list[dict[str, float | None]]) -> Figures:
 
 
 def sweep(
-    scene: Scene,
+    scene: SceneOrName,
     key: str,
     values: Sequence[float] | np.ndarray,
     workers: int | None = None,
@@ -225,9 +245,10 @@ def sweep(
     Cost: that of `solve_many` where it is quick; else the solves, shared by `workers` threads (as many as there are
     processors), and at most 2000 of them; kernels run side by side.
     """
+    scene = scene_of(scene)
     quick = _quick(scene, None) and key in QUICK_KEYS and scene.impactor.kind == "mass"
     validation.whole_number("number of values", len(values), 1, MOST_QUICK if quick else MOST_VALUES)
-    values = [validation.number(key, float(value), -math.inf, math.inf) for value in values]
+    values = [validation.number(key, value, -math.inf, math.inf) for value in _numbers(key, values).tolist()]
     if quick:
         return _rows(values, solve_many(scene, {key: values}, workers=workers))
     if _takes_whole_numbers(scene, key, values[0]):

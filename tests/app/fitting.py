@@ -120,12 +120,17 @@ UNREACHED = (
 }"""
 )
 
-# Letters as large as for a projector, from the first on: for a window of one's own.
-LARGE = """new MutationObserver((_, seen) => {
-  if (!document.documentElement) return;
-  document.documentElement.style.fontSize = '24px';
-  seen.disconnect();
-}).observe(document, { childList: true })"""
+
+def lettered(pixels: int) -> str:
+    """A script that has letters so large from the first on: for a window of one's own."""
+    return f"""new MutationObserver((_, seen) => {{
+      if (!document.documentElement) return;
+      document.documentElement.style.fontSize = '{pixels}px';
+      seen.disconnect();
+    }}).observe(document, {{ childList: true }})"""
+
+
+LARGE = lettered(24)  # as for a projector
 
 # Bars of scrolling that the document has: the page is as large as the window.
 SCROLLED = """() => {

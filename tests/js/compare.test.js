@@ -26,6 +26,7 @@ const rod = (changed = {}, peakForce = 1e4) => {
     kind: 'axial',
     title: 'A rod',
     damps: false,
+    exponent: changed.law === 'hertz' ? 1.5 : 1,
     speed: 1,
     trip: 1e-4,
     chosen,
@@ -108,9 +109,22 @@ test('a force that grows is explained by the law that does so, and by no other',
   assert.match(verdictOf(yielding, rod(hertz), ['speed']), /as this contact yields/);
 });
 
+test('the power of a law is the one that the message says, whatever its name', () => {
+  const stiff = (/** @type {number} */ speed, /** @type {number} */ peak) => ({
+    ...rod({ law: 'lee-wang', speed }, peak),
+    exponent: 2.5,
+  });
+  const told = verdictOf(stiff(2, 2.69e4), stiff(1, 1e4), ['speed']);
+  assert.match(told, /power 1\.43.*stiffer the deeper.*it would be 1\.4,/s);
+  const own = { ...stiff(2, 2.69e4), kind: 'beam', law: { name: 'mine', yields: false, exponent: 2.5 } };
+  const kept = { ...stiff(1, 1e4), kind: 'beam', law: own.law };
+  for (const frame of [own, kept]) Object.assign(frame, { contacts: frame.exact.contacts, rods: undefined });
+  assert.match(verdictOf(own, kept, ['speed']), /stiffer the deeper.*it would be 1\.4,/s);
+});
+
 test('peaks of different contacts are told as such, and the first contact is compared', () => {
   const beam = (/** @type {number} */ speed, /** @type {number[]} */ peaks) => ({
-    ...{ ...rod({ speed, law: 'hertz' }), kind: 'beam', law: { yields: false }, rods: undefined },
+    ...{ ...rod({ speed, law: 'hertz' }), kind: 'beam', law: { yields: false, exponent: 1.5 }, rods: undefined },
     contacts: peaks.map((peak, k) => [k, k + 0.5, 1, peak]),
   });
   const told = verdictOf(beam(0.02, [19.84, 10.8, 33.4]), beam(0.01, [9.007, 10.3]), ['speed']);

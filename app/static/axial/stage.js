@@ -1,5 +1,5 @@
 // The stage: the bodies themselves, movement exaggerated by a stated factor.
-import { cleared, letters, sizeOf } from '../charts/canvas.js';
+import { cleared, letters, scale as zoom, sizeOf } from '../charts/canvas.js';
 import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
@@ -260,14 +260,15 @@ export class Stage {
   #measure(c, width, height) {
     const { factor, frame } = this;
     c.textBaseline = 'alphabetic';
-    const end = frame.rods.length ? this.scaleBar(c, width, height) : width;
+    const [below, above] = frame.rods.length ? this.scaleBar(c, width, height) : [width, width];
     c.fillStyle = c.strokeStyle = COLORS.faint;
     c.font = letters(12);
     c.textAlign = 'left';
     if (factor) {
       const times = factor >= 1 ? grouped(factor) : localised(factor.toPrecision(1));
       const words = text('stage.movement', { times });
-      c.fillText(words, 12, height - (12 + c.measureText(words).width < end ? 10 : 26));
+      const end = 12 + c.measureText(words).width;
+      c.fillText(words, 12, end < below ? height - 10 : end < above ? height - 12 - 14 * zoom : 14 * zoom);
     }
     if (frame.rods.length) return;
     const perMetre = this.scale / (frame.speed * frame.trip);
@@ -360,6 +361,7 @@ export class Stage {
     runs(c, [x, top - 9], outward ? 1 : -1, name, sizeOf(this.root)[0]);
   }
   /**
+   * What colours mean; returns where its words below and above begin.
    * @param {CanvasRenderingContext2D} c
    * @param {number} width
    * @param {number} height
@@ -367,7 +369,7 @@ export class Stage {
   scaleBar(c, width, height) {
     const bar = Math.min(150, width * 0.3);
     const x = width - bar - 16;
-    const y = height - 22;
+    const y = height - 8 - 14 * zoom;
     const unit = this.what === 'stress' ? this.frame.stressUnit / 1e6 : this.frame.speed;
     const largest = this.largest * unit;
     const show = (/** @type {number} */ v) =>
@@ -384,7 +386,7 @@ export class Stage {
     c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
     c.textAlign = 'right';
     const words = text('axial.stage.most', { what, value: `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}` });
-    c.fillText(words, x + bar, y + 18);
-    return x + bar - c.measureText(words).width;
+    c.fillText(words, x + bar, y + 7 + 11 * zoom);
+    return [x + bar - c.measureText(words).width, x];
   }
 }

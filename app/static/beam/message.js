@@ -24,7 +24,7 @@
  * @property {Numbers} [reactionTime]
  * @property {Numbers} [reactions]  (reaction instants, joints, 3), flat
  * @property {Striking} impactor
- * @property {{ name: string, damps: boolean, yields: boolean }} law
+ * @property {{ name: string, damps: boolean, yields: boolean, exponent: number }} law
  * @property {BeamFigures} main
  * @property {BeamFigures | null} reference
  * @property {{ apparent: number, real: number, half: number | null }} span

@@ -1,9 +1,13 @@
 // Canvases as large as the elements that hold them, and letters on them as large as those around.
 
 const ROOT_PIXELS = 16; // of a letter where nobody wants them larger
-/** How much larger letters are than where nobody wants them larger. */
+const NARROW = 260; // pixels of a window in which words of the usual size find room on a picture
+/** How much larger letters are than where nobody wants them larger; no larger on pictures than these have room for. */
 export const scale = globalThis.document
-  ? parseFloat(getComputedStyle(document.documentElement).fontSize) / ROOT_PIXELS
+  ? Math.min(
+      parseFloat(getComputedStyle(document.documentElement).fontSize) / ROOT_PIXELS,
+      Math.max(window.innerWidth / NARROW, 1),
+    )
   : 1;
 
 /**

@@ -5,16 +5,13 @@ import { text } from '../text/catalogue.js';
 /** @import { Contact, Frame } from '../shell/message.js' */
 
 const NEAR = 0.02; // how far two powers of the speed may lie apart that are one
-/** @type {Record<string, number>} */
-const EXPONENTS = { rigid: 1, linear: 1, 'kelvin-voigt': 1 }; // of the force in the indentation; of all others Hertz's
-const HERTZ = 1.5;
 
 /**
  * The power of the speed with which the force of two compact bodies grows under the law of this impact.
  * @param {Frame} frame
  */
-function powerOfLaw({ chosen }) {
-  const exponent = chosen.law === 'power' ? Number(chosen.exponent) : (EXPONENTS[chosen.law] ?? HERTZ);
+function powerOfLaw(frame) {
+  const exponent = 'law' in frame ? frame.law.exponent : 'exponent' in frame ? frame.exponent : 1;
   return (2 * exponent) / (exponent + 1);
 }
 

@@ -29,7 +29,7 @@ const KINDS = ['modes', 'elements', 'step', 'restitution'];
 const MICRO = 1e6; // of the steps in the figure
 const DIAMETER = 8; // pixels of a marker
 const LEAST = 1e-8; // share of a value that can be told from none
-const SETTLING = new Set(['same-for-all', 'converges', 'contacts-settle']); // notes of figures that have a limit
+const SETTLING = new Set(['same-for-all', 'converges', 'vanishes', 'settled', 'contacts-settle']); // have a limit
 const STUDIED = [
   'final_velocity',
   'first_velocity',

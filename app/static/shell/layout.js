@@ -1,6 +1,6 @@
 // Where everything is on the page. A wide window has a dock at either side of the centre; a narrower one has the second
-// dock as a sheet at its lower end; a phone has all but the stage in tabs. Stage and clock never leave, and what opens
-// takes the place of the charts.
+// dock as a sheet at its lower end; a phone has all but the stage in tabs, beside it where the window is low. Stage and
+// clock never leave, and what opens takes the place of the charts.
 import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
@@ -8,8 +8,10 @@ import { gripOf } from './grip.js';
 import { keep, kept } from './store.js';
 import { Tabs } from './tabs.js';
 
-const PHONE = 720; // a window that is less wide than that, in pixels of letters of the usual size
-const TABLET = window.matchMedia('(max-width: 1099px)');
+// How wide windows are below which it is one of these, in pixels where nobody wants letters larger.
+const PHONE = 720;
+const TABLET = 1100;
+const LOW = 800; // how high a tablet that lies is: what would be above one another has no room, and stands side by side
 const LARGE = window.matchMedia('(min-width: 1800px)');
 const BESIDE = ['story', 'numbers', 'analysis'];
 const ALL = ['controls', 'charts', ...BESIDE]; // in this order, whatever the order of the texts
@@ -60,10 +62,10 @@ export class Layout {
     this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
     this.tabs.select('story');
     const moved = () => this.place();
-    for (const query of [TABLET, LARGE]) query.addEventListener('change', moved);
+    LARGE.addEventListener('change', moved);
     window.addEventListener('resize', moved);
     this.leave = () => {
-      for (const query of [TABLET, LARGE]) query.removeEventListener('change', moved);
+      LARGE.removeEventListener('change', moved);
       window.removeEventListener('resize', moved);
     };
     this.place();
@@ -78,9 +80,12 @@ export class Layout {
   }
   /** Put everything where it belongs at this width. */
   place() {
+    const [width, height] = [window.innerWidth / scale, window.innerHeight / scale];
+    const across = width < TABLET && height < Math.min(LOW, width);
     /** @type {Mode} */
-    const mode = window.innerWidth < PHONE * scale ? 'phone' : TABLET.matches ? 'tablet' : 'desk';
+    const mode = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
     const phone = mode === 'phone';
+    this.root.classList.toggle('across', across);
     if (mode !== this.mode || !this.choices.parentElement) {
       this.mode = mode;
       this.root.dataset.mode = mode;

@@ -184,6 +184,7 @@
  * @property {number | null} match  restitution that would have matched
  * @property {boolean} damps
  * @property {boolean} yields
+ * @property {number} exponent  of the indentation, with which the force of the law begins
  * @property {number | null} nominal
  * @property {number} leastRestitution
  * @property {Numbers} exactMass

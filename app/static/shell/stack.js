@@ -56,6 +56,11 @@ export class Stack {
     const counted = this.charts.filter(([key], k) => this.here[k] && (!this.late.includes(key) || this.#wanted(key)));
     return this.root.clientHeight - HEAD * counted.length;
   }
+  /** Which is never folded for want of room: the force, or the first of a scene that has none. */
+  get vital() {
+    const force = this.charts.findIndex(([key]) => key === 'force');
+    return this.here[force] ? force : this.here.indexOf(true);
+  }
   /** @param {string} key */
   #wanted(key) {
     return this.leading.includes(key) || this.folded[key] === false;
@@ -81,10 +86,12 @@ export class Stack {
     /** @type {boolean[]} */
     const found = this.charts.map(() => true);
     const leads = this.charts.map(([key]) => leading.includes(key));
-    for (const k of [...found.keys()].sort((a, b) => Number(leads[b]) - Number(leads[a]))) {
+    const { vital } = this;
+    const rank = (/** @type {number} */ k) => (leads[k] ? 2 : Number(k === vital));
+    for (const k of [...found.keys()].sort((a, b) => rank(b) - rank(a))) {
       const [key] = this.charts[k];
       if (!here[k]) continue;
-      const fits = room >= least - HEAD;
+      const fits = room >= least - HEAD || (k === vital && !leading.length);
       const left = this.folded[key] === undefined ? null : !this.folded[key] && (fits || !leading.length);
       found[k] = leads[k] || (left ?? (fits && !this.late.includes(key)));
       if (found[k]) room -= least - HEAD;

@@ -272,8 +272,8 @@ def add_springs(linkage, q, found):
 
 @kernel
 def begin_at(linkage, q, gap, jacobian, moving):
-    """Of a linkage, best by reference, let the springs have no force at these coordinates, and write what `joints_at` does,
-    at time zero. Returns the place of the last station [m]."""
+    """Of a linkage, best by reference, let the springs have no force at these coordinates, and write what `joints_at`
+    does, at time zero. Returns the place of the last station [m]."""
     linkage = refer(linkage)
     ties = linkage.ties
     joints_at(linkage, q, 0.0, gap, jacobian, moving)

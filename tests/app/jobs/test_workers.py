@@ -183,17 +183,79 @@ def test_work_that_can_be_stopped_reports_and_ends_with_what_it_has():
     with_workers(test)
 
 
-def test_a_process_that_is_killed_costs_only_its_own_answer():
+async def begun(job):
+    """The id of the process that does this work, once there is one."""
+    while job.worker is None:
+        await asyncio.sleep(0.01)
+    return job.worker._process.pid
+
+
+def test_work_of_a_process_that_is_killed_is_done_by_another():
     async def test(workers):
-        job = workers.start(works.sleep, 30.0, level=LONG)
-        while job.worker is None:
+        job = workers.start(works.compute, 0.5, level=LONG)
+        os.kill(await begun(job), signal.SIGKILL)
+        assert await asyncio.wait_for(job.answer, 60.0) == 0.5
+
+    with_workers(test)
+
+
+def test_work_that_loses_its_process_again_and_again_is_given_up():
+    async def test(workers):
+        job, killed = workers.start(works.compute, 60.0, level=LONG), set()
+        while not job.answer.done():
+            if job.worker is not None and (pid := job.worker._process.pid) not in killed:
+                killed.add(pid)
+                os.kill(pid, signal.SIGKILL)
             await asyncio.sleep(0.01)
-        os.kill(job.worker._process.pid, signal.SIGKILL)
         with pytest.raises(Lost):
             await job.answer
+        assert len(killed) == 2
         assert await workers.start(works.double, 3, level=LONG).answer == 6
 
     with_workers(test)
+
+
+def test_work_that_is_to_end_is_not_begun_again():
+    async def test(workers):
+        job = workers.start(works.until_cancelled, 5, stoppable=True, report=lambda part: None, level=LONG)
+        pid = await begun(job)
+        os.kill(pid, signal.SIGSTOP)
+        job.end()
+        os.kill(pid, signal.SIGKILL)
+        with pytest.raises(Lost):
+            await asyncio.wait_for(job.answer, 60.0)
+
+    with_workers(test)
+
+
+@pytest.mark.parametrize("level", [QUICK, LONG])
+def test_work_of_processes_that_are_stopped_is_done_by_another(level, caplog):
+    """It waited for minutes: what is stopped uses up no computing time."""
+
+    async def test(workers):
+        job = workers.start(works.compute, 1.0, level=level)
+        await begun(job)
+        for worker in workers._workers:  # also what has nothing to do yet
+            os.kill(worker._process.pid, signal.SIGSTOP)
+        assert await asyncio.wait_for(job.answer, 90.0) == 1.0
+
+    with caplog.at_level(logging.ERROR):
+        with_workers(test)
+    assert "compute did not go on" in caplog.text
+
+
+def test_what_computes_or_waits_for_a_processor_is_not_taken_to_hang(monkeypatch, caplog):
+    monkeypatch.setattr("app.jobs.workers.STILL_SECONDS", 0.5)
+    monkeypatch.setattr("app.jobs.workers.LOOK_SECONDS", 0.05)
+
+    async def test(workers):
+        jobs = [workers.start(works.compute, 1.0, visitor=k, level=LONG) for k in range(3)]
+        assert await asyncio.gather(*(job.answer for job in jobs)) == [1.0] * 3
+        assert [job.tries for job in jobs] == [1] * 3
+
+    with caplog.at_level(logging.ERROR):
+        with_workers(test, (*LEVELS[:LONG], Level(3, float("inf"), 0)))
+    assert not caplog.text
 
 
 def test_nothing_is_left_when_the_server_stops():

@@ -71,6 +71,13 @@ def test_whatever_the_sliders_say_is_answered_in_a_small_finite_message(**chosen
         assert abs(header["other"]["diagnostics"]["energy_error"]) < 1e-10
 
 
+@pytest.mark.parametrize("scene", ["free-rod", "hammer-on-cantilever"])
+@pytest.mark.parametrize("law, exponent", [("rigid", 1.0), ("linear", 1.0), ("power", 2.5), ("lee-wang", 2.5)])
+def test_the_power_with_which_the_force_begins_is_told(scene, law, exponent):
+    header = read_header(solve_frame({**own_choices(scene), "law": law, "exponent": 2.5}))
+    assert header.get("law", header)["exponent"] == exponent
+
+
 @pytest.mark.parametrize("name", Choices.param.scene.objects)
 def test_a_scene_by_its_own_values_is_the_scene(name):
     chosen = Choices(scene=name, **choices_of(name)).chosen()

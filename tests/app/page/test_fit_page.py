@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from ..fitting import DRAWN, INSTANTS, LARGE, WRITTEN
+from ..fitting import DRAWN, INSTANTS, LARGE, UNREACHED, WRITTEN, lettered
 
 
 @pytest.mark.parametrize(
@@ -74,6 +74,33 @@ def test_large_letters_have_their_room(open_page, size, query):
     assert caption.evaluate("element => element.scrollHeight - element.clientHeight") <= 1
     clock = page.tab.locator(".pinned .clock")
     assert clock.evaluate("element => element.scrollWidth - element.clientWidth") <= 0
+
+
+# The force in the window, in pixels of its plot, and those of the room for controls.
+FORCE_AND_CONTROLS = """() => {
+  const { page } = strikewave, { chart } = page.view.force;
+  const { bottom, top } = chart.area.getBoundingClientRect();
+  const room = page.layout.choices.parentElement.getBoundingClientRect();
+  return [top > 0 && bottom <= innerHeight ? bottom - top : 0, room.height, room.width];
+}"""
+
+
+@pytest.mark.parametrize(
+    "pixels, sizes",
+    [(32, [(1440, 900), (1920, 1080), (1280, 720), (390, 844)]), (16, [(720, 450), (960, 540), (640, 360)])],
+    ids=["letters of 32 px", "zoom of 200 %"],
+)
+def test_the_force_and_the_controls_are_there_however_large_letters_are(open_page, pixels, sizes):
+    page = open_page(own=True, size=sizes[-1])
+    page.tab.add_init_script(lettered(pixels))
+    page.tab.reload()
+    page.laid_out()
+    for size in sizes:
+        page.resize(*size)
+        [force, *room] = page.evaluate(FORCE_AND_CONTROLS)
+        assert force > 40 and min(room) > 200
+        assert page.evaluate(WRITTEN) == []
+    assert page.evaluate(UNREACHED) == []
 
 
 def test_charts_that_a_scene_brings_are_folded_where_there_is_no_room_for_them(open_page):

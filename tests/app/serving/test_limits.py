@@ -5,6 +5,7 @@ Bounded in number and time, and only against a server of its own on this machine
 
 import asyncio
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -87,6 +88,27 @@ def test_refusals_without_end_close_the_socket_and_just_fewer_do_not(server):
             return False
 
     assert run(attack(MAX_REFUSED - 10)) and not run(attack(MAX_REFUSED + 10))
+
+
+@pytest.mark.slow
+def test_who_comes_after_a_flood_from_his_address_gets_in(server):
+    """Sockets that were opened and closed meanwhile kept their places in the line: 200 of them, for minutes."""
+
+    async def attack():
+        client = await SocketClient(server).open()
+        for _ in range(MAX_REFUSED + 10):
+            await client.set("esm", SCRIPT[:90])
+        assert (await closed(client._socket))[0] == 1008
+        page = await AsyncHTTPClient().fetch(f"http://{server}/", request_timeout=60)
+        token = re.search(r'"token":\s*"([^"]+)"', page.body.decode()).group(1)
+        for _ in range(100):
+            (await with_token(server, token)).close()
+        honest = await asyncio.wait_for(SocketClient(server).open(), 60.0)
+        await honest.set("mass_ratio", 3.0)
+        await honest.answer()
+        honest.close()
+
+    run(attack(), 200)
 
 
 def test_a_fetched_page_solves_nothing_and_makes_no_document(server):

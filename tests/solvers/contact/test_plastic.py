@@ -7,6 +7,7 @@ from pytest import approx
 
 from solvers import LAWS as CLASSES
 from solvers.contact import PlasticLinear, PlasticPower, YigitChristoforou
+from solvers.contact.duration import exponent_of
 from solvers.contact.plastic import FULL_OVER_FIRST_YIELD, hardening_exponent
 from tests.catalog import WITH_INDENTATION
 from tests.solvers.contact.spheres import STEEL_400, STEEL_GROUND, sphere_scene
@@ -63,6 +64,11 @@ def test_dent_and_loss_grow_with_the_deepest_indentation(law, deepest):
     assert law.mean(deepest, deeper, 1.0, deepest)[1] > 0.0
     assert law.corner(0.5 * deepest, deepest) == deepest
     assert law.corner(0.5, 0.7) == 1.0
+
+
+@each_plastic
+def test_every_plastic_law_begins_as_hertz(law):
+    assert exponent_of(law) == 1.5  # also one that hardens by a power of its own
 
 
 def test_exponent_of_plastic_power_depends_on_the_ratio_alone():

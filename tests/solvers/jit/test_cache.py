@@ -204,6 +204,26 @@ def test_a_full_disk_is_seen_before_anything_is_kept_there(tmp_path, filled):
     assert ran(nowhere, tmp_path / "other").stdout.split() == [str(tmp_path)]
 
 
+def test_what_is_copied_of_a_cache_that_may_only_be_read_can_be_written(tmp_path, filled, monkeypatch, caplog):
+    """Modes were copied too, and the next kernel ended the program."""
+    shutil.copytree(filled, tmp_path / "cache")
+    folders = [tmp_path / "cache", *(each for each in (tmp_path / "cache").rglob("*") if each.is_dir())]
+    for folder in folders:
+        folder.chmod(0o555)
+
+    def refuse(dir):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(kept.tempfile, "TemporaryFile", refuse)
+    own = kept._usable(tmp_path / "cache")
+    for folder in folders:
+        folder.chmod(0o755)
+    copies = [own, *own.rglob("*")]
+    assert len(copies) == 1 + len(list((tmp_path / "cache").rglob("*")))
+    assert all(each.stat().st_mode & 0o200 for each in copies)
+    assert len(caplog.records) == 1 and "Permission denied" in caplog.text
+
+
 FULL = """
 import numba.core.caching as caching
 def refuse(*given):

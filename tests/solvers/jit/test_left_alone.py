@@ -39,7 +39,8 @@ import solvers, solvers.jit.shortcuts
 {more}
 after = state()
 changed = [" ".join(key) for key, value in before[0].items() if after[0].get(key) is not value]
-changed += [name for name, a, b in zip("config filters environment lock events".split(), before[1:], after[1:]) if a != b]
+names = "config filters environment lock events".split()
+changed += [name for name, a, b in zip(names, before[1:], after[1:]) if a != b]
 print(json.dumps(changed))
 """
 
@@ -103,7 +104,7 @@ print(json.dumps([
 
 
 def test_a_kernel_of_another_library_is_compiled_and_kept_as_without_this_one(tmp_path):
-    """Its fields are fields, even those with the names of methods of contact laws; both know it in each other's cache."""
+    """Its fields are fields, even those with the names of methods of contact laws; both find it where it was kept."""
     (tmp_path / "foreign.py").write_text(FOREIGN, encoding="utf-8")
 
     def answer(ours: bool) -> list:

@@ -1,5 +1,6 @@
 """Built-in scenes by name, and scene files that can and cannot be used."""
 
+import inspect
 import tomllib
 
 import pytest
@@ -89,3 +90,48 @@ def test_files_that_do_not_exist(name):
         solvers.load(name)
     assert refused.value.key == "scene"
     assert "fixed-rod" in refused.value.allowed or "file" in refused.value.allowed
+
+
+TAKE_SCENES = {  # by name: what else each needs
+    name: {"values": [1.0], "key": "impactor.mass"} if name == "sweep" else {}
+    for name in solvers.__all__
+    if inspect.isfunction(getattr(solvers, name))
+    and {"scene", "scenes"} & {next(iter(inspect.signature(getattr(solvers, name)).parameters), "")}
+}
+
+
+def test_every_function_of_scenes_is_among_them():
+    assert {"solve", "solve_many", "plan", "tradeoff", "convergence", "sweep", "ensemble"} < TAKE_SCENES.keys()
+
+
+@pytest.mark.parametrize("name", TAKE_SCENES)
+def test_where_a_scene_is_taken_a_name_is_and_an_unknown_one_is_refused_by_key(name):
+    function, given = getattr(solvers, name), TAKE_SCENES[name]
+    with pytest.raises(SceneError, match=r"^scene: got 'fixed-rot'; allowed: .* near: .*fixed-rod.*; impact scenes"):
+        function("fixed-rot", **given)
+    for wrong in (3, None, {"target": {}}):
+        with pytest.raises(SceneError, match=r"^scene: got .*; allowed: a scene file, or a built-in one: fixed-rod"):
+            function([wrong] if name == "solve_many" else wrong, **given)
+
+
+def test_a_name_gives_what_its_scene_gives(tmp_path):
+    scene, path = solvers.load("fixed-rod"), tmp_path / "scene.toml"
+    path.write_text(TOML)
+    own = solvers.solve(scene).table()
+    for found in (solvers.solve("fixed-rod"), solvers.Waves().solve("fixed-rod")):
+        assert found.table()["contacts"] == own["contacts"]
+    assert solvers.solve(path).scene == solvers.load(path)
+    assert solvers.usual_method("fixed-rod") == "waves"
+    assert solvers.read_method({}, "fixed-rod")[0] == solvers.Waves()
+    assert solvers.plan("hammer-on-cantilever").table() == solvers.plan(SCENES["hammer-on-cantilever"]).table()
+    many = solvers.solve_many("fixed-rod", {"impactor.mass": [1.0, 2.0]})
+    assert many.impulse.tolist() == solvers.solve_many(scene, {"impactor.mass": [1.0, 2.0]}).impulse.tolist()
+    rows = solvers.sweep("fixed-rod", "impactor.mass", [1.0, 2.0])
+    assert [row["impulse"] for row in rows] == many.impulse.tolist()
+    both = solvers.solve_many(["fixed-rod", SCENES["free-rod"]])
+    assert both.impulse[0] == solvers.solve("fixed-rod").impulse
+
+
+def test_methods_to_compare_are_refused_by_key():
+    with pytest.raises(SceneError, match=r"^methods: got 'waves!'; allowed: .*'modal'"):
+        solvers.compare("fixed-rod", ["waves!"])

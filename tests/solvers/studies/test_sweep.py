@@ -181,6 +181,8 @@ def test_an_impact_too_long_for_all_the_others_is_solved_alone():
         ({"impactor.mass": [1.0, 2.0], "target.length": [1.0]}, "target.length: got '1 values'"),
         ({"target.colour": [1.0]}, "target.colour"),
         ({"impactor.mass": [[1.0]]}, "impactor.mass: got 'an array of shape"),
+        ({"impactor.mass": ["heavy"]}, r"impactor.mass: got \['heavy'\]; allowed: a list of 1 to 1000000 numbers"),
+        ({"impactor.mass": [[1.0, 2.0], [1.0]]}, "impactor.mass: got"),
         ({}, "columns: got 'nothing'"),
         (None, "columns: got 'nothing'"),
     ],
@@ -218,6 +220,8 @@ def test_keys_of_whole_numbers_get_each_of_them_once():
         ("impactor.mass", [], "number of values: got 0"),
         ("impactor.mass", [1.0, np.nan], "impactor.mass: got nan"),
         ("method.steps", [100.0, np.inf], "method.steps: got inf"),
+        ("impactor.mass", ["heavy"], "impactor.mass: got"),
+        ("impactor.mass", [[1.0]], "impactor.mass: got"),
         ("method.tolerance", [1e-9] * 2001, "number of values: got 2001"),
     ],
 )

@@ -1,0 +1,55 @@
+"""The command `impact serve`: who is served, where, and behind what."""
+
+import argparse
+import os
+import re
+import socket
+
+from solvers import SceneError
+
+from .words import text
+
+DEFAULT_PORT = 5006
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--port", help=text("help.serve.port", port=DEFAULT_PORT))
+    parser.add_argument("--address", help=text("help.serve.address"))
+    origin = text("help.serve.origin")
+    parser.add_argument("--allow-origin", action="append", metavar="HOST[:PORT]", help=origin)
+    parser.add_argument("--behind", action="append", metavar="ADDRESS[/BITS]", help=text("help.serve.behind"))
+    parser.add_argument("--warm", action="store_true", help=text("help.serve.warm"))
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    port = os.environ.get("IMPACT_PORT", str(DEFAULT_PORT)) if options.port is None else options.port
+    if not (port.isascii() and port.isdigit() and len(port) <= 5 and 1 <= int(port) <= 65535):
+        raise SceneError("--port", port, text("wanted.whole", low=1, high=65535))
+    address = os.environ.get("IMPACT_ADDRESS", "127.0.0.1") if options.address is None else options.address
+    try:
+        socket.getaddrinfo(address or " ", int(port))
+    except (OSError, UnicodeError):
+        raise SceneError("--address", address, text("wanted.address")) from None
+    origins = _several(options.allow_origin, "IMPACT_ORIGINS")
+    for origin in origins:
+        host, _, origin_port = origin.partition(":")
+        if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
+            raise SceneError("--allow-origin", origin, text("wanted.origin"))
+    from ..serving.addresses import network_of
+
+    proxies = []
+    for proxy in _several(options.behind, "IMPACT_BEHIND"):
+        try:
+            proxies.append(network_of(proxy))
+        except ValueError:
+            raise SceneError("--behind", proxy, text("wanted.proxy")) from None
+    from ..serving.server import serve
+
+    return serve(int(port), address, origins, proxies)
+
+
+def _several(given: list[str] | None, variable: str) -> list[str]:
+    """Values of an option that may be repeated, or those of a variable, separated by commas."""
+    values = given or [each for each in os.environ.get(variable, "").split(",") if each.strip()]
+    return [each.strip() for each in values]
