@@ -5,6 +5,7 @@ import json
 from datetime import date
 from pathlib import Path
 
+from solvers.jit.shortcuts import shorten
 from solvers.provenance import machine
 
 from . import (
@@ -74,6 +75,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", choices=list(PARTS), help=f"one part; default: all but {', '.join(IF_ASKED)}")
     only = parser.parse_args().only
+    shorten()
     parts = [only] if only else [part for part in PARTS if part not in IF_ASKED]
     stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
     stored["machine"] = machine() | {"date": str(date.today())}

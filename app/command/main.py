@@ -13,6 +13,7 @@ from typing import Any
 
 import solvers
 from solvers import SceneError
+from solvers.jit.shortcuts import shorten
 
 from .serve import add_arguments as add_serve_arguments
 from .words import text
@@ -35,6 +36,7 @@ class _Parser(argparse.ArgumentParser):
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code: 0, or 2 after one line on standard error; 130 if interrupted."""
+    shorten()
     try:
         options = _parser().parse_args(arguments)
         with _patience():
