@@ -96,6 +96,8 @@ class Page(RequestHandler):
         first = not self.request.query_arguments
         self.write(shell(first).replace("SESSION", escape(json.dumps({"token": token}), quote=False)))
 
+    head = get  # of which no body is sent
+
 
 @cache
 def text_of(file: Path) -> bytes:
@@ -185,6 +187,8 @@ class Alive(RequestHandler):
 
     def get(self) -> None:
         self.write({"alive": True})
+
+    head = get  # of which no body is sent
 
 
 def set_headers(handler: RequestHandler) -> None:
