@@ -102,6 +102,8 @@ class Page(RequestHandler):
         first = not self.request.query_arguments
         self.write(shell(first).replace("SESSION", escape(json.dumps(session), quote=False)))
 
+    head = get  # of which no body is sent
+
 
 @cache
 def text_of(file: Path) -> bytes:
@@ -191,6 +193,8 @@ class Alive(RequestHandler):
 
     def get(self) -> None:
         self.write({"alive": True})
+
+    head = get  # of which no body is sent
 
 
 def set_headers(handler: RequestHandler) -> None:
