@@ -6,6 +6,8 @@ import logging
 from solvers.accuracy.calibration import calibrate, known
 from solvers.jit.compiling import NotCompiled
 
+from ..views.tradeoff import stored_data
+from .answers import KEPT
 from .loops import of_loop
 from .workers import LONG, Workers
 
@@ -28,5 +30,6 @@ async def calibrate_machine() -> None:
         except NotCompiled:
             await asyncio.sleep(COMPILING_SECONDS)
             await workers.start(calibrate_once, compiled=False).answer
+        KEPT.forget(stored_data)  # whose times are scaled from now on
     except Exception as error:
         log.warning("this machine could not be calibrated (%s)", error)
