@@ -14,6 +14,7 @@ from . import (
     cost,
     elements,
     ensemble,
+    estimates,
     impulses,
     kernels,
     mechanisms,
@@ -22,7 +23,6 @@ from . import (
     peer_mechanisms,
     peers,
     random_chains,
-    random_estimates,
     regime_sweep,
     regimes,
     shipped,
@@ -51,7 +51,7 @@ PARTS = {
     "tradeoffs": tradeoffs,
     "shipped": shipped,
     "automatic": automatic,
-    "random-estimates": random_estimates,
+    "estimates": estimates,
     "waves": waves,
     "compiling": compiling,
     "random": random_chains,
@@ -65,7 +65,7 @@ IF_ASKED = (
     "compiling",
     "regime-sweep",
     "random",
-    "random-estimates",
+    "estimates",
 )  # a minute of all cores; half an hour of one, each
 RESULTS = Path(__file__).parent / "results.json"
 
