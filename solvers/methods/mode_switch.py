@@ -136,7 +136,9 @@ class ModeSwitch(Method):
         at_limit = np.array([limit])
         final = course.mass_motion(at_limit)[1][0]
         finals = [replace(self, modes=modes)._course(scene, limit).mass_motion(at_limit)[1][0] for modes in others]
-        left = error_left([(modes / self.modes, final - other) for modes, other in zip(others, finals, strict=True)], 1.0)
+        left = error_left(
+            [(modes / self.modes, final - other) for modes, other in zip(others, finals, strict=True)], 1.0
+        )
         estimated = float(left) * units.speed / scene.speed
         if isinstance(scene.target, Rod) and self.smoothing == "delay" and course.contacts[0].end < 1.0 <= limit:
             # parted at rest before the front is back, as any number of modes may, while the mass has v exp(-2 m2 / m1)
