@@ -187,13 +187,14 @@ def _convergence_command(commands: Any) -> None:
     parser = commands.add_parser("convergence", help=text("help.convergence.about"))
     _scene_arguments(parser)
     parser.add_argument("--modes", metavar="N,N,...", help=text("help.convergence.modes"))
+    parser.add_argument("--elements", metavar="N,N,...", help=text("help.convergence.elements"))
     parser.add_argument("--steps", metavar="S,S,...", help=text("help.convergence.steps"))
     parser.add_argument("--restitutions", metavar="E,E,...", help=text("help.convergence.restitutions"))
 
     def run(options: argparse.Namespace) -> int:
         from .trust import print_convergence
 
-        lists = {name: getattr(options, name) for name in ("modes", "steps", "restitutions")}
+        lists = {name: getattr(options, name) for name in ("modes", "elements", "steps", "restitutions")}
         return print_convergence(_scene(options), lists, options.json)
 
     parser.set_defaults(run=run)
