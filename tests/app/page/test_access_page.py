@@ -90,7 +90,9 @@ def test_the_help_links_to_the_documentation_where_its_address_is_set(open_page)
 
     def served(route):
         told = route.fetch()
-        route.fulfill(response=told, body=told.text().replace('"documentation": ""', '"documentation": "https://a.org/b"'))
+        route.fulfill(
+            response=told, body=told.text().replace('"documentation": ""', '"documentation": "https://a.org/b"')
+        )
 
     page.tab.route(f"http://{page.address}/", served)
     page.tab.reload()
