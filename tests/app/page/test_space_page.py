@@ -1,6 +1,7 @@
 """Bodies in space on the page: friction, the model of restitution, how the contact slides, and what a hand can turn."""
 
 import pytest
+from playwright.sync_api import expect
 from pytest import approx
 
 SIZES = [(1440, 900), (1280, 720), (390, 844)]
