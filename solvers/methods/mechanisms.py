@@ -30,7 +30,7 @@ class MechanismMotion:
         self.scene, self.relative = scene, relative
         self.mechanism: Mechanism = scene.target.known_as(Mechanism)
         self.frozen = self.mechanism.frozen
-        self._followed = followed = isinstance(relative, KnowsModes)  # else it is over at once
+        self._followed = followed = _lasts(scene, relative)  # else it is over at once
         self.acceleration = self.frozen.acceleration if followed else 0.0  # of the struck point
         self.jerk = self.frozen.jerk if followed else 0.0
         falls = followed and not scene.impactor.held
@@ -268,6 +268,12 @@ class MechanismMotion:
             "target_rigid": parts["target_rigid"] + self.mechanism.kinetic_energy + gained,
             "drives": self._done(time) - gained - self.weight * mass * self.impactor_position(time),
         }
+
+
+def _lasts(scene: Scene, relative: Motion) -> bool:
+    """Whether what was solved takes any time: a balance of what does not ring takes none, as one impulse."""
+    rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
+    return isinstance(relative, KnowsModes) and (rings or not isinstance(relative, Balances))
 
 
 def _impulses(joints: np.ndarray) -> list[dict[str, Any]]:

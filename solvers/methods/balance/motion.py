@@ -49,7 +49,9 @@ class Pair:
             frequencies.append(own.frequencies)
             closing.append(sign * own.at_contact)
             start.append(np.zeros(own.frequencies.size))
-        fall, surge = -scene.target.acceleration, -scene.target.jerk
+        rings = any(body.time_unit is not None for body in bodies)
+        # without ringing there is one balance, which takes no time in which the target could be carried on
+        fall, surge = (-scene.target.acceleration, -scene.target.jerk) if rings else (0.0, 0.0)
         bank = Bank(np.concatenate(frequencies), np.concatenate(closing), places[1], fall, surge)
         highest = float(bank.frequencies.max())
         shortest = 2.0 * np.pi / highest if highest > 0.0 else 0.0

@@ -1,5 +1,7 @@
 """Impacts on mechanisms: rigid closed forms of thesis 6.4, beams that they contain, balances of momentum at joints."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from pytest import approx
@@ -8,6 +10,7 @@ from scipy.integrate import solve_ivp
 import solvers
 from solvers import METHODS, Balance, Modal, QuasiStatic, RigidImpulse, Scene, SceneError
 from solvers.methods.modal.motion import last_touch
+from tests.catalog import SCENES
 from tests.solvers.bodies.linkage.mechanisms import FLAT, STEEL, four_bar, rotating_bar
 
 HERTZ = {"law": "hertz", "stiffness": 1e9}
@@ -42,6 +45,19 @@ def test_the_rigid_answer_is_that_of_the_bars_alone_whatever_bends():
     for one, other in zip(stiff.reactions, bent.reactions, strict=True):
         assert one["impulse"] == approx(other["impulse"], abs=1e-11)
         assert one["moment_impulse"] == approx(other["moment_impulse"], abs=1e-11)
+
+
+@pytest.mark.parametrize("name", ["four-bar", "table-6.7", "slider-crank", "double-pendulum"])
+def test_one_balance_of_rigid_links_is_one_impulse(name):
+    """Velocities are those right after it, and not those of some time later, as the mechanism turns on."""
+    scene = SCENES[name].struck
+    scene = replace(scene, target=scene.target.with_rigid_links, contact=SCENES["table-6.7"].contact, given={})
+    impulse, balances = (method(restitution=0.6).solve(scene) for method in (RigidImpulse, Balance))
+    for link, one in impulse.links.items():
+        assert balances.links[link]["final_spin"] == approx(one["final_spin"], rel=1e-11, abs=1e-11)
+        assert balances.links[link]["final_velocity"] == approx(one["final_velocity"], rel=1e-11, abs=1e-11)
+    assert balances.impactor_velocity == approx(impulse.impactor_velocity, rel=1e-12)
+    assert balances.target_velocity == approx(impulse.target_velocity, rel=1e-11)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.6, 1.0])
