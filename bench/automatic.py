@@ -32,6 +32,7 @@ FIRST, OTHER_FIRST, BEAM_FIRST = 90_000, 90_500, 90_700  # seeds
 SCENES, OTHER_SCENES, BEAM_SCENES = 500, 100, 60
 COST_FIRST, COST_SCENES, COST_OTHER_FIRST, COST_OTHER_SCENES = 5000, 32, 6000, 8  # fitted to; and to see how it fits
 COST_BEAMS = 0.4  # share of them
+CLOSED_SCENES = 300  # more, of which only closed forms are solved: one level each
 LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
@@ -60,11 +61,13 @@ class Cost(NamedTuple):
     size: int
 
 
-def costs_of(scenes: Iterable[solvers.Scene]) -> Iterator[Cost]:
-    """Every ladder of each scene, up to where a solve takes long."""
+def costs_of(scenes: Iterable[solvers.Scene], closed: bool = False) -> Iterator[Cost]:
+    """Every ladder of each scene, up to where a solve takes long; or only `closed` forms, of one level."""
     with threadpool_limits(1, user_api="blas"):
         for scene in scenes:
             for ladder in ladders(scene):
+                if closed and len(ladder.levels) > 1:
+                    continue
                 for level in ladder.levels:
                     taken, solution = _timed(level.without_estimate(), scene)
                     table = level.table()
@@ -77,11 +80,12 @@ def fit_costs() -> dict[str, object]:
     """Time = a + b steps + c steps size + d size^3 of every kind of solve, by relative least squares, stored."""
     rows: dict[str, list[tuple[float, int, int]]] = {}
     before = measured()
-    for number, scene in enumerate(_scenes(COST_FIRST, COST_SCENES, COST_BEAMS)):
-        for cost in costs_of([scene]):
+    for number, scene in enumerate(_scenes(COST_FIRST, COST_SCENES + CLOSED_SCENES, COST_BEAMS)):
+        for cost in costs_of([scene], closed=number >= COST_SCENES):
             for kind in cost.kinds:
                 rows.setdefault(kind, []).append(cost[1:])
-        print(f"  costs: {number + 1} of {COST_SCENES} scenes", flush=True)
+        if number < COST_SCENES:
+            print(f"  costs: {number + 1} of {COST_SCENES} scenes", flush=True)
     constants, within = {}, []
     for kind, solves in rows.items():
         time, steps, size = np.array(solves, float).T
