@@ -35,7 +35,9 @@ export default [
   },
   {
     files: ['tests/js/**/*.js'],
-    languageOptions: { globals: { Buffer: 'readonly', TextEncoder: 'readonly' } },
+    languageOptions: {
+      globals: { Buffer: 'readonly', Event: 'readonly', EventTarget: 'readonly', TextEncoder: 'readonly' },
+    },
   },
   {
     rules: {

@@ -15,6 +15,7 @@ from . import (
     cost,
     elements,
     ensemble,
+    estimates,
     impulses,
     kernels,
     mechanisms,
@@ -23,7 +24,6 @@ from . import (
     peer_mechanisms,
     peers,
     random_chains,
-    random_estimates,
     regime_sweep,
     regimes,
     shipped,
@@ -52,7 +52,7 @@ PARTS = {
     "tradeoffs": tradeoffs,
     "shipped": shipped,
     "automatic": automatic,
-    "random-estimates": random_estimates,
+    "estimates": estimates,
     "waves": waves,
     "compiling": compiling,
     "random": random_chains,
@@ -66,7 +66,7 @@ IF_ASKED = (
     "compiling",
     "regime-sweep",
     "random",
-    "random-estimates",
+    "estimates",
 )  # a minute of all cores; half an hour of one, each
 RESULTS = Path(__file__).parent / "results.json"
 

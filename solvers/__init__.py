@@ -11,7 +11,20 @@ from .accuracy.reference import reference
 from .accuracy.tradeoff import stored_tradeoff, tradeoff
 from .accuracy.tradeoff_table import Point as TradeOffPoint
 from .accuracy.tradeoff_table import TradeOff
-from .bodies import Beam, Bending, Body, Material, Mechanism, RigidMass, Rod, Rods, SpringMass, Wall, Waveguide
+from .bodies import (
+    MATERIALS,
+    Beam,
+    Bending,
+    Body,
+    Material,
+    Mechanism,
+    RigidMass,
+    Rod,
+    Rods,
+    SpringMass,
+    Wall,
+    Waveguide,
+)
 from .contact import LAWS
 from .methods import (
     METHODS,
@@ -44,6 +57,7 @@ from .validation import SceneError
 
 __all__ = [
     "LAWS",
+    "MATERIALS",
     "METHODS",
     "Auto",
     "Balance",

@@ -39,6 +39,7 @@ from .validation import SceneError, allowed
 
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
+RIGID: Any = Rigid()  # the contact of a scene that says nothing of it
 IN_SPACE = ("normal", "friction")  # keys of a contact between bodies in space
 
 
@@ -52,7 +53,7 @@ class Scene:
 
     impactor: AnyBody
     target: AnyBody
-    contact: Law
+    contact: Law = RIGID
     joint_laws: tuple[Law | None, ...] = ()  # of the joints of a chain of rods, None where bonded; between balls
     title: str = ""
     source: str = ""
@@ -61,6 +62,10 @@ class Scene:
     normal: tuple[float, float, float] | Any = None  # from impactor to target, where they are bodies in space
     note: str = ""
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
+
+    def __post_init__(self) -> None:
+        if isinstance(self.impactor, Rod) and self.impactor.held:
+            raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
 
     @classmethod
     def from_table(cls, given: object) -> "Scene":
@@ -105,7 +110,7 @@ class Scene:
         Another `method.name` takes the options of the method before with it; `duration` stays. Raises SceneError for a
         key that does not exist or a value that is not allowed.
         """
-        tables = _copied(self.given or self.table())
+        tables = validation.copied(self.given or self.table())
         options = tables.get("method", {})
         if changes.get("method.name", options.get("name")) != options.get("name") is not None:
             tables["method"] = {name: value for name, value in options.items() if name == "duration"}
@@ -113,7 +118,11 @@ class Scene:
             *path, last = key.split(".")
             table: Any = tables
             for name in path:
-                table = _listed(table, name, key, value) if isinstance(table, list) else table.setdefault(name, {})
+                table = (
+                    validation.numbered(table, name, key, value)
+                    if isinstance(table, list)
+                    else table.setdefault(name, {})
+                )
                 if not isinstance(table, dict | list):
                     raise SceneError(key, value, allowed("no-table", name=name))
             if isinstance(table, list):
@@ -385,16 +394,3 @@ def _read_joint_laws(impactor: AnyBody, target: AnyBody, contact: object) -> tup
         None if joint.bonded else _read_law(f"target.rods[{number}].contact", joint.contact or {}, front, behind)
         for number, (joint, front, behind) in enumerate(pairs, 2)
     )
-
-
-def _copied(value: Any) -> Any:
-    if isinstance(value, Mapping):
-        return {key: _copied(each) for key, each in value.items()}
-    return [_copied(each) for each in value] if isinstance(value, list) else value
-
-
-def _listed(table: list, name: str, key: str, value: Any) -> Any:
-    """What has this number in a list."""
-    if not (name.isdecimal() and 1 <= int(name) <= len(table)):
-        raise SceneError(key, value, allowed("number-in-list", count=len(table)))
-    return table[int(name) - 1]

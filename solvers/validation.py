@@ -119,3 +119,17 @@ def required(key: str, given: Mapping[str, Any], name: str, what: Note) -> objec
 def required_number(key: str, given: Mapping[str, Any], name: str, low: float, high: float, unit: str = "") -> float:
     """A finite number in [low, high] that must be there."""
     return number(f"{key}.{name}", required(key, given, name, a_number(low, high, unit)), low, high, unit)
+
+
+def copied(value: Any) -> Any:
+    """Tables within tables and lists, with none of them shared."""
+    if isinstance(value, Mapping):
+        return {key: copied(each) for key, each in value.items()}
+    return [copied(each) for each in value] if isinstance(value, list) else value
+
+
+def numbered(table: list, name: str, key: str, value: Any) -> Any:
+    """What has this number in a list."""
+    if not (name.isdecimal() and 1 <= int(name) <= len(table)):
+        raise SceneError(key, value, allowed("number-in-list", count=len(table)))
+    return table[int(name) - 1]

@@ -1,9 +1,12 @@
 """The command `impact serve`: who is served, where, and behind what."""
 
 import argparse
+import errno
 import os
 import re
 import socket
+import tempfile
+from typing import Any
 
 from solvers import SceneError
 
@@ -36,6 +39,9 @@ def _run(options: argparse.Namespace) -> int:
         host, _, origin_port = origin.partition(":")
         if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
             raise SceneError("--allow-origin", origin, text("wanted.origin"))
+    documentation = os.environ.get("IMPACT_DOCUMENTATION", "")
+    if documentation and not re.fullmatch(r"https?://[^\s/]+(/\S*)?", documentation):
+        raise SceneError("IMPACT_DOCUMENTATION", documentation, text("wanted.documentation"))
     from ..serving.addresses import network_of
 
     proxies = []
@@ -44,9 +50,26 @@ def _run(options: argparse.Namespace) -> int:
             proxies.append(network_of(proxy))
         except ValueError:
             raise SceneError("--behind", proxy, text("wanted.proxy")) from None
+    try:
+        tempfile.gettempdir()
+    except FileNotFoundError:
+        raise SceneError("TMPDIR", os.environ.get("TMPDIR"), text("wanted.folder")) from None
+    early = _port(int(port), address)
     from ..serving.server import serve
 
-    return serve(int(port), address, origins, proxies)
+    return serve(early, origins, proxies)
+
+
+def _port(port: int, address: str) -> Any:
+    """The port, taken before the rest is loaded: it answers meanwhile, and what is wrong with it is seen at once."""
+    from ..serving.early import EarlyPort
+
+    try:
+        return EarlyPort(port, address)
+    except OSError as error:
+        key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
+        allowed = text("wanted.own-address") if key == "--address" else text("wanted.free-port", address=address)
+        raise SceneError(key, value, f"{allowed} ({error.strerror})") from None
 
 
 def _several(given: list[str] | None, variable: str) -> list[str]:

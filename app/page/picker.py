@@ -10,6 +10,7 @@ from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
 from ..text.catalogues import page
+from ..text.typeset import typeset
 
 
 def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
@@ -22,7 +23,7 @@ def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
 
 def _entry(name: str, scene: Scene) -> str:
     """What the picker says of a scene; one of the thesis by its number first."""
-    title = scene.title or name
+    title = typeset(scene.title or name)
     found = re.fullmatch(r"(figure|table)-(\d+\.\d+)", name)
     return page().text("scenes.entry", kind=found[1], number=found[2], title=title) if found else title
 

@@ -1,57 +1,42 @@
 """Serve the page: kernels warm, processes ready, answers safe, nothing else on the port."""
 
 import contextlib
-import errno
 import logging
-import os
 import re
 import secrets
 import signal
-import sys
-import tempfile
 from typing import Any
 
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
-from solvers.validation import SceneError
 
+from ..jobs.calibrating import calibrate_machine
 from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
-from ..jobs.workers import Workers, prepare
+from ..jobs.processes import prepare
+from ..jobs.workers import Workers
 from ..text.catalogues import command
 from .addresses import Addresses, Network
+from .early import EarlyPort
 
 CLOSE_SECONDS = 2.0  # for sockets to be closed when the server stops
 log = logging.getLogger("strikewave")
 
 
-def serve(port: int, address: str, origins: list[str], proxies: list[Network]) -> int:
-    """Serve until interrupted. Prints the address once the page answers at once.
+def serve(early: EarlyPort, origins: list[str], proxies: list[Network]) -> int:
+    """Serve until interrupted, on a port that is taken already. Prints the address once the page answers at once.
 
     `origins`: hosts by which browsers reach the page; `proxies`: of which `X-Forwarded-For` is believed.
     """
-    try:
-        tempfile.gettempdir()
-    except FileNotFoundError:
-        wanted = command().text("wanted.folder")
-        refusal = SceneError("TMPDIR", os.environ.get("TMPDIR"), wanted)
-        print(f"impact: {refusal}", file=sys.stderr)
-        return 2
     if not all_compiled().exists():
         COMPILER.start()  # while this process loads Panel
     prepare()  # likewise
-    try:
-        server = build(port, address, origins, proxies)
-    except OSError as error:
-        COMPILER.stop()
-        key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
-        wanted = "wanted.own-address" if key == "--address" else "wanted.free-port"
-        allowed = command().text(wanted, address=address)
-        print(f"impact: {key}: got {value}; allowed: {allowed} ({error.strerror})", file=sys.stderr)
-        return 2
+    port, address = early.port, early.address
+    server = build(port, address, origins, proxies, early=early)
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
     print(command().text("run.page-at", address=f"http://{host}:{port}"), flush=True)
+    server.io_loop.add_callback(calibrate_machine)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()
@@ -73,11 +58,17 @@ def stop(server: Any) -> None:
 
 
 def build(
-    port: int, address: str, origins: list[str], proxies: list[Network] | None = None, unused_lifetime: int = 10_000
+    port: int,
+    address: str,
+    origins: list[str],
+    proxies: list[Network] | None = None,
+    *,
+    early: EarlyPort | None = None,
+    unused_lifetime: int = 10_000,
 ) -> Any:
     """The server, warm but not started. Raises OSError if the port is taken.
 
-    `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
+    `early` has the port until then; `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
     """
     import panel as pn
 
@@ -85,8 +76,7 @@ def build(
     from . import install
     from .door import Door
     from .limits import MAX_BODY, MAX_HEADER, MAX_MESSAGE
-    from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts, pack, shell
-    from .uploads import MeasuredRecord
+    from .pages import pack, shell
 
     _quiet()
     install.install()
@@ -95,6 +85,8 @@ def build(
     shell()
     pack()
     secret = secrets.token_bytes(32)
+    if early is not None:
+        install.listen_on(early.hand_over())
     server = pn.io.server.get_server(
         {"/": create},
         port=port,
@@ -103,14 +95,7 @@ def build(
         show=False,
         start=False,
         location=False,
-        extra_patterns=[
-            (r"/liveness", Alive),
-            (r"/record", MeasuredRecord),
-            (r"/figures/([a-z-]+)", Figure),
-            (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
-            (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
-            (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
-        ],
+        extra_patterns=_routes(),
         websocket_max_message_size=MAX_MESSAGE,
         http_server_kwargs={
             "max_body_size": MAX_BODY,
@@ -128,6 +113,21 @@ def build(
     )
     server.io_loop.add_callback(lambda: of_loop(Workers).fill())
     return server
+
+
+def _routes() -> list[tuple]:
+    """What is served beside the page and its socket."""
+    from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts
+    from .uploads import MeasuredRecord
+
+    return [
+        (r"/liveness", Alive),
+        (r"/record", MeasuredRecord),
+        (r"/figures/([a-z-]+)", Figure),
+        (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
+        (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
+        (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
+    ]
 
 
 def _quiet() -> None:
@@ -152,6 +152,8 @@ def _first_answer() -> None:
         at_once(solve_frame, first)
     except NotCompiled:
         print(command().text("run.first-page"), flush=True)
+        with contextlib.suppress(OSError):  # kernels of another machine, or another Numba: the usual ones are made anew
+            all_compiled().unlink()
         with contextlib.suppress(TimeoutError):
             COMPILER.ask("solve_frame", first).result(HANG_SECONDS)
         solve_frame(first)

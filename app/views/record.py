@@ -1,11 +1,12 @@
 """A measured record beside the chosen scene: how it lies on the solution, and the contact force by it."""
 
 import json
+import math
 from typing import Any
 
 import numpy as np
 
-from solvers import Rod, SceneError, Solution, read_method, validation
+from solvers import Rod, Scene, SceneError, Solution, read_method, validation
 from solvers.accuracy.reference import exact_solution
 from solvers.records.files import read_record
 from solvers.records.gauges import from_one_gauge
@@ -22,7 +23,7 @@ BEFORE = 1.0  # [T] of a record that are shown ahead of the impact
 
 
 def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, list[bytes]]) -> str:
-    """What the page draws of a record, as JSON. Raises SceneError naming what is wrong with file or query.
+    """What the page draws of a record, as JSON. Raises ValueError with a sentence on file or query.
 
     `time` [T] and `values` of the record as it lies best on the solution; `computed`: `time` [T] and `model`, what the
     exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
@@ -30,11 +31,11 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     """
     request = Request.of(chosen)
     if request.kind == "bodies":
-        raise SceneError("scene", chosen["scene"], page().text("wanted.on-axis"))
+        raise ValueError(page().text("serving.record.in-space"))
     given = {key: arguments.get(key, [b""])[-1].decode("utf-8", "replace")[:40] for key in ("kind", "at", "sign")}
     sign = int(validation.choice("sign", given["sign"] or "1", ("1", "-1")))
     record = read_record(content, kind=given["kind"] or None, sign=sign)
-    place = _place(given["at"], record)
+    place = _place(given["at"], record, request.scene)
     solution = _solution(request, record)
     found = align(record, solution, place)
     notes = list(solution.notes)
@@ -48,17 +49,19 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     return _packed(record, solution, place, found, recovered, notes)
 
 
-def _place(text: str, record: Record) -> float | None:
-    """Of the gauge [m]; of a contact force none."""
+def _place(text: str, record: Record, scene: Scene) -> float | None:
+    """Of the gauge [m]; of a contact force none. Raises ValueError with a sentence for the visitor."""
     if record.kind == "force":
         return None
+    length = sum(rod.length for rod in scene.target.rods)
     try:
-        value: Any = float(text.replace(",", ".", 1))
+        place = float(text.replace(",", ".", 1))
     except ValueError:
-        value = text or None
-    if value is None:
-        raise SceneError("at", None, page().text("wanted.gauge", kind=record.kind))
-    return validation.number("at", value, 0.0, 1e6, "m")
+        place = math.nan
+    if not 0.0 <= place <= (length or math.inf):
+        said = {"given": text or "none", "length": length, "known": length > 0.0}
+        raise ValueError(page().text("serving.record.place", **said))
+    return place
 
 
 def _solution(request: Request, record: Record) -> Solution:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from .. import validation
@@ -30,14 +30,18 @@ def read_target_velocity(given: Mapping[str, Any]) -> float:
 class RigidMass(Lumped):
     """A rigid body whose centre of mass lies in line with the contact: impactor or target."""
 
-    kind: str  # "mass" or "sphere"
     mass: float  # [kg]
-    velocity: float  # [m/s], positive the way the impactor goes
+    velocity: float = 0.0  # [m/s], positive the way the impactor goes; what strikes needs one
     radius: float | None = None  # of curvature at the contact [m]
     material: Material = MATERIALS["steel"]
+    kind: str = field(default="mass", kw_only=True)  # or "sphere"
 
     KEYS = ("kind", "mass", "velocity", "radius", "material")
     free_mass = True
+
+    def __post_init__(self) -> None:
+        if isinstance(self.mass, str):  # the kind came first until 0.2
+            raise SceneError("mass", self.mass, validation.a_number(*MASS_RANGE, "kg"))
 
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> "RigidMass":
@@ -53,7 +57,7 @@ class RigidMass(Lumped):
         else:
             mass = validation.required_number(key, given, "mass", *MASS_RANGE, "kg")
         velocity = read_impact_velocity(given) if key == "impactor" else read_target_velocity(given)
-        return cls(kind, mass, velocity, radius, material)
+        return cls(mass, velocity, radius, material, kind=kind)
 
     def of_mass(self, mass: float) -> dict[str, float]:
         return {"mass": mass}

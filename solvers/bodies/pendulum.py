@@ -148,6 +148,7 @@ class FlexiblePendulum(Pivoted, Beam):
     shapes: str = SHAPES[0]
 
     KEYS = Pendulum.KEYS
+    own_modes = True
 
     @classmethod
     def read(cls, key: str, given: Mapping[str, Any]) -> Self:

@@ -110,6 +110,10 @@ class AnyBody(ABC):
         """Itself known by this share of its modes, where their number is its own and not the method's."""
         return self
 
+    def with_single_elements_cut(self, elements: int) -> Self:
+        """Itself with every rod cut in two of which a mesh of about so many elements has one only."""
+        return self
+
     def with_own_modes(self, count: int) -> Self:
         """Itself by so many modes, or by as many as it can have, where their number is its own."""
         return self

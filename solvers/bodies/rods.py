@@ -2,18 +2,18 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 from .. import validation
-from ..numerics.elements.mesh import Mesh, rod_mesh
+from ..numerics.elements.mesh import Mesh, elements_of_rods, rod_mesh
 from ..numerics.modes import Modes
 from ..numerics.rods import attached_rod_modes, rod_modes
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
-from .material import LENGTH_RANGE, Material, read_radius, required_material
+from .material import LENGTH_RANGE, MATERIALS, Material, read_radius, required_material
 from .protocol import AnyBody
 from .sections import section_of_bar
 
@@ -70,8 +70,8 @@ class Rod(Waveguide):
 
     length: float  # L [m]
     area: float  # A [m2]
-    material: Material
-    support: str
+    material: Material = MATERIALS["steel"]
+    support: str = "fixed"  # of a target, as in scene files; one that strikes is "free"
     velocity: float = 0.0  # [m/s], positive the way the impactor goes
     end_mass: float = 0.0  # rigid mass on the far end [kg]
     radius: float | None = None  # of curvature of the struck end [m]
@@ -249,6 +249,17 @@ class Rods(Waveguide):
         """As for one rod; every joint is taken as bonded."""
         return _mesh(self.rods, elements, self.fixed, lumping)
 
+    def with_single_elements_cut(self, elements: int) -> Self:
+        counts = elements_of_rods(_parts(self.rods), elements).tolist()
+        if min(counts) > 1:
+            return self
+        rods, joints = [], []
+        for rod, count, joint in zip(self.rods, counts, (*self.joints, None), strict=True):
+            half = replace(rod, length=0.5 * rod.length)
+            rods += [rod] if count > 1 else [replace(half, end_mass=0.0), half]
+            joints += [joint] if count > 1 else [Joint(True), joint]
+        return replace(self, rods=tuple(rods), joints=tuple(joints[:-1]))
+
     def table(self) -> dict[str, Any]:
         parts = [_bar_table(rod) for rod in self.rods]
         for part, joint in zip(parts[1:], self.joints, strict=True):
@@ -267,8 +278,11 @@ class Rods(Waveguide):
 
 
 def _mesh(rods: tuple[Rod, ...], elements: int, fixed: bool, lumping: float) -> Mesh:
-    parts = [(rod.length, rod.mass - rod.end_mass, rod.stiffness) for rod in rods]
-    return rod_mesh(parts, elements, fixed, rods[-1].end_mass, lumping)
+    return rod_mesh(_parts(rods), elements, fixed, rods[-1].end_mass, lumping)
+
+
+def _parts(rods: tuple[Rod, ...]) -> list[tuple[float, float, float]]:
+    return [(rod.length, rod.mass - rod.end_mass, rod.stiffness) for rod in rods]
 
 
 def _read_bar(key: str, given: Mapping[str, Any]) -> tuple[float, float, Material]:

@@ -16,6 +16,7 @@ from ..text.notes import Note, Severity
 from ..validation import SceneError
 from .mechanisms import in_laboratory
 from .options import options_of
+from .start import note_on_start
 from .striking import as_striking
 from .theory_limits import notes_on_theory
 from .validity import beside_elastic, bodies_that_bend, general_notes
@@ -142,11 +143,13 @@ class Method(ABC):
         return [note for note in notes if note not in own]
 
     def _notes_on_links(self, scene: Scene) -> list[Note]:
-        """Where more modes are asked for than the links of a mechanism have: then these are all that there are."""
+        """How a mechanism is assumed to start, and where more modes are asked for than its links have: then these are
+        all that there are."""
+        found = note_on_start(scene.target) if isinstance(scene.target, Mechanism) else []
         modes, most = getattr(self, "modes", None), getattr(scene.target, "most_modes", 0)
         if modes is None or modes == type(self).modes or not 0 < most < modes:  # type: ignore[attr-defined]
-            return []
-        return [Note("links-keep-modes", Severity.REMARK, most=most, modes=modes)]
+            return found
+        return [*found, Note("links-keep-modes", Severity.REMARK, most=most, modes=modes)]
 
     def without_estimate(self) -> Self:
         """Itself without the estimate of its error, which costs as much again."""

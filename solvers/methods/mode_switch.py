@@ -17,11 +17,14 @@ from ..scene import Scene
 from ..solution.solution import ContactPeriod, Solution, summary
 from ..text.notes import Note, Severity
 from .base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from .estimates import error_left
 from .options import option, whole, word
 from .validity import STILL_TOUCHING, bodies_that_bend
 
 NEGLIGIBLE = 0.01  # share of the energy
 MOST_MODES = 400
+# Of an estimate: other numbers of modes, as shares, and a factor on what they leave.
+SHARES, FINER_SHARES, FEW_MODES, FACTOR = (1 / 2, 1 / 3), (2.0, 3.0), 4, 1.25
 
 
 @dataclass(frozen=True)
@@ -121,7 +124,7 @@ class ModeSwitch(Method):
         return course
 
     def _estimated_error(self, scene: Scene, course: SwitchedModes | SwitchedBeam, duration: float) -> float:
-        """Of the final velocity, relative to the impact speed: against two smaller numbers of modes.
+        """Of the final velocity, relative to the impact speed: against two other numbers of modes.
 
         After the impact, though it may last longer with these; of an impact that is cut off, at that very instant.
         """
@@ -129,11 +132,12 @@ class ModeSwitch(Method):
         limit = duration / units.time
         if course.parted:
             limit = course.phases[-1].start + 2.0 * scene.time_unit / units.time
-        others = {self.modes // 2, 2 * self.modes // 3} if self.modes > 4 else {2 * self.modes, 3 * self.modes}
+        others = [round(share * self.modes) for share in (SHARES if self.modes > FEW_MODES else FINER_SHARES)]
         at_limit = np.array([limit])
         final = course.mass_motion(at_limit)[1][0]
         finals = [replace(self, modes=modes)._course(scene, limit).mass_motion(at_limit)[1][0] for modes in others]
-        estimated = float(max(abs(final - other) for other in finals)) * units.speed / scene.speed
+        differences = [(modes / self.modes, float(final - other)) for modes, other in zip(others, finals, strict=True)]
+        estimated = FACTOR * error_left(differences, 1.0) * units.speed / scene.speed
         if isinstance(scene.target, Rod) and self.smoothing == "delay" and course.contacts[0].end < 1.0 <= limit:
             # parted at rest before the front is back, as any number of modes may, while the mass has v exp(-2 m2 / m1)
             estimated = max(estimated, math.exp(-2.0 * scene.mass_ratio))

@@ -47,8 +47,7 @@ def _instants(solution: Any) -> np.ndarray:
 def _force(solution: Any, motion: Any) -> Any:
     """Every jump is kept; contacts are shaded; of methods with a raw force also the resolved one."""
     figure = Figure("N", "contact force", HISTORIES["contact_force"].of)
-    time, force = motion.force_history()
-    time, force = time[time <= solution.duration], force[time <= solution.duration]
+    time, force = solution.time, solution.force
     if time.size > LONGEST_HISTORY:
         time = _instants(solution)
         force = motion.force(time)

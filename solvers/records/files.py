@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 
 from .. import validation
-from ..validation import SceneError, allowed
+from ..validation import SceneError
 from .record import KINDS, Record
+from .refused import RecordError
 
 MAX_BYTES, MAX_ROWS, LEAST_ROWS = 2_000_000, 200_000, 8
+NAME_LETTERS, ROW_LETTERS, PATH_LETTERS = 40, 60, 200  # of what was given, in a refusal
 GAP = 5.0  # of the median step: a longer one is a hole in the record
 SPANS = (1e-9, 10.0)  # [s] of a record of an impact; beyond it the unit of time is wrong
 UNITS = {
@@ -28,15 +30,17 @@ def load_record(path: str | Path, **how: Any) -> Record:
     """A record from a file; `how` as in `read_record`. Raises SceneError naming what is wrong."""
     try:
         if not Path(path).is_file():
-            raise SceneError("record", str(path), allowed("record.file"))
+            raise RecordError("no-file", str(path), path=str(path)[:PATH_LETTERS])
         check_size(Path(path).stat().st_size)
         content = Path(path).read_bytes()
     except (OSError, ValueError) as error:
         if isinstance(error, SceneError):
             raise
         why = getattr(error, "strerror", None)
-        reason = allowed("record.readable", why=why) if why else allowed("record.unreadable-name")
-        raise SceneError("record", str(path), reason) from None
+        shown = str(path)[:PATH_LETTERS]
+        if why:
+            raise RecordError("unreadable", str(path), path=shown, why=why) from None
+        raise RecordError("unreadable-name", str(path), path=shown) from None
     return read_record(content, **how)
 
 
@@ -64,9 +68,9 @@ def read_record(
     names, rows = _names(rows, separator, columns, kind)
     chosen, found, factors = _choose(names, kind, gauge)
     if len(rows) < LEAST_ROWS:
-        raise SceneError("record", f"{len(rows)} rows of numbers", allowed("at-least", low=LEAST_ROWS))
+        raise RecordError("few-rows", len(rows), rows=len(rows), least=LEAST_ROWS)
     if len(rows) > MAX_ROWS:
-        raise SceneError("record", f"{len(rows)} rows", allowed("at-most", high=MAX_ROWS))
+        raise RecordError("many-rows", len(rows), rows=len(rows), most=MAX_ROWS)
     table = _table(rows, separator, names, chosen)
     time, values = table[:, 0] * factors[0], table[:, 1] * factors[1] * sign
     _check_time(time, [number for number, _ in rows])
@@ -82,7 +86,7 @@ def _names(
     named = _are_names(first, separator)
     if columns is None and not named:
         if kind is None:
-            raise SceneError("record row 1", rows[0][1], allowed("record.names", columns=COLUMNS))
+            raise RecordError("no-names", rows[0][1], row=rows[0][1].strip()[:ROW_LETTERS], columns=COLUMNS)
         columns = ("time_s", {"stress": "stress_Pa", "force": "force_N"}.get(kind, kind))
     return columns or tuple(first), rows[1:] if named else rows
 
@@ -90,7 +94,7 @@ def _names(
 def check_size(size: int) -> None:
     """Raises SceneError for more bytes than are read."""
     if size > MAX_BYTES:
-        raise SceneError("record", f"{size} bytes", allowed("record.size", most=MAX_BYTES))
+        raise RecordError("too-large", size, size=size, most=MAX_BYTES)
 
 
 def _text(content: bytes | str) -> str:
@@ -105,7 +109,7 @@ def _text(content: bytes | str) -> str:
             continue
         if "\0" not in text:
             return text.lstrip("\ufeff")
-    raise SceneError("record", "bytes that are no text", allowed("record.text"))
+    raise RecordError("no-text", None)
 
 
 def _rows(text: str) -> tuple[list[tuple[int, str]], str]:
@@ -116,7 +120,7 @@ def _rows(text: str) -> tuple[list[tuple[int, str]], str]:
         if line.strip() and not line.lstrip().startswith("#")
     ]
     if not rows:
-        raise SceneError("record", "no rows", allowed("record.rows", least=LEAST_ROWS))
+        raise RecordError("few-rows", 0, rows=0, least=LEAST_ROWS)
     sample = rows[min(1, len(rows) - 1)][1]
     return rows, next((separator for separator in ";\t," if separator in sample), " ")
 
@@ -152,18 +156,18 @@ def _choose(names: tuple[str, ...], kind: str | None, gauge: int) -> tuple[tuple
     values = [column for column in known if column[1] in ((kind,) if kind else KINDS)]
     shown = ", ".join(str(name)[:20] for name in names)[:60]
     if not times:
-        raise SceneError("record columns", shown, allowed("record.time-column", columns=COLUMNS))
+        raise RecordError("no-time", names, found=shown, columns=COLUMNS)
     if not values:
-        raise SceneError("record columns", shown, allowed("record.value-column", kind=kind or "any", columns=COLUMNS))
+        raise RecordError("no-value", names, found=shown, kind=kind or "any", columns=COLUMNS)
     if kind is None and len({column[1] for column in values}) > 1:
-        raise SceneError("record columns", shown, allowed("record.one-kind", kinds=list(KINDS)))
+        raise RecordError("several-kinds", names, kinds=list(KINDS))
     validation.whole_number("gauge", gauge, 1, len(values))
     value = values[gauge - 1]
     return (times[0][0], value[0]), value[1], (times[0][2], value[2])
 
 
 _NAME = re.compile(
-    r"\s*(?P<word>t|time|(?:micro|milli)?strain|stress|(?:contact_)?force)"
+    r"\s*(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>_\w+?)??"
     r"(?:\s*[\[(]\s*(?P<bracket>[^\])]*?)\s*[\])]|[_ ]+(?P<bare>[^\d_\s][^_]*?))?(?:_\d+)?\s*",
     re.IGNORECASE,
 )
@@ -172,6 +176,7 @@ _NAME = re.compile(
 def _meaning(name: str) -> tuple[str, float] | None:
     """Kind of a column and the factor to SI units; None for a column that is neither time nor value.
 
+    Of what it is may stand before the unit, as in files that the page saves: `force_waves_N`.
     Raises SceneError where the unit of such a column is none.
     """
     parts = _NAME.fullmatch(name)
@@ -180,10 +185,12 @@ def _meaning(name: str) -> tuple[str, float] | None:
     word, unit = parts["word"].lower(), parts["bracket"] or parts["bare"] or ""
     if word in UNITS["strain"]:
         return "strain", UNITS["strain"][word]
-    kind = {"t": "time", "contact_force": "force"}.get(word, word)
+    kind = {"t": "time", "contact_force": "force", "compression": "stress"}.get(word, word)
+    if parts["of"] and unit not in UNITS[kind]:
+        return None
     if unit not in UNITS[kind]:
         spelled = [f"{kind}_{unit}" if unit else kind for unit in UNITS[kind]]
-        raise SceneError(f"record column {name[:40]!r}", unit or "no unit", allowed("record.unit", names=spelled))
+        raise RecordError("unit", unit, column=name[:NAME_LETTERS], got=unit or "none", names=spelled)
     return kind, UNITS[kind][unit]
 
 
@@ -195,9 +202,9 @@ def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], 
         for side, column in enumerate(chosen):
             value = _number(cells[column], separator) if column < len(cells) else None
             if value is None:
-                got = cells[column].strip() if column < len(cells) else None
-                key = f"record row {number}, column {str(names[column])[:40]!r}"
-                raise SceneError(key, got, allowed("record.finite"))
+                got = cells[column].strip()[:NAME_LETTERS] if column < len(cells) else ""
+                where = {"row": number, "column": str(names[column])[:NAME_LETTERS]}
+                raise RecordError("not-finite", got, **where, got=got, missing=not got)
             table[index, side] = value
     return table
 
@@ -205,23 +212,20 @@ def _table(rows: list[tuple[int, str]], separator: str, names: tuple[str, ...], 
 def _check_unit(values: np.ndarray, kind: str, name: str) -> None:
     largest = float(np.abs(values).max())
     if largest > LARGEST[kind]:
-        reason = allowed("record.value", most=LARGEST[kind], kind=kind)
-        raise SceneError(f"record column {name!r}", largest, reason)
+        raise RecordError(
+            "too-great", largest, column=name[:NAME_LETTERS], largest=largest, most=LARGEST[kind], kind=kind
+        )
 
 
 def _check_time(time: np.ndarray, numbers: list[int]) -> None:
     steps = np.diff(time)
     if not (steps > 0.0).all():
         at = int(np.argmax(steps <= 0.0)) + 1
-        reason = allowed("record.later", time=time[at - 1])
-        raise SceneError(f"record row {numbers[at]}, time", f"{time[at]:.9g} s", reason)
+        raise RecordError("not-later", float(time[at]), row=numbers[at], time=time[at], before=time[at - 1])
     span = float(time[-1] - time[0])
     if not SPANS[0] <= span <= SPANS[1]:
-        reason = allowed("record.span", low=SPANS[0], high=SPANS[1])
-        raise SceneError("record time", f"{span:.3g} s from first to last row", reason)
+        raise RecordError("span", span, span=span, low=SPANS[0], high=SPANS[1])
     median = float(np.median(steps))
     at = int(np.argmax(steps))
     if steps[at] > GAP * median:
-        got = f"a gap of {steps[at]:.3g} s up to here"
-        reason = allowed("record.even-steps", times=GAP, step=median)
-        raise SceneError(f"record row {numbers[at + 1]}, time", got, reason)
+        raise RecordError("gap", float(steps[at]), row=numbers[at + 1], gap=steps[at], times=GAP, step=median)

@@ -23,6 +23,7 @@ import numpy as np
 from .. import validation
 from ..validation import SceneError, allowed
 from .record import Record, as_stress
+from .refused import RecordError
 
 MOST_READINGS = 50_000_000  # interpolated for the sums below: a second or two
 
@@ -122,7 +123,7 @@ class _Quiet:
     def __init__(self, record: Record, rod: Any, lag: float):
         self._time, self._stress, self._lag = record.time, as_stress(record, rod), lag
         if record.time[0] > lag + record.step:
-            raise SceneError("record start", float(record.time[0]), allowed("record.begins", time=lag))
+            raise RecordError("begins-late", float(record.time[0]), start=record.time[0], time=lag)
 
     def at(self, times: np.ndarray) -> np.ndarray:
         slack = 1e-9 * (self._time[-1] - self._time[0])
@@ -138,11 +139,10 @@ def _instants(record: Record, lag: float, ends: float = math.inf) -> np.ndarray:
     """From first touch to the last instant that the record covers, at the record's own step."""
     last = min(float(record.time[-1]) - lag, ends)
     if not last >= 2.0 * record.step:
-        raise SceneError("record end", float(record.time[-1]), allowed("record.ends", time=lag))
+        raise RecordError("ends-early", last, end=record.time[-1], time=lag)
     return np.arange(0, math.floor(last / record.step * (1.0 + 1e-12)) + 1) * record.step
 
 
 def _check_terms(terms: int, instants: int) -> None:
     if terms * instants > MOST_READINGS:
-        reason = allowed("record.echoes", most=MOST_READINGS // terms, terms=terms)
-        raise SceneError("record", f"{instants} rows", reason)
+        raise RecordError("echoes", instants, rows=instants, most=MOST_READINGS // terms, terms=terms)

@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import validation
 from ..validation import SceneError, allowed
+from .refused import RecordError
 
 KINDS = ("strain", "stress", "force")
 LAGS = 1 << 17  # most grid points of the search for the shift
@@ -75,7 +76,7 @@ class Record:
         model, difference = model[known], (self.values - model)[known]
         norm, peak = float(np.linalg.norm(model)), float(np.abs(model).max(initial=0.0))
         if norm == 0.0:
-            raise SceneError("record", f"{int(known.sum())} samples", allowed("record.overlap"))
+            raise RecordError("no-overlap", model.size, samples=model.size)
         return Residual(float(np.linalg.norm(difference)) / norm, float(np.abs(difference).max()) / peak, model.size)
 
     def aligned(self, times: np.ndarray, values: np.ndarray, shift: float | None = None) -> Alignment:
@@ -86,9 +87,9 @@ class Record:
         Error: of the shift about a hundredth of a step for smooth histories; where the solution jumps, one step.
         """
         if not np.ptp(self.values) > 0.0:
-            raise SceneError("record", f"{self.values[0]:g} in every row", allowed("record.changing"))
+            raise RecordError("constant", float(self.values[0]), value=self.values[0])
         if not np.any(values):
-            raise SceneError("solution", "zero at all times", allowed("record.some-solution"))
+            raise RecordError("nothing-to-lie-on", None)
         if shift is None:
             coarse, step = self._coarse_shift(np.asarray(times, float), np.asarray(values, float))
             shift = _lowest(lambda by: self._fit(by, times, values)[0], coarse - 1.5 * step, coarse + 1.5 * step)
@@ -108,14 +109,14 @@ class Record:
         own = np.interp(np.arange(self.time[0], self.time[-1], step), self.time, self.values)
         model = np.interp(np.arange(times[0], times[-1], step), times, values)
         if model.size < 2:
-            raise SceneError("record", f"{self.step:.3g} s between samples", allowed("record.short-steps"))
+            raise RecordError("long-steps", self.step, step=self.step)
         products = correlate(model, own, method="fft")
         known = np.concatenate(([0.0], np.cumsum(model**2)))  # of it, the part that lies under the record
         starts = np.arange(products.size) - (own.size - 1)
         under = known[np.clip(starts + own.size, 0, model.size)] - known[np.clip(starts, 0, model.size)]
         best = int(np.argmax(np.maximum(products, 0.0) ** 2 / np.maximum(under, 1e-9 * known[-1])))
         if products[best] <= 1e-9 * np.linalg.norm(model) * np.linalg.norm(own):
-            raise SceneError("record", "the other sign than the solution everywhere", allowed("record.sign"))
+            raise RecordError("other-sign", None)
         return times[0] - self.time[0] + (best - (own.size - 1)) * step, step
 
     def _fit(self, shift: float, times: np.ndarray, values: np.ndarray) -> tuple[float, float]:
@@ -155,7 +156,7 @@ def expected(solution: Any, kind: str, times: np.ndarray, x: float | None = None
     values = np.where(times < 0.0, 0.0, math.nan)
     parts = solution.scene.target.rods
     if solution.motion is None or (not parts and (kind != "force" or x)):
-        raise SceneError("record", kind, allowed("record.target-rod"))
+        raise RecordError("not-rods", kind, kind=kind)
     if not x:
         values[known] = solution.motion.force(times[known])
         return values if kind == "force" else _from_stress(kind, values / parts[0].area, parts[0])

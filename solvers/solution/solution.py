@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -79,6 +79,20 @@ class _Figure:
         solution.__dict__[self._name] = value
 
 
+class _Spin(_Figure):
+    """Of a pendulum it follows from its velocity; None of what does not turn."""
+
+    def __get__(self, solution: Any, owner: type | None = None) -> Any:
+        value = None if solution is None else super().__get__(solution)
+        if value is not None or solution is None:
+            return value
+        swing = solution.swings.get(self._name.removeprefix("_").removesuffix("_spin"))
+        return swing and swing.spin
+
+    def __set__(self, solution: Any, value: Any) -> None:
+        super().__set__(solution, value if isinstance(value, tuple) else None)  # a number follows anew
+
+
 @dataclass(frozen=True, kw_only=True)
 class Solution:
     """The answer to a scene, SI units, time zero at first touch, velocities positive the way the impactor came.
@@ -104,8 +118,8 @@ class Solution:
     peak_indentation: float | None  # [m]
     residual_indentation: float | None  # that is left in the surfaces [m]
     effective_mass: float | None = None  # of the contact [kg], where the impact is one impulse
-    impactor_spin: tuple[float, float, float] | None = None  # [rad/s]
-    target_spin: tuple[float, float, float] | None = None
+    impactor_spin: Any = _Spin()  # [rad/s]; of bodies in space a vector, of pendulums a number
+    target_spin: Any = _Spin()
     sliding: list[Sliding] | None = None  # of bodies in space that rub
     ball_velocities: list[float] | None = None  # of each of a row of balls at the end [m/s]
     models: dict[str, dict[str, Any]] | None = None  # what each model of restitution gives for them
@@ -129,6 +143,25 @@ class Solution:
         if not isinstance(self.motion, Joined):
             return None
         return self.motion.reactions(self.contacts[-1].end if self.contacts else 0.0)
+
+    @property
+    def time(self) -> np.ndarray:
+        """Instants (n,) [s] of `force`, those of the method's steps or as close; a jump's twice, for before and after.
+
+        Raises SceneError for bodies in space, which have no history.
+        """
+        return self._force_history[0]
+
+    @property
+    def force(self) -> np.ndarray:
+        """Contact force (n,) [N] at `time`, compression positive; for other instants ask `motion.force(time)`."""
+        return self._force_history[1]
+
+    @cached_property
+    def _force_history(self) -> tuple[np.ndarray, np.ndarray]:
+        time, force = self.known_motion.force_history()
+        inside = time <= self.duration
+        return time[inside], force[inside]
 
     @property
     def normal_impulse(self) -> float:
@@ -226,9 +259,7 @@ class Solution:
             }
             for body, swing in self.swings.items()
         } | (self.links or {})
-        turned = {
-            body: {"final_spin": swing.spin, "effective_mass": swing.felt_mass} for body, swing in self.swings.items()
-        }
+        felt = {body: {"effective_mass": swing.felt_mass} for body, swing in self.swings.items()}
         balls = {}
         if self.ball_velocities is not None:
             balls = {"balls": [{"final_velocity": velocity} for velocity in self.ball_velocities]}
@@ -249,8 +280,8 @@ class Solution:
             "peak_force": self.peak_force,
             "peak_indentation": self.peak_indentation,
             "residual_indentation": self.residual_indentation,
-            "impactor": final(self.impactor_velocity, self.impactor_spin) | turned.get("impactor", {}),
-            "target": final(self.target_velocity, self.target_spin) | turned.get("target", {}),
+            "impactor": final(self.impactor_velocity, self.impactor_spin) | felt.get("impactor", {}),
+            "target": final(self.target_velocity, self.target_spin) | felt.get("target", {}),
             **self.scene.target.figures(),
             **balls,
             "restitution": self.restitution,
@@ -266,6 +297,8 @@ def final(velocity: Any, spin: Any) -> dict[str, Any]:
     """Of one body, as in results."""
     if spin is None:
         return {"final_velocity": velocity}
+    if isinstance(spin, float):
+        return {"final_velocity": velocity, "final_spin": spin}
     return {"final_velocity": list(velocity), "final_spin": list(spin)}
 
 

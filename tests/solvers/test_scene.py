@@ -132,6 +132,28 @@ def test_a_scene_built_from_objects_is_written_back(law):
     assert tuple(written.contact) == approx(tuple(read.contact), rel=1e-9)
 
 
+def test_bodies_and_scenes_are_built_from_what_they_need():
+    built = Scene(RigidMass(mass=1.0, velocity=2.0), Rod(length=0.3, area=9e-4))
+    tables = {"impactor": {"mass": 1.0, "velocity": 2.0}, "target": {"length": 0.3, "section": {"area": 9e-4}}}
+    tables["target"]["material"] = "steel"
+    read = Scene.from_table(tables)
+    assert (built.impactor, built.target, built.contact) == (read.impactor, read.target, read.contact)
+    assert solvers.solve(built).impulse == solvers.solve(read).impulse
+    assert RigidMass(1.0).velocity == 0.0 and RigidMass(1.0, radius=0.01, kind="sphere").table()["kind"] == "sphere"
+    assert Rod(0.3, 9e-4, solvers.MATERIALS["bronze"]).support == "fixed"
+
+
+def test_objects_in_the_wrong_place_are_refused_by_key():
+    with pytest.raises(SceneError, match=r"^mass: got 'mass'; allowed: a number .* kg"):
+        RigidMass("mass", 1.0, 2.0)
+    with pytest.raises(SceneError, match=r"^impactor.support: got 'fixed'; allowed: 'free'"):
+        Scene(Rod(0.3, 9e-4, velocity=1.0), Rod(0.3, 9e-4))
+    free = Scene(Rod(0.3, 9e-4, support="free", velocity=1.0), Rod(0.3, 9e-4))
+    assert solvers.solve(free).restitution["newton"] == approx(
+        1.0, abs=1e-9
+    )  # thesis 4.6: the shorter leaves as it came
+
+
 def test_a_scene_built_from_objects_is_changed():
     read = struck_rod(1.0, "fixed", contact_table("linear"))
     built = Scene(read.impactor, read.target, read.contact)

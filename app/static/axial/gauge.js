@@ -4,6 +4,7 @@ import { within } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
+import { signsOf, typed } from '../text/units.js';
 import { naming } from '../text/words.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
 
@@ -13,7 +14,6 @@ import { exactFieldOf, otherFieldOf } from './field_of.js';
 /** @import { AxialFrame } from '../shell/message.js' */
 /** @import { Field } from './fields.js' */
 
-const NUMBER = /^[-−]?\d*\.?\d+$/;
 const MILLIMETRES = 1000; // in a metre
 const MIDDLE = 0.5; // of what is struck: where the gauge is, unless a scene says where
 
@@ -42,7 +42,7 @@ export class Gauge {
     const [title, about] = [text('axial.chart.gauge'), text('axial.chart.gauge-about')];
     const caption = (/** @type {string} */ unit) => text('axial.chart.gauge-axes', { unit });
     this.chart = new Chart({ title, about, axis, xUnit: 'T', unit: 'Pa', zero: true, caption, go });
-    this.input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 12 });
+    this.input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
     this.input.autocomplete = 'off';
     this.input.ariaLabel = text('axial.chart.gauge-place');
     this.input.onchange = () => this.#set(this.input.value);
@@ -57,16 +57,21 @@ export class Gauge {
   }
   /** @param {string} written */
   #set(written) {
-    const given = written.trim().replace(',', '.').replace(this.unit, '').trim();
     const [from, to] = this.reach;
-    const place = Number(given.replace('−', '-')) / MILLIMETRES;
-    if (NUMBER.test(given) && place >= from && place <= to) {
+    const place = typed(written, 'm', 1 / MILLIMETRES);
+    if (place >= from && place <= to) {
       this.page.axial.gaugeAt(place);
       return;
     }
-    const range = { low: MILLIMETRES * from, high: MILLIMETRES * to, unit: this.unit, whole: false };
+    const range = {
+      low: MILLIMETRES * from,
+      high: MILLIMETRES * to,
+      unit: this.unit,
+      units: signsOf('m'),
+      whole: false,
+    };
     const value = `“${written.slice(0, 24)}”`;
-    this.page.complain(text('refused.number', { control: text('axial.chart.gauge-place'), value, ...range }));
+    this.page.complain(text('refused.typed', { control: text('axial.chart.gauge-place'), value, ...range }));
     this.#write();
   }
   #write() {

@@ -162,7 +162,7 @@ export class AxialView {
     this.axis.lookAt(start, end, LEAST_ROOM);
     this.page.player.go(start);
   }
-  // Histories as rows of comma-separated values.
+  /** Histories as a table to save. */
   rows(points = 2000) {
     const { frame } = this;
     const length = frame.speed * frame.trip;
@@ -173,14 +173,14 @@ export class AxialView {
     const gauged = frame.rods.length ? fields.map((field) => field.stressAt(this.gauge.place)) : [];
     const where = `at_${Number((1e3 * this.gauge.place).toPrecision(5))}_mm`;
     const stresses = called.flatMap((name, k) => (gauged[k] ? [`compression_${name}_${where}_Pa`] : []));
-    const found = [['time_s', ...called.map((name) => `force_${name}_N`), ...places, ...stresses].join(',')];
-    for (let k = 0; k <= points; k++) {
+    const names = ['time_s', ...called.map((name) => `force_${name}_N`), ...places, ...stresses];
+    const values = Array.from({ length: points + 1 }, (_, k) => {
       const t = (k / points) * frame.duration;
       const force = forces.map((each) => (each ? between(each.x, each.y, t) : NaN) * frame.forceUnit);
       const moved = fields.flatMap((field) => [field.mass(t) * length, field.end(t) * length]);
       const pressed = gauged.flatMap((each) => (each ? [between(each.x, each.y, t) * frame.stressUnit] : []));
-      found.push([t * frame.trip, ...force, ...moved, ...pressed].map((v) => v.toPrecision(7)).join(','));
-    }
-    return found;
+      return [t * frame.trip, ...force, ...moved, ...pressed];
+    });
+    return { names, values };
   }
 }

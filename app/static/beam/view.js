@@ -202,17 +202,16 @@ export class BeamView {
     this.page.zoom(0, end);
     this.page.player.through(0, Math.min(1.15 * end, duration), SLOW_SECONDS);
   }
-  // Histories as rows of comma-separated values.
+  /** Histories as a table to save. */
   rows(points = 2000) {
     const { frame } = this;
     const name = called(frame.main).replaceAll(/\W+/g, '_');
-    const found = [`time_s,force_${name}_N,impactor_m,struck_place_m,impactor_m_per_s,struck_place_m_per_s`];
-    for (let k = 0; k <= points; k++) {
+    const moved = [frame.impactorPath, frame.struckPath, frame.impactorRate, frame.struckRate];
+    const columns = ['impactor_m', 'struck_place_m', 'impactor_m_per_s', 'struck_place_m_per_s'];
+    const values = Array.from({ length: points + 1 }, (_, k) => {
       const t = (k / points) * frame.duration;
-      const moved = [frame.impactorPath, frame.struckPath, frame.impactorRate, frame.struckRate];
-      const values = [t / 1e3, this.force.at(t), ...moved.map((history) => between(frame.time, history, t))];
-      found.push(values.map((v) => v.toPrecision(7)).join(','));
-    }
-    return found;
+      return [t / 1e3, this.force.at(t), ...moved.map((history) => between(frame.time, history, t))];
+    });
+    return { names: ['time_s', `force_${name}_N`, ...columns], values };
   }
 }

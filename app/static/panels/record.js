@@ -5,6 +5,7 @@ import { between } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
 import { said, text } from '../text/catalogue.js';
 import { figures, localised, signed } from '../text/format.js';
+import { typed } from '../text/units.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame, Frame } from '../shell/message.js' */
@@ -192,7 +193,9 @@ class Measurement {
     }
     this.asking = true;
     const sign = this.sign.checked ? '-1' : '1';
-    const query = new URLSearchParams({ at: this.at.value.trim(), kind: this.kind.value, sign });
+    const place = typed(this.at.value, 'm');
+    const at = Number.isNaN(place) ? this.at.value.trim() : String(place);
+    const query = new URLSearchParams({ at, kind: this.kind.value, sign });
     const { bodies, ...chosen } = frame.chosen;
     for (const [key, value] of entriesOf(bodies)) query.set(key, value);
     for (const name of names) if (name in chosen) query.set(name, String(chosen[name]));

@@ -2,12 +2,14 @@
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
+import { signsOf, typed } from '../text/units.js';
 
 /**
  * @typedef {object} Unit
  * @property {string} sign
  * @property {string} many  "percent", of the label
  * @property {number} times  what is shown over what is sent
+ * @property {string} [si]  the unit that is sent, where it is another one
  */
 
 /**
@@ -15,8 +17,6 @@ import { localised } from '../text/format.js';
  * @property {HTMLElement} root
  * @property {(value: number) => void} set  show a value, unless the visitor is writing one
  */
-
-const NUMBER = /^\d*\.?\d+(e[+-]?\d+)?$/i;
 
 /**
  * A number from `low` to `high` that is shown in another unit than the one that is sent.
@@ -28,20 +28,19 @@ const NUMBER = /^\d*\.?\d+(e[+-]?\d+)?$/i;
  * @param {(sentence: string) => void} complain
  * @returns {UnitField}
  */
-export function unitField(label, { sign, many, times }, low, high, send, complain) {
-  const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 12 });
+export function unitField(label, { sign, many, times, si = sign }, low, high, send, complain) {
+  const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
   input.autocomplete = 'off';
   input.ariaLabel = text('panel.field', { label, unit: many });
   let last = '';
   input.onchange = () => {
-    const given = input.value.trim().replace(',', '.').replace(sign, '').trim();
-    const value = Number(given) / times;
-    if (NUMBER.test(given) && value >= low && value <= high) {
+    const value = typed(input.value, si, 1 / times);
+    if (value >= low && value <= high) {
       send(value);
       return;
     }
-    const range = { low: times * low, high: times * high, unit: sign, whole: false };
-    complain(text('refused.number', { control: label, value: `“${input.value.slice(0, 24)}”`, ...range }));
+    const range = { low: times * low, high: times * high, unit: sign, units: signsOf(si), whole: false };
+    complain(text('refused.typed', { control: label, value: `“${input.value.slice(0, 24)}”`, ...range }));
     input.value = last;
   };
   const root = make(
@@ -67,7 +66,7 @@ export function unitField(label, { sign, many, times }, low, high, send, complai
  * @param {(sentence: string) => void} complain
  */
 export const percentField = (label, low, high, send, complain) =>
-  unitField(label, { sign: '%', many: text('panel.percent'), times: 100 }, low, high, send, complain);
+  unitField(label, { sign: '%', many: text('panel.percent'), times: 100, si: '1' }, low, high, send, complain);
 
 /**
  * A time [s], shown in milliseconds.
@@ -78,4 +77,4 @@ export const percentField = (label, low, high, send, complain) =>
  * @param {(sentence: string) => void} complain
  */
 export const msField = (label, low, high, send, complain) =>
-  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), times: 1000 }, low, high, send, complain);
+  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), times: 1000, si: 's' }, low, high, send, complain);

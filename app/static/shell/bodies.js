@@ -1,7 +1,8 @@
 // The bodies: what each is and what follows from it, with a field for every value that can be set.
 import { family, named, text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
-import { inUnit, isCoordinate, placeOf, read, unitOf, written } from './body_values.js';
+import { spoken, typeset } from '../text/typeset.js';
+import { inUnit, isCoordinate, placeOf, read, unitOf, unitsFor, written } from './body_values.js';
 import { make } from './dom.js';
 
 /** @import { Page } from '../page.js' */
@@ -116,6 +117,7 @@ export class Bodies {
     this.fields.clear();
     this.heads.clear();
     this.list.replaceChildren(...parts.map((part) => this.#part(part, parts)));
+    typeset(this.list);
   }
   /**
    * @param {PartTold} part
@@ -198,8 +200,10 @@ export class Bodies {
     const scale = scaleOf(quantity, Number(own), parts);
     const slider = scale && sliderOf(scale, (value) => this.set(key, value));
     const row = rowOf(label, input, sign, ...(slider ? [slider.root] : []));
-    const end = (/** @type {number | null} */ value) => `${pretty(Number(value) / unit.factor)} ${unit.sign}`.trim();
-    input.oninput = () => (typing = true);
+    input.oninput = () => {
+      typing = input.value.trim() !== last;
+      if (!typing) row.complain(''); // what was refused is undone
+    };
     input.onchange = () => {
       const given = input.value.trim();
       typing = given !== last;
@@ -209,11 +213,9 @@ export class Bodies {
         return this.set(key);
       }
       const value = read(given, quantity, unit);
-      const said = { given: given.slice(0, 24), unit: unit.sign || 'none', low: end(low), high: end(high) };
-      if (Number.isNaN(value)) return row.complain(text('bodies.not-number', said));
-      if (low !== null && high !== null && !(value >= low && value <= high))
-        return row.complain(text('bodies.not-within', said));
-      row.complain('');
+      const refused = refusalOf(value, given, unit, { quantity, low, high });
+      row.complain(refused);
+      if (refused) return undefined;
       typing = false;
       return this.set(key, value);
     };
@@ -228,16 +230,35 @@ export class Bodies {
       show: ({ value, own: scenes }) => {
         unit = unitOf(quantity, Number(scenes ?? value ?? 0));
         sign.textContent = unit.sign;
-        input.ariaLabel = text('bodies.field', { name: NAMES[quantity], unit: unit.sign || 'none', body });
+        input.ariaLabel = text('bodies.field', { name: spoken(NAMES[quantity]), unit: unit.sign || 'none', body });
         const shown = value === null ? '' : inUnit(Number(value), unit);
         if (shown !== last) row.complain('');
         last = shown;
         if (!typing) input.value = last;
-        slider?.show(Number(value), `${last} ${unit.sign}`, text('bodies.slider', { name: NAMES[quantity], body }));
+        slider?.show(
+          Number(value),
+          `${last} ${unit.sign}`,
+          text('bodies.slider', { name: spoken(NAMES[quantity]), body }),
+        );
         row.mark(same(value, scenes), scenes === null ? text('bodies.unknown') : written(quantity, Number(scenes)));
       },
     };
   }
+}
+
+/**
+ * Why what was typed cannot be, or nothing.
+ * @param {number} value  in SI units
+ * @param {string} given
+ * @param {import('./body_values.js').Unit} unit
+ * @param {{ quantity: string, low: number | null, high: number | null }} told
+ */
+function refusalOf(value, given, unit, { quantity, low, high }) {
+  const end = (/** @type {number | null} */ bound) => `${pretty(Number(bound) / unit.factor)} ${unit.sign}`.trim();
+  const said = { given: given.slice(0, 24), unit: unit.sign || 'none', units: unitsFor(quantity) };
+  if (Number.isNaN(value)) return text('bodies.not-number', said);
+  const within = low === null || high === null || (value >= low && value <= high);
+  return within ? '' : text('bodies.not-within', { ...said, low: end(low), high: end(high) });
 }
 
 /**

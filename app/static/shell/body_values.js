@@ -1,49 +1,48 @@
 // Values of bodies: as one text of keys and SI values, in units that a person uses, and in words.
 import { family, named, text } from '../text/catalogue.js';
 import { engineering, figures, localised } from '../text/format.js';
+import { factorOf, signsOf, typed } from '../text/units.js';
 
 /** @import { Frame, PartTold } from './message.js' */
 /** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
 
 const PART = /^(impactor|target(?:\.(?:rods|links|joints)\.\d+)?)\.(.+)$/;
-const GIVEN = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(\S*)$/i;
 const DIGITS = 6; // of a value in its field
 const SI = family('body.unit');
-/** @type {Record<string, [sign: string, factor: number, from: number][]>} */
+/**
+ * By SI unit: the units that are shown, each from a size on.
+ * @type {Record<string, [sign: string, from: number][]>}
+ */
 const SHOWN = {
   m: [
-    ['µm', 1e-6, 0],
-    ['mm', 1e-3, 1e-4],
-    ['m', 1, 1],
+    ['µm', 0],
+    ['mm', 1e-4],
+    ['m', 1],
   ],
   'm²': [
-    ['mm²', 1e-6, 0],
-    ['m²', 1, 0.1],
+    ['mm²', 0],
+    ['m²', 0.1],
   ],
   'm⁴': [
-    ['mm⁴', 1e-12, 0],
-    ['cm⁴', 1e-8, 1e-7],
-    ['m⁴', 1, 1e-2],
+    ['mm⁴', 0],
+    ['cm⁴', 1e-7],
+    ['m⁴', 1e-2],
   ],
   kg: [
-    ['mg', 1e-6, 0],
-    ['g', 1e-3, 1e-3],
-    ['kg', 1, 1],
+    ['mg', 0],
+    ['g', 1e-3],
+    ['kg', 1],
   ],
   Pa: [
-    ['MPa', 1e6, 0],
-    ['GPa', 1e9, 5e9],
+    ['MPa', 0],
+    ['GPa', 5e9],
   ],
   'N/m': [
-    ['N/m', 1, 0],
-    ['kN/m', 1e3, 1e3],
-    ['MN/m', 1e6, 1e6],
+    ['N/m', 0],
+    ['kN/m', 1e3],
+    ['MN/m', 1e6],
   ],
 };
-/** @type {Record<string, Record<string, number>>} */
-const ALSO = { m: { cm: 1e-2, km: 1e3 }, 'm²': { 'cm²': 1e-4 }, kg: { t: 1e3 }, Pa: { Pa: 1, kPa: 1e3 } };
-ALSO['N/m'] = { 'N/mm': 1e3 };
-ALSO['kg/m³'] = { 'g/cm³': 1e3 };
 
 /**
  * Of a joint; 0 is no small length of it.
@@ -83,8 +82,8 @@ export const isBodyKey = (key) => PART.test(key);
 export function unitOf(quantity, size) {
   const si = SI[quantity] ?? '';
   const least = Math.abs(size || (isCoordinate(quantity) ? 1e-3 : 0));
-  const [sign, factor] = (SHOWN[si] ?? []).findLast(([, , from]) => least >= from * (1 - 1e-9)) ?? [si, 1];
-  return { sign, factor };
+  const [sign] = (SHOWN[si] ?? []).findLast(([, from]) => least >= from * (1 - 1e-9)) ?? [si];
+  return { sign, factor: factorOf(si, sign) };
 }
 
 /**
@@ -112,26 +111,13 @@ export function written(quantity, value) {
  * @param {string} quantity
  * @param {Unit} unit
  */
-export function read(given, quantity, { factor }) {
-  const [, number, sign] = GIVEN.exec(given.trim().replace(',', '.')) ?? [];
-  if (number === undefined) return NaN;
-  const times = sign ? unitsOf(quantity)[plain(sign)] : factor;
-  return times === undefined ? NaN : Number((Number(number) * times).toPrecision(12));
-}
-
-/** @param {string} sign */
-const plain = (sign) =>
-  sign.replace('^', '').replace(/^u/, 'µ').replace(/2$/, '²').replace(/3$/, '³').replace(/4$/, '⁴');
+export const read = (given, quantity, { factor }) => typed(given, SI[quantity] ?? '', factor);
 
 /**
+ * The units that a quantity can be typed in.
  * @param {string} quantity
- * @returns {Record<string, number>}  factors by sign
  */
-function unitsOf(quantity) {
-  const si = SI[quantity];
-  if (!si) return {};
-  return { [si]: 1, ...Object.fromEntries((SHOWN[si] ?? []).map(([sign, factor]) => [sign, factor])), ...ALSO[si] };
-}
+export const unitsFor = (quantity) => signsOf(SI[quantity] ?? '');
 
 /**
  * Which part of a body this is, of a chain or a mechanism.

@@ -2,6 +2,7 @@
 // kept or kept no more. Back undoes, and does not leave the page before all is undone.
 import { make } from './dom.js';
 import { addressOf, choicesText, queryOf } from './address.js';
+import { Writing } from './keys.js';
 import { text } from '../text/catalogue.js';
 import { keep, kept } from './store.js';
 
@@ -25,6 +26,7 @@ export class History {
   top = 0; // number of the last entry
   changed = -Infinity; // when the choices have changed last
   followed = ''; // choices that were shown last
+  /** @type {Writing | undefined} */ writing; // in a field
   going = false; // to an entry: what is answered meanwhile is no step
   /** @type {number | undefined} */ resting;
 
@@ -48,6 +50,13 @@ export class History {
     this.redoing.setAttribute('aria-keyshortcuts', 'Control+Shift+Z');
     this.popped = () => this.#arrive();
     window.addEventListener('popstate', this.popped);
+  }
+  /**
+   * The fields below this have an undo of their own.
+   * @param {HTMLElement} root
+   */
+  watch(root) {
+    this.writing = new Writing(root);
   }
   leave() {
     window.removeEventListener('popstate', this.popped);
@@ -148,8 +157,10 @@ export class History {
    * What keys do, with Ctrl. Whether they do anything.
    * @param {KeyboardEvent} event
    */
-  key({ key, shiftKey }) {
+  key(event) {
+    const { key, shiftKey } = event;
     const name = key.toLowerCase();
+    if (this.writing?.takes(event)) return false;
     if (name === 'z' && !shiftKey) this.undo();
     else if ((name === 'z' && shiftKey) || name === 'y') this.redo();
     else return false;

@@ -1,14 +1,23 @@
 // What a visitor takes away: the link to what is shown, and its histories.
 import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
+import { entriesOf } from './body_values.js';
 import { download } from './dom.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Frame } from './message.js' */
+
+const DIGITS = 6; // behind the first one, of saved values
+
+/** @param {Page} page */
+function linkOf(page) {
+  const { origin, pathname } = window.location;
+  return `${origin}${pathname}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
+}
 
 /** @param {Page} page */
 export async function copyLink(page) {
-  const { origin, pathname } = window.location;
-  const link = `${origin}${pathname}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
+  const link = linkOf(page);
   try {
     await navigator.clipboard.writeText(link);
     page.complain(text('page.link-copied'));
@@ -17,10 +26,25 @@ export async function copyLink(page) {
   }
 }
 
+/**
+ * Histories as comma-separated values, below the settings that they are of: readers skip lines that begin with #.
+ * @param {Frame} frame
+ * @param {string} link  to the same
+ * @param {{ names: string[], values: number[][] }} table
+ */
+export function written({ acting, chosen, title }, link, { names, values }) {
+  const settings = Object.entries(chosen).filter(([name]) => acting.includes(name) && name !== 'bodies');
+  const all = [['title', title], ...settings, ...(acting.includes('bodies') ? entriesOf(chosen.bodies) : [])];
+  const head = [...all, ['link', link]].map(([name, value]) => `# ${name} = ${value}`);
+  const rows = values.map((row) => row.map((value) => value.toExponential(DIGITS)).join(','));
+  return [...head, names.join(','), ...rows, ''].join('\n');
+}
+
 /** @param {Page} page */
 export function saveData(page) {
   const { frame, view } = page;
-  const rows = view.rows?.();
-  if (rows) download(new Blob([`${rows.join('\n')}\n`], { type: 'text/csv' }), `strikewave-${frame.chosen.scene}.csv`);
-  else page.complain(text('page.no-history'));
+  const table = view.rows?.();
+  if (!table) return page.complain(text('page.no-history'));
+  const name = `strikewave-${frame.chosen.scene}.csv`;
+  return download(new Blob([written(frame, linkOf(page), table)], { type: 'text/csv' }), name);
 }

@@ -1,6 +1,7 @@
 // A choice that is a number: a slider, linear or logarithmic, and a field for the exact value.
 import { family, text } from '../text/catalogue.js';
 import { pretty } from '../text/format.js';
+import { signsOf, typed } from '../text/units.js';
 import { make } from './dom.js';
 
 /** @import { Label } from '../text/words.js' */
@@ -10,7 +11,6 @@ const STEPS = 1000;
 const FAR = 100; // times the lowest value: a slider that reaches so far is logarithmic
 /** @type {Record<string, number>} */
 const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 export class Slider {
   held = false; // by a hand
@@ -92,14 +92,14 @@ export class Slider {
   }
   #typed() {
     const { low, high, whole } = this.bounds;
-    const given = this.number.value.trim().replace(',', '.');
-    if (NUMBER.test(given) && (!whole || Number.isInteger(Number(given)))) {
-      this.send(Number(given));
+    const given = this.number.value.trim();
+    const value = typed(given, this.unit);
+    if (whole ? Number.isInteger(value) : !Number.isNaN(value)) {
+      this.send(value);
       return;
     }
-    const value = `“${given.slice(0, 24)}”`;
-    const unit = this.unit || 'none';
-    this.complain(text('refused.number', { control: this.title, value, whole, low, high, unit }));
+    const said = { control: this.title, value: `“${given.slice(0, 24)}”`, whole, low, high, unit: this.unit || 'none' };
+    this.complain(text('refused.typed', { ...said, units: signsOf(this.unit) }));
     this.#write(this.value);
   }
   /**

@@ -1,5 +1,6 @@
 // Symbols and choices explain themselves under the pointer and in the focus: symbol, unit, meaning, source.
 import { family, text } from '../text/catalogue.js';
+import { typeset } from '../text/typeset.js';
 import { make } from './dom.js';
 
 /** @type {Record<string, string>} */
@@ -53,6 +54,7 @@ export class Symbols {
     if (unit) rest.push(text('symbol.unit', { unit }));
     if (source) rest.push(text('symbol.source', { source }));
     this.tip.replaceChildren(head, make('span', { textContent: meaning }), make('small', {}, rest.join(' · ')));
+    typeset(this.tip);
     this.tip.hidden = false;
     this.tip.style.pointerEvents = focused ? 'none' : '';
     const at = element.getBoundingClientRect();
@@ -77,12 +79,14 @@ export class Symbols {
    * @param {HTMLElement} root
    */
   mark(root) {
+    typeset(root);
     const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
     /** @type {Text[]} */
     const texts = [];
     while (walker.nextNode()) {
       const node = /** @type {Text} */ (walker.currentNode);
-      if (TOKEN.test(node.data) && !node.parentElement?.closest('[data-term], button, canvas')) texts.push(node);
+      if (TOKEN.test(node.data) && !node.parentElement?.closest('[data-term], .formula, button, canvas'))
+        texts.push(node);
     }
     const met = new Set([...root.querySelectorAll('.term[tabindex]')].map((each) => each.textContent));
     for (const node of texts) node.replaceWith(...this.#split(node.data, met));

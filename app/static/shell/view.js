@@ -37,7 +37,7 @@
  * @property {() => void} draw
  * @property {(t: number) => void} show
  * @property {(start?: number, end?: number) => void} zoom
- * @property {() => string[]} [rows]  histories as comma-separated values, if there are any
+ * @property {() => { names: string[], values: number[][] }} [rows]  histories as a table, if there are any
  */
 
 /**

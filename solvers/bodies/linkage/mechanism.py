@@ -18,7 +18,7 @@ from ..material import Material, read_radius
 from ..protocol import AnyBody
 from .joints import Drive, Joint, Spring, read_direction
 from .links import GROUND, LONGEST_NAME, Link, Point, read_point
-from .mobility import check_mobility
+from .mobility import OpenStart, check_mobility, open_start
 from .struck import StruckMechanism
 
 MOST_LINKS = 50
@@ -139,6 +139,11 @@ class Mechanism(AnyBody):
         """In its first configuration, struck."""
         number = [link.name for link in self.links].index(self.struck.link)
         return Frozen(self.system, number, self.contact_point, np.array(self.struck.normal))
+
+    @cached_property
+    def open_start(self) -> OpenStart | None:
+        """What no drive settles of how it moves before the impact."""
+        return open_start(self.system, _size(self.links))
 
     @cached_property
     def at_rest(self) -> StruckMechanism:

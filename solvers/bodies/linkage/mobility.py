@@ -1,12 +1,12 @@
 """Whether a mechanism can move as it is asked to: which joint or drive is one too many."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...numerics.multibody.frozen import RANK_TOLERANCE
-from ...numerics.multibody.system import System
+from ...numerics.multibody.frozen import RANK_TOLERANCE, rates_before
+from ...numerics.multibody.system import PRISMATIC, System
 from ...validation import SceneError, allowed
 from .joints import Drive, Joint
 
@@ -42,6 +42,33 @@ def check_mobility(key: str, system: System, joints: Sequence[Joint], drives: Se
             links = list(joints[drive.joint].links)
             redundant, singular = allowed("drive-redundant", links=links), allowed("drive-singular", links=links)
             raise SceneError(f"{key}.drives[{number + 1}]", drive.table(), redundant if upto > freedoms else singular)
+
+
+@dataclass(frozen=True)
+class OpenStart:
+    """What the drives of a mechanism leave open of how it moves before the impact, and what is assumed of it."""
+
+    freedoms: int  # that the joints leave
+    settled: int  # of them, by drives
+    joints: tuple[int, ...]  # that no drive settles, by their numbers from 0 on, the fastest first
+    rate: float  # of the first of them, of its second link against the first [rad/s or m/s]
+
+
+def open_start(system: System, size: float) -> OpenStart | None:
+    """None where joints and drives settle all that moves; `size` of the mechanism [m]."""
+    constraints, freedoms = _rows(system, size), 3 * len(system.links) - system.joint_rows
+    if not system.rates.any() or freedoms == len(system.drives):
+        return None
+    scales = np.tile([1.0, 1.0, 1.0 / size], len(system.links))
+    free = np.linalg.svd(constraints)[2][_rank(constraints) :]
+    opening = np.array([system.opening(number)[system.rigid] for number in range(len(system.joints))])
+    joints = np.flatnonzero(np.abs(opening * scales @ free.T).max(axis=1) > RANK_TOLERANCE)
+    rates = opening @ rates_before(system)[system.rigid]
+    speeds = np.abs(rates) * [1.0 if joint.kind == PRISMATIC else size for joint in system.joints]
+    fastest = joints[np.argsort(-speeds[joints], kind="stable")].tolist()
+    if joints.size and speeds[fastest[0]] <= RANK_TOLERANCE * speeds.max():  # what is driven leaves them alone
+        return None
+    return OpenStart(freedoms, len(system.drives), tuple(fastest), float(rates[fastest[0]]) if fastest else 0.0)
 
 
 def _rows(system: System, size: float) -> np.ndarray:

@@ -19,6 +19,7 @@ from ...scene import Scene
 from ...solution.solution import Solution, summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..estimates import error_left
 from ..options import option, real, whole, word
 from ..validity import bodies_that_bend, notes_on_rigid_impact
 from .motion import MOST_NUMBERS, BalanceMotion, Pair, Run
@@ -32,6 +33,9 @@ HEAVY_ROD_RATIO = 1.5  # times the mass: from such a free rod the mass parts wit
 # Of the speed of approach: what the velocity is then off by. Measured at mass ratios 1.5 to 30, 7 to 185 elements: 0.12
 # to 0.16.
 FADED_FORCE_ERROR = 0.13
+# Of an estimate: other numbers of elements or modes, as shares, and by how much a rebound scatters about what is left.
+SHARES, SCATTER = (1 / 2, 2 / 5, 1 / 3, 1 / 4), 2.3
+FEW, FINER_SHARES = 8, (3 / 2, 2.0)  # elements or modes, below which finer ones are asked
 MODES_OF_BEAMS = 20  # of a mesh, where none are asked for: the highest swing ten thousand times as fast as the lowest
 
 
@@ -40,7 +44,8 @@ class Balance(Method):
     """Impulsive balances with a restitution each, as many as it takes, and free motion in between.
 
     Rods struck on their end, beams struck across: meshes of `elements` (with all their modes or the lowest `modes`, 20
-    of a beam by default), or their exact modes where only `modes` is given. `variant`: "event-located" balances at the
+    of a beam by default), or their exact modes where only `modes` is given; links and pendulums that bend by their own
+    modes and shapes. `variant`: "event-located" balances at the
     very instants at which the faces meet, and lets them stay together where restitution leaves endless ever smaller
     balances; "step-end", Newmark's fixed `step` with balances at step ends only; "step-halving", steps halved until the
     faces overlap by less than `tolerance`.
@@ -151,8 +156,8 @@ class Balance(Method):
         return notes
 
     def _estimated_error(self, scene: Scene, run: Run) -> float | None:
-        """Of the final velocity, relative to the impact speed: against half and a third of the elements or modes, as
-        one coarse answer may agree with the fine one by chance; None where a contact law is left out.
+        """Of the final velocity, relative to the impact speed: against other numbers of elements or modes, four as it
+        scatters; None where a contact law is left out.
 
         A free rod heavier than the mass is left before its front is back, by a force that has all but faded: the
         velocity is then off by how long the first balances take beside the impact, and alike for all numbers of them.
@@ -161,20 +166,32 @@ class Balance(Method):
             return None
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
-        others = [self._coarser(scene, parts)._run(scene, run.duration) for parts in (2, 3)]
+        shares = FINER_SHARES if (self._elements or self.modes or 0) < FEW else SHARES
+        methods = [self._with_share(scene, share) for share in shares]
+        fewer = [replace(scene, impactor=scene.impactor.with_share_of_modes(share)) for share in shares]
+        others = [other._run(each, run.duration) for other, each in zip(methods, fewer, strict=True)]
         if run.full or any(other.full for other in others):
             return None
-        estimated = max(abs(run.final_velocity - other.final_velocity) for other in others) / scene.speed
+        differences = [(run.final_velocity - other.final_velocity) / scene.speed for other in others]
+        parts = [self._share(other) for other in methods]
+        estimated = SCATTER * error_left(zip(parts, differences, strict=True), 1.0)
         if isinstance(scene.target, Rod) and not scene.target.held and scene.mass_ratio > HEAVY_ROD_RATIO:
             estimated = max(estimated, FADED_FORCE_ERROR * math.sqrt(run.pair.shortest_period / scene.halting_time))
         # shorter than these modes resolve: all numbers of them are wrong alike
         return max(estimated, 1.0) if scene.halting_time < run.pair.shortest_period else estimated
 
-    def _coarser(self, scene: Scene, parts: int) -> "Balance":
+    def _with_share(self, scene: Scene, share: float) -> "Balance":
+        """Itself with a share of the elements and modes."""
         given = {"elements": self._elements, "modes": self.modes}
         if self.modes is None and scene.bends:
             given["modes"] = MODES_OF_BEAMS
-        return replace(self, **{name: max(1, count // parts) for name, count in given.items() if count})
+        return replace(self, **{name: max(1, round(share * count)) for name, count in given.items() if count})
+
+    def _share(self, other: "Balance") -> float:
+        """Of the resolution that another has."""
+        if self._elements is not None and other._elements is not None:
+            return other._elements / self._elements
+        return (other.modes or 1) / (self.modes or 1)
 
     def _run(self, scene: Scene, duration: float | None) -> Run:
         """From the first touch until the bodies part for good, or for `duration` [s]."""

@@ -6,8 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
-import numpy as np
-
 from ... import validation
 from ...contact import Linear
 from ...contact.duration import contact_time
@@ -16,6 +14,7 @@ from ...scene import Scene
 from ...solution.solution import Solution, summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
+from ..estimates import error_left
 from ..options import option, real, whole
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
 from .motion import Course, ElementMotion
@@ -30,7 +29,9 @@ MAX_USUAL_STEPS = 60_000
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
-MIN_FITTED_ORDER = 0.6  # in 1 / elements; three meshes cannot distinguish a lower one from none
+# Of an estimate: other meshes, as shares of the elements; of a rigid contact more of them, as its rebound scatters.
+SHARES, RIGID_SHARES = (1 / 2, 1 / 3), (1 / 2, 2 / 5, 1 / 3, 1 / 4)
+FEW_ELEMENTS, FINER_SHARES = 10, (3 / 2, 2.0)
 MAX_SURE_CONTACTS = 6  # of a stiff contact with a beam; of more, the later ones hang on rounding, which is said
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
 ELEMENTS_RANGE = (1, 2000)
@@ -122,19 +123,30 @@ class FiniteElements(Method):
         return notes
 
     def _estimated_error(self, scene: Scene, course: Course) -> float:
-        """Of the final velocity, relative to the impact speed: against half and a third of the elements and steps.
+        """Of the final velocity, relative to the impact speed: against other numbers of elements, with steps to match.
 
-        Against two of them, as one coarse answer may agree with the fine one by chance.
+        The factors are such that random impacts keep to it: `tests/random_estimates.py`.
         """
         rigid, scale = scene.rigid_contact, scene.impactor.mass * scene.speed
-        half, third = (
-            float(course.impulse[-1] - self._coarser(scene, parts)._course(scene, course.duration).impulse[-1]) / scale
-            for parts in (2, 3)
-        )
-        estimated = left_of(half, third, rigid)
+
+        def difference(method: Self, scene: Scene) -> float:
+            return float(course.impulse[-1] - method._course(scene, course.duration).impulse[-1]) / scale
+
+        shares = FINER_SHARES if self.elements < FEW_ELEMENTS else RIGID_SHARES if rigid else SHARES
+        others = [self._with_share(scene, share) for share in shares]
+        order, factor = (1.0, 3.4) if rigid else (2.0, 1.25) if bodies_that_bend(scene) else (1.5, 2.0)
+        estimated = factor * error_left([(self._share(other), difference(other, scene)) for other in others], order)
+        cut = scene.target.with_single_elements_cut(self.elements)
+        if cut is not scene.target:  # which no coarser mesh can show
+            finer = difference(replace(self, steps=None), replace(scene, target=cut))
+            estimated = max(estimated, 2.0 * abs(finer))
         if rigid and scene.halting_time < self._known_down_to(scene, course):
             return max(estimated, 1.0)  # shorter than the mesh resolves: all meshes are wrong alike
         return estimated if rigid or bodies_that_bend(scene) else max(estimated, self._unfelt(scene, course))
+
+    def _share(self, other: Self) -> float:
+        """Of the resolution that another has."""
+        return other.elements / self.elements
 
     def _unfelt(self, scene: Scene, course: Course) -> float:
         """What an impact under a law on a rod is off by, of the speed of approach, where all meshes are wrong alike.
@@ -143,19 +155,26 @@ class FiniteElements(Method):
         node as a mass, where a rod would give way at F / Z; that takes pi^2 / 2 m / (Z t) of the speed from a spring.
         Measured at mass ratios of 60 to 1000, 6 to 200 elements: 0.3 to 1.6 times what is returned.
         """
-        shortest, touch = course.shortest_period, contact_time(self._law(scene), scene.reduced_mass, scene.speed)
+        shortest = self._known_down_to(scene, course)
+        touch = contact_time(self._law(scene), scene.reduced_mass, scene.speed)
         if scene.halting_time >= shortest:
             return 0.0
         return min(3.0 * scene.halting_time / touch, 1.0) * min(0.6 * shortest / touch, 1.0) ** 2
 
     def _known_down_to(self, scene: Scene, course: Course) -> float:
-        """The shortest period of the mesh [s], or half a swing of what strikes a beam on the local stiffness."""
-        if not self._needs_stiffness(scene) or not bodies_that_bend(scene):
+        """The shortest period of the mesh at the contact [s], or half a swing of what strikes a beam on the local
+        stiffness.
+        """
+        if not bodies_that_bend(scene):
+            bodies = (scene.impactor, scene.target)
+            return max(course.shortest_period, *(body.mesh(self.elements).struck_period for body in bodies))
+        if not self._needs_stiffness(scene):
             return course.shortest_period
         return max(course.shortest_period, contact_time(self._law(scene), scene.reduced_mass, scene.speed))
 
-    def _coarser(self, scene: Scene, parts: int) -> Self:
-        return replace(self, elements=max(1, self.elements // parts), steps=None)
+    def _with_share(self, scene: Scene, share: float) -> Self:
+        """Itself with a share of the elements."""
+        return replace(self, elements=max(1, round(share * self.elements)), steps=None)
 
     def _stiffness(self, scene: Scene) -> float:
         """Local stiffness of a rigid contact [N/m]: of the elements next to it, in series if both bodies have one.
@@ -186,20 +205,6 @@ class FiniteElements(Method):
 
     @abstractmethod
     def _course(self, scene: Scene, duration: float | None) -> Course: ...
-
-
-def left_of(half: float, third: float, rigid: bool) -> float:
-    """The error left, from the differences to half and to a third of a resolution (signed).
-
-    By the order that the two show together, where it is one: a contact with a law converges with the second power or
-    better, and the second is taken; a rigid one with about the first. Else the larger difference.
-    """
-    largest, most = max(abs(half), abs(third)), 1.0 if rigid else 2.0
-    orders = np.linspace(MIN_FITTED_ORDER, most + 1.5 if rigid else 2.0 * most, 100)
-    ratios = (3.0**orders - 1.0) / (2.0**orders - 1.0)
-    if half * third <= 0.0 or not ratios[0] <= third / half <= ratios[-1]:
-        return largest
-    return abs(half) / (2.0 ** min(float(np.interp(third / half, ratios, orders)), most) - 1.0)
 
 
 @dataclass(frozen=True)

@@ -67,10 +67,11 @@ class FeModal(FiniteElements):
     def _needs_stiffness(self, scene: Scene) -> bool:
         return not self._massless(scene)
 
-    def _coarser(self, scene: Scene, parts: int) -> Self:
-        kept, fewer = self._kept(scene), super()._coarser(scene, parts)
-        elements = fewer.elements if fewer._gives_way(scene) else self.elements
-        return replace(fewer, elements=elements, modes=None if kept is None else max(1, kept // parts))
+    def _with_share(self, scene: Scene, share: float) -> Self:
+        """Itself with a share of the elements and of the modes kept."""
+        kept, other = self._kept(scene), super()._with_share(scene, share)
+        elements = other.elements if other._gives_way(scene) else self.elements
+        return replace(other, elements=elements, modes=None if kept is None else max(1, round(share * kept)))
 
     def why_not(self, scene: Scene) -> Note | None:
         reason = super().why_not(scene)

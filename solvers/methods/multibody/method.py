@@ -216,9 +216,9 @@ class Multibody(Method):
             if self.restitution != Multibody.restitution:
                 found.append(Note("law-without-restitution", Severity.WARNING, restitution=self.restitution))
             found.append(_turning_note(motion, contacts))
-        return found + self._notes_on_links(motion)
+        return found + _notes_on_misses(motion) + self._notes_on_bending(motion)
 
-    def _notes_on_links(self, motion: MovingMotion) -> list[Note]:
+    def _notes_on_bending(self, motion: MovingMotion) -> list[Note]:
         """Of flexible links that bend too far, or whose vibrations the steps are too long for."""
         if not isinstance(motion, FlexibleMotion):
             return []
@@ -258,6 +258,19 @@ class Multibody(Method):
         swing = math.sqrt(1.5 * float(np.hypot(*system.gravity)) / shortest)
         fastest = max(float(spins.max()), 2.0 * speed / shortest, swing)
         return 2.0 * math.pi / fastest if fastest > 0.0 else 1.0
+
+
+def _notes_on_misses(motion: MovingMotion) -> list[Note]:
+    """That the mass passes the end of the struck link: one that is struck endwise has hardly any face."""
+    mechanism, impactor = motion.mechanism, motion.scene.impactor
+    contact, length = struck_by(mechanism, impactor), mechanism.struck_link.length
+    endwise = contact.high - contact.low < 0.5 * length
+    missed = motion.missed(contact.low, contact.high, math.inf if endwise else 0.5 * length)
+    if missed is None:
+        return []
+    values = {"link": mechanism.struck.link, "time": missed[0], "apart": missed[1]}
+    severity = Severity.WARNING if endwise else Severity.REMARK
+    return [Note("passes-link", severity, **values, body=impactor.kind, endwise=endwise)]
 
 
 def _turning_note(motion: MovingMotion, contacts: list[ContactPeriod]) -> Note:

@@ -29,7 +29,7 @@ class MovingMotion(SampledMotion):
         self.mechanism = scene.target.known_as(Mechanism)
         system, normal = self.mechanism.system, np.array(self.mechanism.struck.normal)
         self._number = [link.name for link in self.mechanism.links].index(self.mechanism.struck.link)
-        struck, rate = self._struck_point()
+        struck, rate = self._struck, _ = self._struck_point()
         masses = np.array([link.mass for link in system.links])
         swift = rates.reshape(course.time.size, -1, 3)
         impulse = course.contact[:, IMPULSE]
@@ -87,6 +87,18 @@ class MovingMotion(SampledMotion):
     @abstractmethod
     def widest_gap(self) -> float:
         """By how much any joint is ever open at the instants [m]."""
+
+    def missed(self, low: float, high: float, near: float) -> tuple[float, float] | None:
+        """When the mass first comes behind the line of the struck link beside it, which is met from `low` to `high` [m]
+        from the struck point on, and how far beside that [s, m]; None where it never does so as `near` [m]."""
+        place = self.course.place - self._struck
+        turn = self.centres[:, 3 * self._number + 2]
+        normal = turned(np.array(self.mechanism.struck.normal), turn - turn[0])
+        along = normal[:, 1] * place[:, 0] - normal[:, 0] * place[:, 1]
+        beside = np.maximum(low - along, along - high)
+        behind = ((normal * place).sum(axis=1) > 0.0) & (beside > 0.0)
+        passes = np.flatnonzero(behind[1:] & ~behind[:-1] & (beside[1:] <= near)) + 1
+        return (float(self.time[passes[0]]), float(beside[passes[0]])) if passes.size else None
 
     def contacts(self) -> list[ContactPeriod]:
         """Contacts by the law; or impacts without duration, and stretches in which the mass rests on the link."""

@@ -40,6 +40,7 @@ class Mesh(NamedTuple):
     neighbour: float = 0.0  # stiffness of the element at the struck node [N/m]; 0 where there is none
     transit: float = np.inf  # shortest that a wave takes through an element [s]
     shortest_period: float = 0.0  # of an element on its own [s], just below that of the whole mesh
+    struck_period: float = 0.0  # of the element at the struck node of a rod [s]
     inertial_moments: Callable[[np.ndarray], np.ndarray] | None = None
     inertial_shears: Callable[[np.ndarray], np.ndarray] | None = None
 
@@ -112,6 +113,12 @@ def chain_fields(place: np.ndarray, kept: int) -> tuple[Callable, Callable]:
     )
 
 
+def elements_of_rods(parts: Sequence[tuple[float, float, float]], elements: int) -> np.ndarray:
+    """How many of about so many each of these rods gets, so that a wave takes as long through each, see `rod_mesh`."""
+    transit = np.array([np.sqrt(mass / stiffness) for _, mass, stiffness in parts])
+    return np.maximum(1, np.rint(elements * transit / transit.sum()).astype(int))
+
+
 def rod_mesh(
     parts: Sequence[tuple[float, float, float]], elements: int, fixed: bool, end_mass: float, lumping: float
 ) -> Mesh:
@@ -121,8 +128,7 @@ def rod_mesh(
     stands on the nodes, the rest is consistent with straight shapes.
     Source: thesis (6.16); `CONSISTENT` is its choice.
     """
-    transit = np.array([np.sqrt(mass / stiffness) for _, mass, stiffness in parts])
-    counts = np.maximum(1, np.rint(elements * transit / transit.sum()).astype(int))
+    counts = elements_of_rods(parts, elements)
     lengths, masses, springs = (
         np.repeat([part[i] * (n if i == 2 else 1.0 / n) for part, n in zip(parts, counts, strict=True)], counts)
         for i in range(3)
@@ -133,6 +139,7 @@ def rod_mesh(
         beside = alike
     own = 0.5 * masses - beside
     mass = np.vstack((np.append(own, 0.0) + np.append(0.0, own), np.append(beside, 0.0)))
+    periods = 2.0 * np.pi * np.sqrt(0.5 * (own - beside) / springs)
     mass[0, -1] += end_mass
     stiffness = np.vstack((np.append(springs, 0.0) + np.append(0.0, springs), np.append(-springs, 0.0)))
     place, count = np.append(0.0, np.cumsum(lengths)), mass.shape[1]
@@ -150,7 +157,8 @@ def rod_mesh(
         slopes,
         neighbour=float(springs[0]),
         transit=float(np.sqrt(masses / springs).min()),
-        shortest_period=float(2.0 * np.pi * np.sqrt(0.5 * (own - beside) / springs).min()),
+        shortest_period=float(periods.min()),
+        struck_period=float(periods[0]),
     )
 
 

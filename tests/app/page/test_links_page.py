@@ -97,6 +97,14 @@ def test_undo_and_redo_go_step_by_step_and_back_stays_on_the_page(open_page):
     page.wait("() => strikewave.page.frame.chosen.law === 'hertz' && strikewave.page.frame.chosen.scene === 'free-rod'")
     expect(redo).to_be_disabled()
     expect(page.tab.get_by_label("Contact law", exact=True)).to_have_value("hertz")
+    field = page.tab.get_by_label("Impact speed, exact value")
+    page.tab.wait_for_timeout(AT_REST)
+    page.answered(lambda: (field.fill("36 km/h"), field.press("Enter")))
+    page.wait("() => location.search.includes('speed=10')")
+    page.answered(lambda: field.press("Control+z"))  # in the field itself: field, picture and address agree
+    expect(field).to_have_value("1")
+    page.wait("() => !location.search.includes('speed=')")
+    assert chosen(page, "speed") == [1.0]
     assert page.evaluate("() => window.same")
 
 

@@ -5,6 +5,8 @@ import math
 import pytest
 from playwright.sync_api import expect
 
+from solvers.records.files import load_record
+
 FIRST_END, SECOND_START, SECOND_END = (
     1.533833820809153,
     2.124623234942172,
@@ -346,7 +348,11 @@ def test_data_can_be_saved(open_page, tmp_path):
     with page.tab.expect_download() as download:
         page.tab.get_by_role("button", name="Save data").click()
     download.value.save_as(tmp_path / "data.csv")
-    rows = (tmp_path / "data.csv").read_text().splitlines()
+    lines = (tmp_path / "data.csv").read_text().splitlines()
+    assert {"# scene = fixed-rod", "# speed = 1", "# law = rigid"} < set(lines)
+    rows = [line for line in lines if not line.startswith("#")]
     assert rows[0].startswith("time_s,force_waves_N")
     assert len(rows) == 2002
+    saved = load_record(tmp_path / "data.csv", kind="force")  # which the page takes back
+    assert saved.values[0] == float(rows[1].split(",")[1]) and saved.values.size == 2001
     assert float(rows[1].split(",")[1]) == pytest.approx(36657.741337949345, rel=1e-6)  # sigma_0 A, thesis (4.9)

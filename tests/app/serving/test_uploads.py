@@ -83,8 +83,8 @@ def rows(*pairs):
 
 
 BAD_FILES = {
-    "nothing": (b"", "no rows"),
-    "one line": (rows((0, 0)), "at least 8"),
+    "nothing": (b"", "The record has no rows of numbers; at least 8 are needed."),
+    "one line": (rows((0, 0)), "The record has one row of numbers; at least 8 are needed."),
     "not a number": (rows(*((t, "nan" if t == 9 else t % 5) for t in range(20))), "finite"),
     "a hole": (rows(*((t + (500 if t > 9 else 0), t % 5) for t in range(20))), "gap"),
     "wrong unit": (GOOD.replace(b"time_us", b"time_s"), "unit"),
@@ -107,12 +107,12 @@ def test_bad_files_are_refused_in_a_sentence(server, content, said):
         ({"speed": "1e9"}, "Impact speed: 1000000000.0 is not possible."),
         ({"law": "<script>"}, "Contact law: 'text' is not possible"),
         ({"scene": "nowhere"}, "Scene: 'nowhere' is none of the"),
-        ({"at": "9"}, "at: got 9.0; allowed: a number from 0 to 1.48"),
-        ({"at": ""}, "at: got nothing"),
-        ({"at": "nan"}, "at: got nan"),
+        ({"at": "9"}, "“9” is not possible. Give its distance from the struck end in metres, from 0 to 1.48."),
+        ({"at": ""}, "Where does the gauge sit? Give its distance"),
+        ({"at": "nan"}, "“nan” is not possible."),
         ({"kind": "colour"}, "kind: got 'colour'"),
         ({"sign": "2"}, "sign: got '2'"),
-        ({"scene": "note-rod"}, "scene: got 'note-rod'"),
+        ({"scene": "note-rod"}, "A record cannot be compared with bodies in space"),
     ],
     ids=str,
 )

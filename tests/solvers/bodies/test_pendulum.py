@@ -219,3 +219,24 @@ def test_restitution_depends_on_one_number():
     ]
     assert found[1] == approx(found[0], rel=1e-6)
     assert abs(found[2] - found[0]) > 0.05
+
+
+def test_balances_heed_modes_and_shapes_of_a_pendulum():
+    """As they do those of links: what `balance` takes of other bodies, elements, is none of its own."""
+    found = {}
+    for modes in (3, 5, 10):
+        for shapes in ("pinned-free", "clamped-free"):
+            bar = BAR | {"modes": modes, "shapes": shapes}
+            usual, by_modes = (
+                solvers.solve(struck(bar, {"kind": "stop"}, {"law": "rigid"}, name="balance", **given))
+                for given in ({}, {"modes": 3})
+            )
+            assert usual.impulse == by_modes.impulse and usual.diagnostics["estimated_error"] > 0.0
+            found[modes, shapes] = usual.impulse
+    assert len(set(found.values())) == 6  # as many answers
+
+
+def test_of_a_pendulum_on_a_stop_its_own_modes_are_varied_whatever_the_method():
+    scene = struck(BAR | {"modes": 5}, {"kind": "stop"}, {"law": "rigid"}, name="balance")
+    found = solvers.convergence(scene, (3, 5, 10), "balance")
+    assert found.kind == "modes" and len(set(found.values["impulse"])) == 3

@@ -238,14 +238,14 @@ def test_two_gauges_must_be_apart():
 def test_records_that_miss_the_wave_are_refused():
     clean = gauge(IMPACTS["free"], 1.0, 1e-6)
     late, early = clean.time > 350e-6, clean.time < 250e-6
-    with pytest.raises(SceneError, match="record start: got"):
+    with pytest.raises(SceneError, match="The record begins at"):
         from_one_gauge(Record(clean.time[late], clean.values[late], "strain"), BALL.target, 1.0)
-    with pytest.raises(SceneError, match="record end: got"):
+    with pytest.raises(SceneError, match="The record ends at"):
         from_one_gauge(Record(clean.time[early], clean.values[early], "strain"), BALL.target, 1.0)
 
 
 def test_records_too_long_for_the_echoes_in_them_are_refused():
     rod, step = BALL.target, 2.5e-8
     time = np.arange(150_000) * step
-    with pytest.raises(SceneError, match=r"rows where 1.* echoes must be distinguished"):
+    with pytest.raises(SceneError, match=r"rows; where 1.* echoes must be distinguished"):
         from_one_gauge(Record(time, np.sin(time), "strain"), rod, rod.length - 0.6 * step * rod.wave_speed)

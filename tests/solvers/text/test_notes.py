@@ -15,7 +15,8 @@ from solvers.text.notes import Note, Severity, coded
 
 ROOTS = [Path(package.__file__).parent for package in (solvers, app)]
 SOURCES = sorted(path for root in ROOTS for path in root.rglob("*.py"))
-MAKERS = {"allowed": "allowed.", "_remark": ""}  # functions that make a note of a code, and how it begins
+# what makes a note of a code, and how it begins
+MAKERS = {"allowed": "allowed.", "_remark": "", "RecordError": "record.refused."}
 
 
 def called(tree: ast.AST) -> list[tuple[str, set[str] | None]]:

@@ -76,6 +76,27 @@ def test_what_passes_beside_a_link_does_not_strike_it():
     assert len(found.contacts) == 1  # slower than the tip, it meets the line of the bar beyond its end
 
 
+def test_a_mass_that_falls_past_the_end_of_a_link_is_told():
+    """Struck endwise a piston has a face of a hundredth of its length: with weight the mass is not there any more."""
+    scene = SCENES["slider-crank"].replace({"impactor.mass": 5.0, "impactor.velocity": 2.0})
+    contacts = {}
+    for gravity in (0.0, -1.0, -9.81):
+        found = Multibody(restitution=0.5).solve(scene.replace({"target.gravity": [0.0, gravity]}), 0.5)
+        contacts[gravity] = len(found.contacts)
+        told = [note for note in found.notes if note.code == "passes-link"]
+        assert len(told) == (gravity < 0.0)
+        for note in told:
+            assert (note.severity, note.values["link"], note.values["endwise"]) == (Severity.WARNING, "piston", True)
+            fallen = 0.5 * abs(gravity) * note.values["time"] ** 2
+            assert note.values["apart"] == approx(fallen - 0.01 * 0.02, rel=1e-9)
+    assert contacts == {0.0: 3, -1.0: 1, -9.81: 1}
+
+
+@pytest.mark.parametrize("name", ["double-pendulum", "bouncing-on-piston", "four-bar-moves"])
+def test_what_leaves_a_link_is_not_said_to_pass_it(name):
+    assert "passes-link" not in [note.code for note in solvers.solve(SCENES[name]).notes]
+
+
 def test_a_ball_on_a_driven_piston():
     found = solvers.solve(SCENES["bouncing-on-piston"])
     assert len(found.contacts) > 5

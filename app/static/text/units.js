@@ -1,0 +1,90 @@
+// The units in which numbers can be typed, and what was typed as a number in the unit that is sent. Columns of records
+// have a list of their own: solvers/records/files.py.
+
+const PREFIXES = { n: 1e-9, µ: 1e-6, m: 1e-3, c: 1e-2, k: 1e3, M: 1e6, G: 1e9 };
+const [INCH, FOOT, POUND, GRAVITY] = [0.0254, 0.3048, 0.45359237, 9.80665];
+const POUND_FORCE = POUND * GRAVITY;
+
+/**
+ * A unit with these prefixes, itself where there is a blank among them.
+ * @param {string} prefixes
+ * @param {string} unit
+ * @param {number} [factor]  of the unit alone
+ * @param {number} [power]  in which the prefix counts
+ */
+const prefixed = (prefixes, unit, factor = 1, power = 1) =>
+  Object.fromEntries(
+    [...prefixes].map((prefix) => {
+      const times = prefix === ' ' ? 1 : PREFIXES[/** @type {keyof typeof PREFIXES} */ (prefix)];
+      return [`${prefix.trim()}${unit}`, Number((factor * times ** power).toPrecision(15))];
+    }),
+  );
+
+/**
+ * By the unit that is sent: signs, and how many of it each is.
+ * @type {Record<string, Record<string, number>>}
+ */
+const UNITS = {
+  m: { ...prefixed('µmc k', 'm'), in: INCH, ft: FOOT },
+  'm²': { ...prefixed('mc ', 'm²', 1, 2), 'in²': INCH ** 2, 'ft²': FOOT ** 2 },
+  'm⁴': { ...prefixed('mc ', 'm⁴', 1, 4), 'in⁴': INCH ** 4 },
+  kg: { ...prefixed('m k', 'g', 1e-3), t: 1e3, oz: POUND / 16, lb: POUND },
+  Pa: { ...prefixed(' kMG', 'Pa'), 'N/mm²': 1e6, bar: 1e5, psi: POUND_FORCE / INCH ** 2 },
+  N: { ...prefixed('m kM', 'N'), lbf: POUND_FORCE },
+  'N/m': { ...prefixed(' kM', 'N/m'), 'N/mm': 1e3, 'kN/mm': 1e6, 'N/µm': 1e6, 'lbf/in': POUND_FORCE / INCH },
+  'kg/m³': { 'kg/m³': 1, 'g/cm³': 1e3, 'lb/in³': POUND / INCH ** 3, 'lb/ft³': POUND / FOOT ** 3 },
+  'm/s': { ...prefixed('mc k', 'm/s'), 'km/h': 1 / 3.6, mph: (5280 * FOOT) / 3600, 'in/s': INCH, 'ft/s': FOOT },
+  'm/s²': { 'm/s²': 1, g: GRAVITY, 'ft/s²': FOOT },
+  s: { ...prefixed('nµm ', 's'), min: 60 },
+  '°': { '°': 1, deg: 1, rad: 180 / Math.PI },
+  1: { '%': 0.01 }, // a share
+};
+/** @type {Record<string, string>} */
+const ALSO = { '"': 'in', '″': 'in', inch: 'in', inches: 'in', "'": 'ft', '′': 'ft', feet: 'ft', foot: 'ft' };
+Object.assign(ALSO, { lbs: 'lb', kph: 'km/h', kmh: 'km/h' });
+
+const NUMBER = String.raw`(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
+const GIVEN = new RegExp(String.raw`^([+-]?${NUMBER})(?:\s*/\s*(${NUMBER}))?\s*(\S*)$`, 'i');
+const DIGITS = 12; // that are sent
+
+/**
+ * Signs and factors of the units that go with the one that is sent: that one alone where no other is known.
+ * @param {string} si
+ * @returns {Record<string, number>}
+ */
+const unitsOf = (si) => (Object.hasOwn(UNITS, si) ? UNITS[si] : si ? { [si]: 1 } : {});
+
+/**
+ * How many of the unit that is sent this one is.
+ * @param {string} si
+ * @param {string} sign
+ */
+export const factorOf = (si, sign) => unitsOf(si)[sign] ?? 1;
+
+/**
+ * The units that a refusal offers.
+ * @param {string} si
+ */
+export const signsOf = (si) => Object.keys(unitsOf(si));
+
+/** @param {string} sign */
+const plain = (sign) => {
+  const spelled = sign.replace('^', '').replace(/^[uμ]|(?<=\/)[uμ]/, 'µ');
+  const raised = spelled.replace(/[234]$/, (power) => '²³⁴'['234'.indexOf(power)]);
+  return Object.hasOwn(ALSO, raised) ? ALSO[raised] : raised;
+};
+
+/**
+ * What was typed, in the unit that is sent: a number or a fraction, in the unit of the field or with another one behind
+ * it. NaN where it is none.
+ * @param {string} given
+ * @param {string} si  the unit that is sent; none of a plain number
+ * @param {number} [factor]  of the unit of the field
+ */
+export function typed(given, si, factor = 1) {
+  const [, number, by = '1', sign = ''] = GIVEN.exec(given.trim().replaceAll(',', '.').replace('−', '-')) ?? [];
+  const [units, unit] = [unitsOf(si), plain(sign)];
+  const times = !sign ? factor : Object.hasOwn(units, unit) ? units[unit] : NaN;
+  const value = (Number(number) / Number(by)) * times;
+  return Number.isFinite(value) ? Number(value.toPrecision(DIGITS)) : NaN;
+}
