@@ -19,7 +19,7 @@ from .cache import KernelCache
 _USUAL = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
 
 
-def _decorator(**options: Any) -> Callable:
+def _decorator(**options: Any) -> Any:
     """As `numba.njit` with these options, for kernels that are kept in this library's own cache."""
 
     def decorate(function: Callable) -> Any:

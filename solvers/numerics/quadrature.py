@@ -4,7 +4,7 @@ They stand in modules, so that compiled kernels hold them. Eigenvalues and inver
 in the last bits by the processor.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from decimal import Decimal, localcontext
 from functools import cache, wraps
 
@@ -61,14 +61,15 @@ def gauss_within(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def integrals(nodes: Sequence[Decimal]) -> list[Row]:
     """Of the polynomial through values at the nodes, from 0 to each node: rows that multiply the values."""
     bases = [_lagrange(nodes, k) for k in range(len(nodes))]
-    return [[sum(c * x ** (p + 1) / (p + 1) for p, c in enumerate(base)) for base in bases] for x in nodes]
+    powers = range(1, len(nodes) + 1)
+    return [[_sum(c * x**p / p for p, c in zip(powers, base, strict=True)) for base in bases] for x in nodes]
 
 
 @in_full
 def product(first: Sequence[Row], second: Sequence[Row]) -> list[Row]:
     """Of two matrices."""
     columns = list(zip(*second, strict=True))
-    return [[sum(a * b for a, b in zip(row, column, strict=True)) for column in columns] for row in first]
+    return [[_sum(a * b for a, b in zip(row, column, strict=True)) for column in columns] for row in first]
 
 
 @in_full
@@ -81,6 +82,10 @@ def barycentric_weights(nodes: Sequence[Decimal]) -> Row:
             gaps *= node - other if j != k else 1
         found.append(1 / gaps)
     return found
+
+
+def _sum(values: Iterable[Decimal]) -> Decimal:
+    return sum(values, Decimal(0))
 
 
 def _gauss_nodes(count: int) -> Row:

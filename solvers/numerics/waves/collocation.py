@@ -31,7 +31,7 @@ def _slope_weights(k: int) -> list[Decimal]:
     for j, node in enumerate(_NODES):
         if j != k:
             slope[j] = _FULL_WEIGHTS[j] / _FULL_WEIGHTS[k] / (_NODES[k] - node)
-    slope[k] = -sum(slope)
+    slope[k] = -sum(slope, Decimal(0))
     return slope
 
 
