@@ -41,7 +41,8 @@ from .methods import (
 from .methods.base import Method, SceneNotSupported
 from .methods.multibody.method import Multibody
 from .numerics import memory  # noqa: F401  (what it does holds for the process)
-from .regimes.plan import Plan, RegimeMap, plan, regime_map
+from .regimes.plan import Plan, plan
+from .regimes.regime_map import RegimeMap, regime_map
 from .scene import Scene
 from .scenes.library import load, scene_names
 from .solution.solution import ContactPeriod, Solution

@@ -117,6 +117,16 @@ class TradeOff:
                 best = error
         return kept
 
+    def plot(self, quantity: str = "rebound") -> Any:
+        """A HoloViews object: errors of one of `quantities` over wall time, a line for each ladder of resolutions, and
+        what nothing beats, dashed. Errors below the uncertainty of the reference are drawn on it.
+
+        Raises SceneError for another word.
+        """
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        return plots.tradeoff(self, quantity)
+
     def _repr_html_(self) -> str:
         from ..notebook import cards
 

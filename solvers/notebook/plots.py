@@ -24,10 +24,17 @@ def plot(solution: Any, what: str) -> Any:
     """See `Solution.plot`."""
     drawn = DRAWN[choice("what", what, DRAWN)]
     motion = solution.known_motion
+    _draw_with_bokeh()
+    return _titled(drawn(solution, motion), solution.scene.title, solution.method["name"])
+
+
+def _draw_with_bokeh() -> None:
     if not hv.Store.renderers:  # the user has chosen none
         hv.extension("bokeh")
-    title = solution.scene.title or "Scene"
-    return _wide(drawn(solution, motion).relabel(f"{title}, {solution.method['name']}"))
+
+
+def _titled(drawn: Any, title: str, about: str) -> Any:
+    return _wide(drawn.relabel(f"{title or 'Scene'}, {about}"))
 
 
 def _wide(drawn: Any) -> Any:
@@ -35,7 +42,7 @@ def _wide(drawn: Any) -> Any:
     if hv.Store.current_backend != "bokeh":
         return drawn
     size = {"width": WIDTH, "height": HEIGHT}
-    kinds = (hv.opts.Curve, hv.opts.Image, hv.opts.Area)
+    kinds = (hv.opts.Curve, hv.opts.Image, hv.opts.Area, hv.opts.Scatter, hv.opts.QuadMesh)
     beside = (kind(**size, legend_position="right") for kind in (hv.opts.Overlay, hv.opts.NdOverlay))
     return drawn.opts(*(kind(**size) for kind in kinds), *beside)
 
@@ -103,6 +110,148 @@ def _energy(solution: Any, motion: Any) -> Any:
 def _curve(figure: Figure, time: np.ndarray, values: np.ndarray) -> Any:
     value = hv.Dimension(figure.long_name.replace(" ", "_"), label=figure.long_name, unit=figure.unit)
     return hv.Curve((time, values), TIME, value)
+
+
+# --- studies ----------------------------------------------------------------------------------------------------------
+
+
+def ensemble(found: Any, what: str, units: Any) -> Any:
+    """See `Ensemble.plot`; `units` by figure."""
+    choice("what", what, (*BANDS, *units))
+    _draw_with_bokeh()
+    if what not in BANDS:
+        change = hv.Dimension("change", label=f"relative change of {found.key}")
+        value = hv.Dimension(what, label=what.replace("_", " "), unit=units[what][0] or None)
+        return _titled(hv.Scatter((found.perturbations, getattr(found, what)), change, value), "", what)
+    band, figure = getattr(found, what), BANDS[what]
+    value = hv.Dimension(what, label=figure.long_name, unit=figure.unit)
+    upper = hv.Dimension("upper", label=f"{figure.long_name}, upper", unit=figure.unit)
+    areas = {"all runs": (band.lowest, band.highest), "nine tenths": (band.low, band.high)}
+    drawn = [
+        hv.Area((found.time, *both), TIME, [value, upper], label=name).opts(alpha=0.3) for name, both in areas.items()
+    ]
+    return _titled(
+        hv.Overlay([*drawn, hv.Curve((found.time, band.median), TIME, value, label="median")]), "", "ensemble"
+    )
+
+
+BANDS = {
+    "force": Figure("N", "contact force", HISTORIES["contact_force"].of),
+    "struck_position": HISTORIES["end_position"],
+    "impactor_velocity": STRIKING["impactor_velocity"],
+}
+
+
+def convergence(found: Any, what: str) -> Any:
+    """See `Convergence.plot`."""
+    choice("what", what, ("differences", *found.values))
+    _draw_with_bokeh()
+    log = found.kind != "restitution"
+    across = hv.Dimension(found.kind, unit="s" if found.kind == "step" else None)
+    if what != "differences":
+        value = hv.Dimension(what, label=what.replace("_", " "), unit=found.units[what] or None)
+        curve = hv.Curve((found.counts, found.values[what]), across, value).opts(logx=log)
+        return _titled(curve, found.method, what)
+    value = hv.Dimension("difference", label="difference to the finest" if log else "difference to the last")
+    curves = {}
+    for name, differences in found.differences.items():
+        shown = differences > 0.0 if log else np.ones(differences.size, bool)
+        if shown.any():  # else the same for all
+            curve = hv.Curve((found.counts[shown], differences[shown]), across, value, label=name.replace("_", " "))
+            curves[name] = curve.opts(logx=log, logy=log)
+    return _titled(hv.Overlay(list(curves.values())), found.method, what)
+
+
+def tradeoff(found: Any, quantity: str) -> Any:
+    """See `TradeOff.plot`."""
+    choice("quantity", quantity, found.quantities)
+    _draw_with_bokeh()
+    seconds = hv.Dimension("wall_time", label="wall time", unit="s")
+    error = hv.Dimension("error", label=f"error: {found.quantities[quantity]}")
+    floor = max((found.reference and found.reference.uncertainty.get(quantity)) or 0.0, LEAST_ERROR)
+
+    def curve(points: list[Any], label: str) -> Any:
+        points = sorted(points, key=lambda point: point.wall_time)
+        errors = [max(abs(point.errors[quantity]), floor) for point in points]
+        return hv.Curve(([point.wall_time for point in points], errors), seconds, error, label=label)
+
+    ladders: dict[str, list[Any]] = {}
+    for point in found.points:
+        if point.errors.get(quantity) is not None:
+            ladders.setdefault(point.ladder, []).append(point)
+    drawn = [each for name, points in ladders.items() for each in _marked(curve(points, name))]
+    front = _marked(curve(found.front(quantity), "nothing better"))[0].opts(color="black")
+    if hv.Store.current_backend == "bokeh":
+        front = front.opts(line_dash="dashed")
+    return _titled(hv.Overlay([*drawn, front]).opts(logx=True, logy=True), found.scene.get("title", ""), quantity)
+
+
+LEAST_ERROR = 1e-16  # on axes of powers of ten, which have no zero
+
+
+def _marked(curve: Any) -> tuple[Any, Any]:
+    """A line and its points, as a ladder may have but one."""
+    return curve.opts(logx=True, logy=True), hv.Scatter(curve, label=curve.label).opts(logx=True, logy=True)
+
+
+def regimes(found: Any, what: str) -> Any:
+    """See `RegimeMap.plot`."""
+    choice("what", what, ("smallest", *found.models))
+    _draw_with_bokeh()
+    time = hv.Dimension("relative_time", label="contact time over the period of the target")
+    ratio = hv.Dimension("mass_ratio", label="mass ratio, target over impactor")
+    shown = found.relative_time > 0.0
+    edges = _edges(found.relative_time[shown], True), _edges(found.mass_ratio, True)
+    if what == "smallest":
+        names = [*found.models, "none of them"]
+        value = hv.Dimension("model", label="number of the smallest adequate model", range=(-0.5, len(names) - 0.5))
+        drawn = hv.QuadMesh((*edges, found.smallest[:, shown].astype(float)), [time, ratio], value)
+        title = "; ".join(f"{number}: {name}" for number, name in enumerate(names))
+        return _titled(drawn.opts(logx=True, logy=True, colorbar=True, cmap="viridis"), found.family, title)
+    errors = found.errors[found.models.index(what)][:, shown]
+    value = hv.Dimension("error", label=f"error of {found.question}")
+    mesh = hv.QuadMesh((*edges, np.where(np.isfinite(errors), errors, np.nan)), [time, ratio], value)
+    lines = [
+        hv.Curve(points, time, ratio, label=f"{100 * level:g} %").opts(logx=True, logy=True)
+        for level, points in found.contours[what].items()
+        if points[0].size
+    ]
+    mesh = mesh.opts(logx=True, logy=True, logz=True, colorbar=True, cmap="viridis")
+    return _titled(hv.Overlay([mesh, *lines]), found.family, what)
+
+
+def stability(found: Any, integrator: str | None) -> Any:
+    """See `Stability.plot`."""
+    known = {name: each for name, each in found.maps.items() if each.reason is None}
+    if integrator is None:
+        return hv.Layout([stability(found, name) for name in known]).cols(2)
+    choice("integrator", integrator, known)
+    _draw_with_bokeh()
+    down, across = found.axes
+    dimensions = [hv.Dimension(axis.name, label=axis.name.replace("_", " "), unit=axis.unit) for axis in (across, down)]
+    value = hv.Dimension("energy_error", label="energy error")
+    each, logs = known[integrator], {"logx": across.log, "logy": down.log}
+    error = np.where(each.ending < UNENDED, np.maximum(np.abs(each.energy_error), LEAST_ERROR), np.nan)
+    mesh = hv.QuadMesh((*(_edges(axis.values, axis.log) for axis in (across, down)), error), dimensions, value)
+    drawn = [mesh.opts(**logs, logz=True, colorbar=True, cmap="viridis")]
+    if each.limit is not None and (each.limit <= down.values[-1]).any():
+        steps = np.where(each.limit <= down.values[-1], each.limit, np.nan)
+        limit = hv.Curve((across.values, steps), *dimensions, label="largest stable step")
+        drawn.append(limit.opts(**logs, color="black"))
+    row, column = found.here
+    here = hv.Scatter(([column], [row]), *dimensions, label="the scene itself")
+    return _titled(hv.Overlay([*drawn, here.opts(**logs, color="red")]), found.scene.title, each.label)
+
+
+UNENDED = 2  # of `Map.ending`: from here on a run has not parted the bodies
+
+
+def _edges(middles: np.ndarray, log: bool) -> np.ndarray:
+    """Of cells about these values, of which there are two or more."""
+    places = np.log(middles) if log else np.asarray(middles, float)
+    between = 0.5 * (places[1:] + places[:-1])
+    edges = np.concatenate(([2.0 * places[0] - between[0]], between, [2.0 * places[-1] - between[-1]]))
+    return np.exp(edges) if log else edges
 
 
 DRAWN = {"force": _force, "motion": _motion, "waves": _waves, "energy": _energy}

@@ -19,12 +19,10 @@ from ..scenes.library import SceneOrName, scene_of
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .candidate import Candidate
-from .contours import contour
-from .models import LOSSES, MODELS, QUESTIONS, contact_duration, family_of, models_of
+from .models import LOSSES, QUESTIONS, contact_duration, family_of, models_of
 from .solved import is_solved, solved_candidates
 from .tables import Table, lossy_table, models_table, modes_table, plastic_curve, theory_table
 
-LEVELS = (0.01, 0.05, 0.2)  # of error, drawn on the maps
 FALLBACKS = ("waves", "modal", "fe-nodal", "balance", "quasi-static", "rigid")
 USUAL_PLACES = {"cantilever": 1.0}
 UNKNOWN = Note("plan-unknown", Severity.REMARK)  # until it is said why
@@ -84,29 +82,6 @@ class Plan:
         }
 
 
-@dataclass(frozen=True)
-class RegimeMap:
-    """Errors of each model over mass ratio and contact time, as measured; for a page to draw.
-
-    mass_ratio (n,), target over impactor; relative_time (m,), duration of the contact of two rigid bodies over the
-    round trip of a wave in the rod, or over the period of the slowest vibration of the beam, 0 being a rigid contact;
-    errors (models, n, m), infinite where the model has none. contours[model][level]: arrays of relative time and
-    mass ratio along the lines of that error, NaN between the lines; models are better on the side of smaller errors.
-    smallest (n, m): index of the first model within the tolerance, len(models): none of them is.
-    """
-
-    question: str
-    family: str
-    law: str
-    tolerance: float
-    models: list[str]
-    mass_ratio: np.ndarray
-    relative_time: np.ndarray
-    errors: np.ndarray
-    contours: dict[str, dict[float, tuple[np.ndarray, np.ndarray]]]
-    smallest: np.ndarray
-
-
 def plan(scene: SceneOrName, question: str = "final-velocities", tolerance: float = 0.05) -> Plan:
     """The smallest model that answers the question within the tolerance, from what was measured on scenes around it.
 
@@ -161,30 +136,6 @@ def _smallest(candidates: list[Candidate], tolerance: float) -> tuple[int, Candi
     chosen = good[0] if good else int(np.argmin(errors))
     better = [k for k in range(chosen + 1, len(candidates)) if errors[k] < errors[chosen]]
     return chosen, candidates[better[0]] if better else None
-
-
-def regime_map(
-    question: str = "final-velocities", family: str = "fixed-rod", law: str = "linear", tolerance: float = 0.05
-) -> RegimeMap:
-    """What each cheap model misses, for a family: fixed-rod, free-rod (law linear or hertz), or a beam's support."""
-    number = QUESTIONS.index(validation.choice("question", question, QUESTIONS))
-    validation.choice("family", family, FAMILIES)
-    validation.choice("law", law, ("linear", "hertz") if family.endswith("-rod") else ("linear",))
-    tolerance = validation.number("tolerance", tolerance, 1e-6, 1.0)
-    table = models_table(family, law)
-    errors = np.moveaxis(table.errors[:, :, :, number], 2, 0)
-    shown = table.time > 0.0
-    contours = {
-        name: {level: contour(table.time[shown], table.ratio, errors[k][:, shown], level) for level in LEVELS}
-        for k, name in enumerate(MODELS)
-    }
-    within = np.concatenate((errors <= tolerance, np.ones((1, *errors.shape[1:]), bool)))
-    return RegimeMap(
-        question, family, law, tolerance, list(MODELS), table.ratio, table.time, errors, contours, within.argmax(axis=0)
-    )
-
-
-FAMILIES = ("fixed-rod", "free-rod", "cantilever", "pinned-pinned", "clamped-clamped", "free-free")
 
 
 # --- groups -----------------------------------------------------------------------------------------------------------

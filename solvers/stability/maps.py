@@ -116,6 +116,16 @@ class Stability:
     bound: int
     notes: list[Note]
 
+    def plot(self, integrator: str | None = None) -> Any:
+        """A HoloViews object over the two axes: the energy error of an integrator, or of all of `maps` one by one, its
+        largest stable step and the scene itself. Runs that grew past reason, or did not end, have no colour.
+
+        Raises SceneError for an integrator that was not run.
+        """
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        return plots.stability(self, integrator)
+
     def _repr_html_(self) -> str:
         from ..notebook import cards
 

@@ -73,6 +73,15 @@ class Convergence:
     reference: str | None = None
     reference_values: dict[str, float] | None = None
 
+    def plot(self, what: str = "differences") -> Any:
+        """A HoloViews object over the counts: all `differences` to the finest, or the values of one figure.
+
+        Raises SceneError for another word.
+        """
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        return plots.convergence(self, what)
+
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
         table = plain({option.name: getattr(self, option.name) for option in fields(self)})

@@ -61,6 +61,16 @@ class Ensemble:
     notes: list[Note]
     wall_time: float
 
+    def plot(self, what: str = "force") -> Any:
+        """A HoloViews object: bands of `force`, `struck_position` or `impactor_velocity` over time, in which all runs
+        lie, and nine tenths of them; or a figure such as `final_velocity` over the changes.
+
+        Raises SceneError for another word.
+        """
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        return plots.ensemble(self, what, FIGURES)
+
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
         said = {"told": str(self.summary), "summary_code": self.summary.table()}

@@ -79,7 +79,7 @@ def levels_of(
     return Levels(chosen, kind, numbers, each, duration)
 
 
-def _counts(name: str, given: Sequence[int]) -> list[int]:
+def _counts(name: str, given: Sequence[Any]) -> list[int]:
     if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
         raise SceneError(name, given, allowed("list", low=FEWEST, high=MOST, of="whole"))
     counts = [validation.whole_number(name, count, 1, 10_000) for count in given]

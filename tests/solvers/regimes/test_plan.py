@@ -25,7 +25,7 @@ from solvers.regimes.models import (
     model_errors,
     modes_errors,
 )
-from solvers.regimes.plan import FAMILIES, LEVELS
+from solvers.regimes.regime_map import FAMILIES, LEVELS
 from solvers.regimes.tables import (
     MOST,
     STORED,
