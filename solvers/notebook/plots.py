@@ -17,6 +17,7 @@ from .figures import FIELDS, HISTORIES, STRIKING, Figure, histories_of, origin, 
 INSTANTS, PLACES = 801, 401
 LONGEST_HISTORY = 20_000  # instants; a longer one is drawn at INSTANTS
 WIDTH, HEIGHT = 700, 350  # pixels
+LONG_LEGEND = 250  # pixels, of methods with their options
 TIME = hv.Dimension("time", label="time", unit="s")
 
 
@@ -167,7 +168,7 @@ def tradeoff(found: Any, quantity: str) -> Any:
     choice("quantity", quantity, found.quantities)
     _draw_with_bokeh()
     seconds = hv.Dimension("wall_time", label="wall time", unit="s")
-    error = hv.Dimension("error", label=f"error: {found.quantities[quantity]}")
+    error = hv.Dimension("error", label=f"error of {quantity}")
     floor = max((found.reference and found.reference.uncertainty.get(quantity)) or 0.0, LEAST_ERROR)
 
     def curve(points: list[Any], label: str) -> Any:
@@ -183,7 +184,8 @@ def tradeoff(found: Any, quantity: str) -> Any:
     front = _marked(curve(found.front(quantity), "nothing better"))[0].opts(color="black")
     if hv.Store.current_backend == "bokeh":
         front = front.opts(line_dash="dashed")
-    return _titled(hv.Overlay([*drawn, front]).opts(logx=True, logy=True), found.scene.get("title", ""), quantity)
+    whole = _titled(hv.Overlay([*drawn, front]).opts(logx=True, logy=True), found.scene.get("title", ""), quantity)
+    return whole.opts(width=WIDTH + LONG_LEGEND) if hv.Store.current_backend == "bokeh" else whole
 
 
 LEAST_ERROR = 1e-16  # on axes of powers of ten, which have no zero
@@ -201,13 +203,15 @@ def regimes(found: Any, what: str) -> Any:
     time = hv.Dimension("relative_time", label="contact time over the period of the target")
     ratio = hv.Dimension("mass_ratio", label="mass ratio, target over impactor")
     shown = found.relative_time > 0.0
-    edges = _edges(found.relative_time[shown], True), _edges(found.mass_ratio, True)
     if what == "smallest":
-        names = [*found.models, "none of them"]
-        value = hv.Dimension("model", label="number of the smallest adequate model", range=(-0.5, len(names) - 0.5))
-        drawn = hv.QuadMesh((*edges, found.smallest[:, shown].astype(float)), [time, ratio], value)
-        title = "; ".join(f"{number}: {name}" for number, name in enumerate(names))
-        return _titled(drawn.opts(logx=True, logy=True, colorbar=True, cmap="viridis"), found.family, title)
+        cells = found.smallest[:, shown]
+        drawn = []
+        for number, name in enumerate([*found.models, "none of them"]):
+            row, column = np.nonzero(cells == number)
+            points = found.relative_time[shown][column], found.mass_ratio[row]
+            drawn += [_squares(hv.Scatter(points, time, ratio, label=name))] if row.size else []
+        return _titled(hv.Overlay(drawn), found.family, f"smallest adequate model for {found.question}")
+    edges = _edges(found.relative_time[shown], True), _edges(found.mass_ratio, True)
     errors = found.errors[found.models.index(what)][:, shown]
     value = hv.Dimension("error", label=f"error of {found.question}")
     mesh = hv.QuadMesh((*edges, np.where(np.isfinite(errors), errors, np.nan)), [time, ratio], value)
@@ -218,6 +222,11 @@ def regimes(found: Any, what: str) -> Any:
     ]
     mesh = mesh.opts(logx=True, logy=True, logz=True, colorbar=True, cmap="viridis")
     return _titled(hv.Overlay([mesh, *lines]), found.family, what)
+
+
+def _squares(points: Any) -> Any:
+    points = points.opts(logx=True, logy=True)
+    return points.opts(marker="square", size=6) if hv.Store.current_backend == "bokeh" else points
 
 
 def stability(found: Any, integrator: str | None) -> Any:
@@ -240,7 +249,7 @@ def stability(found: Any, integrator: str | None) -> Any:
         drawn.append(limit.opts(**logs, color="black"))
     row, column = found.here
     here = hv.Scatter(([column], [row]), *dimensions, label="the scene itself")
-    return _titled(hv.Overlay([*drawn, here.opts(**logs, color="red")]), found.scene.title, each.label)
+    return _titled(hv.Overlay([*drawn, here.opts(**logs, color="red")]), found.scene.title, integrator)
 
 
 UNENDED = 2  # of `Map.ending`: from here on a run has not parted the bodies

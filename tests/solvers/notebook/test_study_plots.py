@@ -58,7 +58,7 @@ def test_a_convergence_over_restitutions_has_even_axes():
 def test_the_points_of_a_tradeoff():
     found = solvers.stored_tradeoff("fixed-rod")
     drawn = found.plot("peak-force")
-    assert labels(drawn) == {"wall time (s)", f"error: {found.quantities['peak-force']}"}
+    assert labels(drawn) == {"wall time (s)", "error of peak-force"}
     known = [point for point in found.points if point.errors["peak-force"] is not None]
     scattered = np.concatenate([each["wall_time"] for each in drawn if isinstance(each, hv.Scatter)])
     assert sorted(scattered) == sorted(point.wall_time for point in known)
@@ -74,8 +74,16 @@ def test_a_map_of_regimes():
     axes = {"contact time over the period of the target", "mass ratio, target over impactor"}
     drawn = found.plot()
     assert labels(drawn) == axes
-    cells = drawn.dimension_values("model", flat=False)
-    np.testing.assert_array_equal(cells, found.smallest[:, found.relative_time > 0.0])
+    shown = found.relative_time > 0.0
+    for number, name in enumerate([*found.models, "none of them"]):
+        at = {
+            pair
+            for each in drawn
+            if each.label == name
+            for pair in zip(each["relative_time"], each["mass_ratio"], strict=True)
+        }
+        row, column = np.nonzero(found.smallest[:, shown] == number)
+        assert at == set(zip(found.relative_time[shown][column], found.mass_ratio[row], strict=True))
     for model in found.models:
         assert labels(found.plot(model)) == axes
     with pytest.raises(SceneError, match=r"what: got 'heat'; allowed: 'smallest'"):
