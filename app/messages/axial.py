@@ -115,6 +115,9 @@ def _histories(request: Request, exact: Solution, other: Solution | None, carrie
         if solution is exact and isinstance(solution.motion, RowMotion):
             before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])
             arrays["exactRow"] = (solution.motion.ball_positions(even) + before) / length_unit
+            own = solution.motion.impactor_velocity(even)
+            arrays["exactRowVelocity"] = np.column_stack((own, solution.motion.ball_velocities(even))) / scene.speed
+            arrays["exactRowForce"] = solution.motion.contact_forces(even) / force_unit
         if solution is exact or not carried:
             time, force = force_history(solution)
             arrays |= {f"{name}Time": time / scene.time_unit, f"{name}Force": force / force_unit}

@@ -80,6 +80,8 @@ AXIAL: Fields = {
     "exactEnd": Field("(motion)", "and of the struck end [v T]"),
     "exactWhole": Field("(motion)", "and of the mass centre of a rod that nothing holds [v T]", True),
     "exactRow": Field("(motion, balls)", "displacement of every ball of a row, gaps before it included [v T]", True),
+    "exactRowVelocity": Field("(motion, bodies)", "velocity of the impactor and of every ball of a row [v]", True),
+    "exactRowForce": Field("(motion, balls)", "force of every contact of a row, from the impactor's on [Z v]", True),
     "exactTime": Field("(exact force)", "at a jump twice [T]"),
     "exactForce": Field("(exact force)", "[Z v]"),
     **_optional(

@@ -193,7 +193,7 @@ export class Page {
     const [resized, settled] = [new ResizeObserver(again), whenResized(again)];
     for (const { stage, stack } of Object.values(this.views))
       for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
-    for (const { axis } of Object.values(this.views)) axis?.watch(() => this.history.later());
+    for (const { axis } of Object.values(this.views)) axis?.watch(() => this.zoomed());
     const left = () => this.connection.keep();
     window.addEventListener('pagehide', left);
     model.on('remove', () => {
@@ -265,6 +265,7 @@ export class Page {
     this.analyses.take(this.frame);
     this.compare.take(data, this.frame);
     if (this.root.dataset.kind !== this.frame.kind) this.turn();
+    this.root.classList.toggle('hangs', frame.kind === 'axial' && frame.impactor.kind === 'pendulum');
     this.view.load(this.frame);
     const { strip } = this.view;
     if (this.layout.mode === 'phone' && strip && !this.layout.strip.contains(strip.root)) this.place();
@@ -373,6 +374,10 @@ export class Page {
    */
   zoom(start, end) {
     this.view.zoom(start, end);
+  }
+  zoomed() {
+    this.history.later();
+    this.player.mark();
   }
   /** @param {string} sentence */
   complain(sentence) {

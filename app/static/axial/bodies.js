@@ -157,33 +157,6 @@ export function struckBody(c, { target }, place, width) {
 }
 
 /**
- * A row of balls: neighbours that press each other in meet halfway, too.
- * @param {Context} c
- * @param {{ left: number, size: number }[]} balls  from the struck one on, in pixels
- * @param {number} middle
- * @param {number | undefined} meet  where the striker meets the first
- */
-export function row(c, balls, middle, meet) {
-  c.fillStyle = '#8fb4d6';
-  c.strokeStyle = EDGE;
-  c.lineWidth = 1.2;
-  let from = meet ?? -TALL;
-  balls.forEach(({ left, size }, k) => {
-    const next = balls[k + 1]?.left ?? TALL;
-    const to = next < left + size ? (next + left + size) / 2 : TALL;
-    c.save();
-    c.beginPath();
-    c.rect(from, -TALL, to - from, 2 * TALL);
-    c.clip();
-    outline(c, true, { face: left, middle, size }, 1);
-    c.fill();
-    c.stroke();
-    c.restore();
-    from = to < TALL ? to : -TALL;
-  });
-}
-
-/**
  * @param {Context} c
  * @param {number} from
  * @param {number} to

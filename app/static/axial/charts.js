@@ -7,6 +7,7 @@ import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { naming } from '../text/words.js';
+import { betweenOf, forcesOf, movementsOf } from './cradle.js';
 import { drawnFromOther } from './drawn.js';
 import { RigidField } from './fields.js';
 
@@ -157,10 +158,13 @@ export class Force {
    * @param {AxialFrame} frame
    * @returns {Series[]}
    */
-  #series({ balanceForce, balanceTime, exact, forceUnit: factor, other, record }) {
+  #series(frame) {
+    const { balanceForce, balanceTime, exact, forceUnit: factor, other, record, target } = frame;
     const first = naming(exact.name);
+    const called = target.row ? betweenOf({ first: 1, second: 2 }) : { name: first, cursor: first };
     /** @type {Series[]} */
-    const found = [{ ...this.exact, factor, name: first, cursor: first, style: 'exact' }];
+    const found = [{ ...this.exact, factor, ...called, style: 'exact' }];
+    if (target.row) found.push(...forcesOf(frame));
     if (this.other && other) {
       const name = naming(other.name);
       const reach = this.raw ? Infinity : TRAINS;
@@ -288,6 +292,8 @@ export class Displacements {
       { x, y: frame.exactMass, factor, ...MASS, ...(attached ? ASIDE : {}), style: 'exact' },
       { x, y: frame.exactEnd, factor, ...FACE, style: 'struck' },
     ];
+    this.chart.title.textContent = text(target.row ? 'axial.cradle.motion' : 'axial.chart.motion');
+    if (target.row) series.splice(0, 2, ...movementsOf(frame));
     if (frame.exactWhole) series.push({ x, y: frame.exactWhole, factor, ...WHOLE, reach: 0, style: 'whole' });
     if (other) {
       const name = naming(other.name);

@@ -68,6 +68,17 @@ export function turningBar(c, frame, t, { rest, middle, scale, height }) {
 }
 
 /**
+ * How long the bar is drawn [px].
+ * @param {AxialFrame} frame
+ * @param {number} middle  where it strikes
+ * @param {number} height  of the picture
+ */
+export function drawnLength({ impactor }, middle, height) {
+  const struck = /** @type {number} */ (impactor.place) / /** @type {number} */ (impactor.length);
+  return Math.min((middle - TOP) / struck, height - TOP - 8);
+}
+
+/**
  * The bar and its pivot; dashed the straight bar where rigid-body theory has it.
  * @param {CanvasRenderingContext2D} c
  * @param {AxialFrame} frame
@@ -78,7 +89,7 @@ export function turningBar(c, frame, t, { rest, middle, scale, height }) {
 export function pendulum(c, frame, shape, { rest, middle, scale, height }, prediction) {
   const { impactor } = frame;
   const struck = /** @type {number} */ (impactor.place) / /** @type {number} */ (impactor.length);
-  const long = Math.min((middle - TOP) / struck, height - TOP - 8);
+  const long = drawnLength(frame, middle, height);
   const centre = rest - THICK / 2;
   const line = (/** @type {Shape} */ moved) => {
     c.beginPath();

@@ -30,7 +30,8 @@ export function reachOf(frame, field) {
     back = Math.max(back, -ends[0]);
     ahead = Math.max(ahead, ends[1]);
   }
-  for (const moved of frame.exactRow ?? []) reach = Math.max(reach, Math.abs(moved));
+  for (const moved of frame.exactRow ?? []) ahead = Math.max(ahead, moved);
+  reach = Math.max(reach, ahead);
   const soft = !['rod', 'pulse'].includes(impactor.kind);
   return { reach: reach * unit, pressed: soft ? pressed * unit : 0, back: back * unit, ahead: ahead * unit };
 }

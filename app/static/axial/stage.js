@@ -4,13 +4,13 @@ import { hatch, isHatched, stretchesOf } from '../charts/hatch.js';
 import { roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
-import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
-import { axis, endMass, onward, push, row, runs, striker, struckBody, wall } from './bodies.js';
+import { axis, endMass, onward, push, runs, striker, struckBody, wall } from './bodies.js';
+import { cradle, swing } from './cradle.js';
 import { reachOf } from './reach.js';
-import { pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
+import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
 /** @import { AxialFrame, RodTold } from '../shell/message.js' */
 /** @import { Striker } from '../shell/striker.js' */
@@ -23,8 +23,9 @@ const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
 const [EDGE, ONWARD] = [6, 36]; // pixels left at the edges, and of the sign of an endless rod
 const LEAST_ROOM = 12; // pixels in which anything can move
+const HUNG = 0.68; // of its height: where a pendulum strikes, so that it is seen
 const FACE = 0.45; // of the picture: where a body without length is struck
-const ROW = [0.24, 0.6]; // of it: where a row of balls is struck, and how much of it that and the striker may take
+const ROW = [0.34, 0.5]; // of it: where a row of balls is struck, and how much of it that and the striker may take
 
 export class Stage {
   /** @type {AxialFrame} */ frame;
@@ -71,8 +72,9 @@ export class Stage {
    * @param {number} length  of what is drawn [px]
    * @param {number} size  of the striker
    * @param {[left: number, right: number]} room  beside it
+   * @param {number} hung  pixels in a metre of a pendulum
    */
-  #fit(length, size, room) {
+  #fit(length, size, room, hung) {
     const { frame, moves, span } = this;
     const { ahead, back, pressed, reach } = moves;
     const within = (/** @type {number} */ pixels, /** @type {number} */ moved) =>
@@ -80,7 +82,7 @@ export class Stage {
     const edges = Math.min(within(room[0], back), within(room[1], ahead));
     const most = Math.min((REACH * length) / reach, within(PRESSED * size, pressed), edges); // [px/m]
     const radius = frame.impactor.radius ?? 0;
-    const true_ = span > 0 ? length / span : radius > 0 ? size / (2 * radius) : 0;
+    const true_ = span > 0 ? length / span : radius > 0 ? size / (2 * radius) : hung;
     this.factor = true_ > 0 ? roundBelow(most / true_) : 0;
     this.scale = (true_ > 0 ? this.factor * true_ : most) * frame.speed * frame.trip;
   }
@@ -92,7 +94,7 @@ export class Stage {
    */
   #sizes(width, height) {
     const { impactor, target } = this.frame;
-    const most = Math.min(0.16 * width, (target.row ? 0.54 : 0.62) * height); // below the words, where it is near them
+    const most = Math.min(0.16 * width, (target.row ? 0.32 : 0.62) * height); // below the words, where it is near them
     if (target.row) {
       const radii = [impactor.radius ?? target.row[0], ...target.row];
       const sum = radii.reduce((a, b) => a + b);
@@ -126,7 +128,8 @@ export class Stage {
     if (!sheet) return;
     const { c, width, height } = sheet;
     const { rods, impactor } = frame;
-    const middle = height * 0.47;
+    const hangs = impactor.kind === 'pendulum';
+    const middle = height * (hangs ? HUNG : 0.47);
     const thick = Math.min(height * 0.3, 56);
     const [size, struck] = this.#sizes(width, height);
     const [left, right] = this.#places(width);
@@ -134,8 +137,11 @@ export class Stage {
     const beyond = frame.target.support === 'anechoic' ? ONWARD : frame.target.endMass ? 0.8 * thick : 0;
     const behind = ['rod', 'pulse'].includes(impactor.kind) ? 0 : size;
     /** @type {[number, number]} */
-    const room = [(rods.length ? left : struckAt) - behind - EDGE, width - right - beyond - EDGE];
-    this.#fit(right - left, size, room);
+    const room = frame.target.row
+      ? [swing(height), swing(height)]
+      : [(rods.length ? left : struckAt) - behind - EDGE, width - right - beyond - EDGE];
+    const perMetre = hangs ? drawnLength(frame, middle, height) / Number(impactor.length) : 0;
+    this.#fit(right - left, size, room, perMetre);
     const meeting = field.mass(t) > field.face(t);
     if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
     const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : struckAt;
@@ -143,11 +149,13 @@ export class Stage {
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;
     if (frame.turningBar) turningBar(c, frame, t, { rest, middle, scale: this.scale, height });
-    else if (frame.target.row) row(c, this.#balls(frame.target.row, t, rest, struck), middle, meet);
-    else if (!rods.length)
+    else if (!rods.length && !frame.target.row)
       struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
-    if (impactor.kind === 'pulse') {
+    if (frame.target.row) {
+      const { x, y } = cradle(c, frame, t, { rest, width, height, scale: this.scale, size });
+      this.striker?.draw(c, { x, y, width: size, height: size, way: [1, 0], sized: false });
+    } else if (impactor.kind === 'pulse') {
       if (contact) push(c, rest, middle, thick);
     } else if (impactor.kind === 'rod') this.#rod(c, left, rest, face, middle, thick, contact);
     else if (impactor.kind === 'pendulum') {
@@ -182,27 +190,6 @@ export class Stage {
     if (target.support === 'anechoic') onward(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
     if (target.endMass) endMass(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
     return rest;
-  }
-  /**
-   * Where the balls of a row are.
-   * @param {number[]} radii
-   * @param {number} t
-   * @param {number} rest  of the first face
-   * @param {number} struck  size of the first
-   */
-  #balls(radii, t, rest, struck) {
-    const { frame, scale } = this;
-    const moved = given(frame.exactRow, 'row');
-    const count = radii.length;
-    const place = Math.min(Math.max(t / frame.duration, 0), 1) * (moved.length / count - 1);
-    const k = Math.min(Math.floor(place), moved.length / count - 2);
-    let left = rest;
-    return radii.map((radius, i) => {
-      const size = (struck * radius) / radii[0];
-      const now = moved[k * count + i] + (place - k) * (moved[(k + 1) * count + i] - moved[k * count + i]);
-      left += size;
-      return { left: left - size + now * scale, size };
-    });
   }
   /**
    * A rod that strikes: where it presses, and what can be taken hold of.
@@ -270,7 +257,7 @@ export class Stage {
       const end = 12 + c.measureText(words).width;
       c.fillText(words, 12, end < below ? height - 10 : end < above ? height - 12 - 14 * zoom : 14 * zoom);
     }
-    if (frame.rods.length) return;
+    if (frame.rods.length || frame.target.row) return;
     const perMetre = this.scale / (frame.speed * frame.trip);
     const long = roundBelow(90 / perMetre);
     const [times, unit] = scaled(long, 'm');

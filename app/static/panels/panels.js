@@ -124,7 +124,7 @@ export class Analyses {
       if (view.root.parentElement !== place) place.append(view.root);
       view.root.classList.toggle('behind', view !== wide && view !== narrow);
     }
-    layout.take(Boolean(wide), wide !== undefined && !this.beside.has(wide) && this.widened.has(wide));
+    layout.take(Boolean(wide), wide !== undefined && !this.beside.has(wide) && this.widened.has(wide), !narrow);
   }
   /** @param {Frame} frame */
   take(frame) {
@@ -139,8 +139,8 @@ export class Analyses {
   resume() {
     const open = this.all.filter((view) => view.open);
     this.order = open.toReversed();
-    const narrow = open.some((view) => !this.#isWide(view));
-    if (narrow || (open.length && this.layout.mode === 'phone')) this.layout.show('analysis');
+    if (open.length && this.layout.mode !== 'tablet') this.layout.show('analysis');
+    if (open.some((view) => !this.#isWide(view))) this.layout.show('analysis');
     this.arrange();
     for (const view of open) view.opened?.();
   }

@@ -51,7 +51,7 @@ class Stability extends Panel {
     };
     const against = make('label', { className: 'part' }, text('stability.against'), this.axis);
     const form = make('div', { className: 'record-form' }, against, this.start, this.bar);
-    this.root.append(this.said, form, this.notes, this.key, this.grid);
+    this.root.append(this.said, form, this.key, this.grid, this.notes); // maps are in view at once
     page.model.on('stability_running', () => this.fill());
     const entry = (/** @type {string} */ name, /** @type {HTMLElement} */ mark) =>
       make('span', { className: 'key' }, mark, name);

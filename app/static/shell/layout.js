@@ -31,6 +31,7 @@ export class Layout {
   /** @type {Sizes} */ sizes = kept('docks', {});
   full = false; // what is open takes the right dock's place too
   lent = false; // the room of the sheet, to what is open, until a tab is chosen
+  spare = false; // no analysis is in the right dock: what is open has the room below its menu
 
   /**
    * @param {{ bar: HTMLElement, choices: HTMLElement, pinned: HTMLElement[], charts: HTMLElement[] }} parts
@@ -114,6 +115,8 @@ export class Layout {
     root.style.setProperty('--sheet', `${100 * this.sheet}dvh`);
     this.left.hidden = this.mode === 'phone' || this.folded('left');
     this.right.hidden = this.mode === 'desk' && (this.folded('right') || this.full);
+    const menu = this.mode === 'desk' && this.tabs.selected === 'analysis' && this.spare;
+    root.classList.toggle('spread', menu && !this.wide.hidden && !this.right.hidden);
     root.classList.toggle('closed', this.mode === 'tablet' && this.sheet === 0);
     this.folders.left.ariaPressed = String(!this.folded('left'));
     this.folders.right.ariaPressed = String(!this.folded('right') && !this.full);
@@ -171,6 +174,7 @@ export class Layout {
    */
   #chosen(_name, again) {
     if (this.mode !== 'tablet') {
+      this.#measure();
       this.changed();
       return;
     }
@@ -197,8 +201,10 @@ export class Layout {
    * Something takes the place of the charts, or gives it back.
    * @param {boolean} taken
    * @param {boolean} full  and that of the right dock
+   * @param {boolean} spare  in which there is none beside its menu
    */
-  take(taken, full) {
+  take(taken, full, spare) {
+    this.spare = spare;
     if (taken === this.wide.hidden) this.lent = taken;
     this.wide.hidden = !taken;
     this.charts.hidden = taken && this.mode !== 'phone';

@@ -191,6 +191,8 @@
  * @property {Numbers} exactEnd
  * @property {Numbers} [exactWhole]  displacement of the mass centre of a rod that nothing holds
  * @property {Numbers} [exactRow]  of every ball of a row, (instant, ball), flat
+ * @property {Numbers} [exactRowVelocity]  velocity of the impactor and of every ball, (instant, body), flat [v]
+ * @property {Numbers} [exactRowForce]  force of every contact, from the impactor's on, (instant, contact), flat
  * @property {Numbers} exactTime
  * @property {Numbers} exactForce
  * @property {Numbers} [otherMass]

@@ -7,6 +7,7 @@ import { PaceMenu } from './pace.js';
 /** @import { AxialFrame, BeamFrame, Frame, SpaceFrame } from './message.js' */
 /** @import { Event } from './story.js' */
 
+const FULL = 10000; // steps of the time bar
 const SECONDS_PER_TRIP = 3;
 const SECONDS_PER_BEAM = 24; // at normal speed
 const SECONDS_PER_MOTION = 8; // at least; longer ones take the time that they take
@@ -97,8 +98,7 @@ export class Player {
         ']',
       ),
     ];
-    this.scrub = make('input', { type: 'range', min: 0, max: 10000, step: 1, className: 'scrub' });
-    this.scrub.ariaLabel = text('player.time');
+    this.scrub = make('input', { type: 'range', min: 0, max: FULL, step: 1, className: 'scrub' });
     this.ticks = make('div', { className: 'ticks', ariaHidden: 'true' });
     this.pace = new PaceMenu(() => this.label());
     this.clock = make('output', { className: 'clock', ariaLive: 'off' });
@@ -107,11 +107,14 @@ export class Player {
       text('player.loop'),
       'L',
     );
-    const track = make('div', { className: 'track' }, this.ticks, this.scrub);
-    const time = make('div', { className: 'time' }, this.clock, track);
+    this.track = make('div', { className: 'track' }, this.ticks, this.scrub);
+    const time = make('div', { className: 'time' }, this.clock, this.track);
     this.root = make('div', { className: 'player' }, this.button, ...this.moves, time);
     this.root.append(this.pace.root, this.loops);
-    this.scrub.oninput = () => this.seek((Number(this.scrub.value) / 10000) * this.duration);
+    this.scrub.oninput = () => {
+      const [low, high] = this.bar;
+      this.seek(low + (Number(this.scrub.value) / FULL) * (high - low));
+    };
     this.run = this.run.bind(this);
     this.label();
   }
@@ -157,14 +160,30 @@ export class Player {
     this.loops.ariaPressed = String(this.looping);
     if (this.trip) this.pace.load(this.usual * this.trip);
   }
-  /** Where events are, on the scrubber. */
+  /** @returns {[low: number, high: number]} the stretch of time that the time bar spans: that which charts show */
+  get bar() {
+    const [low, high] = this.score.range().map((t) => Math.min(Math.max(t - this.start, 0), this.duration));
+    return high > low ? [low, high] : [0, this.duration];
+  }
+  /** Where the clock and the events are, on the time bar. */
   mark() {
-    const signs = this.score.events().map(([t, sentence]) => {
+    const [low, high] = this.bar;
+    const signs = this.score.events().flatMap(([t, sentence]) => {
+      const share = (t - this.start - low) / (high - low);
+      if (share < 0 || share > 1) return [];
       const sign = make('i', { title: sentence });
-      sign.style.left = `${(100 * (t - this.start)) / this.duration}%`;
-      return sign;
+      sign.style.left = `${100 * share}%`;
+      return [sign];
     });
     this.ticks.replaceChildren(...signs);
+    const part = high - low < this.duration * (1 - 1e-9);
+    this.track.classList.toggle('part', part);
+    this.scrub.ariaLabel = text('player.time', { part });
+    this.#place();
+  }
+  #place() {
+    const [low, high] = this.bar;
+    this.scrub.value = String(Math.round(((this.t - low) / (high - low)) * FULL));
   }
   /** Play from the beginning, waiting at every event; the second time round without. */
   tour() {
@@ -290,7 +309,7 @@ export class Player {
   /** @param {number} t */
   go(t) {
     this.t = Math.min(Math.max(t, 0), this.duration);
-    this.scrub.value = String(Math.round((this.t / this.duration) * 10000));
+    this.#place();
     const now = this.t + this.start;
     const real = now * this.trip;
     const size = Math.abs(real);

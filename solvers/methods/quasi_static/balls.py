@@ -20,15 +20,23 @@ SLIGHT = 1e-9  # of the impulse of the impact: contacts of less are the wake of 
 
 
 class RowMotion(SampledMotion):
-    """The motion of an impact on a row of balls, with that of every ball."""
+    """The motion of an impact on a row of balls, with that of every ball and the force of every contact."""
 
-    def __init__(self, positions: np.ndarray, **histories: Any):
+    def __init__(self, positions: np.ndarray, velocities: np.ndarray, forces: np.ndarray, **histories: Any):
         super().__init__(**histories)
-        self._positions = positions
+        self._positions, self._velocities, self._forces = positions, velocities, forces
 
     def ball_positions(self, time: np.ndarray) -> np.ndarray:
         """(time, balls), from where each was at first [m]."""
         return np.column_stack([self._at(time, each) for each in self._positions.T])
+
+    def ball_velocities(self, time: np.ndarray) -> np.ndarray:
+        """(time, balls) [m/s]."""
+        return np.column_stack([self._at(time, each) for each in self._velocities.T])
+
+    def contact_forces(self, time: np.ndarray) -> np.ndarray:
+        """(time, contacts), from that with the impactor on [N]."""
+        return np.column_stack([self._at(time, each) for each in self._forces.T])
 
 
 def why_not(scene: Scene) -> Note | None:
@@ -132,6 +140,8 @@ def _motion(scene: Scene, mass: np.ndarray, laws: list[Law], course: Course) -> 
     }
     return RowMotion(
         course.position[:, 1:],
+        course.velocity[:, 1:],
+        course.force,
         time=course.time,
         force=course.force[:, 0],
         impulse=course.impulse[:, 0],

@@ -143,6 +143,13 @@ def test_a_row_of_balls_is_drawn_as_it_moves():
     assert header["lastBall"][1] == pytest.approx(0.9888, abs=1e-4)
     assert known.duration > header["lastBall"][0] * known.scene.time_unit > known.contacts[0].end
     assert np.all(np.diff(row[-1]) > 0.0)
+    found = arrays(message)
+    assert found["exactRowVelocity"][-1, 1:] == pytest.approx(known.ball_velocities, abs=1e-6)
+    step = header["duration"] / (len(row) - 1)
+    given = step * found["exactRowForce"].sum(axis=0)  # each ball's momentum is what its contacts have given it
+    before, after = found["exactRowVelocity"][[0, -1], 1:]
+    unit = header["forceUnit"] * header["trip"] / (known.scene.target.balls[0].mass * header["speed"])
+    assert (given - np.append(given[1:], 0.0)) * unit == pytest.approx(after - before, abs=1e-3)
 
 
 def test_what_rod_theory_leaves_out_is_said_of_the_exact_solution_alone():

@@ -98,6 +98,14 @@ def test_a_zoom_in_one_map_is_one_in_all_and_so_is_a_choice(open_page):
     page = open_page("?panel=stability&axis=speed")  # as other tests ask, so that its maps may be there
     page.wait("() => strikewave.page.analyses.stability.known", timeout=2 * LONG)
     shown(page, "stability")
+    page.resize(1280, 720)  # where the analysis has the room below the menu, too, and a map is in view at once
+    dock = page.tab.locator(".dock.right").bounding_box()
+    assert page.tab.locator(".wide").bounding_box()["width"] > 2.5 * dock["width"]
+    expect(page.tab.locator(".stability .figure .bk-Canvas").first).to_be_in_viewport(ratio=0.7)
+    page.tab.get_by_role("tab", name="Story").click()  # which has as much room as ever
+    page.wait("() => strikewave.page.layout.right.clientHeight > 600")
+    page.tab.get_by_role("tab", name="Analysis").click()
+    page.resize(1440, 900)
     ranges = """() => strikewave.page.analyses.stability.figure.parts
       .map(({ name }) => strikewave.page.analyses.stability.figure.model(name).x_range.id)"""
     assert len(set(page.evaluate(ranges))) == 1

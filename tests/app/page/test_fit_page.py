@@ -1,6 +1,8 @@
 """Nothing overlaps, is cut, or is beyond the edge: words of the page and words on its pictures, at every size."""
 
 import re
+from itertools import pairwise
+from math import hypot
 
 import pytest
 from playwright.sync_api import expect
@@ -50,6 +52,31 @@ EDGES = """(instants) => {
 def test_rods_that_fly_off_stay_in_the_picture(open_page, scene):
     page = open_page(f"?scene={scene}")
     assert min(page.evaluate(EDGES, INSTANTS)) > 0
+
+
+DISCS = """(share) => {
+  const { page } = strikewave, context = CanvasRenderingContext2D.prototype, { arc } = context, found = [];
+  context.arc = function (x, y, radius, ...rest) {
+    if (page.view.stage.canvas === this.canvas && radius > 10) found.push([x, y, radius]);
+    return arc.call(this, x, y, radius, ...rest);
+  };
+  page.player.go(share * page.player.duration);
+  context.arc = arc;
+  return found;
+}"""
+
+
+def test_balls_of_a_cradle_stay_apart_and_all_their_forces_are_shown(open_page):
+    page = open_page("?scene=newtons-cradle")
+    for share in INSTANTS:
+        balls = page.evaluate(DISCS, share)
+        assert len(balls) == 5
+        for (x, y, radius), (next_x, next_y, next_radius) in pairwise(balls):
+            assert hypot(next_x - x, next_y - y) > 0.995 * (radius + next_radius)
+    series = "(chart) => strikewave.page.view[chart].chart.own.series.length"
+    assert [page.evaluate(series, chart) for chart in ("force", "displacements")] == [4, 5]
+    said = page.evaluate(SAID_ON_STAGE, 1)
+    assert "0.99" in said and [words for words in said if "movement drawn" in words]
 
 
 def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):

@@ -13,6 +13,10 @@ def test_a_pendulum_bends_by_as_many_modes_as_are_chosen(open_page):
     page = open_page("?scene=figure-10.12")
     expect(page.tab.locator("p.symbols:visible")).to_contain_text("0.1968 kg is felt at the contact as 0.1136 kg")
     expect(page.tab.locator("ol.events")).to_contain_text("The pendulum touches the stop")
+    height, factor = page.evaluate(
+        "() => [strikewave.page.view.stage.root.clientHeight, strikewave.page.view.stage.factor]"
+    )
+    assert height > 280 and factor >= 1  # it has room to hang in, and how much larger its movement is drawn is said
     page.evaluate(AT, 0.1)
     bent = page.evaluate(DRAWN)
     page.answered(lambda: drag(page, "Modes", 0.7))

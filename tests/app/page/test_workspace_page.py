@@ -174,6 +174,9 @@ def test_what_is_in_view_is_looped(open_page):
     page.evaluate("() => { strikewave.page.player.pace.value = '1'; strikewave.page.player.toggle(); }")
     page.wait("() => strikewave.page.player.t < 0.44")
     assert page.evaluate(T) >= 0.4
+    bar = page.tab.get_by_role("slider", name="Time, of what is in view")  # the time bar spans it, too
+    bar.fill("5000")
+    assert page.evaluate("() => strikewave.page.player.bar") == pytest.approx([0.4, 0.5])
     page.evaluate("() => strikewave.page.player.loop()")
     page.wait("() => strikewave.page.player.t > 0.52")
 
