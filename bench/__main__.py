@@ -5,6 +5,7 @@ import json
 from datetime import date
 from pathlib import Path
 
+from solvers.jit.shortcuts import shorten
 from solvers.provenance import machine
 
 from . import (
@@ -14,6 +15,7 @@ from . import (
     cost,
     elements,
     ensemble,
+    estimates,
     impulses,
     kernels,
     mechanisms,
@@ -22,7 +24,6 @@ from . import (
     peer_mechanisms,
     peers,
     random_chains,
-    random_estimates,
     regime_sweep,
     regimes,
     shipped,
@@ -51,7 +52,7 @@ PARTS = {
     "tradeoffs": tradeoffs,
     "shipped": shipped,
     "automatic": automatic,
-    "random-estimates": random_estimates,
+    "estimates": estimates,
     "waves": waves,
     "compiling": compiling,
     "random": random_chains,
@@ -65,7 +66,7 @@ IF_ASKED = (
     "compiling",
     "regime-sweep",
     "random",
-    "random-estimates",
+    "estimates",
 )  # a minute of all cores; half an hour of one, each
 RESULTS = Path(__file__).parent / "results.json"
 
@@ -74,6 +75,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", choices=list(PARTS), help=f"one part; default: all but {', '.join(IF_ASKED)}")
     only = parser.parse_args().only
+    shorten()
     parts = [only] if only else [part for part in PARTS if part not in IF_ASKED]
     stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
     stored["machine"] = machine() | {"date": str(date.today())}

@@ -12,7 +12,7 @@ from time import thread_time
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import nnls
+from scipy.optimize import least_squares, nnls
 from threadpoolctl import threadpool_limits
 
 import solvers
@@ -30,7 +30,8 @@ from .timing import row
 
 FIRST, OTHER_FIRST, BEAM_FIRST = 90_000, 90_500, 90_700  # seeds
 SCENES, OTHER_SCENES, BEAM_SCENES = 500, 100, 60
-COST_FIRST, COST_SCENES, COST_OTHER_FIRST, COST_OTHER_SCENES = 5000, 24, 6000, 8  # fitted to; and to see how it fits
+COST_FIRST, COST_SCENES, COST_OTHER_FIRST, COST_OTHER_SCENES = 5000, 32, 6000, 8  # fitted to; and to see how it fits
+COST_BEAMS = 0.4  # share of them
 LONGEST = 0.4  # s of a solve that the constants of cost are fitted to
 TOLERANCES = (0.1, 0.03, 0.01, 0.003, 0.001, 1e-4)
 QUANTITIES = ("rebound", "impulse", "peak-force", "force-history", "contact-time")
@@ -67,7 +68,7 @@ def costs_of(scenes: Iterable[solvers.Scene]) -> Iterator[Cost]:
                 for level in ladder.levels:
                     taken, solution = _timed(level.without_estimate(), scene)
                     table = level.table()
-                    yield Cost(kinds(table, scene.contact), taken, solution.diagnostics["steps"], work_size(table))
+                    yield Cost(kinds(table, scene), taken, solution.diagnostics["steps"], work_size(table))
                     if taken > LONGEST / 4.0:
                         break
 
@@ -76,7 +77,7 @@ def fit_costs() -> dict[str, object]:
     """Time = a + b steps + c steps size + d size^3 of every kind of solve, by relative least squares, stored."""
     rows: dict[str, list[tuple[float, int, int]]] = {}
     before = measured()
-    for number, scene in enumerate(_scenes(COST_FIRST, COST_SCENES, beams=0.3)):
+    for number, scene in enumerate(_scenes(COST_FIRST, COST_SCENES, COST_BEAMS)):
         for cost in costs_of([scene]):
             for kind in cost.kinds:
                 rows.setdefault(kind, []).append(cost[1:])
@@ -86,9 +87,9 @@ def fit_costs() -> dict[str, object]:
         time, steps, size = np.array(solves, float).T
         terms = np.column_stack([np.ones_like(time), steps, steps * size, size**3])
         scale = np.maximum(terms.max(axis=0), 1.0)
-        fitted = nnls(terms / scale / time[:, None], np.ones_like(time))[0] / scale
+        fitted = _fitted(terms / scale, time) / scale
         constants[kind] = [float(f"{constant:.3e}") for constant in fitted]
-        if " " in kind:  # else it stands in for those that are not known
+        if kind.count(" ") > 1:  # else it stands in for those that are not known
             within += (np.abs(np.log2(terms @ fitted / time)) <= 1.0).tolist()
     after = measured()
     stored = {
@@ -105,12 +106,20 @@ def fit_costs() -> dict[str, object]:
     return dict([row("costs foretold within a factor of two", 100.0 * np.mean(within), "%")])
 
 
+def _fitted(terms: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Constants, none negative, by which sums of the terms are off by factors as small as can be."""
+    start = nnls(terms / time[:, None], np.ones_like(time))[0]
+    least = 1e-6 * max(start.max(), time.min())  # where one has no place in it
+    found = least_squares(lambda each: np.log(terms @ each / time), np.maximum(start, least), bounds=(0.0, np.inf))
+    return np.where(found.x > least, found.x, 0.0)
+
+
 def costs_foretold(every: int = 1) -> dict[str, object]:
     """How near the stored constants are on this machine, calibrated, on scenes that they were not fitted to."""
     calibration.calibrate()
     known = stored_costs()["seconds"]
     off = []
-    for cost in costs_of(list(_scenes(COST_OTHER_FIRST, COST_OTHER_SCENES, beams=0.3))[::every]):
+    for cost in costs_of(list(_scenes(COST_OTHER_FIRST, COST_OTHER_SCENES, COST_BEAMS))[::every]):
         if cost.kinds[0] in known:
             off.append(cost.seconds / expected_of(cost.kinds, cost.steps, cost.size))
     shares = [100.0 * float(np.mean(np.abs(np.log(off)) <= np.log(factor))) for factor in (2.0, 2.5)]

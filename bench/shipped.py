@@ -53,7 +53,7 @@ def measure(names: Sequence[str] = (), every: int = 1) -> dict[str, object]:
 
 def _again(name: str, scene: solvers.Scene, table: TradeOff) -> Iterator[Again]:
     calibration.calibrate(CALIBRATION_SECONDS)
-    law, there = scene.struck.contact, table.calibration or {}
+    there = table.calibration or {}
     levels = {
         label(level.table(), always=ladder.resolution): (ladder, place)
         for ladder in ladders(scene)
@@ -61,7 +61,7 @@ def _again(name: str, scene: solvers.Scene, table: TradeOff) -> Iterator[Again]:
     }
     for point in _some(table):
         if point.label in levels:
-            scaled = scaled_time(point.wall_time, point.method, law, there)
+            scaled = scaled_time(point.wall_time, point.method, scene.struck, there)
             yield Again(name, point.label, scaled, point.wall_time, _solved(*levels[point.label], scene))
 
 

@@ -253,6 +253,7 @@ SAID = [
     State(name="tip-of-symbol", act=partial(hovered, selector=".controls [data-term]")),
     State(name="tip-in-story", act=lambda page: (turned(page, "Story"), hovered(page, ".tab-panel [data-term]"))),
     State(name="scene-focused", act=lambda page: page.tab.locator(".field-scene select").focus()),
+    State(name="help", act=lambda page: page.evaluate("() => strikewave.page.help.open()")),
     State(name="skip-link", act=lambda page: page.tab.keyboard.press("Tab")),
 ]  # fmt: skip
 CHARTS = [

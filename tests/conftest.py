@@ -4,6 +4,9 @@ import os
 
 from hypothesis import HealthCheck, settings
 
+from solvers.jit.shortcuts import shorten
+
+shorten()
 os.environ["IMPACT_CHECK_MESSAGES"] = "1"  # read by app.messages.encoding
 
 # The first call of a kernel compiles it, which no deadline survives; derandomized, so that a run can be repeated.

@@ -4,6 +4,7 @@ Every chain is asked for over 20 round trips of its longest rod.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -28,7 +29,7 @@ def random_chain(number: int) -> tuple[Scene, float]:
     joint_law = str(chance.choice(["rigid", "rigid", "rigid", *solvers.LAWS]))
     speed = between(chance, 0.1, 10.0)
     bonded = chance.choice([0.0, 0.4, 1.0])
-    rods = [_rod(chance) for _ in range(count)]
+    rods = [random_rod(chance) for _ in range(count)]
     for part in rods[1:]:
         if chance.random() < bonded:
             continue
@@ -41,7 +42,7 @@ def random_chain(number: int) -> tuple[Scene, float]:
     weight = sum(7900.0 * part["length"] * part["section"]["area"] for part in rods)
     impactor: dict[str, object] = {"mass": between(chance, 0.03, 30.0) * weight, "velocity": speed}
     if chance.random() < 0.2:
-        impactor = {"kind": "rod", "velocity": speed} | _rod(chance)
+        impactor = {"kind": "rod", "velocity": speed} | random_rod(chance)
     table = {
         "impactor": impactor,
         "target": target,
@@ -56,7 +57,7 @@ def between(chance: np.random.Generator, low: float, high: float) -> float:
     return math.exp(chance.uniform(math.log(low), math.log(high)))
 
 
-def _rod(chance: np.random.Generator) -> dict[str, object]:
+def random_rod(chance: np.random.Generator) -> dict[str, Any]:
     return {
         "length": between(chance, 0.02, 1.0),
         "section": {"area": between(chance, 1e-4, 1e-2)},

@@ -13,6 +13,7 @@ from typing import Any
 
 import solvers
 from solvers import SceneError
+from solvers.jit.shortcuts import shorten
 
 from .serve import add_arguments as add_serve_arguments
 from .words import text
@@ -35,6 +36,7 @@ class _Parser(argparse.ArgumentParser):
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code: 0, or 2 after one line on standard error; 130 if interrupted."""
+    shorten()
     try:
         options = _parser().parse_args(arguments)
         with _patience():
@@ -88,6 +90,7 @@ def _parser() -> argparse.ArgumentParser:
     compare.set_defaults(run=_compare)
 
     _tradeoff_command(commands)
+    _calibrate_command(commands)
     _sweep_command(commands)
     _bounce_command(commands)
     _ensemble_command(commands)
@@ -114,10 +117,24 @@ def _tradeoff_command(commands: Any) -> None:
     parser.add_argument("--quantity", default="rebound", help=text("help.tradeoff.quantity"))
     parser.add_argument("--fresh", action="store_true", help=text("help.tradeoff.fresh"))
 
+    parser.add_argument("--stored", action="store_true", help=text("help.tradeoff.stored"))
+
     def run(options: argparse.Namespace) -> int:
         from .tradeoff import print_tradeoff
 
-        return print_tradeoff(_scene(options), options.quantity, options.json, options.fresh)
+        return print_tradeoff(_scene(options), options.quantity, options.json, options.fresh, options.stored)
+
+    parser.set_defaults(run=run)
+
+
+def _calibrate_command(commands: Any) -> None:
+    parser = commands.add_parser("calibrate", help=text("help.calibrate"))
+    parser.add_argument("--json", action="store_true", help=text("help.json"))
+
+    def run(options: argparse.Namespace) -> int:
+        from .tradeoff import print_calibration
+
+        return print_calibration(options.json)
 
     parser.set_defaults(run=run)
 
@@ -170,13 +187,14 @@ def _convergence_command(commands: Any) -> None:
     parser = commands.add_parser("convergence", help=text("help.convergence.about"))
     _scene_arguments(parser)
     parser.add_argument("--modes", metavar="N,N,...", help=text("help.convergence.modes"))
+    parser.add_argument("--elements", metavar="N,N,...", help=text("help.convergence.elements"))
     parser.add_argument("--steps", metavar="S,S,...", help=text("help.convergence.steps"))
     parser.add_argument("--restitutions", metavar="E,E,...", help=text("help.convergence.restitutions"))
 
     def run(options: argparse.Namespace) -> int:
         from .trust import print_convergence
 
-        lists = {name: getattr(options, name) for name in ("modes", "steps", "restitutions")}
+        lists = {name: getattr(options, name) for name in ("modes", "elements", "steps", "restitutions")}
         return print_convergence(_scene(options), lists, options.json)
 
     parser.set_defaults(run=run)

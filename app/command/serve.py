@@ -39,6 +39,9 @@ def _run(options: argparse.Namespace) -> int:
         host, _, origin_port = origin.partition(":")
         if not re.fullmatch(r"[A-Za-z0-9.-]{1,253}", host) or not re.fullmatch(r"(\d{1,5})?", origin_port):
             raise SceneError("--allow-origin", origin, text("wanted.origin"))
+    documentation = os.environ.get("IMPACT_DOCUMENTATION", "")
+    if documentation and not re.fullmatch(r"https?://[^\s/]+(/\S*)?", documentation):
+        raise SceneError("IMPACT_DOCUMENTATION", documentation, text("wanted.documentation"))
     from ..serving.addresses import network_of
 
     proxies = []

@@ -1,4 +1,4 @@
-"""The command `impact tradeoff`: cost and error of each method at each resolution."""
+"""The commands `impact tradeoff`, cost and error of each method at each resolution, and `impact calibrate`."""
 
 import json
 import sys
@@ -6,17 +6,41 @@ from dataclasses import replace
 
 import solvers
 from solvers import SceneError, TradeOff
+from solvers.accuracy.calibration import factors
+from solvers.accuracy.cost_model import stored_costs
 from solvers.accuracy.quantities import QUANTITIES
+from solvers.provenance import machine
 
 from .words import family, text
 
 SHARES = ("rebound", "impulse", "peak-force", "force-history", "resolved-force", "contact-time")
 
 
-def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bool) -> int:
-    """Measure and print; when interrupted, what there is by then. Returns the exit code."""
+def print_calibration(as_json: bool) -> int:
+    """Measure how fast this machine is, keep that and print it. Returns the exit code."""
+    found, costs = solvers.calibrate(), stored_costs()
+    scale = factors(costs.get("calibration"))
+    if as_json:
+        print(json.dumps({"machine": machine(), "seconds": found, "scale": scale}, indent=1))
+        return 0
+    where = {"processor": costs["machine"]["processor"], "date": costs.get("date", "")}
+    for kind, name in family("calibrate.kind").items():
+        beside = text("calibrate.beside", times=scale[kind], **where) if scale else ""
+        print(f"{name:16}{1e3 * found[kind]:9.3g} ms  {beside}".rstrip())
+    print(text("calibrate.kept"))
+    return 0
+
+
+def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bool, stored: bool = False) -> int:
+    """Measure and print, or print what is `stored`; when interrupted, what there is by then. Returns the exit code."""
     if quantity not in QUANTITIES:
         raise SceneError("--quantity", quantity, ", ".join(QUANTITIES))
+    if stored:
+        table = solvers.stored_tradeoff(scene)
+        if table is None:
+            raise SceneError("--stored", scene.title or "scene", text("wanted.stored"))
+        _print(scene, table, quantity, as_json)
+        return 0
     known: list[TradeOff] = []
 
     def progress(found: TradeOff) -> None:
@@ -37,8 +61,12 @@ def print_tradeoff(scene: solvers.Scene, quantity: str, as_json: bool, fresh: bo
         found, code = replace(known[0], stopped=text("run.interrupted")), 130
     if known and sys.stderr.isatty():
         print("\r" + " " * 40 + "\r", end="", file=sys.stderr)
-    print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else report(scene, found, quantity))
+    _print(scene, found, quantity, as_json)
     return code
+
+
+def _print(scene: solvers.Scene, found: TradeOff, quantity: str, as_json: bool) -> None:
+    print(json.dumps(found.table(), indent=1, allow_nan=False) if as_json else report(scene, found, quantity))
 
 
 def _reference_lines(found: TradeOff, quantity: str) -> list[str]:
@@ -61,6 +89,8 @@ def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
         "".join(sign if sign.isprintable() else "?" for sign in scene.title) or text("report.scene"),
         *_reference_lines(found, quantity),
         f"  {text('tradeoff.machine'):20}{text('tradeoff.on', date=found.date, **where)}",
+        *([f"  {'':20}{text('tradeoff.shipped', **_whence(found))}"] if found.shipped else []),
+        *([f"  {'':20}{text('tradeoff.changed')}"] if found.changed else []),
         *([f"  {text('tradeoff.stopped', why=found.stopped)}"] if found.stopped else []),
         f"  * {text('tradeoff.best', quantity=quantity, what=QUANTITIES[quantity])}",
         "",
@@ -75,6 +105,10 @@ def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
     lines += ["", *(f"  {remark}" for remark in found.remarks)]
     lines += ["  " + text("report.cannot", name=name, reason=reason) for name, reason in found.refused.items()]
     return "\n".join(lines).rstrip()
+
+
+def _whence(found: TradeOff) -> dict[str, bool]:
+    return {"scaled": found.scale is not None, "elsewhere": found.machine != machine()}
 
 
 def _row(point: solvers.TradeOffPoint, width: int) -> str:

@@ -66,14 +66,17 @@ def ensemble_table(scene: solvers.Scene, found: Ensemble) -> str:
 def print_convergence(scene: solvers.Scene, lists: dict[str, str | None], as_json: bool) -> int:
     """Print a column for each level, and what they show, or all of it in JSON; `lists` by option, as written."""
     named, _ = solvers.read_method(scene.method, scene)
-    method = named.NAME if {"modes", "elements"} & set(named.table()) else "modal"
+    own = {"modes", "elements"} & set(named.table()) and lists["elements"] is None
     values: dict[str, Any] = {
-        option: [number(f"--{option}", part, int if option == "modes" else float) for part in written.split(",")]
+        option: [
+            number(f"--{option}", part, int if option in ("modes", "elements") else float)
+            for part in written.split(",")
+        ]
         for option, written in lists.items()
         if written is not None
     }
     try:
-        found = convergence(scene, method=method, **values)
+        found = convergence(scene, method=named if own else None, **values)
     except SceneError as refused:
         if refused.key in lists:
             raise SceneError(f"--{refused.key}", refused.value, refused.reason) from None

@@ -52,6 +52,11 @@ class Kept:
         while self._bytes > MAX_KEPT:
             self._bytes -= len(self._kept.popitem(last=False)[1])
 
+    def forget(self, work: Callable) -> None:
+        """Drop its answers: they would be others now."""
+        for key in [key for key in self._kept if key.startswith(f"{work.__name__} ")]:
+            self._bytes -= len(self._kept.pop(key))
+
 
 KEPT = Kept()
 

@@ -22,9 +22,8 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
-import numba
-
-from solvers.jit.cache import all_compiled
+from solvers.jit.cache import FOLDER, all_compiled
+from solvers.jit.shortcuts import shorten
 from solvers.methods.multibody.method import Multibody
 
 from ..choices.beam import on_beam
@@ -101,7 +100,7 @@ class Compiler:
                 stdout=subprocess.PIPE,
                 text=True,
                 cwd=Path(__file__).parents[2],
-                env=os.environ | {"NUMBA_CACHE_DIR": str(numba.config.CACHE_DIR)},
+                env=os.environ | {"NUMBA_CACHE_DIR": str(FOLDER)},
             )
             threading.Thread(target=self._listen, args=(self._process,), name="compiler", daemon=True).start()
         return self._process
@@ -195,6 +194,7 @@ def compile_at_once(processes: int) -> None:
 
 
 def _compile(pieces: list[Piece]) -> None:
+    shorten()
     do = works()
     for name, choices in pieces:
         do[name](choices)
@@ -203,6 +203,7 @@ def _compile(pieces: list[Piece]) -> None:
 def main() -> None:
     """Answer each line of standard input, a piece of work, by the same line when it is done; end with the input."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends this process
+    shorten()
     requests: queue.SimpleQueue[str] = queue.SimpleQueue()
     threading.Thread(target=_receive, args=(requests,), daemon=True).start()
     do = works()

@@ -10,7 +10,7 @@ from multiprocessing import forkserver
 from pathlib import Path
 from typing import Any
 
-import numba
+from solvers.jit.cache import FOLDER
 
 from .worker import serve
 
@@ -110,7 +110,7 @@ def forks() -> Any:
     """What processes are made by: forked from one that has loaded all they need, and nothing else."""
     context = multiprocessing.get_context("forkserver")
     if not _PREPARED:
-        os.environ.setdefault("NUMBA_CACHE_DIR", str(numba.config.CACHE_DIR))
+        os.environ.setdefault("NUMBA_CACHE_DIR", str(FOLDER))
         for library in BLAS_THREADS:  # one each: there are as many processes as processors
             os.environ.setdefault(library, "1")
         context.set_forkserver_preload([PRELOADED])

@@ -1,4 +1,7 @@
-"""While a slider moves: answers of fewer modes and elements where those chosen take long; at rest, of those chosen."""
+"""While a slider moves: answers of fewer modes and elements where those chosen take long; at rest, of those chosen.
+
+How long they take is what the newest answer took on this machine: no stored cost comes into it.
+"""
 
 import asyncio
 import math

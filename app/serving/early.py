@@ -12,20 +12,12 @@ from html import escape
 from tornado.netutil import bind_sockets
 
 from ..text.catalogues import LANGUAGE, page
+from .bare import answer
 
 AGAIN = 2  # s after which a browser asks again
 HEAD_SECONDS, MAX_HEAD = 5.0, 65_536  # for a request to arrive, and its bytes
 MAX_AT_ONCE = 200  # connections
 LAST_SECONDS = 0.5  # that answers under way have, when the server is ready
-HEADERS = (
-    "HTTP/1.1 503 Unavailable",
-    "Content-Type: text/html; charset=utf-8",
-    f"Retry-After: {AGAIN}",
-    "Cache-Control: no-store",
-    "Content-Security-Policy: default-src 'none'; frame-ancestors 'self'",
-    "X-Content-Type-Options: nosniff",
-    "Connection: close",
-)
 
 
 class EarlyPort:
@@ -65,7 +57,7 @@ class EarlyPort:
                 self._answering.add(task)
                 with suppress(asyncio.IncompleteReadError, asyncio.LimitOverrunError):
                     await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), HEAD_SECONDS)
-                writer.write(_answer())
+                writer.write(_getting_ready())
                 await writer.drain()
         except (OSError, TimeoutError):  # who has left, or says nothing
             pass
@@ -74,9 +66,9 @@ class EarlyPort:
             writer.close()
 
 
-def _answer() -> bytes:
+def _getting_ready() -> bytes:
     texts = page().texts
     title, sentence = escape(texts["document.title"]), escape(texts["serving.getting-ready"])
     again = f'<meta http-equiv="refresh" content="{AGAIN}">'
-    body = f'<!DOCTYPE html><html lang="{LANGUAGE}"><title>{title}</title>{again}<p>{sentence}</p></html>'.encode()
-    return "\r\n".join((*HEADERS, f"Content-Length: {len(body)}", "", "")).encode() + body
+    body = f'<!DOCTYPE html><html lang="{LANGUAGE}"><title>{title}</title>{again}<p>{sentence}</p></html>'
+    return answer("503 Unavailable", body, Retry_After=str(AGAIN))

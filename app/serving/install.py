@@ -1,13 +1,21 @@
 """What of the pinned Bokeh, Panel and Tornado must be otherwise for a page that anybody may open."""
 
-from socket import socket
+from contextlib import suppress
+from socket import SHUT_WR, socket
+from typing import Any
 
 from bokeh.server import server as bokeh_server
 from bokeh.server.urls import per_app_patterns
 from bokeh.server.util import bind_sockets
 from panel.io.server import ComponentResourceHandler
+from tornado import httputil
+from tornado.escape import parse_qs_bytes
+from tornado.iostream import IOStream, UnsatisfiableReadError
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
+from ..text.catalogues import page
+from .bare import answer
+from .limits import MAX_FIELDS, MAX_HEADER
 from .pages import Page, set_headers
 from .sockets import Socket
 
@@ -20,16 +28,18 @@ def install() -> None:
     RequestHandler.set_default_headers = set_headers  # pyright: ignore[reportAttributeAccessIssue]
     ComponentResourceHandler.parse_url_path = _nothing_here  # it imports the module that an address names
     StaticFileHandler.get = _without_null(StaticFileHandler.get)
+    httputil.parse_qs_bytes = _first_fields(parse_qs_bytes)  # pyright: ignore[reportPrivateImportUsage]
+    IOStream._check_max_bytes = _said(IOStream._check_max_bytes)
 
 
 def listen_on(sockets: list[socket]) -> None:
     """Have the next server of Bokeh take these sockets, which are bound already."""
 
     def take(address: str | None, port: int) -> tuple[list[socket], int]:
-        vars(bokeh_server)["bind_sockets"] = bind_sockets
+        bokeh_server.bind_sockets = bind_sockets  # pyright: ignore[reportPrivateImportUsage]
         return sockets, port
 
-    vars(bokeh_server)["bind_sockets"] = take
+    bokeh_server.bind_sockets = take  # pyright: ignore[reportPrivateImportUsage]
 
 
 def _nothing_here(self, path):
@@ -43,3 +53,37 @@ def _without_null(get):
         return await get(self, path, *arguments, **options)
 
     return guarded
+
+
+def _first_fields(parse):
+    """Of a link, so many fields as Tornado would refuse without a word beyond."""
+
+    def first(query: str | bytes, *options: Any, **more: Any) -> dict[str, list[bytes]]:
+        mark: Any = b"&" if isinstance(query, bytes) else "&"
+        return parse(mark.join(query.split(mark, MAX_FIELDS)[:MAX_FIELDS]), *options, **more)
+
+    return first
+
+
+def _said(check):
+    """Answer a head that is too long, where Tornado closes the connection without a byte."""
+
+    def checked(self, delimiter: Any, size: int) -> None:
+        try:
+            check(self, delimiter, size)
+        except UnsatisfiableReadError:
+            if self._read_max_bytes == MAX_HEADER:
+                _refuse_head(self.socket)
+            raise
+
+    return checked
+
+
+def _refuse_head(wire: socket) -> None:
+    """As far as that goes without waiting: what is unread when a connection is closed may keep the answer back."""
+    with suppress(OSError):
+        while wire.recv(MAX_HEADER):
+            pass
+    with suppress(OSError):
+        wire.send(answer("431 Long", page().text("serving.too-long"), "text/plain"))
+        wire.shutdown(SHUT_WR)

@@ -7,7 +7,9 @@ PARTS_RATE, PARTS_BURST = 240.0, 120.0
 PART_SECONDS = 3e-4  # of the event loop that reading a part takes; measured 0.1 to 0.3 ms
 READ_AT_ONCE = 8  # parts of messages that are read in one round of the event loop: 2 ms
 OVER_PAUSE = 0.5  # s between two parts that are read of a socket which sends more than it may
-ANSWER_SECONDS = 2.0  # for which a page waits for an answer, before it sets the same choice again; it waits 2.5
+# Times a second that a choice may be set again without an answer, and at once: a page does it every 2.5 s, and a link
+# that stands still for ten seconds delivers four of them together.
+UNANSWERED_RATE, UNANSWERED_BURST = 0.5, 4.0
 HASTY_SECONDS = 4.0  # for which there is a pause before each part that is read from who does not wait
 HASTE_RATE, HASTE_BURST = 0.05, 4.0  # times a second, and at once, that this may begin; then the socket is closed
 HASTE = 0.05  # s of the server's time that such a message counts as, when it is asked who has had least
@@ -25,4 +27,5 @@ MAX_IN_LINE = 60  # new sessions of one address that wait for that; who comes th
 LINE_CHECK = 0.5  # s after which who waits in it asks again, as others may have left
 IDLE_SECONDS = 900.0  # after which a session that does nothing makes room, if the server is full
 MAX_BODY = 100_000  # bytes of a request, other than a record
-MAX_HEADER = 120_000  # bytes of its head: of a link that is far too long the page is shown, and says so
+MAX_HEADER = 120_000  # bytes of its head; a link that is longer is answered by one sentence
+MAX_FIELDS = 1_000  # of a link; the page is shown, and what comes after them is not looked at

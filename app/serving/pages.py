@@ -2,6 +2,7 @@
 
 import gzip
 import json
+import os
 import re
 from functools import cache
 from hashlib import sha256
@@ -48,6 +49,11 @@ PAGES = "pages"  # with an address: who all that fetch the page from there are, 
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
 
 
+def documentation() -> str:
+    """Where these pages of documentation are served, if that is set: the help links to them."""
+    return os.environ.get("IMPACT_DOCUMENTATION", "")
+
+
 @cache
 def shell(first: bool = True) -> str:
     """The page, but for its session; with a still of the scene if it is the first one, which the first call solves."""
@@ -92,9 +98,11 @@ class Page(RequestHandler):
             self.set_header("Retry-After", "20")
             self.write(f'<!DOCTYPE html><title>Strikewave</title><meta http-equiv="refresh" content="20"><p>{FULL}</p>')
             return
-        token = self._door.issue(self.request.query_arguments)
+        session = {"token": self._door.issue(self.request.query_arguments), "documentation": documentation()}
         first = not self.request.query_arguments
-        self.write(shell(first).replace("SESSION", escape(json.dumps({"token": token}), quote=False)))
+        self.write(shell(first).replace("SESSION", escape(json.dumps(session), quote=False)))
+
+    head = get  # of which no body is sent
 
 
 @cache
@@ -185,6 +193,8 @@ class Alive(RequestHandler):
 
     def get(self) -> None:
         self.write({"alive": True})
+
+    head = get  # of which no body is sent
 
 
 def set_headers(handler: RequestHandler) -> None:

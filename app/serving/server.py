@@ -10,6 +10,7 @@ from typing import Any
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
 
+from ..jobs.calibrating import calibrate_machine
 from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.processes import prepare
@@ -35,6 +36,7 @@ def serve(early: EarlyPort, origins: list[str], proxies: list[Network]) -> int:
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
     print(command().text("run.page-at", address=f"http://{host}:{port}"), flush=True)
+    server.io_loop.add_callback(calibrate_machine)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):
         server.io_loop.start()

@@ -23,8 +23,8 @@ from ..page.lab import Lab, lab_of
 from ..text.catalogues import page
 from . import guard
 from .door import FULL
+from .haste import Haste
 from .limits import (
-    ANSWER_SECONDS,
     HASTE,
     HASTE_BURST,
     HASTE_RATE,
@@ -63,8 +63,8 @@ class Socket(WSHandler):
         self.active = time.monotonic()
         self._parts = Rate(PARTS_RATE, PARTS_BURST)
         self._over_since: float | None = None
-        self._asked: dict[str, float] = {}  # when each choice was set last
-        self._haste, self._hasty_until = Rate(HASTE_RATE, HASTE_BURST), 0.0
+        self._haste = Haste()
+        self._slowed, self._hasty_until = Rate(HASTE_RATE, HASTE_BURST), 0.0
         self._mail: deque[tuple[Message, list[dict[str, Any]]]] = deque()
         self._delivering = False
         self._refused = self._pulls = 0
@@ -214,13 +214,13 @@ class Socket(WSHandler):
     def _see_haste(self, events: list[dict[str, Any]]) -> None:
         """A page sets a choice again when it has its answer; who does not wait for it is read slowly for a while."""
         now, lab = time.monotonic(), self._lab
-        for name in CHOSEN.intersection(event.get("attr") for event in events):
-            if max(now - ANSWER_SECONDS, lab.answered if lab is not None else now) < self._asked.get(name, 0.0):
-                if now > self._hasty_until and not self._haste.allows():
-                    self.turn_out(TOO_MANY)
-                self._hasty_until = now + HASTY_SECONDS * (0.5 + random.random())
-                self._blame(HASTE)
-            self._asked[name] = now
+        names = CHOSEN.intersection(event.get("attr") for event in events)
+        if not (hasty := self._haste.seen(names, lab.answered if lab is not None else now)):
+            return
+        if now > self._hasty_until and not self._slowed.allows():
+            self.turn_out(TOO_MANY)
+        self._hasty_until = now + HASTY_SECONDS * (0.5 + random.random())
+        self._blame(hasty * HASTE)
 
     def _blame(self, seconds: float) -> None:
         """Who sends more than can be answered comes after the others, as if they had had so much time."""
@@ -250,6 +250,8 @@ class Socket(WSHandler):
 
     async def send_message(self, message: Message) -> None:
         """As Bokeh does, but all parts of a message in one go: five calls of the system take 1 ms of each answer."""
+        if message.msgtype == "PULL-DOC-REPLY":
+            message.content["doc"].pop("version", None)  # of Bokeh, whose script the page has already
         parts: list[tuple[str | bytes, bool]] = [
             (part, False) for part in (message.header_json, message.metadata_json, message.content_json)
         ]

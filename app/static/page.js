@@ -12,8 +12,9 @@ import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
 import { make } from './shell/dom.js';
 import { First } from './shell/first.js';
+import { Help } from './shell/help.js';
 import { History } from './shell/history.js';
-import { taken } from './shell/keys.js';
+import { listenToKeys } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
 import { decode } from './shell/message.js';
@@ -34,7 +35,9 @@ import { unbroken } from './text/format.js';
 
 // Styles of the component, which lives in a shadow root; a later sheet wins over an earlier one.
 const SHEETS = [
-  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first', 'phone'].map((name) => `shell/${name}.css`),
+  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first', 'help', 'phone'].map(
+    (name) => `shell/${name}.css`,
+  ),
   'charts/charts.css',
   'compare/compare.css',
   'space/stage.css',
@@ -79,6 +82,7 @@ export class Page {
       taken: () => this.history.later(),
     });
     this.history = new History(this);
+    this.help = new Help();
     this.compare = new Compare(this);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
@@ -98,7 +102,7 @@ export class Page {
     this.history.watch(this.root);
     for (const { stage } of Object.values(this.views))
       stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
-    this.root.append(this.toast);
+    this.root.append(this.toast, this.help.root);
     el.append(...SHEETS.map(sheet), this.root, this.waiter.root);
     const back = () => this.flush();
     this.connection = new Connection(model, this.root, {
@@ -125,7 +129,7 @@ export class Page {
     const scene = this.controls.fields.scene.root;
     const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), scene);
     const { redoing, undoing } = this.history;
-    bar.append(make('div', { className: 'keep' }, undoing, redoing, copy, save));
+    bar.append(make('div', { className: 'keep' }, undoing, redoing, copy, save, this.help.button));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
     const caption = make(
@@ -188,16 +192,7 @@ export class Page {
         this.history.write();
       });
     watchScrolling(this.root);
-    const key = (/** @type {KeyboardEvent} */ event) => {
-      if (event.altKey || event.defaultPrevented) return;
-      if (event.ctrlKey || event.metaKey) {
-        if (this.history.key(event)) event.preventDefault();
-        return;
-      }
-      if (taken(event)) return;
-      if (this.player.key(event) || this.compare.key(event)) event.preventDefault();
-    };
-    document.addEventListener('keydown', key);
+    const deaf = listenToKeys(this);
     const again = () => requestAnimationFrame(() => this.redraw());
     const [resized, settled] = [new ResizeObserver(again), whenResized(again)];
     for (const { stage, stack } of Object.values(this.views))
@@ -213,7 +208,7 @@ export class Page {
       this.connection.leave();
       resized.disconnect();
       settled();
-      document.removeEventListener('keydown', key);
+      deaf();
     });
   }
   /**

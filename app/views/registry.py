@@ -7,12 +7,11 @@ from typing import Any
 
 from ..choices.opened import opening_of
 from ..choices.questions import Question
-from . import bounces, convergence, joints, mode_change, plan, stability, stretch, tolerance
+from . import bounces, convergence, joints, mode_change, plan, stability, stretch, tolerance, tradeoff
 from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
 from .record import record_figure
-from .tradeoff import stored_data, tradeoff_data, tradeoff_figure, tradeoff_kernels
 from .trust import trust_data, trust_figure
 
 OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links")
@@ -112,8 +111,8 @@ VIEWS = (  # in the order in which an address names them
     View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs", panel="plan"),
     View("auto", tolerance.auto_data, asked=tolerance.QUESTIONS, address="tolerance", depends_on=any_method,
          stoppable=True),
-    View("tradeoff", stored_data, run=tradeoff_data, kernels=tradeoff_kernels, figure=tradeoff_figure,
-         depends_on=any_method),
+    View("tradeoff", tradeoff.stored_data, run=tradeoff.tradeoff_data, kernels=tradeoff.tradeoff_kernels,
+         figure=tradeoff.tradeoff_figure, asked=tradeoff.QUESTIONS, depends_on=any_method),
     View("trust", trust_data, figure=trust_figure, kinds=BEAMS, rests=True),
     View("convergence", convergence.convergence_data, figure=convergence.convergence_figure,
          asked=convergence.QUESTIONS, kinds=AXIAL | BEAMS, rests=True),

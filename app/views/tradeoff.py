@@ -5,11 +5,15 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import param
+
 from solvers import Scene, TradeOff, stored_tradeoff, tradeoff
+from solvers.accuracy.calibration import calibrate, known
 from solvers.accuracy.refinement import ladders
 from solvers.provenance import machine
 
 from ..choices.choices import SCENES
+from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.scene_of import choices_of
 from ..text.catalogues import page
@@ -17,6 +21,10 @@ from .figures import INK, PICKED, blank, hover, legend, source
 
 PROGRESS_SECONDS = 0.25  # s between two tables on the way
 MEASUREMENT_SECONDS = 12.0  # of one measurement
+SCALED = "tradeoff_scaled"
+QUESTIONS = {
+    SCALED: Question(param.Boolean(default=False, doc="whether this machine is to be calibrated, if it is not"))
+}
 SHOWN = (  # of every point
     "wall_time", "spread", "errors", "label", "method", "ladder", "contacts", "true_contacts", "true_contacts_found",
     "invented_contacts", "estimated_error", "note_codes", "best_for",
@@ -24,9 +32,14 @@ SHOWN = (  # of every point
 
 
 def stored_data(asked: dict[str, Any]) -> str:
-    """The table that is known of this scene as JSON, `chosen` and what `_shown` says; no points if there is none."""
+    """The table that is known of this scene as JSON, `chosen` and what `_shown` says; no points if there is none.
+
+    Its times are scaled to this machine if that has been calibrated, which takes a second and may be asked for.
+    """
     answer: dict[str, Any] = {"chosen": asked}
     try:
+        if asked.get(SCALED) and known() is None:
+            calibrate()
         found = stored_tradeoff(_scene(asked))
         answer |= {"points": []} if found is None else _shown(found)
     except ValueError as refusal:  # SceneError
@@ -74,7 +87,11 @@ def _shown(found: TradeOff) -> dict[str, Any]:
         "reference": {"note": reference["note"], "uncertainty": reference["uncertainty"]},
         "remarks": table["remark_codes"],
         "machine": table["machine"],
-        "here": table["machine"] == machine(),
+        "shipped": found.shipped,
+        "scaled": found.scale is not None,
+        "scalable": found.shipped and found.calibration is not None,
+        "elsewhere": table["machine"] != machine(),
+        "changed": bool(found.changed),
         "date": table["date"],
         "seconds": table["seconds"],
         "stopped": table["stopped"],

@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from ..scene import Scene
 from . import calibration
 from .three_solves import SOLVES
 
@@ -20,14 +21,14 @@ def stored_costs() -> dict[str, Any]:
     return json.loads(STORED.read_text(encoding="utf-8"))
 
 
-def expected_time(method: Mapping[str, Any], steps: int, law: Any) -> float:
+def expected_time(method: Mapping[str, Any], steps: int, scene: Scene) -> float:
     """Processor time of a warm solve [s]: a + b steps + c steps size + d size^3.
 
     On this machine, where it has been calibrated (`solvers.calibrate`), else on the one that costs.json names. `method`
-    as in a scene file; size: its number of modes or elements, whatever it has; `law` of the contact.
+    as in a scene file; size: its number of modes or elements, whatever it has.
     Error: within a factor of two for most solves, see bench/results.json.
     """
-    return expected_of(kinds(method, law), steps, work_size(method))
+    return expected_of(kinds(method, scene), steps, work_size(method))
 
 
 def expected_of(known_as: tuple[str, ...], steps: int, size: int) -> float:
@@ -38,7 +39,7 @@ def expected_of(known_as: tuple[str, ...], steps: int, size: int) -> float:
     return scale["python"] * start + scale["kernels"] * march + scale["algebra"] * cubic * size**3
 
 
-def scaled_time(seconds: float, method: Mapping[str, Any], law: Any, there: Mapping[str, float]) -> float:
+def scaled_time(seconds: float, method: Mapping[str, Any], scene: Scene, there: Mapping[str, float]) -> float:
     """What a solve of so many seconds takes on this machine; where it was done, a calibration took as long as `there`.
 
     Of its time, what every such solve costs besides goes by one of the three solves, linear algebra by another, and
@@ -47,7 +48,7 @@ def scaled_time(seconds: float, method: Mapping[str, Any], law: Any, there: Mapp
     scale, own = calibration.factors(there), calibration.factors(stored_costs().get("calibration"), there)
     if scale is None:
         return seconds
-    start, _, _, cubic = _constants(kinds(method, law))
+    start, _, _, cubic = _constants(kinds(method, scene))
     own = own or AS_MEASURED
     python = min(seconds, own["python"] * start)
     algebra = min(seconds - python, own["algebra"] * cubic * work_size(method) ** 3)
@@ -60,16 +61,18 @@ def _constants(known_as: tuple[str, ...]) -> list[float]:
     return next(known[kind] for kind in (*known_as, UNMEASURED) if kind in known)
 
 
-def kinds(method: Mapping[str, Any], law: Any) -> tuple[str, str]:
-    """What a solve has its constants of: method, model and kind of law; the method alone, where these are not known.
+def kinds(method: Mapping[str, Any], scene: Scene) -> tuple[str, ...]:
+    """What a solve has its constants of, the first that is known: method, model, kind of law, and whether bodies bend;
+    the method with that alone; the method.
 
     To `waves` rigid faces are a kind of their own: a step between them costs nanoseconds, with any law microseconds.
     """
-    name, model = str(method["name"]), str(method.get("model", ""))
+    name, model, law = str(method["name"]), str(method.get("model", "")), scene.contact
     kind = "plastic" if law.PLASTIC else "lossy" if law.LOSSY else "elastic"
     if name == "waves" and law.NAME == "rigid":
         kind = "rigid"
-    return " ".join(f"{name} {model} {kind}".split()), name
+    body = "bending" if scene.impactor.bends or scene.target.bends else "axial"
+    return " ".join(f"{name} {model} {kind} {body}".split()), f"{name} {body}", name
 
 
 def work_size(method: Mapping[str, Any]) -> int:

@@ -273,7 +273,7 @@ class Search:
 
     def _expected(self, ladder: Ladder, level: int, steps: int) -> float:
         """Cost of a level, if it takes so many steps."""
-        return expected_time(ladder.levels[level].table(), steps, self.scene.contact)
+        return expected_time(ladder.levels[level].table(), steps, self.scene)
 
     def _try(self, ladder: Ladder, level: int) -> Trial:
         for known in self.trials:

@@ -94,13 +94,13 @@ def _code(scene: Scene) -> dict[str, str]:
 
 def _scaled(found: TradeOff, scene: Scene) -> TradeOff:
     """With times as this machine would take, as far as that is known."""
-    there, law = found.calibration, scene.struck.contact
+    there = found.calibration
     scale = calibration.factors(there)
     if there is None or scale is None:
         return found
     points = []
     for point in found.points:
-        factor = scaled_time(point.wall_time, point.method, law, there) / point.wall_time
+        factor = scaled_time(point.wall_time, point.method, scene.struck, there) / point.wall_time
         spread = point.spread and (factor * point.spread[0], factor * point.spread[1])
         times = {"wall_time": factor * point.wall_time, "spread": spread, "first_time": factor * point.first_time}
         points.append(replace(point, **times))
@@ -129,7 +129,7 @@ class Survey:
         self._ladders, self._refused = ladders(scene), refusals(scene)
         if not self._ladders:
             raise SceneNotSupported("scene", scene.title or "this one", no_method(self._refused))
-        self._started = time.perf_counter()
+        self._started = time.thread_time()
         self._solved: list[_Solved] = []
         self._remarks: list[Note] = []
         self._stopped: str | None = "under way"
@@ -265,7 +265,7 @@ class Survey:
             version=version(),
             code=_code(self.scene),
             date=str(date.today()),
-            seconds=time.perf_counter() - self._started,
+            seconds=time.thread_time() - self._started,
             stopped=self._stopped,
         )
 

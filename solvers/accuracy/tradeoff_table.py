@@ -94,7 +94,7 @@ class TradeOff:
     machine: dict[str, Any]
     version: str
     date: str
-    seconds: float  # that all of it took
+    seconds: float  # of a processor, that all of it took
     stopped: str | None = None  # why it is not complete; None: it is
     code: dict[str, str] | None = None  # fingerprints of what was measured, and of what measures; None: not known
     calibration: dict[str, float] | None = None  # of `machine`, beside the measurement, see `accuracy.calibration` [s]

@@ -43,7 +43,7 @@ class Trial:
     @cached_property
     def cost(self) -> float:
         """Expected of a warm solve [s], whatever else runs on the machine."""
-        return expected_time(self.solution.method, self.solution.diagnostics["steps"], self.solution.scene.contact)
+        return expected_time(self.solution.method, self.solution.diagnostics["steps"], self.solution.scene)
 
     def row(self) -> dict[str, Any]:
         return {

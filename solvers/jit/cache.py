@@ -1,13 +1,16 @@
-"""Where compiled kernels are kept, and when they are made again."""
+"""Where compiled kernels of this library are kept, and when they are made again; those of others are left alone."""
 
 import atexit
+import inspect
 import logging
 import os
 import pickle
+import platform
 import re
 import shutil
+import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import lru_cache
 from hashlib import sha256
@@ -15,7 +18,10 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numba
+from llvmlite import binding as llvm
 from numba.core import caching
+
+from . import compiling, machine_code, shortcuts
 
 log = logging.getLogger("strikewave")
 LIBRARY = Path(__file__).resolve().parents[1]
@@ -91,8 +97,7 @@ def _usable(folder: Path) -> Path:
             _copy(folder, own)
         atexit.register(shutil.rmtree, own, ignore_errors=True)
     except OSError:
-        own = folder
-        caching.UserProvidedCacheLocator.ensure_cache_path = lambda self: None  # it may be read all the same
+        own = folder  # it may be read all the same
     log.warning("kernels cannot be kept in %s (%s); this process keeps them in %s", folder, reason, own)
     return own
 
@@ -109,8 +114,8 @@ class _KernelFile(caching.IndexDataCacheFile):
     """A file of the cache that, damaged, only has its kernel compiled again: it is put aside, with a line in the log.
 
     Data has a checksum: machine code that is not what was written would be run all the same. What names a class or a
-    module that these sources do not have comes from others, and is compiled again without a word. What cannot be
-    written is not kept.
+    module that these sources do not have comes from others, and is compiled again without a word. What another Numba
+    or another processor left is compiled again, with a line. What cannot be written is not kept.
     """
 
     _told: ClassVar[set[str]] = set()  # of what this process has said in the log already
@@ -126,6 +131,7 @@ class _KernelFile(caching.IndexDataCacheFile):
 
     def save(self, key: Any, data: Any) -> None:
         try:
+            os.makedirs(self._cache_path, exist_ok=True)
             super().save(key, data)
         except OSError as error:
             self._warn("kernels that are compiled cannot be kept (%s)", error.strerror)
@@ -135,6 +141,22 @@ class _KernelFile(caching.IndexDataCacheFile):
             return super()._load_index()
         except MISSING:
             return {}
+
+    def tell_of_others(self, key: Any) -> None:
+        """One line if there are kernels of this signature for another processor, or of these sources by another Numba.
+
+        `key`: the signature, and what Numba tells processors by.
+        """
+        with suppress(Exception), open(self._index_path, "rb") as file:  # of a damaged file more has been said
+            version = pickle.load(file)
+            if version != self._version:
+                line = "kernels in %s are of Numba %s; for %s they are compiled again"
+                self._warn(line, FOLDER, version, self._version)
+                return
+            others = [each[1] for each in pickle.load(file)[1] if each[0] == key[0] and each[1] != key[1]]
+            if others:
+                line = "kernels in %s are for another processor (%s); they are compiled again"
+                self._warn(line, FOLDER, others[0][1])
 
     def _load_data(self, name: str) -> Any:
         content = Path(self._data_path(name)).read_bytes()
@@ -161,11 +183,67 @@ class _KernelFile(caching.IndexDataCacheFile):
 
 DIGEST_BYTES = sha256().digest_size
 MISSING = AttributeError, ImportError  # what pickle raises for a class or module that is not there
-caching.IndexDataCacheFile = _KernelFile
-caching.UserProvidedCacheLocator.get_source_stamp = lambda self: kernels_key(Path(self._py_file).resolve())
-numba.config.CACHE_DIR = str(_usable(_cache_folder()))
+FOLDER = _usable(_cache_folder())
+
+
+class _Place(caching._CacheLocator):
+    """Where the kernels of a file are kept, and the key of the sources that they come from."""
+
+    def __init__(self, function: Callable, file: str):
+        self._py_file = file  # named as Numba's own, which its messages read
+        self._line = function.__code__.co_firstlineno
+
+    def get_cache_path(self) -> str:
+        return str(FOLDER / self.get_suitable_cache_subpath(self._py_file))
+
+    def get_source_stamp(self) -> str:
+        return kernels_key(Path(self._py_file).resolve())
+
+    def get_disambiguator(self) -> str:
+        return str(self._line)
+
+
+class _Results(caching.CompileResultCacheImpl):
+    """What is kept of a compiled function, in a place that neither settings nor Numba's own places change."""
+
+    def __init__(self, function: Callable):
+        file = inspect.getfile(function)
+        self._lineno = function.__code__.co_firstlineno
+        self._locator = _Place(function, file)
+        name = f"{Path(file).stem}.{function.__qualname__}"
+        self._filename_base = self.get_filename_base(name, getattr(sys, "abiflags", ""))
+
+    def rebuild(self, target_context: Any, payload: Any) -> Any:
+        if machine_code.unoptimised(payload) and not shortcuts.applied():
+            return None
+        return super().rebuild(target_context, payload)
+
+
+class KernelCache(caching.FunctionCache):
+    """The cache of one kernel, which its dispatcher is given in place of the one that Numba would take."""
+
+    _impl_class = _Results
+
+    def __init__(self, function: Callable):
+        super().__init__(function)
+        results = self._impl
+        self._cache_file = _KernelFile(self._cache_path, results.filename_base, results.locator.get_source_stamp())
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The kernel for a signature, or None.
+
+        Raises:
+            NotCompiled: there is none, within `compiling.compiled_only()`.
+        """
+        found = super().load_overload(sig, target_context)
+        if found is None:
+            self._cache_file.tell_of_others(self._index_key(sig, target_context.codegen()))
+            compiling.refuse(self._py_func)
+        return found
 
 
 def all_compiled() -> Path:
-    """The file that stands in the cache once every usual kernel of these sources is compiled."""
-    return Path(numba.config.CACHE_DIR) / f"compiled-{sources_key()}"
+    """The file that stands in the cache once every usual kernel of these sources is compiled, for this processor."""
+    processor = numba.config.CPU_NAME or llvm.get_host_cpu_name(), numba.config.CPU_FEATURES, platform.machine()
+    host = repr((numba.__version__, sys.version_info[:2], processor))
+    return FOLDER / f"compiled-{sources_key()}-{sha256(host.encode()).hexdigest()[:6]}"

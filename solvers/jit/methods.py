@@ -1,66 +1,86 @@
 """Methods of tuples that kernels call exactly as plain Python does."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numba
-from numba.extending import overload_method
+from numba.core.typing.templates import infer_getattr, make_overload_method_template
+from numba.extending import overload, overload_method
 
 from .reference import Reference
 
 PART = {"error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}  # as other kernels that only kernels call
 
 
+def _method(name: str, **options: Any) -> Callable:
+    """As Numba's `overload_method`, for tuples that have such a method: a field of that name of others is one still."""
+
+    def register(choose: Callable) -> Callable:
+        template = make_overload_method_template(numba.types.BaseNamedTuple, name, choose, inline="never", **options)
+        of_numba = template._resolve
+        template._resolve = lambda self, kind, attribute: of_numba(self, kind, attribute) if has(kind) else None
+        infer_getattr(template)
+        return overload(choose, **options)(choose)
+
+    def has(kind: numba.types.BaseNamedTuple) -> bool:
+        return name not in kind.fields and hasattr(kind.instance_class, name)
+
+    return register
+
+
 # Let kernels call these methods of any contact law (a NamedTuple) exactly as plain Python does.
-@overload_method(numba.types.BaseNamedTuple, "force")
+@_method("force")
 def _force(self, indentation, rate, deepest):
     return self.instance_class.force
 
 
-@overload_method(numba.types.BaseNamedTuple, "slopes")
+@_method("slopes")
 def _slopes(self, indentation, rate, deepest):
     return self.instance_class.slopes
 
 
-@overload_method(numba.types.BaseNamedTuple, "stored")
+@_method("stored")
 def _stored(self, indentation, deepest):
     return self.instance_class.stored
 
 
-@overload_method(numba.types.BaseNamedTuple, "dent")
+@_method("dent")
 def _dent(self, deepest):
     return self.instance_class.dent
 
 
-@overload_method(numba.types.BaseNamedTuple, "unloading")
+@_method("unloading")
 def _unloading(self, deepest):
     return self.instance_class.unloading
 
 
-@overload_method(numba.types.BaseNamedTuple, "corner")
+@_method("corner")
 def _corner(self, indentation, deepest):
     return self.instance_class.corner
 
 
-@overload_method(numba.types.BaseNamedTuple, "mean")
+@_method("mean")
 def _mean(self, start, end, rate, deepest):
     return self.instance_class.mean
 
 
-@overload_method(numba.types.BaseNamedTuple, "mean_force", jit_options={"forceinline": True})
+@_method("mean_force", jit_options={"forceinline": True})
 def _mean_force(self, start, free, compliance, rate, expected, deepest, memory):
     return self.instance_class.mean_force
 
 
-@overload_method(numba.types.BaseNamedTuple, "loading_mean")
+@_method("loading_mean")
 def _loading_mean(self, start, end):
     return self.instance_class.loading_mean
 
 
-@overload_method(numba.types.BaseNamedTuple, "unloading_mean")
+@_method("unloading_mean")
 def _unloading_mean(self, start, end, deepest):
     return self.instance_class.unloading_mean
 
 
 # The same for any integrator (a NamedTuple).
-@overload_method(numba.types.BaseNamedTuple, "advance")
+@_method("advance")
 def _advance(self, law, state):
     return self.instance_class.advance
 

@@ -1,5 +1,6 @@
 """Tuples by reference, for kernels."""
 
+import logging
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -8,8 +9,11 @@ import numpy as np
 from llvmlite import ir
 from numba.core import cgutils, types
 from numba.core.imputils import impl_ret_borrowed, lower_getattr_generic
+from numba.core.registry import cpu_target
 from numba.core.typing.templates import AttributeTemplate
 from numba.extending import NativeValue, infer_getattr, intrinsic, models, register_model, unbox
+
+log = logging.getLogger("strikewave")
 
 
 class Reference(types.Type):
@@ -63,12 +67,15 @@ def refer(typing, given):
     return Reference(given)(given), build
 
 
+ARRAY_FIELDS = "meminfo", "parent", "nitems", "itemsize", "data", "shape", "strides"
+
+
 class Referred:
     """A tuple laid out in memory as kernels see it, for one that takes it by reference; see `referred`."""
 
-    def __init__(self, given: NamedTuple):
+    def __init__(self, given: NamedTuple, kind: Reference):
         self._given, self._memory = given, np.array(_words(given), np.int64)
-        self._numba_type_ = _type_of(_form(given))
+        self._numba_type_ = kind
         self.address = self._memory.ctypes.data
 
 
@@ -91,8 +98,26 @@ def _form(given: Any) -> Any:
 
 
 @cache
-def _type_of(form: Any) -> Reference:
-    return Reference(_type(form))
+def _type_of(form: Any) -> Reference | None:
+    """None where this Numba lays such a tuple out in another way than `_words` does."""
+    kind = _type(form)
+    if _laid_out(kind):
+        return Reference(kind)
+    log.warning("kernels of links take longer to compile: Numba %s lays arrays out in another way", numba.__version__)
+    return None
+
+
+def _laid_out(kind: types.Type) -> bool:
+    """Whether Numba's own description of a value is that of `_words`: these fields in this order, of eight bytes."""
+    context = cpu_target.target_context
+    model = context.data_model_manager.lookup(kind)
+    if isinstance(kind, types.BaseTuple):
+        return model.field_count == len(kind.types) and all(map(_laid_out, kind.types))
+    if isinstance(kind, types.Array):
+        words, fields = 5 + 2 * kind.ndim, tuple(model._fields)
+    else:
+        words, fields = 1, ARRAY_FIELDS
+    return fields == ARRAY_FIELDS and context.get_abi_sizeof(context.get_value_type(kind)) == 8 * words
 
 
 def _type(form: Any) -> types.Type:
@@ -117,7 +142,10 @@ def referred(given: Any) -> Any:
     """A tuple of arrays and numbers by reference already where a kernel is called, which then need not be compiled to
     take it apart: half a second for a hundred arrays. It costs 1.5 us an array at each call; for kernels that run
     longer. None stays None."""
-    return given if given is None or numba.config.DISABLE_JIT else Referred(given)
+    if given is None or numba.config.DISABLE_JIT:
+        return given
+    kind = _type_of(_form(given))
+    return given if kind is None else Referred(given, kind)
 
 
 if numba.config.DISABLE_JIT:

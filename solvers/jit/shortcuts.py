@@ -1,12 +1,84 @@
-"""What Numba does again and again while it compiles, done once or not at all: a fifth of the time of compiling."""
+"""What Numba does again and again while it compiles, done once or not at all: half to two thirds of its time.
+
+They change Numba for all of a process, so only the program's own processes take them: see `shorten`. What they are
+worth each, and as patches of Numba itself: docs/numba-upstream.md.
+"""
 
 import functools
+import gc
+import logging
 
+import numba
 from llvmlite import ir
 from llvmlite.binding import ffi
-from numba.core import cpu, errors, targetconfig
+from numba.core import codegen, cpu, errors, event, targetconfig
 from numba.core.ir import Inst, Loc, Var
 from numba.core.types import functions
+
+from . import machine_code
+
+TESTED = "0.61", "0.62", "0.63", "0.64", "0.65", "0.66", "0.67", "0.68"  # of Numba, by `python -m bench.numba_versions`
+log = logging.getLogger("strikewave")
+_state = {"asked": False, "applied": False}
+
+
+def shorten() -> None:
+    """Have kernels compiled in less time from now on, in this process, where Numba is one of the `TESTED`.
+
+    For processes that do nothing else: commands, workers, who compiles for them. Elsewhere all works without, slower.
+    """
+    if _state["asked"]:
+        return
+    _state["asked"] = True
+    if not known(numba.__version__):
+        log.warning("kernels take longer to compile: Numba %s is none of %s", numba.__version__, ", ".join(TESTED))
+        return
+    targetconfig.TargetConfig.__eq__ = _same_flags
+    targetconfig.TargetConfig.__hash__ = _hash_of_flags
+    functions.BaseFunction.get_call_type = _call_type
+    Inst._rec_list_vars = _variables
+    for size in ("get_abi_size", "get_abi_alignment"):  # of a type in memory: LLVM is asked by way of a module in text
+        setattr(ir.Type, size, functools.cache(getattr(ir.Type, size)))
+    # Its own declarations are looked for anew for each call of a function.
+    cpu.CPUContext.load_additional_registries = functools.cache(cpu.CPUContext.load_additional_registries)
+    errors._termcolor_inst = _Plain()
+    ffi.lib._lock._cblist.clear()  # who waits for LLVM is told at each call of it
+    event.register("numba:compile", _Compiling())
+    codegen.JITCPUCodegen._library_class = machine_code.Library
+    codegen.JITCPUCodegen.set_env = machine_code.set_environment
+    _state["applied"] = True
+
+
+def known(version: str) -> bool:
+    """Whether the shortcuts have been tried on a version of Numba."""
+    return ".".join(version.split(".")[:2]) in TESTED
+
+
+def applied() -> bool:
+    """Whether this process compiles with them."""
+    return _state["applied"]
+
+
+class _Compiling(event.Listener):
+    """Called by Numba for every kernel that it is about to compile, and has compiled.
+
+    Meanwhile no garbage is collected: among the many objects of a compiler, looking for some takes a twelfth of it.
+    """
+
+    def __init__(self):
+        self._depth = 0  # kernels under way: one may wait for those that it calls; under Numba's lock
+        self._collecting = True
+
+    def on_start(self, compilation):
+        if not self._depth:
+            self._collecting = gc.isenabled()
+            gc.disable()
+        self._depth += 1
+
+    def on_end(self, compilation):
+        self._depth -= 1
+        if not self._depth and self._collecting:
+            gc.enable()
 
 
 def _same_flags(self, other, of_numba=targetconfig.TargetConfig.__eq__):
@@ -23,10 +95,6 @@ def _hash_of_flags(self):
     return hash(type(self))
 
 
-targetconfig.TargetConfig.__eq__ = _same_flags
-targetconfig.TargetConfig.__hash__ = _hash_of_flags
-
-
 def _call_type(self, context, args, kws, of_numba=functions.BaseFunction.get_call_type):
     """The types of a call of one of Numba's own functions, such as of a product of two numbers.
 
@@ -40,9 +108,6 @@ def _call_type(self, context, args, kws, of_numba=functions.BaseFunction.get_cal
             return None
         known[key] = found
     return known[key]
-
-
-functions.BaseFunction.get_call_type = _call_type
 
 
 def _variables(self, val):
@@ -65,14 +130,6 @@ def _list_variables(found, listed):
 
 
 _PLAIN = {Loc, str, int, bool, type(None)}
-Inst._rec_list_vars = _variables
-
-# Sizes of a type in memory: LLVM is asked by way of a module in text.
-for _size in ("get_abi_size", "get_abi_alignment"):
-    setattr(ir.Type, _size, functools.cache(getattr(ir.Type, _size)))
-
-# Its own declarations are looked for anew for each call of a function.
-cpu.CPUContext.load_additional_registries = functools.cache(cpu.CPUContext.load_additional_registries)
 
 
 class _Plain:
@@ -80,9 +137,3 @@ class _Plain:
 
     def __getattr__(self, _):
         return lambda text: text
-
-
-errors._termcolor_inst = _Plain()
-
-# Who waits for LLVM is told at each call of it.
-ffi.lib._lock._cblist.clear()

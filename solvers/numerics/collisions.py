@@ -9,7 +9,8 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.polynomial import Legendre
+
+from .quadrature import gauss_within
 
 CELLS_PER_STRETCH = 200  # of each stretch of the path on which the law has one formula
 # Last over first indentation of such a stretch: over more, a power is no polynomial in each cell.
@@ -206,14 +207,4 @@ def _fallen(force, low: float, high: float, top: bool, bottom: bool, given: floa
     return np.concatenate(([0.0], np.cumsum(time))), place(whole), above
 
 
-def _gauss(stages: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Nodes in (0, 1), weights, and the matrix that integrates from 0 to each node."""
-    nodes, weights = np.polynomial.legendre.leggauss(stages)
-    nodes, weights = 0.5 * (nodes + 1.0), 0.5 * weights
-    basis = [Legendre.basis(k, [0, 1]) for k in range(stages)]
-    values = np.array([[p(c) for p in basis] for c in nodes])
-    integrals = np.array([[p.integ(lbnd=0)(c) for p in basis] for c in nodes])
-    return nodes, weights, integrals @ np.linalg.inv(values)
-
-
-_NODES, _WEIGHTS, _INTEGRATE = _gauss(QUADRATURE_STAGES)
+_NODES, _WEIGHTS, _INTEGRATE = gauss_within(QUADRATURE_STAGES)

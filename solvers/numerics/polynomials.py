@@ -5,9 +5,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..jit.kernels import inner_kernel
+from .quadrature import gauss
 
 SPLITS = np.array([0.4872, 0.4139, 0.5571, 0.3433])  # tried in turn
-GAUSS_NODES, GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(16)
+GAUSS_NODES, GAUSS_WEIGHTS = gauss(16)
 MAX_INTERVALS = 64  # of a search for roots, that wait; halved 50 times they are nothing
 
 

@@ -76,7 +76,7 @@ def given_up(law: Any, stored: np.ndarray, instants: np.ndarray, force: np.ndarr
     """What of the energy `stored` in a contact, at `instants`, no force will ever give back [J].
 
     A dashpot may use up the force before the surfaces have come back: what they still hold when they part is lost to
-    it. force (steps,) over each step, or at the end of each.
+    it. force (steps,) over each step, or its impulse.
     """
     pressed = np.flatnonzero(force > 0.0)
     parted = pressed[-1] + 1 if pressed.size else 0

@@ -86,15 +86,18 @@ class Convergence:
 def convergence(
     scene: SceneOrName,
     modes: Sequence[int] | None = None,
-    method: str | Method = "modal",
+    method: str | Method | None = None,
     *,
+    elements: Sequence[int] | None = None,
     steps: Sequence[float] | None = None,
     restitutions: Sequence[float] | None = None,
 ) -> Convergence:
-    """The impact solved with each of these numbers of modes; of elements by methods that are finer by these.
+    """The impact solved with each of these numbers of `modes`, or of `elements`.
 
-    Of repeated balances also with each of these `steps` [s], which fall, or `restitutions`, which fall as well. Bodies
-    that say themselves how many modes they have, links and pendulums that bend, are given as many.
+    `method`: usually "modal"; with `elements` the scene's own if it has any, else "fe-nodal". Where a method is finer
+    by elements, `modes` are numbers of elements too, as older scripts ask for them. Of repeated balances also with
+    each of these `steps` [s], which fall, or `restitutions`, which fall as well. Bodies that say themselves how many
+    modes they have, links and pendulums that bend, are given as many.
     All are followed for as long as the finest one; balances until the bodies part for good. What is compared: velocity
     and impulse, peak force, first parting, contacts, deepest position of the struck point, energy lost, and of the
     fields the largest shear force of a beam, of a rod the largest stress: where it is held, and anywhere. Of balances
@@ -106,7 +109,7 @@ def convergence(
     """
     scene = scene_of(scene)
     begun = time.perf_counter()
-    levels = levels_of(scene, method, modes, {"step": steps, "restitution": restitutions})
+    levels = levels_of(scene, method, modes, {"elements": elements, "step": steps, "restitution": restitutions})
     kind = levels.kind
     finest, rows = _solve_all(levels)
     reference, beside = _reference(scene, levels)

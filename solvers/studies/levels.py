@@ -20,7 +20,8 @@ STEPS = (1.0, 0.5, 0.2, 0.1)  # of the method's own
 FEWEST, MOST = 3, 12  # levels
 COUNTED = ("elements", "modes")
 VALUES = ("step", "restitution")  # what else can be varied, where the method has it
-GIVEN = {"step": "steps", "restitution": "restitutions"}  # by kind: what the study is given
+USUAL, BY_ELEMENTS = "modal", "fe-nodal"  # methods where neither the caller nor the scene says
+GIVEN = {"elements": "elements", "step": "steps", "restitution": "restitutions"}  # by kind: what the study is given
 
 
 @dataclass(frozen=True)
@@ -49,12 +50,12 @@ def kinds_of(scene: Scene, method: Method) -> list[str]:
 
 def levels_of(
     scene: Scene,
-    given: str | Method,
+    given: str | Method | None,
     counts: Sequence[int] | None,
     values: Mapping[str, Sequence[float] | None],
 ) -> Levels:
-    """The levels of `counts`, or of the values of one kind. Raises SceneError, SceneNotSupported."""
-    chosen, duration = _method(scene, given)
+    """The levels of `counts`, or of the values of one kind, elements among them. Raises SceneError."""
+    chosen, duration = _method(scene, given, values["elements"] is not None)
     known = kinds_of(scene, chosen)
     kinds = [name for name, each in values.items() if each is not None]
     if len(kinds) > 1 or (kinds and counts is not None):
@@ -73,16 +74,17 @@ def levels_of(
         return Levels(chosen, kind, falling, [(_with(chosen, kind, value), scene) for value in falling], duration)
     if getattr(chosen, kind, 1) is None:  # some, where it is left out, do without
         chosen = replace(chosen, **{kind: 1})
-    numbers, each = _counted(scene, chosen, kind, _counts(COUNTS if counts is None else counts))
+    name, asked = ("modes", counts) if values["elements"] is None else ("elements", values["elements"])
+    numbers, each = _counted(scene, chosen, kind, _counts(name, COUNTS if asked is None else asked))
     return Levels(chosen, kind, numbers, each, duration)
 
 
-def _counts(given: Sequence[int]) -> list[int]:
+def _counts(name: str, given: Sequence[int]) -> list[int]:
     if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
-        raise SceneError("modes", given, allowed("list", low=FEWEST, high=MOST, of="whole"))
-    counts = [validation.whole_number("modes", count, 1, 10_000) for count in given]
+        raise SceneError(name, given, allowed("list", low=FEWEST, high=MOST, of="whole"))
+    counts = [validation.whole_number(name, count, 1, 10_000) for count in given]
     if counts != sorted(set(counts)):
-        raise SceneError("modes", counts, allowed("rising"))
+        raise SceneError(name, counts, allowed("rising"))
     return counts
 
 
@@ -102,9 +104,12 @@ def _with(method: Method, kind: str, value: float) -> Method:
     return type(method).read(written | {kind: value}).without_estimate()
 
 
-def _method(scene: Scene, given: str | Method) -> tuple[Method, float | None]:
+def _method(scene: Scene, given: str | Method | None, by_elements: bool) -> tuple[Method, float | None]:
     """The method without its estimate of the error, and the duration."""
     named, duration = read_method(scene.method, scene)
+    if given is None:
+        own = by_elements and COUNTED[0] in kinds_of(scene, named)
+        given = named if own else BY_ELEMENTS if by_elements else USUAL
     if isinstance(given, Method):
         chosen = given
     elif given == named.NAME:

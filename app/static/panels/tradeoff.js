@@ -36,7 +36,11 @@ import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
  * @property {{ note: Note | null, uncertainty: Record<string, number> }} reference
  * @property {Note[]} remarks
  * @property {{ processor: string, cores: number, python: string }} machine
- * @property {boolean} here  measured on this machine
+ * @property {boolean} shipped  with the program; else it was measured on this machine
+ * @property {boolean} scaled  its times are those of this machine, by a calibration
+ * @property {boolean} scalable
+ * @property {boolean} elsewhere  its machine is another than this
+ * @property {boolean} changed  methods are no longer those that were measured
  * @property {string} date
  * @property {number} seconds  that it took
  * @property {number} budget
@@ -75,7 +79,8 @@ const lookOf = ({ method }) => METHODS[method.name] ?? OTHER;
  */
 function wordsOf(found, running) {
   const { processor, cores, python } = found.machine ?? {};
-  const machine = { here: found.here, processor, cores: cores ?? 0, python };
+  const { shipped, scaled, elsewhere, changed } = found;
+  const machine = { shipped, scaled, elsewhere, changed, processor, cores: cores ?? 0, python };
   const state = running ? 'running' : found.stopped ? 'stopped' : 'whole';
   const { seconds, date, stopped } = found;
   const reference = found.reference.note ? said(found.reference.note) : text('tradeoff.no-reference');
@@ -91,7 +96,9 @@ class TradeOff extends Panel {
 
   /** @param {Page} page */
   constructor(page) {
-    super(page, 'tradeoff', text('tradeoff.button'), text('tradeoff.title'), text('tradeoff.heading'));
+    super(page, 'tradeoff', text('tradeoff.button'), text('tradeoff.title'), text('tradeoff.heading'), [
+      'tradeoff_scaled',
+    ]);
     const press = (/** @type {string} */ name) => {
       this.wanted = name;
       this.plot();
@@ -103,13 +110,19 @@ class TradeOff extends Panel {
     this.figure = new Figure('tradeoff', [{ ...part, numbers: () => this.#numbers() }]);
     this.area = make('div', { className: 'points' }, this.figure.root);
     this.start = make('button', { type: 'button', className: 'whole', onclick: () => this.measure() });
+    this.scale = make('button', { type: 'button', className: 'whole', title: text('tradeoff.scale-title') });
+    this.scale.textContent = text('tradeoff.scale');
+    this.scale.onclick = () => {
+      page.model.tradeoff_scaled = true;
+      this.fill();
+    };
     this.said = make('p', { className: 'help', role: 'status' });
     this.bar = make('progress', { max: 1, value: 0, hidden: true, ariaLabel: text('tradeoff.so-far') });
     this.point = make('div', { className: 'point', ariaLive: 'polite' });
     this.remarks = make('details', { className: 'help' });
     this.sides = make('div', { className: 'sides scatter' }, this.point);
     this.sides.append(make('div', {}, this.kinds.root, this.area));
-    const form = make('div', { className: 'record-form' }, this.start, this.bar);
+    const form = make('div', { className: 'record-form' }, this.scale, this.start, this.bar);
     this.root.append(this.said, form, this.sides, this.remarks);
     page.model.on('tradeoff_running', () => this.fill());
     this.listen();
@@ -186,7 +199,10 @@ class TradeOff extends Panel {
     const running = this.page.model.tradeoff_running;
     const points = found?.points ?? [];
     this.root.ariaBusy = String(!fresh && !running);
-    const again = Boolean(points.length && found?.here);
+    const again = Boolean(points.length && !found?.shipped);
+    const asked = this.page.model.tradeoff_scaled;
+    this.scale.hidden = running || !found?.scalable || found.scaled || (asked && fresh);
+    this.scale.disabled = asked;
     this.start.textContent = running ? text('panel.cancel') : text('tradeoff.measure', { again });
     this.start.ariaPressed = String(running);
     this.bar.hidden = !running;

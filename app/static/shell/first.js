@@ -9,6 +9,7 @@ import { keep, kept } from './store.js';
 
 const SEEN = family('first.seen');
 const TRIES = family('first.tries');
+const JAMMING = new Set(['friction-jams', 'impact-without-approach', 'slides-on']); // notes of Painlevé's paradox
 
 /** @typedef {[text: string, choice: string, value: number | string]} Try */
 
@@ -36,7 +37,8 @@ export function seenIn(frame) {
  * @param {Frame} frame
  * @returns {Try[]}
  */
-export function triesOf({ chosen, kind, acting, refusals }) {
+export function triesOf(frame) {
+  const { chosen, kind, acting, refusals } = frame;
   const far = chosen.scene === 'free-rod' ? 'fixed' : 'free';
   /** @type {Try[]} */
   const all = [
@@ -46,7 +48,10 @@ export function triesOf({ chosen, kind, acting, refusals }) {
   if (kind === 'beam') all.unshift([TRIES.middle, 'place', 0.5], [TRIES.few, 'modes', 5]);
   if (kind === 'beam' && !refusals.multibody)
     all.unshift([TRIES.rigid, 'motion_links', 'rigid'], [TRIES.moves, 'method', 'multibody']);
-  if (kind === 'bodies') all.push([TRIES.elastic, 'restitution', 1], [TRIES.centre, 'place', 0.5]);
+  if (kind === 'bodies') all.push([TRIES.elastic, 'restitution', 1]);
+  // it jams by where it is hit: in the centre nothing of that is left
+  if (frame.kind === 'bodies' && !frame.notes.some(({ code }) => JAMMING.has(code)))
+    all.push([TRIES.centre, 'place', 0.5]);
   if (['fixed-rod', 'free-rod'].includes(String(chosen.scene))) all.push([TRIES[far], 'scene', `${far}-rod`]);
   if (kind === 'axial') all.push([TRIES.losing, 'law', 'hunt-crossley'], [TRIES.softer, 'law', 'hertz']);
   const acts = (/** @type {string} */ name) => name === 'scene' || acting.includes(name);

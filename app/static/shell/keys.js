@@ -1,4 +1,6 @@
-// What keys mean to the element that has the focus.
+// What keys do on the page, and what they mean to the element that has the focus.
+
+/** @import { Page } from '../page.js' */
 
 const TAKE_LETTERS = ['INPUT', 'SELECT', 'TEXTAREA']; // what keys mean something else in
 const HAVE_UNDO = ['INPUT', 'TEXTAREA']; // of their own
@@ -19,7 +21,7 @@ const among = (event, tags) =>
  * Whether a key is for the element itself.
  * @param {KeyboardEvent} event
  */
-export const taken = (event) =>
+const taken = (event) =>
   event.key === ' ' ? TAKE_SPACE.includes(from(event)?.tagName ?? '') : among(event, TAKE_LETTERS);
 
 /** @param {Event} event */
@@ -56,4 +58,23 @@ export class Writing {
   takes(event) {
     return among(event, HAVE_UNDO) && this.field === fieldOf(event) && this.field.value !== this.before;
   }
+}
+
+/**
+ * Have keys do what they do on the page. Returns what ends it.
+ * @param {Page} page
+ */
+export function listenToKeys(page) {
+  const key = (/** @type {KeyboardEvent} */ event) => {
+    if (event.altKey || event.defaultPrevented) return;
+    if (page.help.key(event, taken(event))) return;
+    if (event.ctrlKey || event.metaKey) {
+      if (page.history.key(event)) event.preventDefault();
+      return;
+    }
+    if (taken(event)) return;
+    if (page.player.key(event) || page.compare.key(event)) event.preventDefault();
+  };
+  document.addEventListener('keydown', key);
+  return () => document.removeEventListener('keydown', key);
 }

@@ -142,7 +142,7 @@ def _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverg
     force = record.contact_force[instants]
     depth, deepest = (values[instants][:: plan.stride].tolist() for values in (record.indentation, record.deepest))
     stored = np.array([law.stored(a, most) for a, most in zip(depth, deepest, strict=True)])
-    lost = given_up(law, stored, plan.stride * np.arange(rows), force[1:])
+    lost = given_up(law, stored, plan.stride * np.arange(rows), np.diff(record.impulse[instants]))
     travelled = np.concatenate(([0.0], np.cumsum(record.impulse[1 : steps + 1] + record.impulse[:steps])))
     free = scene.impactor.velocity * plan.step * np.arange(steps + 1)
     centre = free - 0.5 * plan.step * travelled / scene.impactor.mass

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...bodies import AnyBody, Beam, Bending, FlexiblePendulum, Pivoted, Rod, Waveguide
+from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod
 from ...numerics.modes import Modes
 from ...numerics.oscillators import Record, Residual, march
 from ...provenance import clock
@@ -14,9 +14,9 @@ from ...scene import Scene
 from ...solution.solution import Later, Solution, later, summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..estimates import error_left
 from ..options import flag, option, whole, word
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
+from .estimate import MIN_STEPS_PER_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
 from .motion import ModalMotion, last_touch
 from .pair import Pair
@@ -31,17 +31,12 @@ MAX_USUAL_STEPS = 60_000
 # Times as many where a beam is struck: a contact there may be over long before the beam has swung once.
 BEAM_STEPS_FACTOR = 8
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
-# Of an estimate: other numbers of modes, as shares; of a rigid contact more of them, as its rebound scatters.
-SHARES, RIGID_SHARES, FINER_SHARES = (1 / 2, 2 / 3), (1 / 2, 2 / 5, 1 / 3), (3 / 2, 2.0)
-FEW_MODES = 20
 FRAMES = ("mean-axis", "attached", "attached-far")
-MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
 MAX_SURE_CONTACTS = 6  # with a beam; of more, its conditioning is tested
 MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tested: two, as one may be lucky
 # Change of the velocity over that of the mass: more is out of proportion; see `tests/solvers/studies/test_ensemble.py`.
 MAX_AMPLIFICATION = 10.0
 CHATTER_PERIODS = 3.0  # shortest kept periods; chatter under a law seldom breaks off for longer
-MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor its losses are resolved, which is said
 REPEATED_STRIDE = 1_000  # steps between checkpoints of impacts that are repeated for their figures, not their fields
 CHECKPOINT_NUMBERS = 100_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
@@ -144,7 +139,7 @@ class Modal(Method):
             notes += notes_on_rigid_impact(scene, period, self.modes, "modes")
         notes += notes_on_front(scene, period, self.modes, "modes")
         notes += self._ill_conditioned(scene, motion, contacts)
-        steps = _steps_of_a_contact(motion)
+        steps = steps_of_a_contact(motion)
         if steps < MIN_STEPS_PER_CONTACT:
             fine = motion.step * steps / STEPS_PER_CONTACT
             notes.append(Note("few-steps-in-contact", Severity.WARNING, steps=steps, needed=fine))
@@ -216,39 +211,17 @@ class Modal(Method):
     def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float | None:
         """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
 
-        Of few modes, as of a pendulum that has its own, against more: fewer are no rod or beam any longer. None where
-        the target says itself how many modes it has and nothing but they gives way. The factors are such that random
-        impacts keep to it: `tests/random_estimates.py`.
+        None where the target says itself how many modes it has and nothing but they gives way.
         """
         if scene.target.own_modes and scene.rigid_contact:
             return None
-        shares, order, factor = self._estimate(scene)
-        if not any(motion.pair.truncated):
-            shares = ()
-        steps, differences = max(10, motion.steps // 2), []
+        steps = max(10, motion.steps // 2)
 
-        def add(modes: int, share: float) -> float:
-            other = replace(scene, impactor=scene.impactor.with_share_of_modes(share))
-            found = replace(self, modes=modes, steps=steps)._march(other, motion.duration)
-            return (motion.final_velocity - found.final_velocity) / scene.speed
+        def solved(modes: int) -> float:
+            other = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes))
+            return replace(self, modes=modes, steps=steps)._march(other, motion.duration).final_velocity
 
-        counts = [max(1, round(share * self.modes)) for share in shares]
-        differences = [(modes / self.modes, add(modes, modes / self.modes)) for modes in counts]
-        estimated = factor * error_left(differences, order) if shares else abs(add(self.modes, 1.0))
-        # shorter than any mode kept: all numbers of modes are wrong alike
-        steps = _steps_of_a_contact(motion)
-        if steps < MIN_STEPS_PER_CONTACT:  # so coarse that half the steps may be as wrong; second order
-            estimated = max(estimated, 2.0 * steps**-2.0)
-        lasts = scene.halting_time if bodies_that_bend(scene) and scene.rigid_contact else _fading_time(scene)
-        return max(estimated, 1.0) if lasts < motion.pair.resolved_time else estimated
-
-    def _estimate(self, scene: Scene) -> tuple[tuple[float, ...], float, float]:
-        """Other numbers of modes, as shares, the order of the error and the factor on what they leave."""
-        if self.modes <= FEW_MODES or isinstance(scene.impactor, FlexiblePendulum):
-            return FINER_SHARES, 1.0, 1.0
-        if scene.rigid_contact:
-            return RIGID_SHARES, 1.0, 2.0
-        return SHARES, 1.33 if scene.contact.JUMPS else 2.0, 1.25
+        return error_of_modes(motion, self.modes, solved)
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)
@@ -265,30 +238,12 @@ class Modal(Method):
         return _follow(scene, pair, step, count)
 
 
-def _fading_time(scene: Scene) -> float:
-    """Time in which the force of a rigid impact between a mass and a rod fades, m / Z [s]; infinite for others."""
-    ringing = [body for body in (scene.impactor, scene.target) if body.time_unit is not None]
-    if len(ringing) != 1 or not isinstance(ringing[0], Waveguide) or not scene.rigid_contact:
-        return math.inf
-    mass = scene.target.mass if ringing[0] is scene.impactor else scene.impactor.mass
-    return mass / ringing[0].impedance
-
-
 def _remedy_of_chatter(motion: ModalMotion) -> tuple[str, int]:
     """What to do about it, an option of the note, and how many of its gaps may be real."""
     if motion.scene.rigid_contact:
         return "law", 0
     uncertain = motion.uncertain_gaps(CHATTER_PERIODS)
     return "gaps" if uncertain else "modes", uncertain
-
-
-def _steps_of_a_contact(motion: ModalMotion) -> float:
-    """How many steps the shortest contact has that counts, by a law of its own; infinite where the contact is rigid."""
-    if motion.scene.rigid_contact:
-        return math.inf
-    contacts = motion.contacts()
-    least = MIN_IMPULSE_SHARE * max(contact.impulse for contact in contacts)
-    return min(contact.end - contact.start for contact in contacts if contact.impulse >= least) / motion.step
 
 
 def _parting_speed(motion: ModalMotion, parting: float) -> float:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...bodies import AnyBody, Bending, Rod, SpringMass
 from ...numerics.beams.statics import rigid_motion, static_shape
+from ...numerics.quadrature import gauss
 from ...numerics.single_degree import Response
 from ...solution.sampled_motion import ShapeField
 
@@ -83,7 +84,7 @@ def _bent_beam(beam: Bending) -> Spring:
     """
     line, place = beam.line, beam.place
     shape, whole = static_shape(line, beam.support, place), rigid_motion(line, beam.support, place)
-    nodes, weights = np.polynomial.legendre.leggauss(8)  # exact for the squares of these polynomials
+    nodes, weights = gauss(8)  # exact for the squares of these polynomials
     halves = [(0.5 * place, 0.5 * place), (0.5 * (beam.length + place), 0.5 * (beam.length - place))]
     x = np.concatenate([middle + half * nodes for middle, half in halves])
     weights = np.concatenate([half * weights for _, half in halves])

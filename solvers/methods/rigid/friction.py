@@ -73,7 +73,7 @@ def models(scene: Scene, by_model: dict[str, Rubbed]) -> dict[str, dict[str, Any
 
 
 def rubbing_notes(scene: Scene, by_model: dict[str, Rubbed], model: str) -> list[Note]:
-    """Where a model makes energy, the chosen one or another; and where friction jams."""
+    """Where a model makes energy, the chosen one or another, or its normal force does; and where friction jams."""
     notes = []
     for name, found in by_model.items():
         made = -float(found.lost + found.rubbed)
@@ -81,6 +81,9 @@ def rubbing_notes(scene: Scene, by_model: dict[str, Rubbed], model: str) -> list
             severity = Severity.WARNING if name == model else Severity.REMARK
             share, chosen = made / scene.initial_energy, name == model
             notes.append(Note("friction-makes-energy", severity, model=name, energy=made, share=share, chosen=chosen))
+        elif name == model and -found.lost > MADE * scene.initial_energy:
+            share = -float(found.lost) / scene.initial_energy
+            notes.append(Note("normal-force-makes-energy", Severity.WARNING, model=name, share=share))
     return notes + _jamming_notes(scene, by_model[model])
 
 
@@ -88,7 +91,8 @@ def _jamming_notes(scene: Scene, found: Rubbed) -> list[Note]:
     """Above which friction it jams, and what that makes of bodies that do not approach."""
     least = float(jamming_friction(in_space(scene.impactor), in_space(scene.target), np.array(scene.normal)))
     if found.approach > 0.0:
-        return [Note("friction-jams", Severity.REMARK)] if found.jams else []
+        above = least if least < np.inf else None  # else it jams once the sliding has turned
+        return [Note("friction-jams", Severity.REMARK, least=above, friction=scene.friction)] if found.jams else []
     if found.approach < 0.0:
         return []
     if found.impulse.any():

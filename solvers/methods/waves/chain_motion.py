@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...bodies import Waveguide
-from ...numerics.waves.record import FORCE, IMPULSE, LOST, OUT_LEFT, OUT_RIGHT, PLACE, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import FORCE, IMPULSE, OUT_LEFT, OUT_RIGHT, PLACE, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from .chain_scene import ChainHistory
 
 
@@ -135,13 +135,12 @@ class ChainMotion:
             impactor = unit * history.rod_energy(0, t)
         elif not scene.prescribed_force:
             impactor = 0.5 * scene.impactor.mass * self.impactor_velocity(t * history.trip) ** 2
-        pressed, left = history.stored(t)
         return {
             "impactor": impactor,
             "target_rigid": rigid,
             "target_vibration": target - rigid,
-            "local": unit * pressed,
-            "dissipated": unit * (self._lost(t) + left),
+            "local": unit * history.stored(t),
+            "dissipated": unit * history.dissipated(t),
         }
 
     def work(self, time: float) -> float:
@@ -169,11 +168,6 @@ class ChainMotion:
                     energy += 0.5 * (self.history.speed * momentum) ** 2 / mass
                 momentum, mass = np.zeros_like(t), 0.0
         return energy
-
-    def _lost(self, t: np.ndarray) -> np.ndarray:
-        """Energy that the contact laws have lost [Z v^2 T]."""
-        nodes = (node for node, law in enumerate(self.history.laws) if law is not None)
-        return sum((self.history.sampled(node, LOST, t) for node in nodes), np.zeros_like(t))
 
     def jumps(self, rod: int, right_going: bool, until: float) -> np.ndarray:
         """Times [T] at which a wave jumps as it is sent."""

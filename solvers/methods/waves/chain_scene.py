@@ -13,7 +13,7 @@ from ...bodies import Pulse, Rod, Waveguide
 from ...contact import Linear, Rigid
 from ...numerics.law_functions import constants_of
 from ...numerics.waves.parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
-from ...numerics.waves.record import DEPTH, FORCE, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import DEPTH, FORCE, LOST, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ...scene import Scene
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
@@ -229,15 +229,37 @@ class ChainHistory(ABC):
         unit = self.force_unit * self.speed * self.trip
         return (energy + float(np.sum(self.stored(now)))) * unit / self.scene.initial_energy
 
-    def stored(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Energy stored in the contact laws [Z v^2 T]: where faces press on each other, and where they do no more and
-        a damped law gives it back to nobody, as dents go down by themselves."""
-        pressed, left = np.zeros((2, t.size))
+    def stored(self, t: np.ndarray) -> np.ndarray:
+        """Energy stored in the contact laws [Z v^2 T], where faces press on each other."""
+        found = np.zeros(t.size)
         for node, law in enumerate(self.laws):
             if law is not None:
-                depth, deepest = self.sampled(node, DEPTH, t), self.deepest_at(node, t)
-                energy = np.array([law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)])
-                presses = self.sampled(node, FORCE, t) > 0.0
-                pressed += np.where(presses, energy, 0.0)
-                left += np.where(presses, 0.0, energy)
-        return pressed, left
+                found += np.where(self.sampled(node, FORCE, t) > 0.0, self._held(node, t), 0.0)
+        return found
+
+    def dissipated(self, t: np.ndarray) -> np.ndarray:
+        """Energy that the contact laws have lost so far [Z v^2 T].
+
+        Once faces press on each other no more, a damped law gives what it still stores back to nobody, as dents go
+        down by themselves: all is lost that was not given back when they parted.
+        """
+        found = np.zeros(t.size)
+        for node, law in enumerate(self.laws):
+            if law is not None:
+                presses, at = self.sampled(node, FORCE, t) > 0.0, self._pressed_last(node, t)
+                at = np.where(presses, t, at)
+                found += self.sampled(node, LOST, at) + np.where(presses, 0.0, self._held(node, at))
+        return found
+
+    def _pressed_last(self, node: int, t: np.ndarray) -> np.ndarray:
+        """The times themselves within a contact of a node, and after one its end [T]."""
+        periods = np.array([(period.start, period.end) for period in self.periods(node)]).reshape(-1, 2) / self.trip
+        if not periods.size:
+            return t
+        begun, ended = (np.searchsorted(edges, t, "right") for edges in periods.T)
+        return np.where((ended == 0) | (begun > ended), t, periods[ended - 1, 1])
+
+    def _held(self, node: int, t: np.ndarray) -> np.ndarray:
+        """Energy in the indentation of a node [Z v^2 T]."""
+        law, depth, deepest = self.laws[node], self.sampled(node, DEPTH, t), self.deepest_at(node, t)
+        return np.array([law.stored(a, d) for a, d in zip(depth.tolist(), deepest.tolist(), strict=True)])

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..modes import Modes
+from ..quadrature import gauss
 from .dispersion import BeamLine
 
 SPARE = 24  # polynomials beyond the modes asked for, of which the higher ones are not yet exact
@@ -75,7 +76,7 @@ def rotating_spectrum(speed: float, count: int, degree: int | None = None) -> Sp
     from scipy.linalg import eigh
 
     bent = Bent(SPREAD * count + SPARE if degree is None else degree)
-    nodes, weights = np.polynomial.legendre.leggauss(bent.degree + 6)
+    nodes, weights = gauss(bent.degree + 6)
     x, weights = 0.5 * (nodes + 1.0), 0.5 * weights
     deflections, slopes = bent.at(x)[:2]
     mass = (deflections * weights) @ deflections.T
@@ -117,7 +118,7 @@ def rotating_beam_modes(line: BeamLine, place: float, speed: float, count: int) 
     load = bent.at(np.array([place / line.length]))[0][:, 0]
     static = np.linalg.solve(spectrum.stiffness, load)
     moment, shear = line.bending_stiffness / line.length**2, line.bending_stiffness / line.length**3
-    nodes, weights = np.polynomial.legendre.leggauss(bent.degree + 6)
+    nodes, weights = gauss(bent.degree + 6)
     return Modes(
         frequencies=frequencies,
         at_contact=at_contact,

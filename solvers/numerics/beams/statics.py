@@ -5,10 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..quadrature import gauss
 from .dispersion import BeamLine
 from .end_conditions import DISPLACEMENT, ENDS, MOMENT, SHEAR, TURN
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(6)  # exact up to the eleventh power
+NODES, WEIGHTS = gauss(6)  # exact up to the eleventh power
 
 
 class RigidMotion(NamedTuple):

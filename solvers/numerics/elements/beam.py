@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..beams.modes import BeamLine
+from ..quadrature import gauss
 from . import banded
 from .mesh import Mesh
 
@@ -74,7 +75,7 @@ class Element(NamedTuple):
     def mass(self, mass_per_length: float, rotary_inertia: float) -> np.ndarray:
         """(elements, 4, 4), consistent with the shapes."""
         found = np.zeros((self.length.size, 4, 4))
-        for root, weight in zip(*np.polynomial.legendre.leggauss(4), strict=True):  # exact for products of these shapes
+        for root, weight in zip(*gauss(4), strict=True):  # exact for products of these shapes
             part = np.full_like(self.length, 0.5 * (root + 1.0))
             for inertia, shape in ((mass_per_length, self.deflections), (rotary_inertia, self.rotations)):
                 share, values = 0.5 * weight * inertia * self.length, shape(part)
@@ -92,7 +93,7 @@ class Element(NamedTuple):
         at_first = np.moveaxis(self.mass(mass_per_length, rotary_inertia), 0, -1)
         shears = at_first[0].copy()
         moments = self.length * part * at_first[0] - at_first[1]
-        for root, weight in zip(*np.polynomial.legendre.leggauss(3), strict=True):  # exact, of fifth degree
+        for root, weight in zip(*gauss(3), strict=True):  # exact, of fifth degree
             place, share = 0.5 * (root + 1.0) * part, 0.5 * weight * part * self.length
             pushed = share * mass_per_length * self.deflections(place)
             shears -= pushed

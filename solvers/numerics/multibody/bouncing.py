@@ -6,6 +6,7 @@ Impacts are located to rounding. Source: of impulses thesis 6.3, (6.12), in the 
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 from .flight import LOST, advance, copy_state, feel, meeting, push, write
 from .pressing import press
 
@@ -36,7 +37,7 @@ def _rest(linkage, w, contact, state, depth, time):
 @kernel
 def march(linkage, w, contact, law, surface, stages, restitution, step, steps, every, state, later, kept, seen):
     """From a state in which they touch and approach, in place, through `steps` steps; `later` is room for another.
-    Tuples, but the functions of the `law`, are given by reference.
+    Tuples, but the functions of the `law`, are best given by reference.
 
     Impacts follow the contact `law` of the `surface` in steps of their own or, where both are None, are impulses with a
     restitution. A mass that comes beside the link passes it. Where flights between impulses become too short it rests
@@ -45,6 +46,8 @@ def march(linkage, w, contact, law, surface, stages, restitution, step, steps, e
     one for `every` so many steps, at the last, two an impulse and one for every step of a contact, if there is room;
     and in `seen` what is seen of the links there.
     """
+    linkage, w, contact, surface = refer(linkage), refer(w), refer(contact), refer(surface)
+    state, later, kept, seen = refer(state), refer(later), refer(kept), refer(seen)
     room, until, face, time, row, number = kept.time.size - 2, steps * step, 0.0, 0.0, np.int64(0), 0  # no literal row
     met, rate, before, last, short = True, 1.0, -1.0, -np.inf, 0
     while number < steps and row < room:

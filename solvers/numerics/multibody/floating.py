@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
+from ...jit.reference import refer
 
 
 class Frames(NamedTuple):
@@ -271,8 +272,9 @@ def add_springs(linkage, q, found):
 
 @kernel
 def begin_at(linkage, q, gap, jacobian, moving):
-    """Of a linkage by reference, let the springs have no force at these coordinates, and write what `joints_at` does,
-    at time zero. Returns the place of the last station [m]."""
+    """Of a linkage, best by reference, let the springs have no force at these coordinates, and write what `joints_at`
+    does, at time zero. Returns the place of the last station [m]."""
+    linkage = refer(linkage)
     ties = linkage.ties
     joints_at(linkage, q, 0.0, gap, jacobian, moving)
     for k in range(ties.ends[2], ties.ends[4]):

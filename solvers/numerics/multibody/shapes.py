@@ -12,6 +12,7 @@ import numpy as np
 from ..beams.dispersion import BeamLine
 from ..beams.modes import beam_modes, overhanging_modes
 from ..modes import Modes, as_a_whole
+from ..quadrature import gauss
 from ..rods import rod_modes
 from .mesh import mesh_fields
 
@@ -22,7 +23,7 @@ SUPPORTS = {
     "mean-axis": "free-free",
 }  # of the beam whose natural modes are the shapes, by the conditions of reference
 ON_SUPPORT = 1e-9  # of the length: so near to a clamp or a pin nothing gives way
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)  # of a panel; half a wave in each is integrated to rounding
+NODES, WEIGHTS = gauss(16)  # of a panel; half a wave in each is integrated to rounding
 
 
 class Flexible(NamedTuple):

@@ -1,51 +1,43 @@
 """Radau IIA collocation: implicit, stiffly accurate, of order 2 * STAGES - 1, with dense output of order STAGES + 1."""
 
+from decimal import Decimal
+
 import numpy as np
-from numpy.polynomial import Legendre
 
 from ...jit.kernels import inner_kernel
+from ..quadrature import barycentric_weights, in_full, integrals, product, radau
 
 STAGES = 6
+_STAGE_NODES = radau(STAGES)  # in (0, 1], the last being 1
+_NODES = [Decimal(0), *_STAGE_NODES]
+_FULL_WEIGHTS = barycentric_weights(_NODES)
+_INTEGRATE = integrals(_STAGE_NODES)
+
+STAGE_NODES, INTEGRATE = np.array(_STAGE_NODES, float), np.array(_INTEGRATE, float)  # from 0 to each node
+INTEGRATE_TWICE = np.array(product(_INTEGRATE, _INTEGRATE), float)
+NODES, _WEIGHTS = np.array(_NODES, float), np.array(_FULL_WEIGHTS, float)  # the start and every stage
 
 
-def _radau(stages: int) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes in (0, 1], the last being 1, and the matrix that integrates from 0 to each node."""
-    difference = Legendre.basis(stages, [0, 1]) - Legendre.basis(stages - 1, [0, 1])
-    nodes = np.sort(difference.roots().real)
-    nodes[-1] = 1.0
-    basis = [Legendre.basis(k, [0, 1]) for k in range(stages)]
-    values = np.array([[p(c) for p in basis] for c in nodes])
-    integrals = np.array([[p.integ(lbnd=0)(c) for p in basis] for c in nodes])
-    return nodes, integrals @ np.linalg.inv(values)
+@in_full
+def _back_to_start() -> list[Decimal]:
+    shares = [w / -x for w, x in zip(barycentric_weights(_STAGE_NODES), _STAGE_NODES, strict=True)]
+    return [each / sum(shares) for each in shares]
 
 
-STAGE_NODES, INTEGRATE = _radau(STAGES)
-INTEGRATE_TWICE = INTEGRATE @ INTEGRATE
-NODES = np.concatenate(([0.0], STAGE_NODES))  # of the stored segments: the start and every stage
-
-
-def _barycentric_weights(nodes: np.ndarray) -> np.ndarray:
-    gaps = nodes[:, None] - nodes[None, :] + np.eye(nodes.size)
-    return 1.0 / gaps.prod(axis=1)
-
-
-_WEIGHTS = _barycentric_weights(NODES)
-_STAGE_WEIGHTS = _barycentric_weights(STAGE_NODES)
-# value at 0 of the polynomial through the stages alone: against the true start value it gives the error of the step
-BACK_TO_START = (_STAGE_WEIGHTS / -STAGE_NODES) / (_STAGE_WEIGHTS / -STAGE_NODES).sum()
-
-
-def _slope_weights(nodes: np.ndarray, weights: np.ndarray, k: int) -> np.ndarray:
-    """What multiplies the values at `nodes` in the derivative of their polynomial at the k-th of them."""
-    others = np.arange(nodes.size) != k
-    slope = np.zeros(nodes.size)
-    slope[others] = (weights[others] / weights[k]) / (nodes[k] - nodes[others])
-    slope[k] = -slope.sum()
+@in_full
+def _slope_weights(k: int) -> list[Decimal]:
+    """What multiplies the values at the nodes in the derivative of their polynomial at the k-th of them."""
+    slope = [Decimal(0)] * len(_NODES)
+    for j, node in enumerate(_NODES):
+        if j != k:
+            slope[j] = _FULL_WEIGHTS[j] / _FULL_WEIGHTS[k] / (_NODES[k] - node)
+    slope[k] = -sum(slope)
     return slope
 
 
-SLOPE_AT_START = _slope_weights(NODES, _WEIGHTS, 0)
-SLOPE_AT_END = _slope_weights(NODES, _WEIGHTS, STAGES)
+# value at 0 of the polynomial through the stages alone: against the true start value it gives the error of the step
+BACK_TO_START = np.array(_back_to_start(), float)
+SLOPE_AT_START, SLOPE_AT_END = (np.array(_slope_weights(k), float) for k in (0, STAGES))
 
 
 @inner_kernel

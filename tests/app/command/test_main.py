@@ -59,9 +59,12 @@ def test_bad_command_lines_are_refused_in_one_line(capsys, arguments):
     refusal(capsys, *arguments)
 
 
-def test_a_port_of_the_environment_is_checked_too(capsys, monkeypatch):
+def test_what_the_environment_sets_is_checked_too(capsys, monkeypatch):
     monkeypatch.setenv("IMPACT_PORT", "eighty")
     assert "--port: got 'eighty'" in refusal(capsys, "serve")
+    monkeypatch.setenv("IMPACT_PORT", "5006")
+    monkeypatch.setenv("IMPACT_DOCUMENTATION", "javascript:alert(1)")
+    assert "IMPACT_DOCUMENTATION: got 'javascript:alert(1)'" in refusal(capsys, "serve")
 
 
 @pytest.mark.slow

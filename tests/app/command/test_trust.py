@@ -88,6 +88,11 @@ def test_convergence_of_the_elements_that_the_scene_names(capsys):
     words = ("--set", "method.name=fe-nodal", "--modes", "5,10,20")
     reported = answer(capsys, "convergence", "bronze-rod-steel-ball", *words)
     assert "by fe-nodal" in reported and "  elements" in reported and "final velocity: " in reported
+    rows = [line for line in reported.splitlines() if "by fe-nodal" not in line]  # which says how long it took
+    asked_by_name = answer(capsys, "convergence", "bronze-rod-steel-ball", *words[:2], "--elements", "5,10,20")
+    assert [line for line in asked_by_name.splitlines() if "by fe-nodal" not in line] == rows
+    unasked = answer(capsys, "convergence", "bronze-rod-steel-ball", "--elements", "5,10,20")
+    assert [line for line in unasked.splitlines() if "by fe-nodal" not in line] == rows
 
 
 @pytest.mark.parametrize(
@@ -97,6 +102,8 @@ def test_convergence_of_the_elements_that_the_scene_names(capsys):
         (["--modes", "3,x,7"], "--modes: got 'x'"),
         (["--modes", "10,5,3"], "--modes: got [10, 5, 3]"),
         (["--modes", ""], "--modes: got ''"),
+        (["--elements", "10,5,3"], "--elements: got [10, 5, 3]"),
+        (["--elements", "3,5,9", "--modes", "3,5,9"], "--elements: got [3, 5, 9]; allowed: one list"),
         (["--set", "method.name=guess"], "method.name: got 'guess'"),
     ],
 )

@@ -7,11 +7,11 @@ import time
 from dataclasses import replace
 from functools import wraps
 
-import numba
 import pytest
 from playwright.sync_api import expect
 
 from app.choices.choices import Choices
+from app.jobs import compiler as compiler_module
 from app.jobs import runner
 from app.jobs.answers import Answers
 from app.jobs.compiler import Compiler, usual, works
@@ -20,6 +20,7 @@ from app.messages.solve import solve_frame
 from app.page import lab, panels
 from app.serving import server as page_server
 from app.views import mass_ratios
+from solvers.jit import cache
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
 
@@ -33,7 +34,8 @@ IN_SPACE = Choices(scene="brick-off-centre").chosen()  # which needs no kernel
 @pytest.fixture
 def compiler(tmp_path, monkeypatch):
     """One with a cache of its own, where nothing usual is left to do."""
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(cache, "FOLDER", tmp_path)
+    monkeypatch.setattr(compiler_module, "FOLDER", tmp_path)
     all_compiled().touch()
     compiler = Compiler()
     yield compiler

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
+from ..fitting import WRITTEN
 from .test_workspace_page import whole
 
 AXE = Path(__file__).parents[3] / "node_modules/axe-core/axe.min.js"
@@ -67,6 +68,52 @@ def test_no_rule_of_access_is_broken_by_what_is_opened(open_page):
         page.evaluate(AWAITED)
         found[name] = findings(page)
     assert {name: broken for name, broken in found.items() if broken} == {}
+
+
+def test_the_help_says_all_keys_and_gives_the_focus_back(open_page):
+    page = open_page()
+    help_ = page.tab.get_by_role("dialog", name="Help")
+    focused = "() => strikewave.page.root.getRootNode().activeElement?.className ?? ''"
+    page.tab.get_by_role("button", name="Help").focus()
+    page.tab.keyboard.press("?")
+    expect(help_).to_be_visible()
+    assert findings(page) == []
+    assert {"Space", ", .", "[ ]", "Ctrl+Z", "K"} <= set(help_.locator("kbd").all_inner_texts())
+    expect(help_.get_by_role("link")).to_have_count(0)  # nobody has said where the documentation is
+    before = page.evaluate("() => strikewave.page.player.t")
+    page.tab.keyboard.press(".")  # of the clock, which is below
+    assert page.evaluate("() => strikewave.page.player.t") == before
+    for _ in range(3):
+        page.tab.keyboard.press("Tab")
+        assert page.evaluate(focused) in ("sign", "help-dialog", "")  # nothing of what lies below
+    page.tab.keyboard.press("Escape")
+    expect(help_).to_be_hidden()
+    assert page.evaluate(focused) == "open-help"
+    page.resize(390, 844)
+    page.tab.keyboard.press("F1")
+    expect(help_).to_be_visible()
+    assert page.evaluate(WRITTEN) == []
+    help_.get_by_role("button", name="Close help").click()
+    expect(help_).to_be_hidden()
+
+
+def test_the_help_links_to_the_documentation_where_its_address_is_set(open_page):
+    page = open_page(drawn=False, own=True)
+
+    def served(route):
+        told = route.fetch()
+        route.fulfill(
+            response=told, body=told.text().replace('"documentation": ""', '"documentation": "https://a.org/b"')
+        )
+
+    page.tab.route(f"http://{page.address}/", served)
+    page.tab.reload()
+    page.laid_out()
+    page.tab.get_by_role("button", name="Help").click()
+    links = page.tab.get_by_role("dialog", name="Help").get_by_role("link")
+    assert links.first.get_attribute("href") == "https://a.org/b/page.html"
+    named = [link.get_attribute("href").rpartition("/")[2].replace(".html", ".md") for link in links.all()]
+    assert all((Path(__file__).parents[3] / "docs" / name).exists() for name in named)
 
 
 def test_the_dark_scheme_turns_the_whole_page_over(open_page):

@@ -1,6 +1,7 @@
 """Bodies in space on the page: friction, the model of restitution, how the contact slides, and what a hand can turn."""
 
 import pytest
+from playwright.sync_api import expect
 from pytest import approx
 
 SIZES = [(1440, 900), (1280, 720), (390, 844)]
@@ -75,3 +76,11 @@ def test_a_rod_that_only_slides_is_thrown_up_where_friction_jams(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 1.3)"))
     assert page.header("sliding") == [] and page.evaluate(SLIDES) == [False, False]
     assert [note["code"] for note in page.header("notes")] == ["no-impact", "slides-on"]
+
+
+def test_where_friction_jams_it_says_so_and_offers_nothing_that_misfits(open_page):
+    page = open_page("?scene=painleve-rod")
+    (note,) = page.header("notes")
+    assert note["code"] == "friction-jams"
+    expect(page.tab.get_by_role("button", name="Let nothing be lost: restitution 1")).to_be_visible()
+    expect(page.tab.get_by_role("button", name="Hit it in the centre")).to_have_count(0)

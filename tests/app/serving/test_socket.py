@@ -213,6 +213,16 @@ def test_a_bad_address_is_answered_with_the_page(server):
             assert "Traceback" not in page.read().decode()
 
 
+def test_the_document_names_no_version(server):
+    async def visit():
+        client = await SocketClient(server).open()
+        client.close()
+        return client.document
+
+    document = run(visit())
+    assert "version" not in document and document["roots"]
+
+
 def test_who_leaves_while_the_socket_opens_leaves_no_trace(server):
     """The server's log is read at the end of all tests: a stack trace in it fails them."""
 

@@ -9,7 +9,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from bench.tradeoffs import already_stored, impacts_of, measure
+from bench.tradeoffs import impacts_of, measure, outdated
 from solvers import METHODS, ContactPeriod, SceneError, SceneNotSupported, TradeOff, tradeoff
 from solvers.accuracy import store
 from solvers.accuracy import tradeoff as measuring
@@ -295,11 +295,17 @@ def test_half_a_measurement_of_the_shipped_tables_goes_on_where_it_was(tmp_path,
     measure(["brick-off-centre"], folder)
     (path,) = folder.iterdir()
     before = path.stat().st_mtime_ns
-    assert already_stored(path) and "1 points" in capsys.readouterr().out
+    scene = solvers.load("brick-off-centre")
+    assert outdated(path, scene) == [] and "1 points" in capsys.readouterr().out
+    assert json.loads(path.read_text())["calibration"].keys() == {"python", "kernels", "algebra"}
     measure(["brick-off-centre"], folder)  # named: renewed
     assert path.stat().st_mtime_ns > before
-    path.write_text(path.read_text().replace('"version":"', '"version":"older '))
-    assert not already_stored(path)
+    path.write_text(path.read_text().replace('"rigid":"', '"rigid":"older '))
+    assert outdated(path, scene) == ["rigid"]
+    path.write_text(path.read_text().replace('"rigid":"', '"waves":"'))
+    assert outdated(path, scene) == ["rigid", "waves"]  # the one is missing, the other cannot solve it
+    path.write_text("{half a")
+    assert outdated(path, scene) == ["table"]
 
 
 def test_a_question_that_does_not_exist_is_refused():

@@ -254,3 +254,15 @@ def test_links_of_elements_are_compared_up_to_all_their_modes():
 def test_a_mechanism_that_strikes_is_given_them_too():
     found = convergence(SCENES["trip-hammer"], (3, 5, 10, 20))
     assert found.values["contacts"].tolist() == [2, 2, 3, 3]
+
+
+def test_elements_are_asked_for_by_name():
+    by_name = solvers.convergence("fixed-rod", elements=[4, 8, 16])
+    assert (by_name.method, by_name.kind, by_name.counts.tolist()) == ("fe-nodal", "elements", [4, 8, 16])
+    older = solvers.convergence("fixed-rod", [4, 8, 16], "fe-nodal")
+    assert older.kind == "elements" and older.values["impulse"].tolist() == by_name.values["impulse"].tolist()
+    own = solvers.convergence(solvers.load("fixed-rod").replace({"method.name": "fe-modal"}), elements=[4, 8, 16])
+    assert own.method == "fe-modal"
+    for wrong, method in (([4, 8, 16], "modal"), ([], None), ([16, 8, 4], None)):
+        with pytest.raises(SceneError, match=r"^elements: got"):
+            solvers.convergence("fixed-rod", elements=wrong, method=method)

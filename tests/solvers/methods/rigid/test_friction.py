@@ -42,7 +42,9 @@ def test_scenes_with_friction(name, model):
 def test_the_scenes_show_what_their_notes_say():
     """Painlevé's rod jams; the ball turns back at 2/7; the brick's sliding turns by half a circle."""
     rod, ball, brick = (solvers.solve(SCENES[name]) for name in ("painleve-rod", "spinning-ball", "brick-on-floor"))
-    assert [note.code for note in rod.notes] == ["friction-jams"]
+    (jams,) = rod.notes
+    assert jams.code == "friction-jams" and "Painlevé's paradox" in str(jams)
+    assert (jams.values["least"], jams.values["friction"]) == approx((4.0 / 3.0, 1.6), rel=1e-12)
     assert [each.kind for each in rod.sliding] == ["slip", "stick"]
     assert rod.sliding[0].until == approx(1.5 / (1.6 * 3.4 - 1.2), rel=1e-12)  # u / (friction t W t - n W t)
     assert not solvers.solve(SCENES["painleve-rod"].replace({"contact.friction": 1.3})).notes
@@ -89,6 +91,29 @@ def test_where_newtons_law_makes_energy_it_says_so():
         assert note.values["energy"] == approx(chosen.energy["impactor"] - chosen.energy["initial"], rel=1e-12)
     assert "model 'stronge'" in str(chosen.notes[0])
     assert beside.energy["impactor"] < beside.energy["initial"]
+
+
+def slanting(model: str) -> Scene:
+    """A ball-like body whose centre stands aside of the floor's normal; its sliding stops during the impact."""
+    body = {"kind": "body", "mass": 1.0, "inertia": [1.0 / 12.0] * 3, "centre": [0.3, 0.4, 0.0]}
+    return Scene.from_table(
+        {
+            "impactor": body | {"velocity": [-2.0, -1.0, 0.0], "spin": [0.0, 0.0, 1.0]},
+            "target": {"kind": "stop"},
+            "contact": {"normal": [0.0, -1.0, 0.0], "friction": 0.9},
+            "method": {"name": "rigid", "restitution": 1.0, "model": model},
+        }
+    )
+
+
+def test_where_by_poisson_the_normal_force_makes_energy_that_friction_takes_it_says_so():
+    """A plane impact in two straight parts: compression and restitution by another give of the bodies."""
+    found, strict = (solvers.solve(slanting(model)) for model in ("poisson", "stronge"))
+    (note,) = found.notes
+    assert (note.code, note.severity) == ("normal-force-makes-energy", "warning")
+    assert note.values["share"] == approx(-found.energy["dissipated"] / found.energy["initial"], rel=1e-12)
+    assert found.energy["dissipated"] < 0.0 < found.energy["friction"] + found.energy["dissipated"]
+    assert strict.energy["dissipated"] == approx(0.0, abs=1e-12) and strict.notes == []
 
 
 def test_friction_of_nothing_is_no_friction():
