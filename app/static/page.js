@@ -6,6 +6,7 @@ import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
 import { Analyses } from './panels/panels.js';
 import { Bodies } from './shell/bodies.js';
+import { Caption } from './shell/caption.js';
 import { Changes } from './shell/changes.js';
 import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
@@ -45,7 +46,6 @@ const SHEETS = [
 ];
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
-const LONG_CAPTION = 130; // letters, beyond which it is written smaller
 const TOAST = 8000; // ms for which a complaint is shown
 
 export class Page {
@@ -74,12 +74,11 @@ export class Page {
     );
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
-    this.caption = make('p', { className: 'caption' });
-    new ResizeObserver(() => this.fit()).observe(this.caption);
+    this.caption = new Caption();
     this.player = new Player((t) => this.show(t), {
       events: () => this.events(),
       range: () => this.range(),
-      hold: (holding) => this.caption.classList.toggle('speaking', holding),
+      hold: (holding) => this.caption.root.classList.toggle('speaking', holding),
       taken: () => this.history.later(),
     });
     this.history = new History(this);
@@ -133,7 +132,12 @@ export class Page {
     bar.append(make('div', { className: 'keep' }, undoing, redoing, copy, save, this.help.button));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
-    const caption = make('div', { className: 'caption-row' }, this.caption, ...all.flatMap(({ buttons }) => buttons));
+    const caption = make(
+      'div',
+      { className: 'caption-row' },
+      this.caption.root,
+      ...all.flatMap(({ buttons }) => buttons),
+    );
     this.waiter.place = caption;
     const { bar: kept, second, tag } = this.compare;
     this.player.root.append(kept.button);
@@ -342,18 +346,7 @@ export class Page {
   }
   /** Under the bar: what happens at this instant. */
   say() {
-    const { caption } = this.told.events;
-    if (this.caption.textContent === caption) return;
-    this.caption.textContent = caption;
-    this.fit();
-  }
-  /** The caption, within its row. */
-  fit() {
-    const { classList, textContent: caption } = this.caption;
-    classList.remove('long', 'longest');
-    const cut = () => this.caption.scrollHeight > this.caption.clientHeight + 1;
-    classList.toggle('long', (caption ?? '').length > LONG_CAPTION || cut());
-    classList.toggle('longest', cut());
+    this.caption.say(this.told.events);
   }
   /** @returns {Event[]} at the instants at which what they have changed is seen */
   events() {

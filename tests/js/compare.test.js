@@ -4,6 +4,8 @@ import { test } from 'node:test';
 import { comparedOf, difference, figuresOf, leastSaid, sentences, shareOf } from '../../app/static/compare/figures.js';
 import { questionsOf } from '../../app/static/compare/questions.js';
 import { comparable, differing, kindsOf, lineOf } from '../../app/static/compare/settings.js';
+import { paragraphsOf } from '../../app/static/compare/told.js';
+import { text } from '../../app/static/text/catalogue.js';
 import { verdictOf } from '../../app/static/compare/verdict.js';
 
 /**
@@ -215,4 +217,25 @@ test('struck on its end a rod is felt as a quarter of its mass', () => {
   const [now, kept] = /** @type {any[]} */ ([struck(0.5), struck(2)]);
   assert.match(verdictOf(now, kept, ['place']), /4 times as easily.*1\/m \+ 3\/m: it is felt as 0\.5\skg/s);
   assert.equal(verdictOf(kept, now, ['place']), '');
+});
+
+test('what one kept solution teaches the next does not say again, and all of another kind are told at once', () => {
+  const runs = [0.9, 0.8, 0.7].map((restitution, k) => ({ letter: 'ABC'[k], asked: '', frame: rod({ restitution }) }));
+  const told = paragraphsOf(rod({ restitution: 0.5 }), /** @type {any} */ (runs), null);
+  assert.deepEqual(
+    told.map(({ letters }) => letters),
+    [['A'], ['B'], ['C']],
+  );
+  const repeated = told.flatMap(({ help, teaches }) => [help, teaches]).filter(Boolean);
+  assert.equal(new Set(repeated).size, repeated.length);
+  assert.ok(repeated.length);
+  const others = runs.map((run) => ({ ...run, frame: { ...run.frame, kind: 'beam' } }));
+  const [apart, ...more] = paragraphsOf(rod(), /** @type {any} */ (others), null);
+  assert.deepEqual([apart.letters, more], [['A', 'B', 'C'], []]);
+  assert.match(apart.head, /A \(A rod\), B \(A rod\), C \(A rod\) are other kinds/);
+});
+
+test('a count that is none is not told', () => {
+  assert.doesNotMatch(text('axial.resolution', { time: 1e-5, touches: 0 }), /touched/);
+  assert.match(text('axial.resolution', { time: 1e-5, touches: 1 }), /touched once/);
 });

@@ -124,10 +124,10 @@ export class Bar {
     const name = run.letter;
     const button = (/** @type {string} */ className, /** @type {string} */ hint, /** @type {() => void} */ onclick) =>
       make('button', { type: 'button', className, title: hint, ariaLabel: hint, onclick });
-    const show = button('show', text('compare.show-beside', { name }), () =>
+    const show = button('show', text('compare.show-beside', { name: [name, what].filter(Boolean).join(' ') }), () =>
       compare.standBeside(compare.beside === run ? null : run),
     );
-    show.append(signOf(name), make('span', { className: 'what', textContent: what, title: what }));
+    show.append(signOf(name), ' ', make('span', { className: 'what', textContent: what, title: what }));
     show.ariaPressed = String(compare.beside === run);
     const back = button('back', text('compare.restore', { name }), () => compare.goBack(run));
     back.textContent = '↩';

@@ -26,6 +26,65 @@ export function signOf(letter) {
  */
 const parted = (words) => words.replace(/ (.*)/, (_, unit) => ` ${bound(unit)}`);
 
+/**
+ * What is said of kept solutions: their letters, in what they differ, what the comparison is of, what it teaches, and
+ * by how much their figures differ.
+ * @typedef {{ letters: Letter[], head: string, help?: string, teaches?: string, lines?: string[] }} Paragraph
+ */
+
+/**
+ * One paragraph for each kept solution, and one for all that are another kind of impact. What one has said the next
+ * does not say again.
+ * @param {Frame} now
+ * @param {Run[]} runs
+ * @param {string | null} coming
+ * @returns {Paragraph[]}
+ */
+export function paragraphsOf(now, runs, coming) {
+  const others = runs.filter(({ frame }) => !comparable(now, frame));
+  const names = others.map(({ frame, letter }) => text('compare.other-name', { name: letter, title: frame.title }));
+  const head = text('compare.other-kind', { names, count: names.length });
+  const apart = others.length ? [{ letters: others.map(({ letter }) => letter), head }] : [];
+  const met = new Set();
+  const once = (/** @type {string} */ words) => (met.has(words) ? '' : met.add(words) && words);
+  const own = runs.filter(({ frame }) => comparable(now, frame)).map((run) => paragraphOf(now, run, coming));
+  return [
+    ...own.map((each) => ({ ...each, help: once(each.help ?? ''), teaches: once(each.teaches ?? '') })),
+    ...apart,
+  ];
+}
+
+/**
+ * @param {Frame} now
+ * @param {Run} run
+ * @param {string | null} coming
+ * @returns {Paragraph}
+ */
+function paragraphOf(now, { asked, frame, letter }, coming) {
+  const names = differing([now, frame]);
+  const settings = { name: letter, now: lineOf(names, now), settings: lineOf(names, frame) };
+  if (!names.length) return { letters: [letter], head: coming ?? text('compare.against-same', settings) };
+  const which = comparedOf(now, frame);
+  const [own, other] = [figuresOf(now, which), figuresOf(frame, which)];
+  const found = sentences(own, other);
+  return {
+    letters: [letter],
+    head: text('compare.against', settings),
+    help: which === 'other' ? text('compare.only-method') : '',
+    teaches: verdictOf(now, frame, names, asked),
+    lines: found.length ? found : [leastSaid(own, other)],
+  };
+}
+
+/** @param {Paragraph} told */
+function paragraph({ letters, head, help, teaches, lines = [] }) {
+  const root = make('div', { className: 'against' }, make('p', {}, ...letters.map(signOf), head));
+  if (help) root.append(make('p', { className: 'help', textContent: help }));
+  if (teaches) root.append(make('p', { className: 'teaches', textContent: teaches }));
+  if (lines.length) root.append(make('ul', {}, ...lines.map((textContent) => make('li', { textContent }))));
+  return root;
+}
+
 export class Told {
   constructor() {
     this.list = make('div');
@@ -51,35 +110,10 @@ export class Told {
   load(now, runs, coming) {
     this.root.hidden = this.numbers.hidden = !runs.length;
     if (!runs.length) return;
-    this.list.replaceChildren(...runs.map((run) => this.#paragraph(now, run, coming)));
+    this.list.replaceChildren(...paragraphsOf(now, runs, coming).map(paragraph));
     const beside = runs.filter(({ frame }) => comparable(now, frame));
     this.numbers.hidden = !beside.length;
     if (beside.length) this.#fill(now, beside);
-  }
-  /**
-   * @param {Frame} now
-   * @param {Run} run
-   * @param {string | null} coming
-   */
-  #paragraph(now, { asked, frame, letter }, coming) {
-    const { title } = frame;
-    const apart = !comparable(now, frame) && text('compare.other-kind', { name: letter, title });
-    if (apart) return make('div', { className: 'against' }, make('p', {}, signOf(letter), apart));
-    const names = differing([now, frame]);
-    const settings = { name: letter, now: lineOf(names, now), settings: lineOf(names, frame) };
-    const same = coming ?? text('compare.against-same', settings);
-    const head = names.length ? text('compare.against', settings) : same;
-    const root = make('div', { className: 'against' }, make('p', {}, signOf(letter), head));
-    if (!names.length) return root;
-    const which = comparedOf(now, frame);
-    const [own, other] = [figuresOf(now, which), figuresOf(frame, which)];
-    const found = sentences(own, other);
-    if (which === 'other') root.append(make('p', { className: 'help', textContent: text('compare.only-method') }));
-    const verdict = verdictOf(now, frame, names, asked);
-    if (verdict) root.append(make('p', { className: 'teaches', textContent: verdict }));
-    const lines = (found.length ? found : [leastSaid(own, other)]).map((textContent) => make('li', { textContent }));
-    root.append(make('ul', {}, ...lines));
-    return root;
   }
   /**
    * @param {Frame} now

@@ -166,7 +166,7 @@ export class Bodies {
     own.disabled = true;
     input.append(own);
     input.onchange = () => this.set(key, input.value);
-    input.ariaLabel = text('bodies.field', { name: NAMES.material, unit: 'none', body });
+    input.ariaLabel = text('bodies.field', { name: NAMES.material, unit: 'choice', body });
     const label = make('label', { htmlFor: input.id, textContent: NAMES.material });
     const row = rowOf(label, input);
     return {

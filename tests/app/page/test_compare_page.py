@@ -160,7 +160,7 @@ def test_two_pictures_run_by_one_clock_in_one_scale(open_page):
     page = open_page()
     page.evaluate(KEEP)
     set_and_wait(page, speed=2.0)
-    page.tab.get_by_role("button", name="A: show it beside in the picture").click()
+    page.tab.get_by_role("button", name="show it beside in the picture").click()
     second = page.tab.locator(".beside .stage canvas")
     expect(second).to_be_visible()
     ends = page.evaluate(
@@ -173,7 +173,7 @@ def test_two_pictures_run_by_one_clock_in_one_scale(open_page):
     page.evaluate("() => strikewave.page.player.seek(1.2)")
     after = page.picture()
     assert sum(a != b for a, b in zip(before, after, strict=True)) >= 2
-    page.tab.get_by_role("button", name="A: show it beside in the picture").click()
+    page.tab.get_by_role("button", name="show it beside in the picture").click()
     expect(second).to_be_hidden()
 
 

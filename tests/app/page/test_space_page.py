@@ -29,7 +29,7 @@ def test_sliding_is_drawn_where_there_is_friction(open_page, size):
         assert any(page.evaluate(SLIDES))
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 1.5)"))
     assert [each["kind"] for each in page.header("sliding")] == ["slip", "stick"]
-    page.wait("() => strikewave.page.caption.textContent.includes('stick from there on')")
+    page.wait("() => strikewave.page.caption.root.textContent.includes('stick from there on')")
 
 
 def test_without_friction_there_is_nothing_to_slide(open_page):

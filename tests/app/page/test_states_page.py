@@ -47,8 +47,19 @@ def test_a_caption_is_read_whole_beside_the_way_back_from_a_zoom(open_page):
     page.evaluate("() => strikewave.page.view.axis.show([0.3, 0.34])")
     expect(page.tab.get_by_role("button", name="Show the whole impact")).to_be_visible()
     caption = page.tab.locator(".caption")
-    page.wait("() => { const { caption: c } = strikewave.page; return c.scrollHeight <= c.clientHeight + 1; }")
+    page.wait("() => { const { root: c } = strikewave.page.caption; return c.scrollHeight <= c.clientHeight + 1; }")
     assert caption.bounding_box()["width"] > 200
+    sizes = page.evaluate(
+        """() => {
+          const { caption, player, told } = strikewave.page;
+          return told.events.events.map(([t]) => {
+            player.go(t);
+            const { fontSize, lineHeight } = getComputedStyle(caption.root);
+            return `${fontSize}/${lineHeight}`;
+          });
+        }"""
+    )
+    assert len(sizes) > 5 and len(set(sizes)) == 1  # one for all that is said of an impact
 
 
 def test_what_a_chart_says_under_a_pointer_is_in_the_window(open_page):
