@@ -1,7 +1,7 @@
 """Whether methods own to their errors, and no more than that: random impacts, their estimates against the true errors.
 
-Impacts on rods are measured by the exact waves, those of beams and pendulums by four times the modes of `modal` and
-more. A share of them runs with the tests; all by `python -m bench --only estimates`.
+Impacts on rods are measured by the exact waves, those of beams and pendulums by many more modes of 'modal'.
+A share of them runs with the tests; all by `python -m bench --only estimates`.
 """
 
 import math

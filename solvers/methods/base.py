@@ -19,7 +19,7 @@ from .options import options_of
 from .start import note_on_start
 from .striking import as_striking
 from .theory_limits import notes_on_theory
-from .validity import beside_elastic, bodies_that_bend, general_notes
+from .validity import MAX_TRUSTED_ESTIMATE, beside_elastic, bodies_that_bend, general_notes
 
 AFTERGLOW = 1.0  # round trips shown after the bodies have parted for good, where no duration is asked for
 MAX_ROUND_TRIPS = 20_000.0  # nothing is followed for longer
@@ -52,6 +52,7 @@ class Method(ABC):
     ROWS: ClassVar[bool] = False  # whether it knows a row of balls, beside one body
     DAMPED: ClassVar[bool] = False  # whether it knows damping of their own
     WAVES: ClassVar[bool] = True  # whether waves run in the bodies that it solves
+    TRUSTED_ERROR: ClassVar[float] = MAX_TRUSTED_ESTIMATE  # up to which its estimate is not reported
     # options that make it finer, the first that a scene allows; none: one answer
     RESOLUTIONS: ClassVar[tuple[str, ...]] = ()
 
@@ -137,7 +138,9 @@ class Method(ABC):
 
     def _general_notes(self, solution: Solution, own: list[Note], whole: bool) -> list[Note]:
         """What is to be said besides its own notes."""
-        notes = general_notes(solution, own, whole, self._miscounts(), self._resolution(solution.scene))
+        notes = general_notes(
+            solution, own, whole, self._miscounts(), self._resolution(solution.scene), self.TRUSTED_ERROR
+        )
         notes += notes_on_theory(solution, self.WAVES)
         notes += self._notes_on_links(solution.scene)
         return [note for note in notes if note not in own]

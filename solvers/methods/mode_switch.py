@@ -23,8 +23,9 @@ from .validity import STILL_TOUCHING, bodies_that_bend
 
 NEGLIGIBLE = 0.01  # share of the energy
 MOST_MODES = 400
+ROUNDING = 1e-9
 # Of an estimate: other numbers of modes, as shares, and a factor on what they leave.
-SHARES, FINER_SHARES, FEW_MODES, FACTOR = (1 / 2, 1 / 3), (2.0, 3.0), 4, 1.25
+SHARES, FINER_SHARES, FEW_MODES, FACTOR = (1 / 2, 2 / 3), (2.0, 3.0), 4, 1.25
 
 
 @dataclass(frozen=True)
@@ -137,10 +138,11 @@ class ModeSwitch(Method):
         final = course.mass_motion(at_limit)[1][0]
         finals = [replace(self, modes=modes)._course(scene, limit).mass_motion(at_limit)[1][0] for modes in others]
         differences = [(modes / self.modes, float(final - other)) for modes, other in zip(others, finals, strict=True)]
-        estimated = FACTOR * error_left(differences, 1.0) * units.speed / scene.speed
+        order = 1.5 if isinstance(scene.target, Rod) and scene.target.fixed else 1.0  # about, or somewhat less
+        estimated = FACTOR * error_left(differences, order) * units.speed / scene.speed
         if isinstance(scene.target, Rod) and self.smoothing == "delay" and course.contacts[0].end < 1.0 <= limit:
             # parted at rest before the front is back, as any number of modes may, while the mass has v exp(-2 m2 / m1)
-            estimated = max(estimated, math.exp(-2.0 * scene.mass_ratio))
+            estimated = max(estimated, (1.0 + ROUNDING) * math.exp(-2.0 * scene.mass_ratio))
         return estimated
 
     def _notes(self, scene: Scene, course, contacts: list[ContactPeriod], duration: float) -> list[Note]:

@@ -34,8 +34,9 @@ HEAVY_ROD_RATIO = 1.5  # times the mass: from such a free rod the mass parts wit
 # to 0.16.
 FADED_FORCE_ERROR = 0.13
 # Of an estimate: other numbers of elements or modes, as shares, and by how much a rebound scatters about what is left.
-SHARES, SCATTER = (1 / 2, 2 / 5, 1 / 3, 1 / 4), 2.3
-FEW, FINER_SHARES = 8, (3 / 2, 2.0)  # elements or modes, below which finer ones are asked
+SHARES, FINER_SHARES = (1 / 2, 2 / 5, 1 / 3, 1 / 4), (3 / 2, 2.0)
+SCATTER, SCATTER_OF_RODS = 2.3, 3.5
+FEW = 30  # up to which more elements or modes are asked, which say more and cost little
 MODES_OF_BEAMS = 20  # of a mesh, where none are asked for: the highest swing ten thousand times as fast as the lowest
 
 
@@ -166,7 +167,7 @@ class Balance(Method):
             return None
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
-        shares = FINER_SHARES if (self._elements or self.modes or 0) < FEW else SHARES
+        shares = FINER_SHARES if (self._elements or self.modes or 0) <= FEW else SHARES
         methods = [self._with_share(scene, share) for share in shares]
         fewer = [replace(scene, impactor=scene.impactor.with_share_of_modes(share)) for share in shares]
         others = [other._run(each, run.duration) for other, each in zip(methods, fewer, strict=True)]
@@ -174,7 +175,13 @@ class Balance(Method):
             return None
         differences = [(run.final_velocity - other.final_velocity) / scene.speed for other in others]
         parts = [self._share(other) for other in methods]
-        estimated = SCATTER * error_left(zip(parts, differences, strict=True), 1.0)
+        alone = len(scene.impactor.rods) + len(scene.target.rods) == 1  # else they scatter more
+        factor = SCATTER if alone or self.restitution == 1.0 else SCATTER_OF_RODS
+        estimated = factor * error_left(zip(parts, differences, strict=True), 1.0)
+        cut = scene.target.with_single_elements_cut(self._elements or 1)
+        if self._elements is not None and cut is not scene.target:  # which no coarser mesh can show
+            finer = self._run(replace(scene, target=cut), run.duration)
+            estimated = max(estimated, 2.0 * abs(run.final_velocity - finer.final_velocity) / scene.speed)
         if isinstance(scene.target, Rod) and not scene.target.held and scene.mass_ratio > HEAVY_ROD_RATIO:
             estimated = max(estimated, FADED_FORCE_ERROR * math.sqrt(run.pair.shortest_period / scene.halting_time))
         # shorter than these modes resolve: all numbers of them are wrong alike

@@ -73,6 +73,11 @@ class FeModal(FiniteElements):
         elements = other.elements if other._gives_way(scene) else self.elements
         return replace(other, elements=elements, modes=None if kept is None else max(1, round(share * kept)))
 
+    def _of_rigid_contact(self, scene: Scene, finer: bool) -> tuple[float, float]:
+        if not self._massless(scene):
+            return super()._of_rigid_contact(scene, finer)
+        return 1.0, 1.5 if finer else 2.0 if len(scene.target.rods) == 1 else 3.0
+
     def why_not(self, scene: Scene) -> Note | None:
         reason = super().why_not(scene)
         if reason is None and not self._gives_way(scene):

@@ -10,7 +10,7 @@ from ..validity import bodies_that_bend
 from .motion import ModalMotion
 
 # Other numbers of modes, as shares; of a rigid contact more of them, as its rebound scatters.
-SHARES, RIGID_SHARES, FINER_SHARES = (1 / 2, 2 / 3), (1 / 2, 2 / 5, 1 / 3), (3 / 2, 2.0)
+SHARES, RIGID_SHARES, FINER_SHARES = (1 / 2, 2 / 3), (1 / 2, 2 / 5, 1 / 3, 1 / 4), (3 / 2, 2.0)
 FEW_MODES = 20
 MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
 MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor its losses are resolved, which is said
@@ -47,8 +47,8 @@ def _others(scene: Scene, modes: int) -> tuple[tuple[float, ...], float, float]:
     if few and not scene.target.own_modes:  # which has no more
         return FINER_SHARES, 1.0, 1.0
     if scene.rigid_contact:
-        return RIGID_SHARES, 1.0, 2.0
-    return SHARES, 1.33 if scene.contact.JUMPS else 2.0, 1.25
+        return RIGID_SHARES, 1.0, 1.75
+    return SHARES, 4 / 3 if scene.contact.JUMPS else 2.0, 1.0
 
 
 def _fading_time(scene: Scene) -> float:

@@ -15,6 +15,7 @@ from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..grazing import one_front
 from ..options import option, real, whole
+from ..validity import MAX_TRUSTED_ERROR
 from .chain_motion import ChainMotion
 from .chain_solve import follow
 from .histories import History, RigidHistory, SteppedHistory
@@ -41,6 +42,7 @@ class Waves(Method):
 
     NAME = "waves"
     RESOLUTIONS = ("steps", "tolerance")
+    TRUSTED_ERROR = MAX_TRUSTED_ERROR
     PULSES = True
 
     def why_not(self, scene: Scene) -> Note | None:

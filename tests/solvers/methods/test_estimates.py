@@ -4,20 +4,19 @@ import pytest
 
 import solvers
 from tests.catalog import struck_rod
-from tests.random_estimates import FIRST, KINDS, SCENES, SHARE, rated
+from tests.random_estimates import FIRST, KINDS, rated, shares
 
-COUNTS = {"fe-nodal": 12, "fe-modal": 12, "balance": 60, "fe-nodal on beams": 4, "fe-modal on beams": 30}
+BEYOND = FIRST + 10_000  # seeds that the benchmark does not use
+SCENES = 12  # of each kind
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-def test_true_errors_are_within_twice_the_estimates(kind):
-    """Of balances, which knew half the elements only, 13 to 23 % were not; the worst was 100 times its estimate."""
-    beyond = FIRST + SCENES  # seeds that the benchmark does not use
-    found = list(rated(kind, range(beyond, beyond + COUNTS[kind])))
-    assert len(found) > 0.5 * COUNTS[kind]
-    missed = [impact for impact in found if not impact.owned]
-    assert len(missed) <= max(1, round((1.0 - SHARE) * len(found)))
+def test_true_errors_are_within_the_estimates_and_estimates_near_the_errors(kind):
+    """A share of `bench --only estimates`, with room for the scatter of so few: one or two of them may miss."""
+    seen = shares(list(rated(kind, range(BEYOND, BEYOND + SCENES))))
+    assert seen["impacts"] >= SCENES - 2 and seen["unknown"] < 0.5
+    assert seen["within"] >= 0.75 and seen["within 3"] >= 0.9 and seen["not beyond 5"] >= 0.4
 
 
 # impacts on a rod so heavy that no wave leaves the struck node before they are over: 2.6 to 11 times the estimate

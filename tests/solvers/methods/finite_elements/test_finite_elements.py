@@ -9,7 +9,7 @@ from pytest import approx
 
 import solvers
 from solvers import Modal, Scene, SceneError, SceneNotSupported
-from solvers.methods.finite_elements.march import left_of
+from solvers.methods.estimates import error_left
 from tests.catalog import STEEL_ROD, STEEL_ROD_MASS, T, contact_table, struck_rod
 
 VARIANTS = [
@@ -251,16 +251,17 @@ def test_what_has_no_elements_is_refused():
         solvers.solve(struck_rod(contact=contact_table("hertz")), "fe-nodal", status="frozen")
 
 
-@pytest.mark.parametrize("order, rigid", [(0.7, True), (1.0, True), (1.0, False), (2.0, False)])
-def test_what_is_left_of_an_error_of_a_known_order(order, rigid):
-    errors = [1e-3 * parts**order for parts in (1, 2, 3)]
-    left = left_of(errors[0] - errors[1], errors[0] - errors[2], rigid)
-    assert left == approx(1e-3, rel=0.01)
-    assert left_of(errors[1] - errors[0], errors[2] - errors[0], rigid) == approx(left, rel=1e-12)
+@pytest.mark.parametrize("order", [0.7, 1.0, 2.0])
+def test_what_is_left_of_an_error_of_a_known_order(order):
+    shares = (1 / 3, 1 / 2, 1.0, 2.0)
+    differences = [(share, 1e-3 * (1.0 - share**-order)) for share in shares]
+    assert error_left(differences, order) == approx(1e-3, rel=1e-12)
+    assert error_left([(share, -difference) for share, difference in differences], order) == approx(1e-3, rel=1e-12)
+    assert error_left([(1.0, 0.0)], order) == 0.0
 
 
 def test_two_answers_that_agree_by_chance_hide_no_error():
-    assert left_of(1e-6, 1e-3, rigid=True) == left_of(1e-3, 1e-6, rigid=False) == left_of(-1e-6, 1e-3, False) == 1e-3
+    assert error_left([(1 / 2, 1e-6), (1 / 3, -1e-3)], 1.0) > 3e-4
     scene = struck_rod(2.52, "free")  # its error is nearly the same with 50 and with 100 elements
     found = solvers.solve(scene, "fe-modal")
     error = abs(found.impactor_velocity - solvers.solve(scene, "waves").impactor_velocity)
