@@ -162,6 +162,9 @@ export class Page {
     const { strip } = this.view;
     const lent = this.layout.mode === 'phone' && strip ? [strip] : [];
     this.layout.strip.replaceChildren(...lent.map((chart) => chart.root));
+    if (this.layout.mode === 'phone')
+      this.layout.tabs.panel('controls').prepend(this.first.root); // which opens with it
+    else this.told.root.before(this.first.root);
     for (const { stack } of Object.values(this.views)) stack?.arrange();
     requestAnimationFrame(() => this.redraw());
   }

@@ -229,6 +229,10 @@ test('what one kept solution teaches the next does not say again, and all of ano
   const repeated = told.flatMap(({ help, teaches }) => [help, teaches]).filter(Boolean);
   assert.equal(new Set(repeated).size, repeated.length);
   assert.ok(repeated.length);
+  const speeds = [1, 2].map((speed, k) => ({ letter: 'AB'[k], asked: '', frame: rod({ speed }, speed * 1e4) }));
+  const [first, second] = paragraphsOf(rod({ speed: 4 }, 4e4), /** @type {any} */ (speeds), null);
+  assert.match(String(first.teaches), /^At 4 times the speed.*4 times as much\. Force and speed are proportional/);
+  assert.equal(second.teaches, 'At 2 times the speed the largest force is 2 times as much.');
   const others = runs.map((run) => ({ ...run, frame: { ...run.frame, kind: 'beam' } }));
   const [apart, ...more] = paragraphsOf(rod(), /** @type {any} */ (others), null);
   assert.deepEqual([apart.letters, more], [['A', 'B', 'C'], []]);

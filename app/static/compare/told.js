@@ -26,6 +26,8 @@ export function signOf(letter) {
  */
 const parted = (words) => words.replace(/ (.*)/, (_, unit) => ` ${bound(unit)}`);
 
+const SENTENCES = /(?<=[.!?]) +(?=\p{Lu})/u; // between them
+
 /**
  * What is said of kept solutions: their letters, in what they differ, what the comparison is of, what it teaches, and
  * by how much their figures differ.
@@ -46,12 +48,13 @@ export function paragraphsOf(now, runs, coming) {
   const head = text('compare.other-kind', { names, count: names.length });
   const apart = others.length ? [{ letters: others.map(({ letter }) => letter), head }] : [];
   const met = new Set();
-  const once = (/** @type {string} */ words) => (met.has(words) ? '' : met.add(words) && words);
+  const once = (/** @type {string | undefined} */ words) =>
+    (words ?? '')
+      .split(SENTENCES)
+      .filter((each) => !met.has(each) && met.add(each))
+      .join(' ');
   const own = runs.filter(({ frame }) => comparable(now, frame)).map((run) => paragraphOf(now, run, coming));
-  return [
-    ...own.map((each) => ({ ...each, help: once(each.help ?? ''), teaches: once(each.teaches ?? '') })),
-    ...apart,
-  ];
+  return [...own.map((each) => ({ ...each, help: once(each.help), teaches: once(each.teaches) })), ...apart];
 }
 
 /**

@@ -123,9 +123,11 @@ export class Bodies {
    * @param {PartTold} part
    * @param {PartTold[]} parts  all of them
    */
-  #part({ key, kind, strikes, values }, parts) {
+  #part({ derived: follows, key, kind, strikes, values }, parts) {
     const [first, group = first] = key.split('.');
     const name = text(`bodies.head.${group}`, { ...placeOf(key, parts), kind: KINDS[kind] ?? kind, strikes });
+    if (!values.length && !follows.length)
+      return make('div', { className: 'body bare' }, make('b', { textContent: name }), text('bodies.nothing'));
     const open = parts.length <= MANY;
     const facts = make('span', { className: 'facts' });
     const derived = make('dl', { className: 'derived' });
