@@ -67,8 +67,9 @@ SIGMA0_AREA = ROD.impedance * 1.0  # sigma_0 A = v A sqrt(E rho) at 1 m/s [N], (
 
 
 def contact_table(law: str, softness: float = 1.0, restitution: float = 0.5) -> dict:
-    """A law for the steel rod struck at 1 m/s: with softness 1 the contact is as stiff as the rod itself, one that is no
-    spring at the depth of v T. Constants of the law's own are those of its EXAMPLE.
+    """A law for the steel rod struck at 1 m/s: with softness 1 the contact is as stiff as the rod itself.
+
+    One that is no spring is so at the depth of v T. Constants of the law's own are those of its EXAMPLE.
     """
     example = solvers.LAWS[law].EXAMPLE
     exponent = solvers.LAWS[law].EXPONENT or example.get("exponent", 1.5)
