@@ -69,21 +69,17 @@ SIGMA0_AREA = ROD.impedance * 1.0  # sigma_0 A = v A sqrt(E rho) at 1 m/s [N], (
 def contact_table(law: str, softness: float = 1.0, restitution: float = 0.5) -> dict:
     """A law for the steel rod struck at 1 m/s: with softness 1 the contact is as stiff as the rod itself.
 
-    A power law is as stiff as the spring at the depth of v T.
+    One that is no spring is so at the depth of v T. Constants of the law's own are those of its EXAMPLE.
     """
-    if law == "rigid":
-        return {"law": law}
-    stiffness = ROD.stiffness / softness
-    exponents = {"linear": 1.0, "kelvin-voigt": 1.0, "power": POWER}
-    table = {"law": law, "stiffness": stiffness * T ** (1.0 - exponents.get(law, 1.5))}
-    if law == "power":
-        return table | {"exponent": POWER}
-    if solvers.LAWS[law].PLASTIC:
-        return table | {"yield_indentation": 0.02 * T}
-    return table | ({"restitution": restitution} if solvers.LAWS[law].LOSSY else {})
+    example = solvers.LAWS[law].EXAMPLE
+    exponent = solvers.LAWS[law].EXPONENT or example.get("exponent", 1.5)
+    known = {"stiffness": ROD.stiffness / softness * T ** (1.0 - exponent), "yield_indentation": 0.02 * T}
+    table = {name: known.get(name, value) for name, value in example.items() if name not in RESTITUTIONS}
+    return {"law": law} | table | ({"restitution": restitution} if RESTITUTIONS & example.keys() else {})
 
 
-POWER = 1.3  # exponent of the power law in the tests
+RESTITUTIONS = {"restitution", "nominal_restitution"}
+POWER = solvers.LAWS["power"].EXAMPLE["exponent"]  # of the power law in the tests
 LAWS = {law: struck_rod(contact=contact_table(law)).contact for law in solvers.LAWS}
 WITH_INDENTATION = [law for law in solvers.LAWS if law != "rigid"]
 SMOOTH = [law for law in WITH_INDENTATION if not (solvers.LAWS[law].PLASTIC or solvers.LAWS[law].JUMPS)]
