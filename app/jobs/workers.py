@@ -43,14 +43,16 @@ log = logging.getLogger("strikewave")
 class Level(NamedTuple):
     seats: int  # processes at once
     seconds: float  # of computing after which work moves to the next level [s]
-    nice: int  # 1 to 19, and the server 0: the larger, the less of a processor that others want too
+    # 1 to 19, and the server 0: the larger, the less of a processor that others want too. At 19 it gets a seventieth of
+    # what another tenant of the machine gets: two of them, and a second of computing took minutes.
+    nice: int
 
 
 QUICK, SLOW, LONG = range(3)
 LEVELS = (
-    Level(seats=max(2, CPUS), seconds=0.05, nice=5),
-    Level(seats=max(2, CPUS), seconds=3.0, nice=10),
-    Level(seats=max(1, CPUS // 2), seconds=math.inf, nice=19),
+    Level(seats=max(2, CPUS), seconds=0.05, nice=2),
+    Level(seats=max(2, CPUS), seconds=3.0, nice=5),
+    Level(seats=max(1, CPUS // 2), seconds=math.inf, nice=9),
 )
 
 

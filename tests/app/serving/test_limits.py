@@ -223,7 +223,8 @@ def test_two_visitors_on_the_costliest_choices_leave_the_others_their_answers(ow
     process.send_signal(signal.SIGTERM)
     begun = time.monotonic()
     assert process.wait(30) == 0
-    assert time.monotonic() - begun < 8.0  # it waited for the solves, 13 s; measured 1 s
+    # It waited for the solves, 13 s; measured 1 s, when an answer takes 0.05 s: both take longer on a busy machine.
+    assert time.monotonic() - begun < 8.0 + 40.0 * times[len(times) // 2]
 
 
 def test_what_takes_too_long_is_given_up_with_a_sentence(browser, server):

@@ -79,7 +79,7 @@ def bell(kind=Bell, frequency=0.7, amplitude=0.4) -> Scene:
     """Struck on a linear contact, whose half sine has 1 rad/s."""
     law, mass = solvers.LAWS["linear"](1.0), 2.0
     scene = Scene.from_table({"impactor": {"mass": mass, "velocity": 1.0}, "target": {"kind": "mass", "mass": mass}})
-    struck = kind("mass", mass, 0.0, frequency=frequency, amplitude=amplitude)
+    struck = kind(mass, 0.0, frequency=frequency, amplitude=amplitude)
     return dataclasses.replace(scene, contact=law, target=struck)
 
 
