@@ -17,7 +17,7 @@ from numba.core.types import functions
 
 from . import machine_code
 
-TESTED = "0.61", "0.62", "0.63", "0.64", "0.65", "0.66", "0.67", "0.68"  # of Numba, by `python -m bench.numba_versions`
+TESTED = "0.61", "0.62", "0.63", "0.64", "0.65", "0.66", "0.67", "0.68"  # of Numba, by tests
 log = logging.getLogger("strikewave")
 _state = {"asked": False, "applied": False}
 

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.machines import dispatched
+
 ROOT = Path(__file__).parents[2]
 CODE = """
 import importlib, json, pkgutil
@@ -36,7 +38,7 @@ print(json.dumps(found))
 """
 MACHINES = {  # variables that have the libraries choose other instructions, each of a processor that all of them run
     "OPENBLAS_CORETYPE": ("Prescott", "Haswell"),
-    "NPY_DISABLE_CPU_FEATURES": ("AVX512_SKX AVX512F AVX2 FMA3", ""),
+    "NPY_DISABLE_CPU_FEATURES": (" ".join(dispatched()), ""),
 }
 
 

@@ -178,7 +178,7 @@ def test_a_kernel_of_other_sources_is_compiled_again_without_a_word(
 
 
 NOWHERE = """
-import solvers.jit.cache as jit, tempfile, numba
+import solvers.jit.cache as jit, tempfile
 from pathlib import Path
 
 def refuse(*given, **more):
@@ -225,11 +225,10 @@ def test_what_is_copied_of_a_cache_that_may_only_be_read_can_be_written(tmp_path
 
 
 FULL = """
-import numba.core.caching as caching
+from solvers.jit import cache
 def refuse(*given):
     raise OSError(28, "No space left on device")
-import solvers.jit.kernels
-caching.IndexDataCacheFile._save_index = refuse
+cache._KernelFile._save_index = refuse
 """
 
 
@@ -238,3 +237,39 @@ def test_a_kernel_that_cannot_be_kept_is_used_all_the_same(tmp_path):
     found = ran(FULL + FOUND, tmp_path)
     assert found.stdout.split() == ["7.0"]
     assert found.stderr.count("\n") == 1 and "cannot be kept" in found.stderr
+
+
+# --- a cache from another machine or another Numba --------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_kernels_of_another_processor_are_compiled_again_with_one_line(tmp_path, filled):
+    """Also what a wheel or an image brings to a processor without AVX2. Both are kept, side by side."""
+    shutil.copytree(filled, tmp_path, dirs_exist_ok=True)
+    older = {"NUMBA_CPU_NAME": "generic"}
+    found = ran(FOUND, tmp_path, **older)
+    assert found.stdout.split() == ["7.0"]
+    assert found.stderr.count("\n") == 1 and "another processor" in found.stderr
+    for more in (older, {}):
+        again = ran(TRY, tmp_path, **more)
+        assert (again.stdout.split(), again.stderr) == (["7.0"], "")
+
+
+OLDER = "import numba\nnumba.__version__ = '0.60.0'\n"
+
+
+@pytest.mark.slow
+def test_kernels_of_another_numba_are_compiled_again_with_one_line(tmp_path):
+    ran(OLDER + FOUND, tmp_path)
+    found = ran(FOUND, tmp_path)
+    assert found.stdout.split() == ["7.0"]
+    assert found.stderr.count("\n") == 1 and "0.60.0" in found.stderr
+    again = ran(TRY, tmp_path)
+    assert (again.stdout.split(), again.stderr) == (["7.0"], "")
+
+
+def test_what_is_compiled_for_one_processor_is_not_taken_to_be_for_another(monkeypatch):
+    """The sign that all usual kernels are there."""
+    here = kept.all_compiled()
+    monkeypatch.setattr("numba.config.CPU_NAME", "generic")
+    assert kept.all_compiled() != here

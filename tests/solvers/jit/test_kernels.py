@@ -2,6 +2,7 @@
 
 import ast
 import re
+import subprocess
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -13,7 +14,7 @@ from numba import types
 from numba.core.dispatcher import Dispatcher
 
 import solvers
-from solvers.jit import kernels, methods
+from solvers.jit import kernels, methods, reference
 from solvers.jit.kernels import address, allocating_kernel, inner_kernel, kernel
 from solvers.jit.reference import refer, referred
 
@@ -79,6 +80,39 @@ def test_a_tuple_is_given_by_reference_from_python():
     assert len(_seen.overloads) == 2 and referred(None) is None
 
 
+def test_where_numba_lays_arrays_out_in_another_way_tuples_are_given_as_they_are(monkeypatch, caplog):
+    """Kernels then take them by value, and refer to them within."""
+    of_numba = reference.ARRAY_FIELDS
+    monkeypatch.setattr(reference, "ARRAY_FIELDS", (*of_numba[1:], of_numba[0]))
+    reference._type_of.cache_clear()
+    given = Nested(Pair(np.zeros(3), np.zeros(3)), 0.25, np.array([4.0]))
+    assert referred(given) is given and referred(given) is given and _through(referred(given)) == 34.25
+    (line,) = caplog.messages
+    assert numba.__version__ in line
+    reference._type_of.cache_clear()
+
+
+BENT = """
+import solvers
+from solvers.jit import reference, shortcuts
+shortcuts.shorten()
+{change}
+print(solvers.solve(solvers.load('four-bar-moves')).impulse)
+"""
+
+
+@pytest.mark.slow
+def test_links_that_bend_move_the_same_without_references():
+    """All kernels that take tuples by reference take them by value too."""
+    values = []
+    for change in ("", "reference.ARRAY_FIELDS = ()"):
+        code = BENT.format(change=change)
+        done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+        assert ("another way" in done.stderr) is bool(change)
+        values.append(float(done.stdout))
+    assert values[0] == pytest.approx(values[1], rel=1e-9)  # compiled otherwise: rounding over thousands of steps
+
+
 def test_what_is_given_by_reference_has_arrays_and_numbers_alone():
     with pytest.raises((TypeError, ValueError)):
         referred(Pair("a", np.zeros(1)))
@@ -115,9 +149,8 @@ def test_only_what_python_calls_becomes_machine_code():
 
 
 def test_what_takes_arguments_from_c_is_there_for_addresses_alone():
-    new = {"cache": False}  # what is loaded from there has no names any more
-    called = numba.njit(**kernels._USUAL | new)(lambda x: x + 1.0)
-    by_address = numba.njit(**kernels._INNER | new | {"no_cfunc_wrapper": False})(lambda x: x + 2.0)
+    called = numba.njit(**kernels._USUAL)(lambda x: x + 1.0)
+    by_address = numba.njit(**kernels._INNER | {"no_cfunc_wrapper": False})(lambda x: x + 2.0)
     assert called(1.0) == 2.0 and address(by_address, types.float64(types.float64)).address
     made = [next(iter(each.overloads.values())).library for each in (called, by_address)]
     names = [[function.name for function in library.get_defined_functions()] for library in made]

@@ -1,5 +1,12 @@
 """What Numba need not do again and again finds the same."""
 
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
 import numba
 import pytest
 from llvmlite import ir as llvm
@@ -11,7 +18,10 @@ from numba.core.registry import cpu_target
 from numba.core.typing import signature
 from numba.core.typing.templates import AbstractTemplate
 
-import solvers.jit.kernels  # noqa: F401  (brings the shortcuts)
+from solvers.jit import shortcuts
+
+shortcuts.shorten()
+ROOT = Path(__file__).parents[3]
 
 
 def test_flags_of_compiling_are_alike_where_what_they_ask_for_is():
@@ -83,3 +93,31 @@ def test_a_function_declared_later_is_known_to_kernels_that_come_then():
 
 def test_reasons_why_a_function_does_not_fit_are_as_they_are():
     assert str(errors.TypingError("no such field")) == "no such field"
+
+
+UNKNOWN = """
+import logging, numba
+numba.__version__ = "0.99.0"
+import numpy as np
+from solvers.jit import shortcuts
+from solvers.numerics.multibody.moving import arm_of
+shortcuts.shorten(), shortcuts.shorten()
+assert not shortcuts.applied()
+print(arm_of(np.zeros(3), 0, np.array([7.0, 2.0]))[0])
+"""
+
+
+@pytest.mark.slow
+def test_on_a_numba_that_they_were_not_tried_on_kernels_are_compiled_without_with_one_line(tmp_path):
+    where = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    done = subprocess.run([sys.executable, "-c", UNKNOWN], cwd=ROOT, env=where, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, "7.0\n"), done.stderr
+    assert done.stderr.count("\n") == 1 and "Numba 0.99.0" in done.stderr
+
+
+def test_every_version_that_may_be_installed_is_one_that_they_were_tried_on():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    (wanted,) = (each for each in project["dependencies"] if each.startswith("numba"))
+    low, high = re.fullmatch(r"numba>=0\.(\d+),<0\.(\d+)", wanted).groups()
+    assert tuple(f"0.{minor}" for minor in range(int(low), int(high))) == shortcuts.TESTED
+    assert shortcuts.applied() and shortcuts.known(numba.__version__)
