@@ -4,6 +4,7 @@ import solvers
 solution = solvers.solve(solvers.load("fixed-rod"), method="modal", modes=50)
 """
 
+from . import records
 from .accuracy.auto import Auto
 from .accuracy.calibration import calibrate
 from .accuracy.comparison import Row, compare
@@ -111,6 +112,7 @@ __all__ = [
     "load",
     "plan",
     "read_method",
+    "records",
     "reference",
     "regime_map",
     "scene_names",

@@ -202,7 +202,8 @@ def _convergence_command(commands: Any) -> None:
 
 def _record_command(commands: Any) -> None:
     parser = commands.add_parser("record", help=text("help.record.about"))
-    parser.add_argument("file", help=text("help.record.file"))
+    parser.add_argument("file", nargs="?", help=text("help.record.file"))
+    parser.add_argument("--example", action="store_true", help=text("help.record.example"))
     _scene_arguments(parser, option=True)
     parser.add_argument("--kind", help=text("help.record.kind"))
     parser.add_argument("--at", action="append", default=[], metavar="X", help=text("help.record.at"))

@@ -9,9 +9,17 @@ import numpy as np
 
 import solvers
 from solvers import Rod, SceneError, Solution, Waveguide, validation
-from solvers.records.files import load_record
-from solvers.records.gauges import RecoveredWaves, from_one_gauge, from_two_gauges
-from solvers.records.record import Alignment, Record, align, expected
+from solvers.records import (
+    Alignment,
+    Record,
+    RecoveredWaves,
+    align,
+    example,
+    expected,
+    from_one_gauge,
+    from_two_gauges,
+    load_record,
+)
 from solvers.text.notes import Note, Severity, coded
 
 from ..views.record import MAX_FOLLOWED, other_sign
@@ -60,10 +68,13 @@ def _float(key: str, word: str, low: float, high: float, unit: str) -> float:
 
 
 def _records(options: argparse.Namespace, count: int) -> list[Record]:
+    if options.example == (options.file is not None):
+        raise SceneError("FILE", options.file, text("wanted.record"))
+    file = example() if options.example else options.file
     columns = None if options.columns is None else tuple(name.strip() for name in options.columns.split(","))
     validation.choice("--sign", options.sign, ("1", "-1"))
     how = {"kind": options.kind, "columns": columns, "sign": int(options.sign)}
-    return [load_record(options.file, gauge=number, **how) for number in range(1, count + 1)]
+    return [load_record(file, gauge=number, **how) for number in range(1, count + 1)]
 
 
 def _solution(scene: solvers.Scene, record: Record) -> Solution:

@@ -117,6 +117,8 @@ class SampledMotion:
     face_velocity: of the impactor where it strikes, if that is not its own.
     """
 
+    _field: ShapeField | Any = None
+
     def __init__(
         self,
         *,
@@ -136,7 +138,9 @@ class SampledMotion:
         self._force, self._impulse = force, impulse
         self._impactor_position, self._impactor_velocity = impactor_position, impactor_velocity
         self._end_position, self._end_velocity = end_position, end_velocity
-        self._rigid_velocity, self._energies, self._field = rigid_velocity, energies, field
+        self._rigid_velocity, self._energies = rigid_velocity, energies
+        if field is not None:
+            self._field = field
         self._face_velocity = impactor_velocity if face_velocity is None else face_velocity
 
     def _at(self, time, values, after=True):

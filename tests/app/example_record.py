@@ -1,12 +1,17 @@
-"""How app/static/example-record.csv was made: `python -m tests.app.example_record` writes it again."""
+"""How the example of a record was made: `python -m tests.app.example_record` writes it again.
+
+It comes with the library, and once more with the page, which browsers fetch file by file.
+"""
 
 import numpy as np
 
 import solvers
 from app.page.lab import STATIC
-from solvers.records.record import expected
+from solvers import records
+from solvers.records import expected
 
-FILE = STATIC / "example-record.csv"
+FILES = records.example(), STATIC / "example-record.csv"
+FILE = FILES[0]
 PLACE = 1.0  # [m] of the gauge
 LATE = 37e-6  # [s]: what the clock of the record shows at first touch
 FIRST, ROWS, STEP = -100, 1_600, 1e-6
@@ -35,4 +40,5 @@ def text() -> str:
 
 
 if __name__ == "__main__":
-    FILE.write_text(text(), encoding="utf-8")
+    for file in FILES:
+        file.write_text(text(), encoding="utf-8")

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -141,6 +142,7 @@ class BalanceMotion(SampledMotion):
         after = np.concatenate((np.searchsorted(events.time, drawn, "right") - 1, number - 1, number))
         order = np.lexsort((after, times))
         times, after = times[order], after[order]
+        self._after = after
         found = np.concatenate(
             [self._histories(after[i : i + 2000], times[i : i + 2000]) for i in range(0, times.size, 2000)]
         ).T
@@ -159,7 +161,6 @@ class BalanceMotion(SampledMotion):
             rigid_velocity=rigid_velocity,
             energies=dict(zip(("impactor", "target_rigid", "target_vibration"), energies, strict=True))
             | {"local": np.zeros(times.size), "dissipated": lost},
-            field=self._shape_field(times, after, drawn) if scene.target.length else None,
             face_velocity=face,
         )
         if pair.resolved_time:
@@ -194,10 +195,21 @@ class BalanceMotion(SampledMotion):
             )
         )
 
-    def _shape_field(self, times: np.ndarray, after: np.ndarray, drawn: np.ndarray) -> ShapeField:
-        """At all instants of the histories, or, where these are too many, at those that are drawn."""
-        pair, events = self.run.pair, self.run.events
+    @property
+    def has_field(self) -> bool:
+        return self.scene.target.length > 0.0
+
+    @cached_property
+    def _field(self) -> ShapeField | None:
+        """At all instants of the histories, or, where these are too many, at those that are drawn.
+
+        Worked out when it is asked for: it takes as long as the histories.
+        """
+        if not self.has_field:
+            return None
+        pair, events, times, after = self.run.pair, self.run.events, self.time, self._after
         if times.size * pair.bank.closing.size > MOST_NUMBERS:
+            drawn = np.linspace(0.0, self.run.duration, DRAWN)
             times, after = drawn, np.searchsorted(events.time, drawn, "right") - 1
         q, p = self.run.states(after, times)
         drift = np.array([body.velocity for body in pair.bodies])

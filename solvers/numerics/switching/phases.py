@@ -126,9 +126,13 @@ class Phases:
         return position, velocity
 
     def _end_in(self, phase, since):
-        displacement, rate = self.amplitudes(phase, since)
-        at = self.modes_of(phase).at_contact
-        return phase.rigid_position + phase.rigid_velocity * since + displacement @ at, phase.rigid_velocity + rate @ at
+        modes = self.modes_of(phase)
+        at, frequencies = modes.at_contact, modes.frequencies
+        angle = np.multiply.outer(since, frequencies)
+        cosine, sine = np.cos(angle), np.sin(angle)  # not `amplitudes`: their sums alone are wanted
+        moved = cosine @ (at * phase.displacement) + sine @ (at * phase.rate / frequencies)
+        velocity = cosine @ (at * phase.rate) - sine @ (at * phase.displacement * frequencies)
+        return phase.rigid_position + phase.rigid_velocity * since + moved, phase.rigid_velocity + velocity
 
     def _mass_in(self, phase, since):
         if phase.touching:

@@ -19,6 +19,7 @@ MAX_PHASES = 400  # changes of modes; an impact of more chatters, which is said
 # Of what the modes left out move the mass: a mean pull below it is none. Smaller, Gibbs' ripples end contacts falsely;
 # larger, real partings are missed; see `test_mode_switch.py`.
 LEAST_PULL = 0.05
+SECTIONS, ROUNDS = 16, 15  # of the search for a change of sign: to 2^-60 of a sample
 
 
 class SwitchedModes(RodPhases):
@@ -102,7 +103,7 @@ class SwitchedModes(RodPhases):
                 since = number + below[0] * self._step
                 if below[0]:
                     low, high = since - self._step, since
-                    since = _bisect(lambda t: self._force_in(phase, np.array([t]), True)[0], low, high)
+                    since = _crossing(lambda t: self._force_in(phase, t, True), low, high)
                 break
             if phase.start + number + 1.0 >= limit:
                 since = np.inf
@@ -145,7 +146,7 @@ class SwitchedModes(RodPhases):
             if closed.size:
                 high = float(begin + samples[closed[0]])
                 low = max(high - self._step, 0.0)
-                return phase.start + _bisect(lambda t: self._gap(phase, np.array([t]))[0], low, high)
+                return phase.start + _crossing(lambda t: self._gap(phase, t), low, high)
             if receding:
                 return None
             begin += period
@@ -207,11 +208,18 @@ def _mean_ahead(force: np.ndarray, following: np.ndarray, samples: int) -> np.nd
     return (total[samples : samples + force.size] - total[: force.size]) / samples
 
 
-def _bisect(value: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function that is positive at `low` and negative at `high` changes sign, be it by a jump."""
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
+def _crossing(values: Callable[[np.ndarray], np.ndarray], low: float, high: float) -> float:
+    """Where a function that is positive at `low` and negative at `high` first changes sign, be it by a jump.
+
+    By SECTIONS parts at a time, as the function takes many instants in hardly more time than one.
+    """
+    for _ in range(ROUNDS):
+        inside = low + (high - low) * np.arange(1, SECTIONS) / SECTIONS
+        inside = inside[(inside > low) & (inside < high)]
+        if not inside.size:
             break
-        low, high = (low, middle) if value(middle) < 0.0 else (middle, high)
+        negative = np.flatnonzero(values(inside) < 0.0)
+        first = negative[0] if negative.size else inside.size
+        edges = [low, *inside.tolist(), high]
+        low, high = edges[first], edges[first + 1]
     return high

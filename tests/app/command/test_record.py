@@ -8,7 +8,7 @@ import pytest
 from pytest import approx
 
 import solvers
-from solvers.records.record import expected
+from solvers.records import example, expected
 from tests.app.command.calls import answer, refusal
 
 BALL = solvers.solve(solvers.load("bronze-rod-steel-ball"), duration=2e-3)
@@ -137,3 +137,12 @@ def test_only_rods_carry_waves(capsys, file):
     line = refusal(capsys, "record", file, "--scene", "note-rod", "--at", "1")
     assert "target is a rod" in line
     refusal(capsys, "record", file)
+
+
+def test_the_example_comes_with_the_library(capsys):
+    words = ("--scene", "bronze-rod-steel-ball", "--at", "1.0", "--json")
+    found = json.loads(answer(capsys, "record", "--example", *words))
+    assert found == json.loads(answer(capsys, "record", str(example()), *words))
+    assert found["gauges"][0]["shift"] == approx(-37e-6, abs=0.2e-6)
+    assert "FILE: got nothing; allowed: one file, or --example" in refusal(capsys, "record", *words)
+    assert "FILE: got 'some.csv'" in refusal(capsys, "record", "some.csv", "--example", *words)

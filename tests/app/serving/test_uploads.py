@@ -45,6 +45,7 @@ def post(address, content, origin=None, **query):
 def test_the_example_is_what_its_header_says():
     header = GOOD.decode().splitlines()[0]
     assert "Synthetic" in header
+    assert len({file.read_bytes() for file in example_record.FILES}) == 1
     rows = np.loadtxt(example_record.FILE, delimiter=",", skiprows=3)
     made = example_record.example()
     assert rows[:, 0] == approx(made[:, 0])
