@@ -64,7 +64,7 @@ class Scene:
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
 
     def __post_init__(self) -> None:
-        # What follows from a scene that was read may be seen the other way round: a mechanism strikes a rod that is held.
+        # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
         if isinstance(self.impactor, Rod) and self.impactor.held and not self.given:
             raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
 
