@@ -266,7 +266,8 @@ def test_the_estimate_of_an_impact_that_is_cut_off_is_of_that_instant(duration):
     found = solvers.solve(scene, "mode-switch", modes=10, duration=duration)
     true = solvers.solve(scene, solvers.Modal(modes=150, estimate=False), duration=duration).impactor_velocity
     error = abs(found.impactor_velocity - true)
-    assert error / 3.0 < found.diagnostics["estimated_error"] < 0.01
+    # Compared at another instant it would be as large as what the velocity changes by between the two, 0.1 and more.
+    assert error / 3.0 < found.diagnostics["estimated_error"] < 0.03
     assert any("end of the time solved" in str(note) or "time solved ends" in str(note) for note in found.notes)
 
 
