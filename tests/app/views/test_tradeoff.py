@@ -85,5 +85,5 @@ def test_what_was_measured_here_says_so(monkeypatch):
     solvers.tradeoff(brick)
     found = shown()
     assert not found["shipped"] and not found["scalable"]
-    assert words(found).startswith("Measured on this machine: one point")
+    assert words(found).startswith("Measured on this machine: 1 point")
     assert found["points"][0]["wall_time"] == approx(solvers.stored_tradeoff(brick).points[0].wall_time)

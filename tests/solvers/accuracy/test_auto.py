@@ -245,8 +245,10 @@ def test_a_step_of_waves_costs_the_same_under_any_law():
 def test_what_costs_more_than_the_answer_is_not_solved():
     scene = struck_rod(1.0, "free", contact_table("linear", softness=1e4))
     tried = solvers.solve(scene, "auto", among=list(MODES)).diagnostics["chosen"]["tried"]
-    # modes until these agree, then the cheapest of all, which will do; no elements at all
-    assert [row["method"]["name"] for row in tried] == ["modal"] * (len(tried) - 1) + ["rigid"]
+    names = [row["method"]["name"] for row in tried]
+    # modes until these agree, then the cheapest, until one will do: closed forms, which cost alike; no elements at all
+    assert set(names[names.count("modal") :]) <= {"quasi-static", "rigid"} and names[0] == "modal"
+    assert names[-1] == "rigid"
 
 
 @pytest.mark.parametrize("number", range(3))

@@ -301,12 +301,13 @@ def test_a_tighter_tolerance_gives_a_smaller_error(law):
 @pytest.mark.parametrize("law", SMOOTH)
 def test_the_modes_tend_to_the_waves(law):
     scene = struck_rod(1.0, "free", contact_table(law, softness=0.5, restitution=0.7))
-    exact = Waves().solve(scene, 6.0 * T).impactor_velocity
+    waves = Waves().solve(scene, 6.0 * T)
+    exact, unsure = waves.impactor_velocity, waves.diagnostics["estimated_error"] * scene.speed
     modal = [Modal(modes=n, steps=40_000).solve(scene, 6.0 * T) for n in (25, 50, 100)]
     misses = [abs(solution.impactor_velocity - exact) for solution in modal]
     for solution, miss in zip(modal, misses, strict=True):
-        # the estimate compares with half the modes: exact in the limit of a first-order error, here within a tenth
-        assert miss <= 1.1 * solution.diagnostics["estimated_error"]
+        # the estimate compares with other numbers of modes: exact in the limit of a first-order error, here to a tenth
+        assert miss <= 1.1 * solution.diagnostics["estimated_error"] + unsure
     assert misses[0] > 1.5 * misses[1] > 2.25 * misses[2]  # at least as 1 / modes, within a quarter
 
 
