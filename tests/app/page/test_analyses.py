@@ -123,7 +123,7 @@ def test_a_changed_scene_is_compared_anew(open_page):
     [
         (b"time_us,microstrain\n0,0\n", "at least 8"),
         (b"\0\1\2" * 999, "The record is no text"),
-        (b"1,2\n" * 600_000, "at most 2000000 bytes"),
+        (b"1,2\n" * 600_000, "at most 2000000 are read"),
     ],
     ids=["one line", "binary", "too large"],
 )
