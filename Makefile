@@ -11,7 +11,7 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
 # Bytecode is written at the first import, of what is imported: else each of the many processes of tests makes its own.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: serve check coverage test docs bench tables peers screenshot clean chromium
+.PHONY: serve check coverage test machines docs bench tables peers screenshot clean chromium
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
@@ -26,6 +26,10 @@ coverage: $(VENV)/.installed-test
 test: $(VENV)/.installed-test chromium node_modules/.installed
 	$(BIN)/impact warm  # else each of the servers that tests start would compile the same
 	$(PYTEST) -n $$(($$(nproc) + 1))  # tests of the page wait half of their time
+
+# Other processors, as far as libraries choose by them, other versions and other Pythons; each by the quick tests.
+machines: $(VENV)/.installed-test
+	$(BIN)/python -m tests.machines
 
 # Needs no network once installed, neither to build nor to read.
 docs: $(VENV)/.installed-test

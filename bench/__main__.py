@@ -18,6 +18,7 @@ from . import (
     estimates,
     impulses,
     kernels,
+    machines,
     mechanisms,
     methods,
     page,
@@ -55,6 +56,7 @@ PARTS = {
     "estimates": estimates,
     "waves": waves,
     "compiling": compiling,
+    "machines": machines,
     "random": random_chains,
     "peers": peers,
     "peer-mechanisms": peer_mechanisms,
@@ -64,6 +66,7 @@ PARTS = {
 
 IF_ASKED = (
     "compiling",
+    "machines",
     "regime-sweep",
     "random",
     "estimates",

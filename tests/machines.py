@@ -39,7 +39,7 @@ def machines() -> dict[str, Machine]:
     found["NumPy without dispatch"] = Machine(here, {"NPY_DISABLE_CPU_FEATURES": " ".join(dispatched())})
     places = ("lowest", "newest", *(f"python-{version}" for version in PYTHONS))
     return found | {
-        place: Machine(BUILT / place / "bin" / "python", {})
+        place: Machine(BUILT / place / "bin" / "python", {"XDG_CACHE_HOME": str(BUILT / place / "cache")})
         for place in places
         if (BUILT / place / ".installed").exists()
     }
@@ -101,10 +101,17 @@ def difference(first: Figures, second: Figures) -> tuple[float, str]:
 
 def sensitivity(scene: Any, own: Figures) -> float:
     """How many times a change of what is given is found in the figures, at worst."""
-    table = scene.table()["impactor"]
-    key = next(name for name in ("mass", "velocity", "length") if isinstance(table.get(name), float))
-    nudged = (scene.replace({f"impactor.{key}": table[key] * (1.0 + nudge)}) for nudge in NUDGES)
-    return max(difference(own, figures(each))[0] / abs(nudge) for each, nudge in zip(nudged, NUDGES, strict=True))
+    return max(difference(own, figures(_nudged(scene, nudge)))[0] / abs(nudge) for nudge in NUDGES)
+
+
+def _nudged(scene: Any, nudge: float) -> Any:
+    """The scene with another mass of what strikes; where that is none of its own, with another force."""
+    impactor = scene.table()["impactor"]
+    if impactor["kind"] == "mechanism":
+        links = [link | {"mass": link["mass"] * (1.0 + nudge)} for link in impactor["links"]]
+        return scene.replace({"impactor.links": links})
+    key = next(name for name in ("mass", "velocity", "length", "force") if isinstance(impactor.get(name), float))
+    return scene.replace({f"impactor.{key}": impactor[key] * (1.0 + nudge)})
 
 
 def measured(machine: Machine, scenes: Iterable[str]) -> dict[str, Figures]:

@@ -10,8 +10,7 @@ import logging
 
 import numba
 from llvmlite import ir
-from llvmlite.binding import ffi
-from numba.core import codegen, cpu, errors, event, targetconfig
+from numba.core import codegen, event, targetconfig
 from numba.core.ir import Inst, Loc, Var
 from numba.core.types import functions
 
@@ -39,10 +38,6 @@ def shorten() -> None:
     Inst._rec_list_vars = _variables
     for size in ("get_abi_size", "get_abi_alignment"):  # of a type in memory: LLVM is asked by way of a module in text
         setattr(ir.Type, size, functools.cache(getattr(ir.Type, size)))
-    # Its own declarations are looked for anew for each call of a function.
-    cpu.CPUContext.load_additional_registries = functools.cache(cpu.CPUContext.load_additional_registries)
-    errors._termcolor_inst = _Plain()
-    ffi.lib._lock._cblist.clear()  # who waits for LLVM is told at each call of it
     event.register("numba:compile", _Compiling())
     codegen.JITCPUCodegen._library_class = machine_code.Library
     codegen.JITCPUCodegen.set_env = machine_code.set_environment
@@ -130,10 +125,3 @@ def _list_variables(found, listed):
 
 
 _PLAIN = {Loc, str, int, bool, type(None)}
-
-
-class _Plain:
-    """Reasons why a function does not fit, of which there are thousands, as they are: without colours."""
-
-    def __getattr__(self, _):
-        return lambda text: text

@@ -11,9 +11,8 @@ import numba
 import pytest
 from llvmlite import ir as llvm
 from numba import types
-from numba.core import errors, ir, typing
+from numba.core import ir, typing
 from numba.core.compiler import Flags
-from numba.core.cpu import CPUContext
 from numba.core.registry import cpu_target
 from numba.core.typing import signature
 from numba.core.typing.templates import AbstractTemplate
@@ -73,26 +72,6 @@ def test_a_size_in_memory_is_asked_for_once_a_type(monkeypatch):
     kinds = [llvm.ArrayType(llvm.DoubleType(), count) for count in (1237, 1238, 1237)]
     assert [kind.get_abi_size(data) for kind in kinds] == [9896, 9904, 9896]
     assert asked == kinds[:2]
-
-
-def test_a_function_declared_later_is_known_to_kernels_that_come_then():
-    """Declarations of Numba itself are loaded once, those of others whenever there are new ones."""
-
-    def late(x):
-        return x
-
-    assert numba.njit(lambda x: x + 1.0)(1.0) == 2.0
-    CPUContext.load_additional_registries(cpu_target.target_context)
-
-    @numba.extending.overload(late)
-    def _late(x):
-        return lambda x: 3.0 * x
-
-    assert numba.njit(lambda x: late(x))(2.0) == 6.0
-
-
-def test_reasons_why_a_function_does_not_fit_are_as_they_are():
-    assert str(errors.TypingError("no such field")) == "no such field"
 
 
 UNKNOWN = """
