@@ -136,8 +136,7 @@ def install() -> None:
     lowest = [f"{name}=={number}" for name, number in lower_bounds().items()]
     wanted = {"lowest": (sys.executable, free + lowest), "newest": (sys.executable, free)}
     for version in PYTHONS:
-        python = shutil.which(f"python{version}")
-        if python and not subprocess.run([python, "-c", ""], capture_output=True, check=False).returncode:
+        if python := _python(version):
             wanted[f"python-{version}"] = python, pinned
         else:
             print(f"Python {version} is not installed, and is left out.")
@@ -151,6 +150,19 @@ def install() -> None:
         pip = [folder / "bin" / "pip", "install", "--quiet", "--no-compile", "--disable-pip-version-check"]
         subprocess.run([*pip, "--constraint", folder / "constraints.txt", "-e", ".[test]"], cwd=ROOT, check=True)
         (folder / ".installed").touch()
+
+
+def _python(version: str) -> str | None:
+    """One that runs: a name on the path may be a shim that only says where there are some, as pyenv's are."""
+    folders = os.environ["PATH"].split(os.pathsep)
+    if shutil.which("pyenv"):
+        root = subprocess.run(["pyenv", "root"], capture_output=True, text=True, check=False).stdout.strip()
+        folders += [str(each / "bin") for each in sorted(Path(root, "versions").glob(f"{version}.*"))]
+    for folder in folders:
+        python = shutil.which(f"python{version}", path=folder)
+        if python and not subprocess.run([python, "-c", ""], capture_output=True, check=False).returncode:
+            return python
+    return None
 
 
 @functools.cache

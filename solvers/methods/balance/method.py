@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -32,12 +32,26 @@ HALVINGS = 40
 HEAVY_ROD_RATIO = 1.5  # times the mass: from such a free rod the mass parts with hardly any force
 # Of the speed of approach: what the velocity is then off by. Measured at mass ratios 1.5 to 30, 7 to 185 elements: 0.12
 # to 0.16.
-FADED_FORCE_ERROR = 0.13
-# Of an estimate: other numbers of elements or modes, as shares, and by how much a rebound scatters about what is left.
-SHARES, FINER_SHARES = (1 / 2, 2 / 5, 1 / 3, 1 / 4), (3 / 2, 2.0)
-SCATTER, SCATTER_OF_RODS = 2.3, 3.5
-FEW = 30  # up to which more elements or modes are asked, which say more and cost little
+FADED_FORCE_ERROR = 0.16
 MODES_OF_BEAMS = 20  # of a mesh, where none are asked for: the highest swing ten thousand times as fast as the lowest
+
+
+class Others(NamedTuple):
+    """What an estimate holds a number of elements or modes against, and how a rebound scatters about what is left."""
+
+    most: float  # elements or modes
+    shares: tuple[float, ...]  # of them; finer ones say more, as their own scatter is less
+    factor: float  # on what differences leave, for one rod alone: random impacts keep to it so
+    factor_of_more: float  # for several, whose waves meet
+
+
+# Finer ones only where they cost no more than 120 elements do. Factors: `tests/random_estimates.py`.
+OTHERS = (
+    Others(30, (3.0, 4.0), 2.0, 2.6),
+    Others(60, (3 / 2, 2.0), 2.4, 2.6),
+    Others(math.inf, (0.7, 0.6, 1 / 2, 2 / 5, 1 / 3, 1 / 4), 2.7, 2.9),
+)
+OTHERS_OF_BEAMS = OTHERS[1:]  # whose highest mode swings with the square of its number
 
 
 @dataclass(frozen=True)
@@ -157,8 +171,8 @@ class Balance(Method):
         return notes
 
     def _estimated_error(self, scene: Scene, run: Run) -> float | None:
-        """Of the final velocity, relative to the impact speed: against other numbers of elements or modes, four as it
-        scatters; None where a contact law is left out.
+        """Of the final velocity, relative to the impact speed: against other numbers of elements or modes; None where a
+        contact law is left out.
 
         A free rod heavier than the mass is left before its front is back, by a force that has all but faded: the
         velocity is then off by how long the first balances take beside the impact, and alike for all numbers of them.
@@ -167,16 +181,18 @@ class Balance(Method):
             return None
         if run.pair.resolved_time == 0.0:
             return 0.0 if self.variant == "event-located" else None
-        shares = FINER_SHARES if (self._elements or self.modes or 0) <= FEW else SHARES
-        methods = [self._with_share(scene, share) for share in shares]
-        fewer = [replace(scene, impactor=scene.impactor.with_share_of_modes(share)) for share in shares]
-        others = [other._run(each, run.duration) for other, each in zip(methods, fewer, strict=True)]
+        count = self._elements or self.modes or 0
+        choices = OTHERS_OF_BEAMS if scene.bends else OTHERS
+        against = next(choice for choice in choices if count <= choice.most)
+        methods = [self._with_share(scene, share) for share in against.shares]
+        scenes = [replace(scene, impactor=scene.impactor.with_share_of_modes(share)) for share in against.shares]
+        others = [other._run(each, run.duration) for other, each in zip(methods, scenes, strict=True)]
         if run.full or any(other.full for other in others):
             return None
         differences = [(run.final_velocity - other.final_velocity) / scene.speed for other in others]
         parts = [self._share(other) for other in methods]
-        alone = len(scene.impactor.rods) + len(scene.target.rods) == 1  # else they scatter more
-        factor = SCATTER if alone or self.restitution == 1.0 else SCATTER_OF_RODS
+        alone = len(scene.impactor.rods) + len(scene.target.rods) == 1
+        factor = against.factor if alone else against.factor_of_more
         estimated = factor * error_left(zip(parts, differences, strict=True), 1.0)
         cut = scene.target.with_single_elements_cut(self._elements or 1)
         if self._elements is not None and cut is not scene.target:  # which no coarser mesh can show
