@@ -1,7 +1,8 @@
-"""Run every benchmark, print the tables, store them with the machine in bench/results.json."""
+"""Run every benchmark, print the tables, store each with machine, date and commit in bench/results.json."""
 
 import argparse
 import json
+import subprocess
 from datetime import date
 from pathlib import Path
 
@@ -74,6 +75,13 @@ IF_ASKED = (
 RESULTS = Path(__file__).parent / "results.json"
 
 
+def _commit() -> str:
+    """Of these sources, with a plus where they have changed since."""
+    call = ["git", "describe", "--always", "--dirty=+", "--exclude=*"]
+    done = subprocess.run(call, cwd=RESULTS.parent, capture_output=True, text=True, check=False)
+    return done.stdout.strip() or "unknown"
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", choices=list(PARTS), help=f"one part; default: all but {', '.join(IF_ASKED)}")
@@ -81,14 +89,15 @@ def main() -> None:
     shorten()
     parts = [only] if only else [part for part in PARTS if part not in IF_ASKED]
     stored = json.loads(RESULTS.read_text()) if RESULTS.exists() else {}
-    stored["machine"] = machine() | {"date": str(date.today())}
-    print("Machine:", ", ".join(f"{key} {value}" for key, value in stored["machine"].items()))
+    where = machine() | {"date": str(date.today()), "commit": _commit()}
+    print("Measured with:", ", ".join(f"{key} {value}" for key, value in where.items()))
     for part in parts:
         print(f"\n== {part}")
         measured = PARTS[part].measure()
         if measured is not None:  # else what it needs is not installed, and what was stored stays
             stored[part] = measured
-    RESULTS.write_text(json.dumps(stored, indent=1) + "\n")
+            stored.setdefault("measured", {})[part] = where
+        RESULTS.write_text(json.dumps(stored, indent=1) + "\n")
     print(f"\nStored in {RESULTS.relative_to(Path.cwd()) if RESULTS.is_relative_to(Path.cwd()) else RESULTS}")
 
 
