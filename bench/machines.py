@@ -13,20 +13,19 @@ from .timing import row
 
 def measure() -> dict[str, object]:
     scenes = solvers.scene_names()
-    own, factors = {}, {}
-    for name in scenes:
-        scene = solvers.load(name)
-        own[name] = machines.figures(scene)
-        factors[name] = machines.sensitivity(scene, own[name])
+    own = {name: machines.seen(name) for name in scenes}
+    factors = {name: machines.sensitivity(solvers.load(name), own[name].figures) for name in scenes}
     chaotic = sorted(name for name, factor in factors.items() if factor > machines.CHAOTIC)
     print(f"  chaotic: {', '.join(chaotic) or 'none'}")
     others = {name: machines.measured(machine, scenes) for name, machine in machines.machines().items()}
     found, rows = {}, []
     for name, theirs in others.items():
-        found[name] = {scene: machines.difference(own[scene], theirs[scene]) for scene in scenes}
+        found[name] = {scene: machines.difference(own[scene].figures, theirs[scene].figures) for scene in scenes}
+        other_keys = [scene for scene in scenes if own[scene].key != theirs[scene].key]
         calm = [found[name][scene][0] for scene in scenes if scene not in chaotic]
         rows.append(row(f"{name}: largest difference, chaotic scenes left out", max(calm), "", "<= 1e-8"))
         rows.append(row(f"{name}: median difference", float(np.median(calm)), ""))
+        rows.append(row(f"{name}: scenes with other keys of tables", len(other_keys), "", "<= 0"))
     worst = {scene: max(found[name][scene] for name in others) for scene in scenes}
     for scene in sorted(scenes, key=lambda each: -worst[each][0])[:12]:
         note = "chaotic" if scene in chaotic else ""

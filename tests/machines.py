@@ -31,14 +31,19 @@ class Machine(NamedTuple):
     environment: dict[str, str]
 
 
-def machines() -> dict[str, Machine]:
-    """Those of this processor, and those of the versions and Pythons that are installed, by name."""
+def of_this_processor() -> dict[str, Machine]:
+    """By name."""
     here = Path(sys.executable)
     found = {f"OpenBLAS of {core}": Machine(here, {"OPENBLAS_CORETYPE": core}) for core in _cores()}
     found["kernels for any processor"] = Machine(here, {"NUMBA_CPU_NAME": "generic"})
     found["NumPy without dispatch"] = Machine(here, {"NPY_DISABLE_CPU_FEATURES": " ".join(dispatched())})
+    return found
+
+
+def machines() -> dict[str, Machine]:
+    """Those of this processor, and those of the versions and Pythons that are installed, by name."""
     places = ("lowest", "newest", *(f"python-{version}" for version in PYTHONS))
-    return found | {
+    return of_this_processor() | {
         place: Machine(BUILT / place / "bin" / "python", {"XDG_CACHE_HOME": str(BUILT / place / "cache")})
         for place in places
         if (BUILT / place / ".installed").exists()
@@ -114,15 +119,31 @@ def _nudged(scene: Any, nudge: float) -> Any:
     return scene.replace({f"impactor.{key}": impactor[key] * (1.0 + nudge)})
 
 
-def measured(machine: Machine, scenes: Iterable[str]) -> dict[str, Figures]:
-    """Figures of these scenes on a machine, by a process of its own."""
+class Seen(NamedTuple):
+    """Of a scene on a machine."""
+
+    key: str  # of the tables that are stored of it
+    figures: Figures
+
+
+def seen(name: str) -> Seen:
+    """Of a built-in scene, here."""
+    import solvers
+    from solvers.accuracy.store import scene_key
+
+    scene = solvers.load(name)
+    return Seen(scene_key(scene), figures(scene))
+
+
+def measured(machine: Machine, scenes: Iterable[str]) -> dict[str, Seen]:
+    """These scenes on a machine, by a process of its own."""
     done = subprocess.run(
         [machine.python, "-m", "tests.machines", "--figures", *scenes], cwd=ROOT, text=True, capture_output=True,
         env=os.environ | {"PYTHONPATH": str(ROOT)} | machine.environment, check=False,
     )  # fmt: skip
     if done.returncode:
         raise RuntimeError(done.stderr)
-    return json.loads(done.stdout)
+    return {name: Seen(*each) for name, each in json.loads(done.stdout).items()}
 
 
 # --- versions and Pythons ---------------------------------------------------------------------------------------------
@@ -195,11 +216,10 @@ def main() -> int:
     parser.add_argument("--only", action="append", default=[], metavar="NAME", help="one of: " + ", ".join(machines()))
     options = parser.parse_args()
     if options.figures:
-        import solvers
         from solvers.jit.shortcuts import shorten
 
         shorten()
-        print(json.dumps({name: figures(solvers.load(name)) for name in options.figures}))
+        print(json.dumps({name: seen(name) for name in options.figures}))
         return 0
     install()
     return run_tests(options.only)
