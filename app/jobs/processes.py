@@ -36,11 +36,12 @@ class Process:
         theirs.close()
 
     def sink(self, level: int, nice: int) -> None:
-        """To a level that gets less of the processors."""
+        """To a level that gets less of the processors: nicer than the server by so much."""
         self.level = level
         if nice:
+            own = os.getpriority(os.PRIO_PROCESS, 0)
             with suppress(OSError):  # it has just ended
-                os.setpriority(os.PRIO_PROCESS, self._process.pid, nice)
+                os.setpriority(os.PRIO_PROCESS, self._process.pid, own + nice)
 
     def begin(self) -> None:
         """From now on its computing counts."""

@@ -11,6 +11,7 @@ from tests.solvers.bodies.linkage.mechanisms import four_bar, rotating_bar
 
 FINE = {"impactor.modes": 80, "method": {"name": "modal", "modes": 80}}
 HERTZ = {"law": "hertz", "stiffness": 1e9}
+SAME = 1.0 + 1e-9  # what is computed twice by the same solves, but for rounding
 
 
 def test_the_chosen_model_is_as_good_as_it_says():
@@ -18,7 +19,7 @@ def test_the_chosen_model_is_as_good_as_it_says():
     found = plan(scene, "final-velocities", 0.02)
     fine = Modal(modes=40, estimate=False).solve(four_bar(40, contact=HERTZ))
     missed = abs(solvers.solve(found.planned).impactor_velocity - fine.impactor_velocity) / scene.speed
-    assert missed <= found.expected_error <= 0.02
+    assert missed <= found.expected_error * SAME and found.expected_error <= 0.02
     assert found.chosen.modes in COUNTS
 
 
