@@ -24,7 +24,8 @@ from solvers.jit import cache
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
 
-from ..conftest import Page, free_port
+from ..conftest import Page
+from ..servers import free_port
 from ..socket_client import run
 from .threads import start
 

@@ -1,61 +1,15 @@
 """The page when its server goes and comes back, with a real server that is killed."""
 
-import os
 import signal
-import subprocess
-import sys
-import time
-import urllib.request
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
-from ..conftest import Page, free_port
+from ..conftest import Page
 
 SAID = 3_000  # ms within which a loss is said
 BACK = 60_000  # ms for a server to start on a busy machine, and the page to find it
 LOST = "The connection to the server is lost"
-
-
-class Server:
-    """A server of its own, which can be killed and started again on the same port."""
-
-    def __init__(self):
-        self.port = free_port()
-        self.address = f"127.0.0.1:{self.port}"
-        self.process = None
-
-    def start(self) -> None:
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "app.command", "serve", "--port", str(self.port)],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            cwd=Path(__file__).parents[3],
-        )
-        deadline = time.monotonic() + 180
-        while True:
-            try:
-                urllib.request.urlopen(f"http://{self.address}/liveness", timeout=2).read()
-                return
-            except OSError:
-                if time.monotonic() > deadline:
-                    pytest.fail("the server did not start")
-                time.sleep(0.1)
-
-    def end(self, how: int = signal.SIGKILL) -> None:
-        self.process.send_signal(how)
-        self.process.wait(20)
-
-
-@pytest.fixture(scope="module")
-def own_server():
-    """Running again whenever a test ends."""
-    server = Server()
-    server.start()
-    yield server
-    os.kill(server.process.pid, signal.SIGCONT)
-    server.end()
 
 
 @pytest.fixture
