@@ -35,7 +35,8 @@ ANALYSES = [
 
 
 def findings(page) -> list[str]:
-    page.evaluate(AXE.read_text(encoding="utf-8") + ";0")
+    if not page.evaluate("() => Boolean(window.axe)"):
+        page.evaluate(AXE.read_text(encoding="utf-8") + ";0")
     return page.evaluate(FINDINGS)
 
 
