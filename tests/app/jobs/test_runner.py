@@ -140,7 +140,8 @@ def test_a_newer_wish_takes_the_place_of_one_that_still_waits():
         shown = []
         runner = Runner(print, shown.append, shown.append, start=begin)
         first = asyncio.ensure_future(runner.want("old"))
-        await asyncio.sleep(0.05)
+        while not jobs:
+            await asyncio.sleep(0.005)
         await runner.want("new")
         while len(jobs) < 2:
             await asyncio.sleep(0.02)
@@ -162,12 +163,14 @@ def test_what_nobody_waits_for_is_abandoned_and_who_comes_back_is_answered():
 
         runner = Runner(print, shown.append, shown.append, start=begin)
         first = asyncio.ensure_future(runner.want("one"))
-        await asyncio.sleep(0.05)
+        while not jobs:
+            await asyncio.sleep(0.005)
         runner.leave()
         await asyncio.wait_for(first, 5.0)
         assert jobs[0].answer.cancelled() and shown == []
         again = asyncio.ensure_future(runner.want("two"))
-        await asyncio.sleep(0.05)
+        while len(jobs) < 2:
+            await asyncio.sleep(0.005)
         jobs[1].answer.set_result("two is answered")
         await again
 
