@@ -7,7 +7,7 @@ import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from tests.app.conftest import free_port
+from tests.app.servers import free_port
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """How hypothesis searches, in which order files are begun, and what tests check besides, in servers they start too."""
 
 import os
+import sys
 
 from hypothesis import HealthCheck, settings
 
@@ -8,6 +9,11 @@ from solvers.jit.shortcuts import shorten
 
 shorten()
 os.environ["IMPACT_CHECK_MESSAGES"] = "1"  # read by app.messages.encoding
+
+# Where no bytecode may be written (as in images of Python), each worker would compile all tests anew, 12 s, and each of
+# the many processes that tests start the library and Panel.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 # The first call of a kernel compiles it, which no deadline survives; derandomized, so that a run can be repeated.
 settings.register_profile(

@@ -2,15 +2,12 @@
 
 import os
 import shutil
-import socket
-import subprocess
-import sys
-import time
-import urllib.request
-from pathlib import Path
+import signal
 
 import pytest
 from playwright.sync_api import expect, sync_playwright
+
+from .servers import Server
 
 MEDIA = ("reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
 PATIENCE = 60_000  # ms, for a machine that does much else beside
@@ -29,39 +26,38 @@ QUIET = [
 ]
 
 
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
+@pytest.fixture(scope="session")
+def started(tmp_path_factory):
+    """The server for all tests that leave it as it is; at the end its log must hold no stack trace."""
+    server = Server(tmp_path_factory.mktemp("server") / "log")
+    server.start()
+    yield server
+    server.end(signal.SIGTERM)
+    server.said_no_trace()
 
 
 @pytest.fixture(scope="session")
-def server(tmp_path_factory):
-    """Address of a running page; at the end its log must hold no stack trace."""
-    port = free_port()
-    log = tmp_path_factory.mktemp("server") / "log"
-    with log.open("w") as output:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "app.command", "serve", "--port", str(port)],
-            stdout=output,
-            stderr=subprocess.STDOUT,
-            cwd=Path(__file__).parents[2],
-        )
-    address = f"127.0.0.1:{port}"
-    deadline = time.monotonic() + 180  # a first compilation
-    while True:
-        if process.poll() is not None or time.monotonic() > deadline:
-            process.kill()
-            pytest.fail("the server did not start:\n" + log.read_text())
-        try:
-            urllib.request.urlopen(f"http://{address}/liveness", timeout=2).read()
-            break
-        except OSError:
-            time.sleep(0.1)
-    yield address
-    process.terminate()
-    process.wait(10)
-    assert "Traceback" not in log.read_text(), log.read_text()[-3000:]
+def server(started):
+    """Address of a running page."""
+    return started.address
+
+
+@pytest.fixture(scope="session")
+def server_to_end(tmp_path_factory):
+    server = Server(tmp_path_factory.mktemp("own") / "log")
+    yield server
+    server.said_no_trace()
+    server.end()
+
+
+@pytest.fixture
+def own_server(server_to_end):
+    """A server that may be tried hard, stopped and killed: it runs when a test begins."""
+    if not server_to_end.runs:
+        server_to_end.start()
+    yield server_to_end
+    if server_to_end.runs:
+        server_to_end.process.send_signal(signal.SIGCONT)
 
 
 def chromium() -> str | None:
@@ -190,6 +186,15 @@ class Page:
             self.tab.wait_for_timeout(500)
             if self.frames == before:
                 return before
+
+    def frames_pass(self, count: int) -> None:
+        """Wait until the browser has drawn so many frames, in which what must not happen would happen."""
+        self.evaluate(
+            """async (count) => {
+              for (let k = 0; k < count; k++) await new Promise((done) => requestAnimationFrame(done));
+            }""",
+            count,
+        )
 
     def resize(self, width: int, height: int) -> None:
         """Change the size of the window, and wait until all is laid out in it."""

@@ -24,11 +24,12 @@ def new_kernel():
 
 def test_the_clock_stands_still_while_a_kernel_is_compiled():
     kernel = new_kernel()
-    before, hidden, begun = clock(), compiled(), time.perf_counter()
+    earliest, before, hidden, begun = time.perf_counter(), clock(), compiled(), time.perf_counter()
     kernel(2.0)
-    passed, took, wall = clock() - before, compiled() - hidden, time.perf_counter() - begun
-    assert took > 0.5 * wall and passed < 0.5 * wall
-    assert passed + took == pytest.approx(wall, abs=1e-3)
+    ended, passed, took, latest = time.perf_counter(), clock() - before, compiled() - hidden, time.perf_counter()
+    assert took > 0.5 * (latest - earliest) and passed < 0.5 * (latest - earliest)
+    # A machine that does much else beside may let time pass between any two of these.
+    assert ended - begun - 1e-6 <= passed + took <= latest - earliest + 1e-6
     before = clock()
     time.sleep(0.02)
     assert clock() - before >= 0.02

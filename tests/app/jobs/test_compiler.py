@@ -24,7 +24,8 @@ from solvers.jit import cache
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
 
-from ..conftest import Page, free_port
+from ..conftest import Page
+from ..servers import free_port
 from ..socket_client import run
 from .threads import start
 
@@ -188,11 +189,10 @@ def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_pag
 
 @pytest.mark.slow
 def test_a_page_whose_first_scene_must_be_compiled_opens_with_a_word(gated_page):
-    begun = time.monotonic()
     page, gate = gated_page("?law=linear", "solve_frame")
     sign = page.tab.locator(".waiting")
     expect(sign).to_contain_text(COMPILING)
-    assert time.monotonic() - begun < 60
+    assert gate.asked == ["solve_frame"]  # for which the page has not waited: the gate is closed
     gate.opened.set()
     page.wait("() => window.strikewave?.frames > 0", timeout=60_000)
     assert page.header("chosen")["law"] == "linear"
@@ -225,7 +225,7 @@ def test_a_process_that_hangs_is_replaced_and_nobody_waits_without_end(compiler,
         await compiler.ready("solve_frame", {**IN_SPACE, "speed": 2.0})
         return time.monotonic() - begun
 
-    assert 1.0 < run(wait(), 120.0) < 60.0
+    assert run(wait(), 60.0) > 1.0
     assert hanging.wait(30) == -signal.SIGKILL and "was ended" in caplog.text
     monkeypatch.setattr("app.jobs.compiler.HANG_SECONDS", 60.0)
     compiler.ask("solve_frame", IN_SPACE).result(60)  # the next one is served by another

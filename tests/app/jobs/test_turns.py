@@ -1,7 +1,7 @@
 """Rates and turns: who takes little passes, who takes much waits, and nobody waits for ever."""
 
 import asyncio
-import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -61,30 +61,42 @@ def test_in_a_round_of_the_loop_so_many_pass_and_the_rest_is_done_between():
     run(main())
 
 
-def test_what_is_done_is_paid_by_its_own_time_and_not_by_that_of_others():
+def test_what_is_done_is_paid_by_its_own_time_and_not_by_that_of_others(monkeypatch):
+    clock = Clock()
+    monkeypatch.setattr("app.jobs.turns.time", SimpleNamespace(perf_counter=clock))
+
     async def main():
-        turns = Turnstile()
+        turns, stopped = Turnstile(), asyncio.Event()
+        turns._shares = Shares(clock)
+        stopped.set()
 
         async def waits():
-            time.sleep(0.02)
-            await asyncio.sleep(0.4)
-            time.sleep(0.02)
+            clock.now += 0.02
+            asyncio.get_running_loop().call_soon(others)
+            await asyncio.sleep(0)
+            clock.now += 0.02
+            await stopped.wait()
             return "done"
+
+        def others():
+            clock.now += 0.4
 
         async def fails():
             await asyncio.sleep(0)
             raise ValueError("as it must")
 
         assert await turns.paid("one", waits()) == "done"
-        assert 0.04 <= turns._shares.used("one") < 0.4
+        assert turns._shares.used("one") == pytest.approx(0.04)
         with pytest.raises(ValueError, match="as it must"):
             await turns.paid("two", fails())
+        stopped.clear()
         task = asyncio.ensure_future(turns.paid("three", waits()))
-        await asyncio.sleep(0.2)
+        for _ in range(5):
+            await asyncio.sleep(0)
         task.cancel()
         with pytest.raises(asyncio.CancelledError):
             await task
-        assert 0.02 <= turns._shares.used("three") < 0.2
+        assert turns._shares.used("three") == pytest.approx(0.04)
 
     run(main())
 

@@ -133,7 +133,7 @@ def test_an_answer_that_is_no_longer_wanted_ends_its_process_at_once():
     async def test(workers):
         pid, _ = await workers.start(works.process, 0, level=SLOW).answer
         job = workers.start(works.compute, 60.0, visitor="who leaves", level=SLOW)
-        await asyncio.sleep(0.2)
+        await begun(job)
         job.answer.cancel()
         for _ in range(400):
             if not alive(pid):

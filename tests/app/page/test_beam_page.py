@@ -101,7 +101,7 @@ def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
              return owed.map(({ chart }) => chart.root.querySelector("h2").textContent); }"""
     )
     assert "Dispersion" in owed and "How bending runs along the beam" not in owed
-    page.tab.wait_for_timeout(400)  # also once the page has come to rest: it is behind a tab
+    page.frames_pass(30)  # also once the page has come to rest: it is behind a tab
     assert page.evaluate("() => strikewave.page.beam.inView.owed.has(strikewave.page.beam.dispersion)")
     page.turn_to("Numbers")
     page.tab.get_by_role("heading", name="Dispersion").scroll_into_view_if_needed()

@@ -3,7 +3,7 @@
 from playwright.sync_api import expect
 
 from .test_compare_page import KEEP
-from .test_links_page import AT_REST, chosen
+from .test_links_page import at_rest, chosen
 from .test_workspace_page import whole
 
 SEARCH = "() => location.search"
@@ -38,16 +38,16 @@ def typed(page, name: str, text: str, number: int = 2) -> None:
 def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
     page = open_page()
     expect(body(page, 2).locator(".derived")).to_contain_text("5156 m/s")
-    page.tab.wait_for_timeout(AT_REST)
+    at_rest(page)
     typed(page, "Length", "60 cm")
-    page.tab.wait_for_timeout(AT_REST)
+    at_rest(page)
     expect(field(page, "Length")).to_have_value("600")
     expect(page.tab.get_by_label("Mass ratio, exact value")).to_have_value("2")  # the striker is as heavy as before
     expect(field(page, "Mass, kg", 1)).to_have_value("2.133")
     page.wait("() => location.search === '?target.length=0.6'")
     page.answered(lambda: field(page, "Material").select_option("aluminium"))
     page.wait("() => location.search === '?target.length=0.6&target.material=aluminium'")
-    page.tab.wait_for_timeout(AT_REST)
+    at_rest(page)
     said = "Here with Length 600 mm (body 2), Material Aluminium (body 2)"
     expect(page.tab.locator(".of-numbers")).to_contain_text(said)
     page.answered(lambda: page.evaluate("() => strikewave.page.history.undo()"))

@@ -146,7 +146,7 @@ def test_play_moves_the_picture_and_sends_nothing(open_page):
     page.redrawn(pixels)
     page.tab.get_by_role("button", name="Pause", exact=True).click()
     stopped = page.evaluate("() => strikewave.page.player.t")
-    page.tab.wait_for_timeout(200)
+    page.frames_pass(12)
     assert page.evaluate("() => strikewave.page.player.t") == stopped
     assert page.frames == frames
 
@@ -336,7 +336,7 @@ def test_energy_over_time_follows_the_clock_silently(open_page):
     frames = page.quiet()
     page.evaluate("() => strikewave.page.player.go(0.7)")
     assert page.evaluate(f"() => ({cursor})().location") == 0.7
-    page.tab.wait_for_timeout(300)
+    page.frames_pass(18)
     assert page.frames == frames
     page.answered(lambda: drag(page, "Mass ratio", 0.4))
     page.analysis("Energy over time")

@@ -205,7 +205,7 @@ def test_the_page_moves_by_itself_and_waits_where_a_caption_speaks(open_page):
 def test_who_wants_no_motion_gets_none(open_page):
     page = open_page()
     t = page.evaluate(T)
-    page.tab.wait_for_timeout(500)
+    page.frames_pass(30)
     assert page.evaluate(T) == t and not page.evaluate("() => strikewave.page.player.playing")
 
 

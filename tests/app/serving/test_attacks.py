@@ -140,7 +140,7 @@ def test_the_attack_of_a_link_does_not_reach_a_visitors_page(browser, server):
         attacker.close()
 
     run(attack())
-    page.tab.wait_for_timeout(500)
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('speed', 2)"))  # what came before is there
     assert page.evaluate("() => window.stolen") is None
     assert page.header("chosen")["mass_ratio"] == 1.0
     assert page.errors == []
@@ -156,8 +156,9 @@ def test_a_script_that_gets_into_the_page_does_not_run(browser, server):
           document.body.append(inline);
           const image = document.createElement('div');
           image.innerHTML = '<img src="x" onerror="window.stolen = 2">';
+          const failed = new Promise((done) => image.firstChild.addEventListener('error', () => setTimeout(done)));
           document.body.append(image);
-          await new Promise((done) => setTimeout(done, 300));
+          await failed;  // and what stands in its attribute would have run
           return window.stolen;
         }"""
     )

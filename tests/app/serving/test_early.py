@@ -11,7 +11,7 @@ import pytest
 
 from app.serving.early import EarlyPort
 
-from ..conftest import free_port
+from ..servers import free_port
 
 ROOT = Path(__file__).parents[3]
 SERVE = """

@@ -4,15 +4,9 @@ Bounded in number and time, and only against a server of its own on this machine
 """
 
 import asyncio
-import os
 import re
 import signal
-import subprocess
-import sys
 import time
-import urllib.error
-import urllib.request
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
@@ -20,12 +14,10 @@ from tornado.httpclient import AsyncHTTPClient
 
 from app.serving.limits import HASTE_BURST, MAX_REFUSED, OVER_PAUSE
 
-from ..conftest import Page, free_port
+from ..conftest import Page
+from ..servers import Meter
 from ..socket_client import SocketClient, run
 from .wires import SCRIPT, closed, with_token
-
-ROOT = Path(__file__).parents[3]
-
 
 # --- floods -----------------------------------------------------------------------------------------------------------
 
@@ -60,13 +52,15 @@ def test_a_socket_that_floods_is_slowed_and_closed_and_the_page_says_why(server)
 @pytest.mark.slow
 def test_a_page_that_sends_as_soon_as_it_is_answered_is_never_slowed(server):
     async def drag():
-        client = await SocketClient(server).open()
-        begun = time.monotonic()
+        client, seconds = await SocketClient(server).open(), []
         for k in range(1, 101):
+            begun = time.monotonic()
             await client.set("mass_ratio", 1.0 + k / 256)
             while f'"mass_ratio":{1.0 + k / 256}'.encode() not in client.last_frame:
                 await client.answer()
-        assert time.monotonic() - begun < 100 * OVER_PAUSE  # each of three parts would wait for that
+            seconds.append(time.monotonic() - begun)
+        # Each of three parts would wait for that: who is slowed has no quick answer, who is only on a busy machine has.
+        assert all(min(seconds[k : k + 10]) < OVER_PAUSE for k in range(0, 100, 10)), seconds
         client.close()
 
     run(drag())
@@ -111,88 +105,43 @@ def test_who_comes_after_a_flood_from_his_address_gets_in(server):
     run(attack(), 200)
 
 
-def test_a_fetched_page_solves_nothing_and_makes_no_document(server):
+def test_a_fetched_page_solves_nothing_and_makes_no_document(started):
     async def fetch():
-        client, begun = AsyncHTTPClient(), time.monotonic()
+        client, meter = AsyncHTTPClient(), Meter(started)
         for k in range(10):
-            queries = (f"http://{server}/?mass_ratio={1 + k / 100 + i / 1000}&modes=200" for i in range(10))
+            queries = (f"http://{started.address}/?mass_ratio={1 + k / 100 + i / 1000}&modes=200" for i in range(10))
             pages = await asyncio.gather(*(client.fetch(query, request_timeout=60) for query in queries))
             assert {page.code for page in pages} <= {200}
-        return time.monotonic() - begun
+        return meter.read()
 
-    assert run(fetch()) < 60.0  # each took a solve before: 37 ms of computing and a document
+    assert run(fetch()) < 3.0  # each took a solve before: 37 ms of computing and a document
 
 
 # --- costly choices ---------------------------------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module")
-def own_server(tmp_path_factory):
-    """A server that is tried hard, and ended by the last of the tests: its process and its address."""
-    port, log = free_port(), tmp_path_factory.mktemp("own") / "log"
-    command = [sys.executable, "-m", "app.command", "serve", "--port", str(port)]
-    with log.open("w") as output:
-        process = subprocess.Popen(command, cwd=ROOT, stdout=output, stderr=subprocess.STDOUT)
-    while True:
-        assert process.poll() is None, log.read_text()
-        try:
-            urllib.request.urlopen(f"http://127.0.0.1:{port}/liveness", timeout=2).read()
-            break
-        except OSError:
-            time.sleep(0.1)
-    yield process, f"127.0.0.1:{port}"
-    if process.poll() is None:
-        process.kill()
-    process.wait(10)
-    assert "Traceback" not in log.read_text(), log.read_text()
-
-
 @pytest.mark.slow
 def test_nothing_goes_on_for_who_has_left(own_server):
-    process, address = own_server
-
-    def computing():
-        total = 0.0
-        for status in Path("/proc").glob("[0-9]*/stat"):
-            fields = _fields(status)
-            solves = fields and int(fields[16]) > 0  # workers yield; the server and the compiling process do not
-            if solves and _descends(int(status.parent.name), process.pid):
-                total += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-        return total
-
     async def leave():
-        client = await SocketClient(address).open()
+        client = await SocketClient(own_server.address).open()
         for name, value in (("method", "mode-switch"), ("modes", 200), ("mass_ratio", 0.00123)):
             await client.set(name, value)
-        await asyncio.sleep(2.0)
+        meter = Meter(own_server, solves=True)
+        while meter.read() < 1.0:  # it is under way
+            await asyncio.sleep(0.1)
         client.close()
-        await asyncio.sleep(1.0)
-        before = computing()
-        await asyncio.sleep(3.0)
-        return computing() - before
+        meter, read = Meter(own_server, solves=True), [0.0]
+        while len(read) < 30 or read[-1] > read[-30]:  # until none of them computes any more
+            await asyncio.sleep(0.1)
+            read.append(meter.read())
+        return read[-1]
 
-    assert run(leave()) < 1.5  # of the 3 s; the solve would take them whole
-
-
-def _fields(status):
-    try:
-        return status.read_text().rsplit(")", 1)[1].split()
-    except (OSError, IndexError):
-        return None
-
-
-def _descends(pid, of):
-    while pid > 1:
-        if pid == of:
-            return True
-        fields = _fields(Path(f"/proc/{pid}/stat"))
-        pid = int(fields[1]) if fields else 0
-    return False
+    assert run(leave()) < 2.0  # the solve would go on for 10 s, and is given up then
 
 
 @pytest.mark.slow
 def test_two_visitors_on_the_costliest_choices_leave_the_others_their_answers(own_server):
-    process, address = own_server
+    address = own_server.address
 
     async def costly(number):
         client = await SocketClient(address).open()
@@ -206,25 +155,30 @@ def test_two_visitors_on_the_costliest_choices_leave_the_others_their_answers(ow
         honest = await SocketClient(address).open()
         await honest.changes(1.0)
         others = [asyncio.ensure_future(costly(number)) for number in range(2)]
-        await asyncio.sleep(3.0)
-        times = []
+        meter = Meter(own_server, solves=True)
+        while meter.read() < 2.0:
+            await asyncio.sleep(0.1)
+        seconds = []
         for k in range(15):
-            begun = time.monotonic()
+            meter = Meter(own_server)
             await honest.set("mass_ratio", 1.1 + k / 64)
-            await asyncio.wait_for(honest.answer(), 30.0)
-            times.append(time.monotonic() - begun)
+            await asyncio.wait_for(honest.answer(), 60.0)
+            seconds.append(meter.read())
         for task in others:
             task.cancel()
         await asyncio.gather(*others, return_exceptions=True)
-        return sorted(times)
+        return sorted(seconds)
 
-    times = run(attack(), 120)
-    assert times[len(times) // 2] < 5.0  # it was 10 s; `python -m bench --only visitors` measures it
-    process.send_signal(signal.SIGTERM)
-    begun = time.monotonic()
-    assert process.wait(30) == 0
-    # It waited for the solves, 13 s; measured 1 s, when an answer takes 0.05 s: both take longer on a busy machine.
-    assert time.monotonic() - begun < 8.0 + 40.0 * times[len(times) // 2]
+    seconds = run(attack(), 200)
+    # Of computing until an honest visitor has his answer: it was 10 s; `python -m bench --only visitors` measures it.
+    assert seconds[len(seconds) // 2] < 5.0
+    meter = Meter(own_server)
+    own_server.process.send_signal(signal.SIGTERM)
+    while own_server.runs:
+        meter.read()
+        time.sleep(0.05)
+    assert own_server.process.returncode == 0
+    assert meter.read() < 8.0  # it waited for the solves, 13 s
 
 
 def test_what_takes_too_long_is_given_up_with_a_sentence(browser, server):
@@ -247,7 +201,8 @@ def test_a_page_that_is_turned_out_says_why_and_offers_the_way_back(browser, ser
           const { model } = strikewave.page;
           for (let k = 0; k < 9000; k++) {
             model.mass_ratio = 1 + k / 9000;
-            if (k % 100 === 0) await new Promise((done) => setTimeout(done, 20));
+            if (model.disconnected) break;
+            if (k % 10 === 0) await new Promise((done) => setTimeout(done, 20));
           }
         }"""
     )

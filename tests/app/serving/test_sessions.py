@@ -10,7 +10,7 @@ from bokeh.document import Document
 
 from app.serving import server as page_server
 
-from ..conftest import free_port
+from ..servers import free_port
 from ..socket_client import SocketClient, run
 
 VISITS = 15

@@ -1,0 +1,112 @@
+"""Servers of the page, each a process of its own, and the time for which what they start computes."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Server:
+    """A server that can be ended and started again on the same port."""
+
+    def __init__(self, log: Path):
+        self.port, self.log = free_port(), log
+        self.address = f"127.0.0.1:{self.port}"
+        self.process: subprocess.Popen | None = None
+
+    def start(self) -> None:
+        if self.process is not None and self.process.returncode != -signal.SIGKILL:
+            self.said_no_trace()
+        self.log.unlink(missing_ok=True)  # what a killed one has started may still write to that
+        with self.log.open("w") as output:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "app.command", "serve", "--port", str(self.port)],
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                cwd=ROOT,
+            )
+        deadline = time.monotonic() + 180  # a first compilation
+        while True:
+            if self.process.poll() is not None or time.monotonic() > deadline:
+                self.process.kill()
+                pytest.fail("the server did not start:\n" + self.log.read_text())
+            try:
+                urllib.request.urlopen(f"http://{self.address}/liveness", timeout=2).read()
+                return
+            except OSError:
+                time.sleep(0.1)
+
+    @property
+    def runs(self) -> bool:
+        return self.process is not None and self.process.poll() is None
+
+    def end(self, how: int = signal.SIGKILL) -> None:
+        """If it runs; also where it is stopped."""
+        if self.runs:
+            self.process.send_signal(signal.SIGCONT)
+            self.process.send_signal(how)
+            self.process.wait(20)
+
+    def said_no_trace(self) -> None:
+        """Its log must hold no stack trace."""
+        log = self.log.read_text()
+        assert "Traceback" not in log, log[-3000:]
+
+
+def _fields(pid: int) -> list[str] | None:
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    except (OSError, IndexError):
+        return None
+
+
+def _descends(pid: int, of: int) -> bool:
+    while pid > 1:
+        if pid == of:
+            return True
+        fields = _fields(pid)
+        pid = int(fields[1]) if fields else 0
+    return False
+
+
+def _seconds(of: int, solves: bool) -> dict[int, float]:
+    """Of processors, that each of a server's processes has used, by its id."""
+    found = {}
+    for folder in Path("/proc").glob("[0-9]*"):
+        pid, fields = int(folder.name), _fields(int(folder.name))
+        # Workers yield to others; the server and the compiling process do not.
+        if fields and (not solves or int(fields[16]) > 0) and _descends(pid, of):
+            found[pid] = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    return found
+
+
+class Meter:
+    """Seconds of processors that a server and what it has started use from now on; `solves`: only those of its workers.
+
+    Unlike the time that passes, they are the same on a machine that does much else beside.
+    """
+
+    def __init__(self, server: Server, solves: bool = False):
+        self._pid, self._solves, self._total = server.process.pid, solves, 0.0
+        self._known = _seconds(self._pid, solves)
+
+    def read(self) -> float:
+        """Until now; often enough, as what a process has used is known no more once it has ended."""
+        now = _seconds(self._pid, self._solves)
+        self._total += sum(seconds - self._known.get(pid, 0.0) for pid, seconds in now.items())
+        self._known = now
+        return self._total
