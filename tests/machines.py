@@ -35,7 +35,11 @@ def of_this_processor() -> dict[str, Machine]:
     """By name."""
     here = Path(sys.executable)
     found = {f"OpenBLAS of {core}": Machine(here, {"OPENBLAS_CORETYPE": core}) for core in _cores()}
-    found["kernels for any processor"] = Machine(here, {"NUMBA_CPU_NAME": "generic"})
+    generic = {
+        "NUMBA_CPU_NAME": "generic",
+        "XDG_CACHE_HOME": str(BUILT / "generic" / "cache"),
+    }  # else both compile anew
+    found["kernels for any processor"] = Machine(here, generic)
     found["NumPy without dispatch"] = Machine(here, {"NPY_DISABLE_CPU_FEATURES": " ".join(dispatched())})
     return found
 
