@@ -64,7 +64,7 @@ def test_the_same_processor_is_still_not_this_machine(monkeypatch, shipped):
     monkeypatch.setattr(view, "machine", lambda: shipped["machine"])
     found = shown()
     assert not found["elsewhere"]
-    assert "on this machine" not in words(found) and "before the program came here" in words(found)
+    assert "on this machine" not in words(found) and "for this release" in words(found)
 
 
 def test_methods_that_have_changed_since_are_told(shipped):
