@@ -1,6 +1,7 @@
 """Results as text: a report to read, a table of histories to plot elsewhere."""
 
 import io
+import math
 import os
 import textwrap
 from collections.abc import Sequence
@@ -74,7 +75,12 @@ def _leaving(solution: Solution) -> list[str]:
         impactor = "  " + text("solve.prescribed")
     else:
         before = solution.scene.impactor.velocity
-        share = text("solve.of-its-speed", share=solution.impactor_velocity / before) if before else ""
+        if not before:
+            share = ""
+        elif math.isclose(abs(before), solution.scene.speed):
+            share = text("solve.of-its-speed", share=solution.impactor_velocity / before)
+        else:  # what it meets moves, too, and may be what makes it fast
+            share = text("solve.came-at", velocity=before)
         share = text("solve.centre-of-mass") if isinstance(solution.scene.impactor, Mechanism) else share
         impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s"
         impactor += f"   ({share})" if share else ""

@@ -43,12 +43,17 @@ def kernels_key(source: Path) -> str:
     """Twelve letters that change with anything that the machine code of this file's kernels may come from.
 
     Numba looks at the file alone. Kernels also hold what they call from files that are imported, and what is done with
-    the tuples they are given: of contact laws, and of files that import theirs.
+    the tuples they are given: of contact laws, of files that import theirs, and of linkages beside them.
     """
-    laws = LIBRARY.glob("contact/*.py")
-    callers = (*(LIBRARY / "numerics").rglob("*.py"), LIBRARY / "stability" / "integrators.py")
+    return _key_of(_sources_of(source))
+
+
+def _sources_of(source: Path) -> set[Path]:
+    laws, numerics = LIBRARY.glob("contact/*.py"), LIBRARY / "numerics"
+    callers = (*numerics.rglob("*.py"), LIBRARY / "stability" / "integrators.py")
     users = (each for each in callers if source in _imports(each))
-    return _key_of(_closure(source).union(*map(_closure, (*laws, *users))))
+    linkages = (numerics / "multibody").glob("*.py") if source.parent.name == "multibody" else ()
+    return _closure(source).union(*map(_closure, (*laws, *users, *linkages)))
 
 
 def _closure(source: Path) -> set[Path]:

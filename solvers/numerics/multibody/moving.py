@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
+from ..arrays import copy_to
+from .elimination import decompose, resolve
 
 STAGES = np.array(
     [
@@ -27,6 +29,7 @@ STAGES = np.array(
 )
 SINGLE = np.ones(1)  # of second order, in a ninth of the time
 MAX_ITERATIONS = 30  # of the closing of the joints; three or four do
+SLOW = 1e-3  # of the gaps: what an iteration may leave, else the next one is by factors of its own
 CLOSED = 2e-15  # of the size of the mechanism
 
 
@@ -175,40 +178,6 @@ def joints_at(linkage, q, time, gap, jacobian, moving):
 
 
 @inner_kernel
-def decompose(matrix, order):
-    """Factors of a small matrix (n, n), in its place, by elimination with pivots, and their `order` (n,)."""
-    count = order.size
-    for k in range(count):
-        pivot = k
-        for i in range(k + 1, count):
-            if abs(matrix[i, k]) > abs(matrix[pivot, k]):
-                pivot = i
-        order[k] = pivot
-        for j in range(count):
-            matrix[k, j], matrix[pivot, j] = matrix[pivot, j], matrix[k, j]
-        for i in range(k + 1, count):
-            matrix[i, k] /= matrix[k, k]
-            for j in range(k + 1, count):
-                matrix[i, j] -= matrix[i, k] * matrix[k, j]
-
-
-@inner_kernel
-def resolve(matrix, order, right):
-    """Solution in place of `right` (n,), by these factors."""
-    count = right.size
-    for k in range(count):
-        pivot = order[k]
-        right[k], right[pivot] = right[pivot], right[k]
-    for k in range(count):
-        for j in range(k):
-            right[k] -= matrix[k, j] * right[j]
-    for k in range(count - 1, -1, -1):
-        for j in range(k + 1, count):
-            right[k] -= matrix[k, j] * right[j]
-        right[k] /= matrix[k, k]
-
-
-@inner_kernel
 def response_to(linkage, later, jacobian, factor, found):
     """Rates of the constraints `later` by unit reactions of `jacobian`, (constraints, constraints)."""
     for i in range(found.shape[0]):
@@ -287,11 +256,9 @@ def forces(linkage, q, found):
 
 @inner_kernel
 def _rattle(linkage, w, q, v, time, step, reactions):
-    """One step of RATTLE in place, from `time`; adds the impulses of the constraints to `reactions` (constraints,)."""
-    if step == 0.0:
-        return
+    """One step of RATTLE in place, from `time`, but for the closing of the rates, with the Jacobian there; adds the
+    impulses of the constraints to `reactions` (constraints,). Leaves the Jacobian at its end."""
     count, size = reactions.size, q.size
-    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
     forces(linkage, q, w.force_now)
     for k in range(size):
         w.half[k] = v[k] + 0.5 * step * linkage.mobility[k] * w.force_now[k]
@@ -306,9 +273,10 @@ def _rattle(linkage, w, q, v, time, step, reactions):
             w.given[i] = w.gap[i]
         if worst <= CLOSED * linkage.size or not worst < last:  # or as good as their rounding lets them be
             break
+        if last == np.inf or worst > SLOW * last:
+            response_to(linkage, w.later, w.jacobian, step, w.response)
+            decompose(w.response, w.order)
         last = worst
-        response_to(linkage, w.later, w.jacobian, step, w.response)
-        decompose(w.response, w.order)
         resolve(w.response, w.order, w.given)
         push_rates(linkage, w.jacobian, w.given, w.half)
         for i in range(count):
@@ -317,13 +285,13 @@ def _rattle(linkage, w, q, v, time, step, reactions):
     for k in range(size):
         q[k] = w.moved[k]
         v[k] = w.half[k] + 0.5 * step * linkage.mobility[k] * w.force_now[k]
-    _close_rates(linkage, w, q, v, time + step, reactions)
+    for i in range(count):
+        copy_to(w.jacobian[i], w.later[i])
 
 
 @inner_kernel
-def _close_rates(linkage, w, q, v, time, reactions):
-    """Push the rates onto those that the joints allow, in place."""
-    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
+def _close_rates(linkage, w, v, reactions):
+    """Push the rates onto those that the joints allow, in place, by the Jacobian as it is."""
     for i in range(reactions.size):
         w.given[i] = -w.moving[i]
         for k in range(v.size):
@@ -369,10 +337,18 @@ def respond(linkage, w, q, time, change):
 
 @inner_kernel
 def step_on(linkage, w, stages, q, v, time, step, reactions):
-    """One step of the composition in place; see `STAGES`."""
+    """One step of the composition in place; see `STAGES`.
+
+    Rates are closed at its end alone: what that would take from them within it, the next stage takes, along the same
+    Jacobian.
+    """
+    if step == 0.0:
+        return
+    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
     for k in range(stages.size):
         _rattle(linkage, w, q, v, time, stages[k] * step, reactions)
         time += stages[k] * step
+    _close_rates(linkage, w, v, reactions)
 
 
 class Seen(NamedTuple):

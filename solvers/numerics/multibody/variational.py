@@ -13,9 +13,9 @@ import numpy as np
 
 from ...jit.kernels import inner_kernel
 from ..arrays import add_to, copy_to, dot
+from .elimination import decompose, resolve
 from .floating import Face, Frames, Stations, Ties, add_springs, face_of, gaps_at, joints_at
 from .inertia import actions, as_rigid, divide_by_mass, factor_mass
-from .moving import decompose, resolve
 
 MAX_ITERATIONS = 60  # of the step; six or seven do where the links turn by little in it
 SETTLED = 1e-15  # change of all coordinates, in units of the linkage, that counts as none
@@ -127,16 +127,15 @@ def _react(w, change):
 
 
 @inner_kernel
-def _variational(linkage, w, q, v, time, step, reactions):
-    """One step in place, from `time`, with the Jacobian there; adds the impulses of the constraints to `reactions`
-    (constraints,). Leaves the Jacobian at its end.
+def _variational(linkage, w, q, time, step, reactions):
+    """One step in place, from `time`, with the Jacobian there, the momenta w.begun and about the rates w.rate, all
+    (size,); adds the impulses of the constraints to `reactions` (constraints,). Leaves the same at its end.
 
     What reactions do is that at where the rates lead: it converges to the same, as the joints are closed at the end.
     """
     count, size, last = reactions.size, q.size, np.inf
-    actions(linkage, w.room, q, v, w.begun, w.force_now)
     for k in range(size):
-        w.rate[k], w.moved[k], w.middle[k] = v[k], q[k] + step * v[k], q[k] + 0.5 * step * v[k]
+        w.moved[k], w.middle[k] = q[k] + step * w.rate[k], q[k] + 0.5 * step * w.rate[k]
     for i in range(count):
         w.pushed[i] = 0.0
     soften(linkage, w, step, w.middle)
@@ -165,17 +164,17 @@ def _variational(linkage, w, q, v, time, step, reactions):
         last = worst
     actions(linkage, w.room, w.middle, w.rate, w.momentum, w.force_now)
     for k in range(size):
-        q[k], v[k] = w.moved[k], w.begun[k] + step * w.force_now[k]
+        q[k] = w.moved[k]
+        w.begun[k] += step * w.force_now[k]
     for i in range(count):
-        add_to(v, -w.pushed[i], w.jacobian[i])
+        add_to(w.begun, -w.pushed[i], w.jacobian[i])
         reactions[i] += w.pushed[i]
-    _rates_of_momenta(linkage, w, q, v, time + step, reactions)
+    joints_at(linkage, q, time + step, w.gap, w.jacobian, w.moving)
 
 
 @inner_kernel
-def _rates_of_momenta(linkage, w, q, v, time, reactions):
-    """In place of momenta (size,) the rates that the joints allow."""
-    joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
+def _rates_of_momenta(linkage, w, q, v, reactions):
+    """In place of momenta (size,) the rates that the joints allow, by the Jacobian as it is."""
     soften(linkage, w, 0.0, q)
     divide_by_mass(linkage, w.factor, v)
     _close(w, v)
@@ -205,13 +204,21 @@ def respond(linkage, w, q, time, change):
 
 @inner_kernel
 def step_on(linkage, w, stages, q, v, time, step, reactions):
-    """One step of the composition in place; see `moving.STAGES`."""
+    """One step of the composition in place; see `moving.STAGES`.
+
+    Within it there are momenta, and rates are closed at its end alone: what that would take from momenta before, the
+    next stage takes, along the same Jacobian.
+    """
     if step == 0.0:
         return
     joints_at(linkage, q, time, w.gap, w.jacobian, w.moving)
+    actions(linkage, w.room, q, v, w.begun, w.force_now)
+    copy_to(w.rate, v)
     for k in range(stages.size):
-        _variational(linkage, w, q, v, time, stages[k] * step, reactions)
+        _variational(linkage, w, q, time, stages[k] * step, reactions)
         time += stages[k] * step
+    copy_to(v, w.begun)
+    _rates_of_momenta(linkage, w, q, v, reactions)
 
 
 class Seen(NamedTuple):

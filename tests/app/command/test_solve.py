@@ -277,3 +277,11 @@ def test_a_rod_that_the_mass_does_not_feel_is_refused(capsys):
     code = main(["solve", "free-rod", *(word for change in changes for word in ("--set", change))])
     assert code == 2
     assert "impactor.mass: got 1000000000000.0; allowed: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name, came", [("figure-6.6", True), ("fixed-rod", False)])
+def test_a_share_of_its_speed_is_given_only_where_that_is_the_speed_of_the_impact(capsys, name, came):
+    """The crank of figure 6.6 comes to meet a mass that hardly moves: it left with "-31 of its speed"."""
+    main(["solve", name])
+    shown = capsys.readouterr().out
+    assert ("came at" in shown) == came and ("of its speed" in shown) != came

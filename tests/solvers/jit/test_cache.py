@@ -273,3 +273,9 @@ def test_what_is_compiled_for_one_processor_is_not_taken_to_be_for_another(monke
     here = kept.all_compiled()
     monkeypatch.setattr("numba.config.CPU_NAME", "generic")
     assert kept.all_compiled() != here
+
+
+@pytest.mark.parametrize("caller", ["bouncing.py", "free.py", "pressing.py"])
+def test_kernels_that_are_given_a_linkage_are_compiled_again_when_its_file_has_changed(caller):
+    folder = kept.LIBRARY / "numerics" / "multibody"
+    assert {folder / "moving.py", folder / "variational.py", folder / "inertia.py"} <= kept._sources_of(folder / caller)
