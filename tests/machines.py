@@ -19,9 +19,10 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 BUILT = ROOT / "build" / "machines"
-PYTHONS = "3.12", "3.13"  # besides the one that runs this
+PYTHONS = "3.12", "3.13", "3.14"  # besides the one that runs this
 VARIED = "numpy", "scipy", "numba"  # whose lowest and newest allowed versions are tried
 FOLLOW = "llvmlite", "pandas", "xarray", "contourpy"  # which some of those ask for in other versions
+LIBRARY = *VARIED, "babel", "threadpoolctl"  # all that `solvers` needs
 NUDGES = -3e-12, -1e-12, 1e-12, 3e-12  # relative changes of what is given, far above rounding
 CHAOTIC = 1e4  # times what is given is changed, above which a result hangs on the last bits
 
@@ -48,9 +49,7 @@ def machines() -> dict[str, Machine]:
     """Those of this processor, and those of the versions and Pythons that are installed, by name."""
     places = ("lowest", "newest", *(f"python-{version}" for version in PYTHONS))
     return of_this_processor() | {
-        place: Machine(BUILT / place / "bin" / "python", {"XDG_CACHE_HOME": str(BUILT / place / "cache")})
-        for place in places
-        if (BUILT / place / ".installed").exists()
+        place: _installed(place) for place in places if (BUILT / place / ".installed").exists()
     }
 
 
@@ -86,6 +85,10 @@ def figures(scene: Any) -> Figures:
     found["peak force"] = _sized(table["peak_force"], None)
     for name in ("start", "end"):
         found[f"{name} of contacts"] = _sized([contact[name] for contact in table["contacts"][:3]], None)
+    reactions = [size for joint in table.get("joints", []) if "moment_impulse" in joint for size in joint["impulse"]]
+    found["impulses at joints"] = _sized(reactions, None)
+    for name, link in table.get("links", {}).items():
+        found[f"velocity of {name}"] = _sized(link["final_velocity"], speed)
     return {name: values for name, values in found.items() if values}
 
 
@@ -166,15 +169,34 @@ def install() -> None:
         else:
             print(f"Python {version} is not installed, and is left out.")
     for place, (python, constraints) in wanted.items():
-        folder = BUILT / place
-        if (folder / ".installed").exists():
-            continue
+        _install(place, python, constraints, ["-e", ".[test]"])
+
+
+def newest_python() -> Machine | None:
+    """The newest other Python that there is, with what the library needs; None where there is no other."""
+    found = {version: python for version in PYTHONS if (python := _python(version))}
+    if not found:
+        return None
+    version = max(found, key=lambda each: int(each.partition(".")[2]))
+    pinned = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
+    return _install(f"library-{version}", found[version], pinned, list(LIBRARY))
+
+
+def _install(place: str, python: str, constraints: list[str], what: list[str]) -> Machine:
+    """Have these packages in an environment of that name."""
+    folder = BUILT / place
+    if not (folder / ".installed").exists():
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "constraints.txt").write_text("\n".join(constraints) + "\n", encoding="utf-8")
         subprocess.run([python, "-m", "venv", folder], check=True)
         pip = [folder / "bin" / "pip", "install", "--quiet", "--no-compile", "--disable-pip-version-check"]
-        subprocess.run([*pip, "--constraint", folder / "constraints.txt", "-e", ".[test]"], cwd=ROOT, check=True)
+        subprocess.run([*pip, "--constraint", folder / "constraints.txt", *what], cwd=ROOT, check=True)
         (folder / ".installed").touch()
+    return _installed(place)
+
+
+def _installed(place: str) -> Machine:
+    return Machine(BUILT / place / "bin" / "python", {"XDG_CACHE_HOME": str(BUILT / place / "cache")})
 
 
 def _python(version: str) -> str | None:

@@ -41,6 +41,18 @@ def test_no_function_is_longer_than_60_lines():
     assert [function for function in functions if function[-1] > 60] == []
 
 
+def test_no_class_answers_by_getattr():
+    """Since Python 3.12 protocols look at what a class has, and what it answers otherwise is missed in silence."""
+    found = [
+        (path.relative_to(ROOT), each.name)
+        for path in SOURCES
+        if path.suffix == ".py"
+        for each in ast.walk(ast.parse(path.read_text()))
+        if isinstance(each, ast.FunctionDef) and each.name in ("__getattr__", "__getattribute__")
+    ]
+    assert found == []
+
+
 @pytest.mark.slow
 def test_types():
     call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable]

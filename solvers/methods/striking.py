@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from ..numerics.multibody.mesh import ModeChange
 from ..scene import Scene
-from ..solution.motion import MovesFace
+from ..solution.motion import Balances, ChangesModes, MovesFace, ResolvesForce
 from ..solution.solution import Later, Solution
 from ..text.notes import Note
 from .mechanisms import MechanismMotion
@@ -24,10 +25,41 @@ class StrikingMotion:
     def __init__(self, scene: Scene, struck: Any):
         self.scene, self.struck = scene, struck
 
-    def __getattr__(self, name: str) -> Any:
-        if name == "struck":  # while it is copied there is none yet
-            raise AttributeError(name)
-        return getattr(self.struck, name)
+    # --- what does not depend on which of the two strikes
+
+    def force(self, time, after=True):
+        return self.struck.force(time, after)
+
+    def force_history(self):
+        return self.struck.force_history()
+
+    def resolved_force(self, time):
+        """The force, averaged where its method says over what."""
+        seen = self.struck
+        return seen.resolved_force(time) if isinstance(seen, ResolvesForce) else seen.force(time)
+
+    def impulse(self, time, after=True):
+        return self.struck.impulse(time, after)
+
+    def coordinates(self, time) -> np.ndarray:
+        return self.struck.coordinates(time)
+
+    def link_points(self, time, parts: int = 1, magnified: float = 1.0) -> dict[str, np.ndarray]:
+        return self.struck.link_points(time, parts, magnified)
+
+    def link_rates(self, time: float) -> dict[str, dict[str, Any]]:
+        return self.struck.link_rates(time)
+
+    def reaction_forces(self, time) -> np.ndarray:
+        return self.struck.reaction_forces(time)
+
+    def reactions(self, until: float) -> list[dict[str, Any]]:
+        return self.struck.reactions(until)
+
+    def mode_change(self) -> ModeChange | None:
+        return self.struck.mode_change() if isinstance(self.struck, ChangesModes) else None
+
+    # --- along the normal
 
     def impactor_position(self, time):
         """Of the place that strikes."""
@@ -80,9 +112,14 @@ class StrikingMotion:
         velocity = self.rigid_velocity(np.atleast_1d(np.asarray(time, float)))
         return _said(self.struck.energies(time), self.scene, velocity)
 
-    def target_energies(self, time):
-        """Not known apart."""
-        raise AttributeError("target_energies")
+
+class BalancedStrikingMotion(StrikingMotion):
+    """The same, made of impulses without duration."""
+
+    @property
+    def impulses(self) -> tuple[np.ndarray, np.ndarray]:
+        """Times [s] and impulses [N s] of the balances."""
+        return self.struck.impulses
 
 
 def _beyond(x: Any) -> np.ndarray:
@@ -108,7 +145,9 @@ def _exchanged(note: Note) -> Note:
 
 def as_striking(solution: Solution, scene: Scene) -> Solution:
     """The solution of the scene in which a mechanism strikes from that of `scene.struck`."""
-    found, motion = copy(solution), StrikingMotion(scene, solution.known_motion)
+    struck = solution.known_motion
+    kind = BalancedStrikingMotion if isinstance(struck, Balances) else StrikingMotion
+    motion, found = kind(scene, struck), copy(solution)
 
     def energy(_: Solution) -> dict[str, float]:
         parts = {name: value for name, value in solution.energy.items() if name != "initial"}

@@ -130,7 +130,7 @@ class Solution:
     @property
     def links(self) -> dict[str, dict[str, Any]] | None:
         """Of a mechanism at the end, by link: `final_velocity` (2,) of its centre [m/s] and `final_spin` [rad/s]."""
-        return self.motion.link_rates(self.duration) if isinstance(self.motion, Joined) else None
+        return None if (motion := self._joined_motion) is None else motion.link_rates(self.duration)
 
     @property
     def reactions(self) -> list[dict[str, Any]] | None:
@@ -140,9 +140,17 @@ class Solution:
         Of repeated balances the sum of their sudden reactions, thesis (6.12), and beside it `impulse_to_parting` and
         `moment_impulse_to_parting`, with what the links pass on as they vibrate.
         """
-        if not isinstance(self.motion, Joined):
+        if (motion := self._joined_motion) is None:
             return None
-        return self.motion.reactions(self.contacts[-1].end if self.contacts else 0.0)
+        return motion.reactions(self.contacts[-1].end if self.contacts else 0.0)
+
+    @property
+    def _joined_motion(self) -> Joined | None:
+        """Of a mechanism, which every method finds with its links and joints; else none."""
+        if not isinstance(self.scene.struck.target, Mechanism):
+            return None
+        assert isinstance(self.motion, Joined)
+        return self.motion
 
     @property
     def time(self) -> np.ndarray:
