@@ -82,6 +82,15 @@ def _commit() -> str:
     return done.stdout.strip() or "unknown"
 
 
+def written(stored: dict[str, dict[str, object]]) -> str:
+    """As JSON, a figure a line."""
+    parts = []
+    for part, figures in stored.items():
+        lines = (f"  {json.dumps(name)}: {json.dumps(value)}" for name, value in figures.items())
+        parts.append(f" {json.dumps(part)}: {{\n" + ",\n".join(lines) + "\n }")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", choices=list(PARTS), help=f"one part; default: all but {', '.join(IF_ASKED)}")
@@ -95,9 +104,8 @@ def main() -> None:
         print(f"\n== {part}")
         measured = PARTS[part].measure()
         if measured is not None:  # else what it needs is not installed, and what was stored stays
-            stored[part] = measured
-            stored.setdefault("measured", {})[part] = where
-        RESULTS.write_text(json.dumps(stored, indent=1) + "\n")
+            stored[part] = {"measured": where} | measured
+        RESULTS.write_text(written(stored), encoding="utf-8")
     print(f"\nStored in {RESULTS.relative_to(Path.cwd()) if RESULTS.is_relative_to(Path.cwd()) else RESULTS}")
 
 

@@ -30,8 +30,4 @@ def measure() -> dict[str, object]:
     for scene in sorted(scenes, key=lambda each: -worst[each][0])[:12]:
         note = "chaotic" if scene in chaotic else ""
         print(f"  {scene:40}{worst[scene][0]:10.1e}  {worst[scene][1]:24} {factors[scene]:9.1e} times 1e-12  {note}")
-    return dict(rows) | {
-        "chaotic": chaotic,
-        "scenes": {scene: {"difference": worst[scene][0], "of": worst[scene][1], "factor": factors[scene]}
-                   for scene in scenes},
-    }  # fmt: skip
+    return dict(rows) | {"chaotic": chaotic}
