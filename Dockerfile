@@ -22,7 +22,7 @@ USER impact
 RUN impact warm
 
 EXPOSE 5006
-# Until the first page is ready the port answers 503, so that 200 means ready.
+# Answers once the first page is ready.
 HEALTHCHECK --interval=30s --timeout=5s --start-period=30s \
     CMD ["python", "-c", "import os, urllib.request as u; u.urlopen('http://127.0.0.1:' + os.environ['IMPACT_PORT'] + '/liveness', timeout=4)"]
 CMD ["impact", "serve", "--warm"]

@@ -11,7 +11,7 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
 # Bytecode is written at the first import, of what is imported: else each of the many processes of tests makes its own.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: serve check coverage test machines docs bench tables peers screenshot clean chromium
+.PHONY: serve check coverage test machines docs bench tables peers screenshot clean chromium haproxy
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
@@ -23,7 +23,7 @@ check: $(VENV)/.installed-test
 coverage: $(VENV)/.installed-test
 	$(PYTEST) -m "not browser and not slow" --cov --cov-report=term
 
-test: $(VENV)/.installed-test chromium node_modules/.installed
+test: $(VENV)/.installed-test chromium haproxy node_modules/.installed
 	$(BIN)/impact warm  # else each of the servers that tests start would compile the same
 	$(PYTEST) -n $$(($$(nproc) + 1))  # tests of the page wait half of their time
 
@@ -74,6 +74,11 @@ chromium: $(VENV)/.installed-test
 		{ grep -qs '^ID=debian' /etc/os-release && $(SUDO) apt-get update -qq && \
 		$(SUDO) apt-get install -qq -y --no-install-recommends chromium-headless-shell fonts-dejavu-core >/dev/null; } || \
 		$(BIN)/playwright install --with-deps chromium; }
+
+# The proxy whose configuration docs/hosting has; its tests are skipped where it cannot be installed.
+haproxy:
+	@command -v haproxy >/dev/null || [ -x /usr/sbin/haproxy ] || { echo "Installing HAProxy"; \
+		{ $(SUDO) apt-get update -qq && $(SUDO) apt-get install -qq -y --no-install-recommends haproxy >/dev/null; } || true; }
 
 # Checks of the browser code; the page itself needs none of them.
 node_modules/.installed: package.json

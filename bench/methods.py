@@ -1,7 +1,6 @@
 """Every method against the exact solution: the fixed steel rod struck by masses lighter and heavier than itself."""
 
 import solvers
-from app.command.export import comparison
 
 from .timing import row
 
@@ -17,7 +16,7 @@ def measure() -> dict[str, object]:
         scene = rod.replace({"impactor.mass": rod.target.mass / ratio})
         default = solvers.solve(scene)
         rows = solvers.compare(scene)
-        print(comparison(default, rows).replace("\n", "\n  "), end="\n\n")
+        print(str(rows).replace("\n", "\n  "), end="\n\n")
         found[f"mass ratio {ratio:g}"] = {line.label: line.table() for line in rows}
         shipped = next(line for line in rows if line.method == default.method)
         if ratio in TWICE:

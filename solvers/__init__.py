@@ -22,6 +22,7 @@ from .bodies import (
     RigidMass,
     Rod,
     Rods,
+    Section,
     SpringMass,
     Wall,
     Waveguide,
@@ -42,10 +43,12 @@ from .methods import (
 from .methods.base import Method, SceneNotSupported
 from .methods.multibody.method import Multibody
 from .numerics import memory  # noqa: F401  (what it does holds for the process)
+from .provenance import release
 from .regimes.plan import Plan, plan
 from .regimes.regime_map import RegimeMap, regime_map
 from .scene import Scene
 from .scenes.library import load, scene_names
+from .solution.motion import Motion
 from .solution.solution import ContactPeriod, Solution
 from .solve import read_method, solve
 from .stability.maps import Stability, stability
@@ -53,9 +56,12 @@ from .studies.bounces import Bounce, Bounces, bounces
 from .studies.contact_times import ContactTimes, compare_with_half_space, contact_times
 from .studies.convergence import Convergence, convergence
 from .studies.ensemble import Ensemble, ensemble
+from .studies.figures import Figures
 from .studies.scattering import JointScattering, joint_scattering
-from .studies.sweep import Figures, solve_many, sweep
+from .studies.sweep import solve_many, sweep
 from .validation import SceneError
+
+__version__ = release()
 
 __all__ = [
     "LAWS",
@@ -81,6 +87,7 @@ __all__ = [
     "Method",
     "Modal",
     "ModeSwitch",
+    "Motion",
     "Multibody",
     "Plan",
     "QuasiStatic",
@@ -93,6 +100,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "SceneNotSupported",
+    "Section",
     "Solution",
     "SpringMass",
     "Stability",

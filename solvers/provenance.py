@@ -6,6 +6,7 @@ import os
 import platform
 import threading
 import time
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -59,10 +60,15 @@ def machine() -> dict[str, Any]:
     return {"processor": model, "cores": os.cpu_count(), "python": platform.python_version()}
 
 
+@cache
+def release() -> str:
+    """Of the library: the number of its release."""
+    try:
+        return metadata.version("strikewave")
+    except metadata.PackageNotFoundError:  # run from its sources, not installed
+        return "0"
+
+
 def version() -> str:
     """Of the library, with the state of its sources: measured once, valid for these only."""
-    try:
-        number = metadata.version("strikewave")
-    except metadata.PackageNotFoundError:  # run from its sources, not installed
-        number = "0"
-    return f"{number}+{sources_key()}"
+    return f"{release()}+{sources_key()}"

@@ -30,7 +30,7 @@ from .bodies import (
 )
 from .bodies.drop import fallen, height_and_gravity
 from .bodies.lumped import SPEED_RANGE
-from .contact import LAWS, Rigid
+from .contact import LAWS, Rigid, check_law
 from .contact.duration import contact_time
 from .contact.friction import read_friction
 from .contact.protocol import Law
@@ -57,7 +57,7 @@ class Scene:
     joint_laws: tuple[Law | None, ...] = ()  # of the joints of a chain of rods, None where bonded; between balls
     title: str = ""
     source: str = ""
-    method: Mapping[str, Any] = field(default_factory=dict)
+    method: Mapping[str, Any] = field(default_factory=dict, hash=False)
     given: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     normal: tuple[float, float, float] | Any = None  # from impactor to target, where they are bodies in space
     note: str = ""
@@ -67,6 +67,7 @@ class Scene:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
         if isinstance(self.impactor, Rod) and self.impactor.held and not self.given:
             raise SceneError("impactor.support", self.impactor.support, allowed("choice", options=["free"]))
+        check_law(type(self.contact))
 
     @classmethod
     def from_table(cls, given: object) -> "Scene":
@@ -74,7 +75,8 @@ class Scene:
 
         Raises SceneError that names the key, the value and what is allowed.
         """
-        given = validation.table("", given, ("title", "source", "note", "impactor", "target", "contact", "method"))
+        names = ("title", "source", "note", "impactor", "target", "contact", "method")
+        given = validation.table("", validation.plain(given), names)
         target = read_body("target", validation.required("", given, "target", allowed("a-table")))
         usual = target.usual_impactor()
         given = given if usual is None else {"impactor": usual} | dict(given)
@@ -111,7 +113,7 @@ class Scene:
         Another `method.name` takes the options of the method before with it; `duration` stays. Raises SceneError for a
         key that does not exist or a value that is not allowed.
         """
-        tables = validation.copied(self.given or self.table())
+        tables = validation.plain(self.given or self.table())
         options = tables.get("method", {})
         if changes.get("method.name", options.get("name")) != options.get("name") is not None:
             tables["method"] = {name: value for name, value in options.items() if name == "duration"}
@@ -159,7 +161,7 @@ class Scene:
             "target": self.target.table(),
             "contact": contact,
         }
-        return tables | ({"method": dict(self.method)} if self.method else {})
+        return validation.plain(tables | ({"method": self.method} if self.method else {}))
 
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
         """The table of the impactor, with the height from which it falls where the scene gives that."""
@@ -368,6 +370,7 @@ def _read_law(key: str, given: object, impactor: AnyBody, target: AnyBody, spati
     if not isinstance(given, Mapping):
         raise SceneError(key, given, allowed("law-table"))
     law: Any = LAWS[validation.choice(f"{key}.law", given.get("law", "rigid"), ("rigid",) if spatial else LAWS)]
+    check_law(law, f"{key}.law")
     validation.table(key, given, ("law", *law.KEYS, *(IN_SPACE if spatial else ())))
     try:
         return law.read(given, impactor, target)

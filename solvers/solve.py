@@ -31,7 +31,9 @@ def read_method(given: Mapping[str, Any], scene: SceneOrName | None = None) -> t
     return CHOICES[validation.choice("method.name", name, CHOICES)].read(given), duration
 
 
-def solve(scene: SceneOrName, method: str | Method | None = None, duration: float | None = None, **options) -> Solution:
+def solve(
+    scene: SceneOrName, method: str | Method | None = None, duration: float | None = None, **options: Any
+) -> Solution:
     """Solve a scene by the method it names, by `usual_method` if it names none, or by another one.
 
     `options` are those of the method (`modes`, `steps`, `tolerance`). Duration in seconds; without one, until the

@@ -5,7 +5,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
+import numpy as np
+
 from .text.notes import Note, Severity
+
+DEEPEST = 20  # tables within tables; no scene goes as deep
 
 
 class SceneError(ValueError):
@@ -65,7 +69,8 @@ def a_number(low: float, high: float, unit: str = "", inside: str = "nothing") -
 
 
 def number(key: str, value: object, low: float, high: float, unit: str = "", inside: str = "nothing") -> float:
-    """A finite number in [low, high]."""
+    """A finite number in [low, high], Python's or NumPy's."""
+    value = plain(value)
     try:
         checked = float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else math.nan
     except OverflowError:
@@ -76,7 +81,8 @@ def number(key: str, value: object, low: float, high: float, unit: str = "", ins
 
 
 def whole_number(key: str, value: object, low: int, high: int) -> int:
-    """A whole number in [low, high]."""
+    """A whole number in [low, high], Python's or NumPy's."""
+    value = plain(value)
     if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
         raise SceneError(key, value, allowed("whole-number", low=low, high=high))
     return value
@@ -87,6 +93,14 @@ def choice(key: str, value: object, options: Iterable[str]) -> str:
     options = tuple(options)
     if not isinstance(value, str) or value not in options:
         raise SceneError(key, value, allowed("choice", options=list(options)))
+    return value
+
+
+def flag(key: str, value: object) -> bool:
+    """true or false."""
+    value = plain(value)
+    if not isinstance(value, bool):
+        raise SceneError(key, value, allowed("flag"))
     return value
 
 
@@ -121,11 +135,20 @@ def required_number(key: str, given: Mapping[str, Any], name: str, low: float, h
     return number(f"{key}.{name}", required(key, given, name, a_number(low, high, unit)), low, high, unit)
 
 
-def copied(value: Any) -> Any:
-    """Tables within tables and lists, with none of them shared."""
-    if isinstance(value, Mapping):
-        return {key: copied(each) for key, each in value.items()}
-    return [copied(each) for each in value] if isinstance(value, list) else value
+def plain(value: Any, levels: int = DEEPEST) -> Any:
+    """Tables within tables and lists, none of them shared, with Python's numbers and lists for NumPy's."""
+    if type(value) in (str, float, int):  # most are
+        return value
+    if isinstance(value, np.floating):  # of an extended one `tolist` makes no number of Python
+        return float(value)
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, Mapping) and levels:
+        return {key: plain(each, levels - 1) for key, each in value.items()}
+    if type(value) in (list, tuple) and levels:
+        found = [plain(each, levels - 1) for each in value]
+        return found if isinstance(value, list) else tuple(found)
+    return value
 
 
 def numbered(table: list, name: str, key: str, value: Any) -> Any:

@@ -66,6 +66,23 @@ def test_examples_print_what_stands_below_them(page, capsys, monkeypatch):
             solvers.Scene.from_table(tomllib.loads(text))
 
 
+def test_scenes_that_are_shown_are_the_files_they_name():
+    shown = [text for page in pages_with("toml") for kind, text in blocks(page) if text.startswith("# docs/")]
+    assert shown
+    for text in shown:
+        assert text == (ROOT / text.splitlines()[0].removeprefix("# ")).read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_examples_have_the_types_that_pyright_asks_for(tmp_path):
+    for page in pages_with("python"):
+        text = "\n".join(text for kind, text in blocks(page) if kind == "python")
+        (tmp_path / f"{page.stem.replace('-', '_')}.py").write_text(text, encoding="utf-8")
+    call = [sys.executable, "-m", "pyright", "--level", "warning", "--pythonpath", sys.executable, str(tmp_path)]
+    done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_commands_that_are_only_shown_have_such_options():
     shown = "\n".join(text for page in pages_with("sh") for kind, text in blocks(page) if kind == "sh")
     read = [shlex.split(line) for line in re.findall(r"\bimpact [a-z].*", shown)]
@@ -122,6 +139,7 @@ def test_links_beside_the_pages_lead_somewhere():
 
 def test_one_version_everywhere():
     version = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    assert solvers.__version__ == version
     assert re.search(rf"^version: {re.escape(version)}$", (ROOT / "CITATION.cff").read_text(), re.MULTILINE)
     assert re.findall(r"^## (\d\S*)", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)[0] == version
 

@@ -23,7 +23,7 @@ from .part import QUANTITIES, RANGES, Part, in_table
 Values = dict[str, float | str]  # by key
 _PART = r"impactor|target(?:\.rods\.(?:[1-9]|1[0-2])|\.(?:links|joints)\.[1-9]\d?)?"
 _KEY = re.compile(rf"({_PART})\.({'|'.join(map(re.escape, QUANTITIES))})")
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 _HARMLESS = re.compile(r"[\w.+-]{1,24}", re.ASCII)  # a word or a number, which may be repeated to who has written it
 LONGEST = 800  # letters of all changed values together
 SAME = 1e-9  # relative difference of two numbers that are the same but for rounding

@@ -42,7 +42,7 @@ class Choices(param.Parameterized):
     slenderness = param.Number(default=10.0, bounds=(1.0, 1e3))  # length of a beam over its depth
     damping = param.Number(default=0.0, bounds=(0.0, LARGEST_DAMPING))  # of every mode of a beam, of the critical
     law = param.Selector(default="rigid", objects=list(LAWS))
-    linear_stiffness = param.Number(default=1.3e10, bounds=(1e5, 1e14))  # [N/m]
+    linear_stiffness = param.Number(default=1.3e10, bounds=(1e2, 1e14))  # [N/m]
     hertz_stiffness = param.Number(default=1e10, bounds=(1e6, 1e14))  # [N/m^1.5]
     force_at_depth = param.Number(default=1e4, bounds=(1e-1, 1e9))  # [N], of laws with an exponent of their own
     for _name, (_usual, _low, _high) in OF_LAWS.items():

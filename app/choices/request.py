@@ -9,6 +9,9 @@ from solvers.methods.multibody.method import Multibody
 from .scene_of import acting_choices, chosen_scene, kind_of, own_choices
 
 DRAFT = "draft"  # key, beside the choices, of the share of the resolution that will do while a slider moves
+IN_VIEW = (
+    "time_in_view"  # key, beside the choices, of the stretch of time that histories are sampled for, "START END" [s]
+)
 LEAST = 4  # modes or elements of a draft, where as many are chosen
 
 
@@ -26,15 +29,18 @@ class Request:
     restitution: float  # of methods that take it
     chosen: dict[str, Any]  # the choices as the page has them, which every answer repeats
     share: float = 1.0  # of the modes, elements and steps chosen that it is solved by: less than 1 in a draft
+    stretch: tuple[float, float] | None = None  # of time that histories are sampled for [s]; None: all of it
 
     @classmethod
     def of(cls, chosen: dict[str, Any]) -> "Request":
         """Raises SceneError for choices that describe no scene."""
-        share = chosen.get(DRAFT, 1.0)
-        chosen = {name: value for name, value in chosen.items() if name != DRAFT}
+        share, looked_at = chosen.get(DRAFT, 1.0), chosen.get(IN_VIEW, "")
+        chosen = {name: value for name, value in chosen.items() if name not in (DRAFT, IN_VIEW)}
+        start, end = map(float, looked_at.split()) if looked_at else (0.0, 0.0)
         own = {name: chosen[name] for name in ("method", "restitution")}
         counts = {name: max(round(share * chosen[name]), min(LEAST, chosen[name])) for name in ("modes", "elements")}
-        return cls(scene=chosen_scene(chosen), chosen=chosen, share=share, **own, **counts)
+        stretch = (start, end) if end > start else None
+        return cls(scene=chosen_scene(chosen), chosen=chosen, share=share, stretch=stretch, **own, **counts)
 
     @property
     def draft(self) -> bool:

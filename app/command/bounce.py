@@ -46,7 +46,7 @@ def report(found: Bounces) -> str:
         rest = text("bounce.rest", time=f"{found.rest_time:.9g}", path=f"{found.path:.9g}")
     return "\n".join(
         [
-            found.scene.title or text("report.untitled"),
+            found.scene.title or text("printed.report.untitled"),
             "  " + text("bounce.dropped", height=f"{found.height:g}", gravity=f"{found.gravity:g}"),
             "",
             "".join(f"{head[name]:>{width}}" for name, width in WIDTHS.items()),
@@ -54,7 +54,7 @@ def report(found: Bounces) -> str:
             "",
             "  " + text("bounce.ended", **end),
             "  " + rest,
-            *("  " + text("report.note", note=note) for note in found.notes),
+            *("  " + text("printed.report.note", note=note) for note in found.notes),
         ]
     )
 

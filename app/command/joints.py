@@ -37,7 +37,7 @@ def report(scene: solvers.Scene, found: JointScattering) -> str:
     heads, kinds = family("joints.head"), family("joints.incoming")
     values = {"joint": found.joint, "kind": found.kind, "first": found.links[0], "second": found.links[1]}
     lines = [
-        scene.title or text("report.untitled"),
+        scene.title or text("printed.report.untitled"),
         "  " + text("joints.about", bend=math.degrees(found.bend), **values),
         "",
         f"  {heads['frequency']:>14}  {heads['incoming']:10}" + "".join(f"{heads[name]:>22}" for name in OUTGOING),

@@ -78,6 +78,7 @@ def _patience():
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="impact", description=text("help.impact"))
+    parser.add_argument("--version", action="version", version=solvers.__version__, help=text("help.version"))
     commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
 
     solve = commands.add_parser("solve", help=text("help.solve.about"))
@@ -321,21 +322,18 @@ def _solve(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(solution.table(), indent=1, allow_nan=False))
     else:
-        from .export import report
-
-        print(report(solution))
+        print(solution)
     return 0
 
 
 def _compare(options: argparse.Namespace) -> int:
     scene = _scene(options)
-    exact, rows = solvers.reference(scene), solvers.compare(scene)
+    rows = solvers.compare(scene)
+    exact = rows.exact
     if options.json:
         called = "exact" if exact.method["name"] == "waves" else "reference"
         found = {called: exact.table(), "methods": [row.table() for row in rows]}
         print(json.dumps(found, indent=1, allow_nan=False))
     else:
-        from .export import comparison
-
-        print(comparison(exact, rows))
+        print(rows)
     return 0

@@ -6,6 +6,7 @@ import textwrap
 
 import solvers
 from solvers import Plan, SceneError
+from solvers.notebook.tables import left_out
 from solvers.regimes.models import QUESTIONS
 
 from .words import named, text
@@ -28,7 +29,7 @@ def print_plan(scene: solvers.Scene, options) -> int:
 
 
 def report(found: Plan) -> str:
-    title = found.scene.title or text("report.untitled")
+    title = found.scene.title or text("printed.report.untitled")
     within = 100 * found.tolerance
     lines = [text("plan.head", title=title, question=found.question, within=within), ""]
     lines += [f"  {named('plan.group', name):44}{value:.4g}" for name, value in found.groups.items()]
@@ -36,6 +37,7 @@ def report(found: Plan) -> str:
     for candidate in found.candidates:
         mark = "->" if candidate is found.chosen else "  "
         lines.append(f"{mark}{candidate.model:48}{_shown(candidate.expected_error)}")
+    lines += left_out({each.name: each.name.removesuffix("-quasi-static") for each in found.candidates})
     lines += ["", *textwrap.wrap(found.reason, 118, initial_indent="  ", subsequent_indent="  ")]
     if found.next_better is not None:
         better = {"model": found.next_better.model, "error": _shown(found.next_better.expected_error)}

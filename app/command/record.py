@@ -35,6 +35,8 @@ def print_record(scene: solvers.Scene, options: argparse.Namespace) -> int:
         check_name(options.series, ".csv")
     places = _places(options)
     records = _records(options, max(len(places), 1))
+    if not places and records[0].place is not None:
+        places = [records[0].place]
     if records[0].kind != "force" and not places:
         raise SceneError("--at", None, text("wanted.gauge"))
     places = places or [0.0]
@@ -157,7 +159,7 @@ def _report(answer: dict[str, Any]) -> str:
             f"  {rows['residual']:14}{found['residual']:10.4g}",
             f"  {rows['until']:14}{1e6 * found['until']:10.6g} us   {terms}",
         ]
-    return "\n".join(lines + ["  " + text("report.note", note=note) for note in answer["notes"]])
+    return "\n".join(lines + ["  " + text("printed.report.note", note=note) for note in answer["notes"]])
 
 
 def _series(

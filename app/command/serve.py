@@ -6,7 +6,6 @@ import os
 import re
 import socket
 import tempfile
-from typing import Any
 
 from solvers import SceneError
 
@@ -54,18 +53,18 @@ def _run(options: argparse.Namespace) -> int:
         tempfile.gettempdir()
     except FileNotFoundError:
         raise SceneError("TMPDIR", os.environ.get("TMPDIR"), text("wanted.folder")) from None
-    early = _port(int(port), address)
+    sockets = _port(int(port), address)
     from ..serving.server import serve
 
-    return serve(early, origins, proxies)
+    return serve(int(port), address, origins, proxies, sockets)
 
 
-def _port(port: int, address: str) -> Any:
-    """The port, taken before the rest is loaded: it answers meanwhile, and what is wrong with it is seen at once."""
-    from ..serving.early import EarlyPort
+def _port(port: int, address: str) -> list[socket.socket]:
+    """The port, taken before the rest is loaded: what is wrong with it is seen at once, and who comes early waits."""
+    from tornado.netutil import bind_sockets
 
     try:
-        return EarlyPort(port, address)
+        return bind_sockets(port, address)
     except OSError as error:
         key, value = ("--address", address) if error.errno == errno.EADDRNOTAVAIL else ("--port", port)
         allowed = text("wanted.own-address") if key == "--address" else text("wanted.free-port", address=address)

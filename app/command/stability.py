@@ -53,7 +53,7 @@ def print_stability(scene: solvers.Scene, options) -> int:
 
 def report(found: Stability) -> str:
     """Maps of characters, rows from the largest value down."""
-    title = text("stability.head", title=found.scene.title or text("report.untitled"), modes=found.modes)
+    title = text("stability.head", title=found.scene.title or text("printed.report.untitled"), modes=found.modes)
     first, second = found.axes
     lines = [
         title,
@@ -64,7 +64,11 @@ def report(found: Stability) -> str:
     for each in found.maps.values():
         lines += ["", *_drawn(found, each)]
     return "\n".join(
-        [*lines, "", *(line for note in found.notes for line in textwrap.wrap(text("report.note", note=note), 118))]
+        [
+            *lines,
+            "",
+            *(line for note in found.notes for line in textwrap.wrap(text("printed.report.note", note=note), 118)),
+        ]
     )
 
 
@@ -73,7 +77,8 @@ def _drawn(found: Stability, each: Map) -> list[str]:
     if each.reason:
         return [head, "  " + text("stability.cannot", reason=each.reason)]
     first, second = found.axes
-    lines = [head, "  " + text("stability.limit", limit=each.limit_name)]
+    limit = text("stability.limit", limit=each.limit_name)
+    lines = [head, *(f"  {line}" for line in textwrap.wrap(limit, 116, subsequent_indent="  "))]
     for i in reversed(range(first.values.size)):
         row = [_sign(each, i, j) for j in range(second.values.size)]
         lines.append(f"  {first.values[i]:10.3g}  {''.join(row)}")

@@ -86,7 +86,7 @@ def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
     where = {"processor": found.machine["processor"], "cores": found.machine["cores"]}
     heads = family("tradeoff.head")
     lines = [
-        "".join(sign if sign.isprintable() else "?" for sign in scene.title) or text("report.scene"),
+        "".join(sign if sign.isprintable() else "?" for sign in scene.title) or text("printed.report.scene"),
         *_reference_lines(found, quantity),
         f"  {text('tradeoff.machine'):20}{text('tradeoff.on', date=found.date, **where)}",
         *([f"  {'':20}{text('tradeoff.shipped', **_whence(found))}"] if found.shipped else []),
@@ -103,7 +103,7 @@ def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
     ]
     lines += [f"  {'*' if point in best else ' '} {_row(point, width)}" for point in rows]
     lines += ["", *(f"  {remark}" for remark in found.remarks)]
-    lines += ["  " + text("report.cannot", name=name, reason=reason) for name, reason in found.refused.items()]
+    lines += ["  " + text("printed.report.cannot", name=name, reason=reason) for name, reason in found.refused.items()]
     return "\n".join(lines).rstrip()
 
 
@@ -131,4 +131,4 @@ def _percent(share: float | None) -> str:
 
 
 def _shown(value: float | None, form: str) -> str:
-    return text("report.unknown") if value is None else f"{value:{form}}"
+    return text("printed.report.unknown") if value is None else f"{value:{form}}"

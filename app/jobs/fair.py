@@ -1,13 +1,19 @@
 """Who has had how much lately: whoever has had least comes next."""
 
 import time
-from collections.abc import Callable, Hashable, Iterable
-from typing import TypeVar
-
-Key = TypeVar("Key", bound=Hashable)
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from typing import NamedTuple
 
 HALF_LIFE = 5.0  # [s] in which what was had counts half; shorter: a flood is forgotten while it lasts
-FORGOTTEN = 1e-4  # [s] of use that is no longer remembered
+MOST = 1_000  # of whom it is remembered, those charged last
+
+
+class Stranger(NamedTuple):
+    """Known by an address alone, which may cost nothing: all who ask the same have together what one visitor has."""
+
+    asks: str
+    address: str
 
 
 class Shares:
@@ -15,18 +21,22 @@ class Shares:
 
     def __init__(self, clock: Callable[[], float] = time.monotonic):
         self._clock = clock
-        self._used: dict[Hashable, tuple[float, float]] = {}  # seconds, and when they were last added up
+        self._used: OrderedDict[Hashable, tuple[float, float]] = OrderedDict()  # seconds, and when they were added up
 
     def used(self, key: Hashable) -> float:
         """Seconds that `key` has used, as they count now."""
         seconds, since = self._used.get(key, (0.0, 0.0))
         return seconds * 0.5 ** ((self._clock() - since) / HALF_LIFE) if seconds else 0.0
 
-    def charge(self, key: Hashable, seconds: float) -> None:
-        self._used[key] = self.used(key) + seconds, self._clock()
-        if len(self._used) > 1_000:
-            self._used = {each: value for each, value in self._used.items() if self.used(each) > FORGOTTEN}
+    def place(self, key: Hashable, waited: float) -> tuple[float, float]:
+        """In a line, the least first. A second waited makes up for one used: of strangers the new ones come last."""
+        if isinstance(key, Stranger):
+            return self.used(key.asks), self.used(key) - waited
+        return self.used(key), -waited
 
-    def least(self, keys: Iterable[Key]) -> Key:
-        """The one that has used least; of equals the first."""
-        return min(keys, key=self.used)
+    def charge(self, key: Hashable, seconds: float) -> None:
+        for each in (key, key.asks) if isinstance(key, Stranger) else (key,):
+            self._used[each] = self.used(each) + seconds, self._clock()
+            self._used.move_to_end(each)
+        while len(self._used) > MOST:
+            self._used.popitem(last=False)

@@ -71,7 +71,7 @@ class Turnstile:
     def __init__(self, at_once: int = 1):
         self._at_once = self._free = at_once
         self._shares = Shares()
-        self._waiting: list[tuple[Hashable, asyncio.Future]] = []
+        self._waiting: list[tuple[Hashable, asyncio.Future, float]] = []  # and since when
         self._next_round = False  # whether it is under way
 
     async def enter(self, who: Hashable) -> None:
@@ -84,7 +84,7 @@ class Turnstile:
             self._free -= 1
             return
         turn = loop.create_future()
-        self._waiting.append((who, turn))
+        self._waiting.append((who, turn, time.monotonic()))
         await turn
 
     @property
@@ -121,8 +121,9 @@ class Turnstile:
         self._next_round = bool(self._waiting)
         if not self._waiting:
             return
+        now = time.monotonic()
         for _ in range(min(self._free, len(self._waiting))):
-            first = min(self._waiting, key=lambda each: self._shares.used(each[0]))
+            first = min(self._waiting, key=lambda each: self._shares.place(each[0], now - each[2]))
             self._waiting.remove(first)
             first[1].set_result(None)
             self._free -= 1

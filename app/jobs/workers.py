@@ -72,6 +72,7 @@ class Job:
 
     def __init__(self, task: Task, visitor: Hashable, level: int, report: Callable[[Any], None] | None):
         self.task, self.visitor, self.level, self.report = task, visitor, level, report
+        self.asked = time.monotonic()
         self.answer: asyncio.Future = asyncio.get_running_loop().create_future()
         self.begun: float | Any = None  # while a process works on it, when that began
         self.computed = 0.0  # [s] of computing, as it was last looked at
@@ -172,7 +173,8 @@ class Workers:
         return {worker.job.visitor for worker in self._workers if worker.job is not None and worker.level == level}
 
     def _next(self, level: int) -> Job | None:
-        return min(self._able(level), key=lambda job: self._shares.used(job.visitor), default=None)
+        now = time.monotonic()
+        return min(self._able(level), key=lambda job: self._shares.place(job.visitor, now - job.asked), default=None)
 
     def _wants_more(self, level: int) -> bool:
         """The quick are always there; of the others there are as many as have work."""

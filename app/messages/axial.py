@@ -18,14 +18,25 @@ from solvers.methods.modal.method import ModalMotion
 from solvers.methods.quasi_static.balls import RowMotion
 from solvers.methods.theory_limits import OF_THEORY
 from solvers.methods.validity import TWICE
+from solvers.scenes.saved import saved_head
 from solvers.solution.motion import Balances, SendsWaves, knows_field
 from solvers.solution.restitution import common_velocity
 from solvers.text.notes import Note
 
-from ..choices.opened import opened_charts
+from ..choices.cushions import cushions
 from ..choices.request import Request
-from .encoding import FORCE_POINTS, LARGEST_MASS, coded, cycle, force_history, packed, refusals, unshown, whole_numbers
-from .parts import parts_told
+from .encoding import (
+    FORCE_POINTS,
+    LARGEST_MASS,
+    coded,
+    cycle,
+    force_history,
+    over,
+    packed,
+    refusals,
+    whole_numbers,
+)
+from .parts import common
 from .pendulum import pendulum_told, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_told, turning_fields, turning_rod, turns
 from .solutions import by_modes
@@ -55,17 +66,9 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         arrays |= _sampled_fields(other, stress_unit, scene.speed * trip)
     header = {
         "kind": "axial",
-        "chosen": request.chosen,
-        "own": request.own,
-        "draft": request.draft,
-        "acting": request.acting,
+        **common(scene, request),
+        "head": _head(scene, exact, other),
         "refusals": refusals(scene),
-        "title": scene.title,
-        "source": scene.source,
-        "note": scene.note,
-        "parts": parts_told(request),
-        "unshown": unshown(scene),
-        "opens": opened_charts(request.chosen["scene"]),
         "trip": trip,
         "duration": exact.duration / trip,
         "rods": rods,
@@ -93,40 +96,52 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "yields": scene.contact.PLASTIC,
         "exponent": exponent_of(scene.contact),
         "leastRestitution": LEAST_RESTITUTION,
+        "cushions": [] if scene.prescribed_force else cushions(scene),
     }
     return packed(header, arrays)
+
+
+def _head(scene: Scene, exact: Solution, other: Solution | None) -> str:
+    """Of saved histories, in which each solution has columns of its own name."""
+    named = {_known_as(exact): exact.method} | ({} if other is None else {other.method["name"]: other.method})
+    methods = {name.replace("-", "_"): method for name, method in named.items()}
+    return saved_head(scene, exact.method, exact.duration, methods)
 
 
 def _histories(request: Request, exact: Solution, other: Solution | None, carried: bool) -> dict[str, Any]:
     """Motions and forces over time of both solutions; `carried`: the browser finds the other's force by itself."""
     scene = request.scene
     force_unit, length_unit = _units(scene)[0], scene.speed * scene.time_unit
-    even = np.linspace(0.0, exact.duration, MOTION_POINTS + 1)
-    coarse = even[:: 5 if request.draft else 2]
-    arrays: dict[str, Any] = {}
+    time = over(request.stretch, exact.duration, MOTION_POINTS + 1)
+    coarse = time[:: 5 if request.draft else 2]
+    arrays: dict[str, Any] = {"motionTime": time / scene.time_unit}
     for name, solution in (("exact", exact), ("other", other)):
         if solution is None:
             continue
-        arrays |= striker_arrays(name, solution, even, length_unit)
-        arrays |= pivot_moments(name, solution, coarse) | axis_moments(name, solution, coarse)
-        arrays |= {f"{name}End": solution.known_motion.end_position(even) / length_unit}
+        arrays |= striker_arrays(name, solution, time, length_unit)
+        moments = pivot_moments(name, solution, coarse) | axis_moments(name, solution, coarse)
+        arrays |= moments | ({"momentTime": coarse / scene.time_unit} if moments else {})
+        arrays |= {f"{name}End": solution.known_motion.end_position(time) / length_unit}
         if solution is exact and isinstance(scene.target, Waveguide) and not scene.target.held:
-            arrays["exactWhole"] = _gone(even, solution.known_motion.rigid_velocity(even)) / length_unit
+            arrays["exactWhole"] = _gone(solution, time) / length_unit
         if solution is exact and isinstance(solution.motion, RowMotion):
             before = np.cumsum([0.0, *scene.target.known_as(Balls).gaps])
-            arrays["exactRow"] = (solution.motion.ball_positions(even) + before) / length_unit
-            own = solution.motion.impactor_velocity(even)
-            arrays["exactRowVelocity"] = np.column_stack((own, solution.motion.ball_velocities(even))) / scene.speed
-            arrays["exactRowForce"] = solution.motion.contact_forces(even) / force_unit
+            arrays["exactRow"] = (solution.motion.ball_positions(time) + before) / length_unit
+            own = solution.motion.impactor_velocity(time)
+            arrays["exactRowVelocity"] = np.column_stack((own, solution.motion.ball_velocities(time))) / scene.speed
+            arrays["exactRowForce"] = solution.motion.contact_forces(time) / force_unit
         if solution is exact or not carried:
-            time, force = force_history(solution)
-            arrays |= {f"{name}Time": time / scene.time_unit, f"{name}Force": force / force_unit}
-    return arrays | bent_shapes(exact, even, length_unit)
+            touched, force = force_history(solution, request.stretch)
+            arrays |= {f"{name}Time": touched / scene.time_unit, f"{name}Force": force / force_unit}
+    return arrays | bent_shapes(exact, time, length_unit)
 
 
-def _gone(time: np.ndarray, velocity: np.ndarray) -> np.ndarray:
-    """How far something has come [m] at each instant, by the velocities at these."""
-    return np.concatenate(([0.0], np.cumsum(np.diff(time) * 0.5 * (velocity[1:] + velocity[:-1]))))
+def _gone(solution: Solution, time: np.ndarray) -> np.ndarray:
+    """How far the mass centre of a target has come [m] at each instant, by its velocities before."""
+    before = np.union1d(np.linspace(0.0, time[0], MOTION_POINTS if time[0] else 1), time)
+    velocity = solution.known_motion.rigid_velocity(before)
+    gone = np.concatenate(([0.0], np.cumsum(np.diff(before) * 0.5 * (velocity[1:] + velocity[:-1]))))
+    return gone[before >= time[0]]
 
 
 def _known_as(exact: Solution) -> str:
@@ -300,6 +315,7 @@ def _figures(solution: Solution) -> dict[str, Any]:
     trip, speed = solution.scene.time_unit, solution.scene.speed
     return {
         "name": solution.method["name"],
+        "model": solution.method.get("model"),
         "contacts": [
             [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
             for contact in solution.contacts

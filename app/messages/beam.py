@@ -14,46 +14,41 @@ from solvers import METHODS, Bending, Method, Modal, RigidImpulse, Scene, SceneE
 from solvers.accuracy.reference import MODES_BESIDE, modes_beside
 from solvers.contact.duration import exponent_of
 from solvers.methods import usual_method
-from solvers.methods.mechanisms import MechanismMotion
 from solvers.methods.modal.method import ModalMotion
 from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 from solvers.numerics.beams.dispersion import dispersion
+from solvers.scenes.saved import saved_head
 from solvers.solution.motion import Bends
 from solvers.studies.contact_times import compare_with_half_space, contact_times
 from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
-from ..choices.opened import opened_charts
 from ..choices.request import Request
 from .encoding import (
-    FORCE_POINTS,
     LARGEST_MASS,
+    Stretch,
     coded,
     cycle,
-    force_history,
     instants,
     packed,
     refusals,
-    unshown,
     whole_numbers,
 )
+from .histories import MS, force_told, motion_instants, paths, rates_at, rates_of_contacts
 from .mechanism import RIGID_LINKS, mechanism_fields, mechanism_of, rigid_answer, struck_link
 from .moving import follow, moving_fields
-from .parts import parts_told
+from .parts import common
 from .solutions import method_options
 
 ROUNDING = 1e-9
-MS = 1e3  # [ms / s]
 FORCE_STEPS = (
     10_000  # of the modal force, from which the browser rebuilds the modes; longer ones are averaged in groups
 )
 DRAWN_MODES, PLACES = 48, 81  # of the fields that the browser rebuilds
 INSTANTS, SAMPLED_PLACES = 120, 41  # of fields of other methods
 LINK_PLACES = 31  # of a link, beside which there are others
-MOTION_POINTS = 500  # of the motions of impactor and struck place
 CONTACTS = 250  # of each solution, listed one by one
-LISTED_RATES = 60  # contacts before and after which velocities are listed
 HALF_SPACE_POINTS = 160
 SPEEDS = 60  # points of the dispersion curve
 CYCLE_SAMPLES = 700
@@ -107,9 +102,9 @@ def _drawn(
     """Header and arrays of what the stage draws."""
     if isinstance(main.motion, MovingMotion):
         header, arrays = moving_fields(main, request, reason, reference)
-        return header, arrays | _history(main, "main")
-    header, arrays = _fields(main)
-    linkage, moved = mechanism_fields(main, reference)
+        return header, arrays | force_told(main, "main", request.stretch)
+    header, arrays = _fields(main, request.stretch)
+    linkage, moved = mechanism_fields(main, reference, request.stretch)
     return header | linkage, arrays | moved
 
 
@@ -119,13 +114,14 @@ def beam_frame(request: Request) -> bytes:
     scene, moves = request.scene, isinstance(main.motion, MovingMotion)
     mechanism, reference = mechanism_of(main.scene), _beside(request, main)
     header, arrays = _drawn(request, main, reason, reference)
-    time = _instants(main)
-    arrays |= {"time": MS * time} | _paths(main, time, "")
-    arrays |= {"impactorRate": main.known_motion.impactor_velocity(time), "struckRate": struck_velocity(main, time)}
-    arrays |= _contacts(main) | _rates(main)
+    time, after = motion_instants(main, request.stretch)
+    arrays |= {"time": MS * time} | paths(main, time, "")
+    rates = [rates_at(main, time, each) for each in (False, True)]
+    arrays |= dict(zip(("impactorRate", "struckRate"), np.where(after, rates[1], rates[0]), strict=True))
+    arrays |= _contacts(main) | rates_of_contacts(main)
     if reference is not None:
-        arrays |= _paths(reference, time, "reference")
-        arrays |= _history(reference, "reference")
+        arrays |= paths(reference, time, "reference")
+        arrays |= force_told(reference, "reference", request.stretch)
     refused = refusals(scene)
     if refused["quasi-static"] is None and not moves:
         arrays |= _static(scene, main)
@@ -135,18 +131,10 @@ def beam_frame(request: Request) -> bytes:
         arrays |= cycle(main, CYCLE_SAMPLES)
     header |= {
         "kind": "beam",
-        "chosen": request.chosen,
-        "own": request.own,
-        "draft": request.draft,
-        "acting": request.acting,
+        **common(scene, request),
+        "head": saved_head(main.scene if moves else scene, main.method, main.duration),
         "refusals": refused,
         "refused": None if moves else reason and reason.table(),
-        "title": scene.title,
-        "source": scene.source,
-        "note": scene.note,
-        "parts": parts_told(request),
-        "unshown": unshown(scene),
-        "opens": opened_charts(request.chosen["scene"]),
         "trip": 1e-3,
         "duration": MS * main.duration,
         "speed": scene.speed,
@@ -163,14 +151,6 @@ def beam_frame(request: Request) -> bytes:
         "span": _span(main),
     }
     return packed(header, arrays)
-
-
-def _instants(solution: Solution) -> np.ndarray:
-    """Of the motions [s]: closer together at first, but evenly where it goes on, with the impacts."""
-    if not isinstance(solution.motion, MovingMotion):
-        return instants(solution.duration, MOTION_POINTS)
-    edges = [edge for contact in solution.contacts[:LISTED_RATES] for edge in (contact.start, contact.end)]
-    return np.unique([*np.linspace(0.0, solution.duration, MOTION_POINTS), *edges])
 
 
 def _span(solution: Solution) -> dict[str, float | None]:
@@ -198,6 +178,7 @@ def _beam(beam: Any) -> dict[str, Any]:
 def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
     return {
         "name": name or solution.method["name"],
+        "model": None if name else solution.method.get("model"),
         "modes": None if name else solution.method.get("modes"),
         "joints": solution.reactions,
         "elements": solution.method.get("elements"),
@@ -216,64 +197,10 @@ def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
     }
 
 
-def _paths(solution: Solution, time: np.ndarray, name: str) -> dict[str, np.ndarray]:
-    """Displacement of the impactor and of the struck place [m]."""
-    motion = solution.known_motion
-    found = {"impactorPath": motion.impactor_position(time), "struckPath": motion.end_position(time)}
-    return {name + key[0].upper() + key[1:] if name else key: values for key, values in found.items()}
-
-
-def struck_velocity(solution: Solution, time: np.ndarray, after: bool = True) -> np.ndarray:
-    """Of the struck place [m/s]; a modal motion gives it over one of its steps, which costs no sum over its modes."""
-    motion = solution.known_motion
-    if not isinstance(motion, ModalMotion) or motion.pair.split:
-        return motion.end_velocity(time, after)
-    before = np.clip(np.floor(time / motion.step) * motion.step, 0.0, motion.duration - motion.step)
-    return (motion.end_position(before + motion.step) - motion.end_position(before)) / motion.step
-
-
-def _history(solution: Solution, name: str) -> dict[str, np.ndarray]:
-    """Contact force [N] over time [ms]; of modes in rigid contact as far as they resolve it."""
-    motion = solution.known_motion
-    if isinstance(motion, MechanismMotion):  # who looks from elsewhere sees the same force
-        motion = motion.relative
-    if isinstance(motion, ModalMotion) and solution.scene.rigid_contact:
-        time = instants(solution.duration, FORCE_POINTS)
-        force = motion.resolved_force(time)
-    elif isinstance(motion, ModalMotion):
-        time, force = extremes(motion.step, motion.record.contact_force)
-    elif isinstance(motion, MovingMotion) and solution.scene.rigid_contact:
-        time, force = np.array([0.0, solution.duration]), np.zeros(2)  # impulses without duration
-    else:
-        time, force = force_history(solution)
-    return {f"{name}Time": MS * time, f"{name}Force": force}
-
-
-def extremes(step: float, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and least and largest values of a force in groups of steps, so that no contact is thinned away; one
-    where they are the same."""
-    group = -(-2 * force.size // FORCE_POINTS)
-    groups = np.pad(force, (0, -force.size % group), mode="edge").reshape(-1, group)
-    values = np.stack([groups.min(axis=1), groups.max(axis=1)], axis=1)
-    differ = np.stack((np.ones(values.shape[0], bool), values[:, 1] > values[:, 0]), axis=1)
-    middles = (np.arange(groups.shape[0]) + 0.5) * group * step
-    return np.repeat(middles, differ.sum(axis=1)), values[differ]
-
-
 def _contacts(solution: Solution) -> dict[str, np.ndarray]:
     """Start, end [ms], impulse [N s] and peak force [N] of every contact; an impact of no duration has peak 0."""
     rows = [[MS * c.start, MS * c.end, c.impulse, c.peak_force or 0.0] for c in solution.contacts[:CONTACTS]]
     return {"contacts": np.array(rows)}
-
-
-def _rates(solution: Solution) -> dict[str, np.ndarray]:
-    """Velocity of the impactor and of the struck place just before each contact begins and after it ends [m/s]."""
-    told, motion = solution.contacts[:LISTED_RATES], solution.known_motion
-    both = []
-    for after, edges in ((False, [c.start for c in told]), (True, [min(c.end, solution.duration) for c in told])):
-        time = np.array(edges)
-        both.append(np.stack([motion.impactor_velocity(time, after), struck_velocity(solution, time, after)], axis=1))
-    return {"rates": np.stack(both, axis=1)}
 
 
 def _places(solution: Solution) -> int:
@@ -283,13 +210,15 @@ def _places(solution: Solution) -> int:
     return SAMPLED_PLACES if mechanism_of(solution.scene) is None else LINK_PLACES
 
 
-def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+def _fields(solution: Solution, stretch: Stretch) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     motion, beam = solution.known_motion, solution.scene.target
     if isinstance(motion, ModalMotion):
-        return _modal_fields(motion)
+        header, arrays = _modal_fields(motion)
+        fine = stretch and motion.steps > FORCE_STEPS and not solution.scene.rigid_contact  # which it gets in groups
+        return header, arrays | (force_told(solution, "main", stretch) if fine else {})
     assert isinstance(motion, Bends)
     places = _places(solution)
-    time, x = instants(solution.duration, INSTANTS), np.linspace(0.0, beam.length, places)
+    time, x = instants(solution.duration, INSTANTS, stretch), np.linspace(0.0, beam.length, places)
     fields = {
         "Deflection": solution.known_motion.displacement,
         "Velocity": solution.known_motion.velocity,
@@ -306,7 +235,7 @@ def _fields(solution: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         values = field(time, x)
         there = np.abs(values).max(initial=0.0) > ROUNDING * usual.get(name, 0.0)
         arrays[f"field{name}"] = whole_numbers(values if there else np.zeros_like(values))
-    return {"places": places}, {"fieldTime": MS * time, **arrays} | _history(solution, "main")
+    return {"places": places}, {"fieldTime": MS * time, **arrays} | force_told(solution, "main", stretch)
 
 
 def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

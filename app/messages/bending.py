@@ -31,9 +31,9 @@ def instants_for(shapes: int, most: int = MOST_AMOUNTS) -> int:
     return int(min(MOST_INSTANTS, most / max(shapes, 1)))
 
 
-def link_told(number: int, amounts: np.ndarray, fields: Fields) -> dict[str, Any]:
-    """Amounts (instants, shapes) and fields of a link, each shape over what it is at most."""
-    most = np.maximum(np.abs(amounts).max(axis=0, initial=0.0), 1e-300)
+def link_told(number: int, amounts: np.ndarray, fields: Fields, ever: np.ndarray) -> dict[str, Any]:
+    """Amounts (instants, shapes) and fields of a link, each shape over what it is at most of what it `ever` is."""
+    most = np.maximum(np.abs(ever).max(axis=0, initial=0.0), 1e-300)
     found: dict[str, Any] = {f"amountsOf{number}": whole_numbers(amounts / most)}
     for name, table in zip(Fields._fields, fields, strict=True):
         rows = table * most[:, None]

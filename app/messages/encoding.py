@@ -35,6 +35,7 @@ EARLY = 0.15  # share of instants that are evenly spread; the others are closer 
 CYCLE_POINTS, IMPACT_POINTS = 60, 300  # of the contact law's cycle, and of the impact in it
 
 
+Stretch = tuple[float, float] | None  # of time that is looked at closely [s]; None: all of it
 _USUAL = {name: method() for name, method in SOLVED_BY.items()}
 
 
@@ -54,16 +55,17 @@ def unshown(scene: Scene) -> list[str]:
     return [f"method.{key}" for key in scene.method if key not in SHOWN]
 
 
-def force_history(solution: Solution) -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and contact forces [N], thinned so that every stretch keeps its highest and lowest."""
+def force_history(solution: Solution, stretch: Stretch = None) -> tuple[np.ndarray, np.ndarray]:
+    """Times [s] and contact forces [N], thinned so that every part keeps its highest and lowest."""
     time, force = solution.known_motion.force_history()
-    inside = time <= solution.duration
+    start, end = stretch or (0.0, solution.duration)
+    inside = (time >= start) & (time <= min(end, solution.duration))
     time, force = time[inside], force[inside]
     if time.size <= FORCE_POINTS:
         return time, force
-    stretch = -(-2 * time.size // FORCE_POINTS)
-    starts = np.arange(0, time.size, stretch)
-    padded = np.pad(force, (0, starts.size * stretch - time.size), "edge").reshape(starts.size, stretch)
+    part = -(-2 * time.size // FORCE_POINTS)
+    starts = np.arange(0, time.size, part)
+    padded = np.pad(force, (0, starts.size * part - time.size), "edge").reshape(starts.size, part)
     extremes = starts + padded.argmin(axis=1), starts + padded.argmax(axis=1)
     rows = np.unique(np.concatenate((*extremes, [0, time.size - 1])))
     return time[rows], force[rows]
@@ -118,10 +120,27 @@ def read_header(message: bytes) -> dict[str, Any]:
     return json.loads(message[4 : 4 + length])
 
 
-def instants(duration: float, count: int) -> np.ndarray:
-    """Times [s] from 0 to the end, closer together at first."""
+def instants(duration: float, count: int, stretch: Stretch = None) -> np.ndarray:
+    """Times [s] from 0 to the end, closer together at first; evenly over a stretch that is looked at closely."""
+    if stretch:
+        return over(stretch, duration, count)
     even = np.linspace(0.0, 1.0, count)
     return duration * (EARLY * even + (1.0 - EARLY) * even**2)
+
+
+def over(stretch: Stretch, duration: float, count: int) -> np.ndarray:
+    """Times [s] spread evenly over a stretch, as far as the solution reaches; over all of it without one."""
+    start, end = stretch or (0.0, duration)
+    return np.linspace(min(start, duration), min(end, duration), count)
+
+
+def around(time: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Instants with edges among them, at which values may jump: each edge twice; and which are after the jump."""
+    edges = edges[(edges >= time[0]) & (edges <= time[-1])]
+    time = np.setdiff1d(time, edges)
+    both, after = np.concatenate((time, edges, edges)), np.repeat((True, False, True), (time.size, *2 * [edges.size]))
+    order = np.argsort(both, kind="stable")
+    return both[order], after[order]
 
 
 def whole_numbers(values: np.ndarray) -> tuple[np.ndarray, float]:

@@ -17,7 +17,7 @@ from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 
 from .bending import along_normal, instants_for, link_told
-from .encoding import instants, whole_numbers
+from .encoding import Stretch, instants, whole_numbers
 
 RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that of its method
 PARTS = 10  # straight pieces of a link that bends
@@ -32,7 +32,9 @@ def mechanism_of(scene: Scene) -> Mechanism | None:
     return scene.target if isinstance(scene.target, Mechanism) else None
 
 
-def mechanism_fields(solution: Solution, rigid: Solution | None) -> tuple[dict[str, Any], dict[str, Any]]:
+def mechanism_fields(
+    solution: Solution, rigid: Solution | None, stretch: Stretch
+) -> tuple[dict[str, Any], dict[str, Any]]:
     """Header and arrays; without any, if it is none. `rigid`: the same with rigid links, if there is that."""
     motion = solution.known_motion
     if not isinstance(motion, MechanismMotion):
@@ -48,16 +50,16 @@ def mechanism_fields(solution: Solution, rigid: Solution | None) -> tuple[dict[s
     if motion.mechanism.joints:
         alone = len(motion.mechanism.joints) == 1 and solution.scene.rigid_contact
         count = REACTIONS_OF_ONE if alone else REACTIONS
-        fine = instants(solution.duration, count)
+        fine = instants(solution.duration, count, stretch)
         arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
         if rigid is not None and isinstance(rigid.motion, MechanismMotion):
             forces = whole_numbers(rigid.motion.reaction_forces(fine))
             arrays |= {"referenceReactionTime": 1e3 * fine, "referenceReactions": forces}
-    arrays |= _others(motion, solution.duration)
+    arrays |= _others(motion, solution.duration, stretch)
     return {"mechanism": described(motion.mechanism), "moving": None}, arrays
 
 
-def _others(motion: MechanismMotion, duration: float) -> dict[str, Any]:
+def _others(motion: MechanismMotion, duration: float, stretch: Stretch) -> dict[str, Any]:
     """How links that are not struck move along the normal, and bend."""
     mechanism, offsets = motion.mechanism, motion.mechanism.system.offsets
     bent = {
@@ -68,10 +70,12 @@ def _others(motion: MechanismMotion, duration: float) -> dict[str, Any]:
     if not bent:
         return {}
     shapes = sum(len(fields.shape) for fields in bent.values())
-    time = instants(duration, instants_for(shapes, AMOUNTS_BESIDE))
+    count = instants_for(shapes, AMOUNTS_BESIDE)
+    ever, time = motion.coordinates(instants(duration, count)), instants(duration, count, stretch)
     coordinates, found = motion.coordinates(time), {"bendTime": 1e3 * time}
     for number, fields in bent.items():
-        found |= link_told(number, coordinates[:, offsets[number] : offsets[number + 1]], fields)
+        own = slice(offsets[number], offsets[number + 1])
+        found |= link_told(number, coordinates[:, own], fields, ever[:, own])
     return found
 
 

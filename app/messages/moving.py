@@ -14,7 +14,7 @@ from solvers.text.notes import Note
 
 from ..choices.request import Request
 from .bending import PLACES, across, instants_for, link_told
-from .encoding import whole_numbers
+from .encoding import Stretch, over, whole_numbers
 from .mechanism import described, with_rigid_links
 
 MS = 1e3  # [ms / s]
@@ -70,7 +70,7 @@ def moving_fields(
     mechanism = motion.mechanism
     edges = [edge for contact in solution.contacts[:IMPACTS] for edge in (contact.start, contact.end)]
     time = np.unique([*np.linspace(0.0, solution.duration, _instants(motion)), *edges])
-    bends = _bends(motion, time)
+    bends = _bends(motion, time, request.stretch)
     links = motion.link_points(time)
     ends = np.stack([links[link.name] for link in mechanism.links], axis=1)  # (instants, links, ends, 2)
     ends -= bends.pop("beside")
@@ -82,11 +82,11 @@ def moving_fields(
         "normals": _normals(motion, links, np.array(edges), time),
         **bends,
     }
-    names, histories = _energies(motion, solution.scene)
-    arrays |= histories | _reactions(motion, "")
+    names, histories = _energies(motion, solution.scene, request.stretch)
+    arrays |= histories | _reactions(motion, "", request.stretch)
     if reference is not None:
         assert isinstance(reference.motion, MovingMotion)
-        arrays |= _reactions(reference.motion, "reference")
+        arrays |= _reactions(reference.motion, "reference", request.stretch)
     asked = request.chosen["motion_seconds"]
     cut = asked > solution.duration * (1.0 + 1e-9) and not any(note.code == "cut-short" for note in solution.notes)
     told = {
@@ -106,7 +106,7 @@ def _instants(motion: MovingMotion) -> int:
     return int(min(max(INSTANTS, TURN_INSTANTS * turns), MOST_INSTANTS))
 
 
-def _bends(motion: MovingMotion, time: np.ndarray) -> dict[str, Any]:
+def _bends(motion: MovingMotion, time: np.ndarray, stretch: Stretch) -> dict[str, Any]:
     """Of every link that bends its shapes and their amounts; "beside": by how much its ends are off the straight line
     that its deflection is drawn from, (instants, links, ends, 2) [m]."""
     mechanism, offsets = motion.mechanism, motion.mechanism.system.offsets
@@ -115,13 +115,13 @@ def _bends(motion: MovingMotion, time: np.ndarray) -> dict[str, Any]:
     if not bent:
         return {"beside": beside}
     shapes = sum(len(fields.shape) for fields in bent.values())
-    fine = np.linspace(0.0, float(motion.time[-1]), instants_for(shapes))
+    fine = over(stretch, float(motion.time[-1]), instants_for(shapes))
     coordinates, now = motion.coordinates(fine), motion.coordinates(time)
     found: dict[str, Any] = {"bendTime": MS * fine}
     for number, fields in bent.items():
         first, angle = int(offsets[number]) + 3, now[:, int(offsets[number]) + 2]
         own = slice(first, first + len(fields.shape))
-        found |= link_told(number, coordinates[:, own], fields)
+        found |= link_told(number, coordinates[:, own], fields, now[:, own])
         left = np.stack((-np.sin(angle), np.cos(angle)), axis=1)
         beside[:, number] = (now[:, own] @ fields.shape[:, [0, -1]])[:, :, None] * left[:, None]
     return found | {"beside": beside}
@@ -145,9 +145,9 @@ def _jolts(motion: MovingMotion, solution: Solution) -> list[list[float]]:
     return np.hypot(each[..., 0], each[..., 1]).tolist()
 
 
-def _reactions(motion: MovingMotion, name: str) -> dict[str, Any]:
+def _reactions(motion: MovingMotion, name: str, stretch: Stretch) -> dict[str, Any]:
     """Force along x and y and moment of every joint, (instants, joints, 3), without the impacts."""
-    steps, joints = _amid_steps(motion.time), len(motion.mechanism.joints)
+    steps, joints = _amid_steps(motion.time, stretch), len(motion.mechanism.joints)
     if not joints:
         return {}
     forces = motion.reaction_forces(steps.ravel()).reshape(*steps.shape, joints, 3).mean(axis=1)
@@ -155,16 +155,21 @@ def _reactions(motion: MovingMotion, name: str) -> dict[str, Any]:
     return {time: MS * steps.mean(axis=1), reactions: whole_numbers(forces)}
 
 
-def _energies(motion: MovingMotion, scene: Scene) -> tuple[list[str], dict[str, Any]]:
-    """Parts of the energy that there are, and the same over time (parts, instants) [J].
+def _energies(motion: MovingMotion, scene: Scene, stretch: Stretch) -> tuple[list[str], dict[str, Any]]:
+    """Parts of the energy that there ever are, and the same over time (instants, parts) [J]."""
+    ever = _parts(motion, scene, _amid_steps(motion.time, None).mean(axis=1))
+    names = [name for name, values in ever.items() if np.abs(values).max() > 0.0]
+    time = _amid_steps(motion.time, stretch).mean(axis=1)
+    told = _parts(motion, scene, time) if stretch else ever
+    return names, {"energyTime": MS * time, "energies": whole_numbers(np.stack([told[name] for name in names], axis=1))}
 
-    What the mass gains as it falls counts to it, as nothing comes of it but its own flight.
-    """
-    time = _amid_steps(motion.time).mean(axis=1)
+
+def _parts(motion: MovingMotion, scene: Scene, time: np.ndarray) -> dict[str, np.ndarray]:
+    """Of the energy [J]. What the mass gains as it falls counts to it, as nothing comes of it but its own flight."""
     energies = motion.energies(time)
-    fallen = (motion.impactor_places(time) - motion.impactor_places(time[:1])) @ motion.mechanism.system.gravity
+    fallen = (motion.impactor_places(time) - motion.impactor_places(motion.time[:1])) @ motion.mechanism.system.gravity
     height = -scene.impactor.mass * fallen
-    parts = {
+    return {
         "impactor": energies["impactor"] + height,
         "links": energies["target_rigid"] + energies["target_vibration"],
         "weight": energies["weight"] - height,
@@ -173,13 +178,16 @@ def _energies(motion: MovingMotion, scene: Scene) -> tuple[list[str], dict[str, 
         "drives": energies["drives"],
         "dissipated": energies["dissipated"],
     }
-    kept = {name: values for name, values in parts.items() if np.abs(values).max() > 0.0}
-    return list(kept), {"energyTime": MS * time, "energies": whole_numbers(np.stack([*kept.values()]))}
 
 
-def _amid_steps(time: np.ndarray) -> np.ndarray:
-    """Middles of steps, over which reactions are averages, (instants, steps): of many some, spread evenly."""
+def _amid_steps(time: np.ndarray, stretch: Stretch) -> np.ndarray:
+    """Middles of steps, over which reactions are averages, (instants, steps): of many some, spread evenly; all in a
+    stretch that has few."""
     starts = np.flatnonzero(np.diff(time) > 0.0)
+    if stretch:
+        middles = 0.5 * (time[starts] + time[starts + 1])
+        within = (middles >= stretch[0]) & (middles <= stretch[1])
+        starts = starts[within if within.any() else [np.abs(middles - stretch[0]).argmin()]]
     instants = min(HISTORY, starts.size)
     each = min(MOST_AVERAGED, starts.size // instants)
     chosen = starts[np.linspace(0, starts.size - 1, instants * each).round().astype(int)]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Bending, Body, SpringMass, Waveguide
+from solvers import Bending, Body, Scene, SpringMass, Waveguide
 from solvers.bodies import AnyBody, Pulse
 from solvers.bodies.linkage.joints import Joint
 from solvers.bodies.linkage.links import Link
@@ -14,9 +14,28 @@ from solvers.bodies.pendulum import Pivoted
 
 from ..choices.bodies import parts_of
 from ..choices.choices import SCENES, STRIKING
+from ..choices.opened import opened_charts
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
+from .encoding import unshown
+
+
+def common(scene: Scene, request: Request | None) -> dict[str, Any]:
+    """What every message says of what is chosen, and of the scene; nothing is chosen outside the page."""
+    return {
+        "chosen": request and request.chosen,
+        "own": request and request.own,
+        "draft": bool(request and request.draft),
+        "stretch": request and request.stretch,
+        "acting": request.acting if request else [],
+        "title": scene.title,
+        "source": scene.source,
+        "note": scene.note,
+        "parts": parts_told(request),
+        "unshown": unshown(scene),
+        "opens": opened_charts(request.chosen["scene"] if request else ""),
+    }
 
 
 def parts_told(request: Request | None) -> list[dict[str, Any]]:

@@ -32,6 +32,7 @@ COMMON: Fields = {
     "chosen": Field("Chosen", "a value for every choice; None outside the page"),
     "own": Field("Chosen", "the same, as the page opens the scene"),
     "draft": Field("boolean", "whether it is solved by fewer modes and elements than chosen"),
+    "stretch": Field("[start: number, end: number] | null", "of time that histories are of [s]; None: all of it"),
     "acting": Field("string[]", "choices that act on this scene"),
     "refusals": Field("Record<string, Note | null>", "by method: why it cannot solve the scene, or None"),
     "title": Field("string"),
@@ -42,6 +43,7 @@ COMMON: Fields = {
     "opens": Field("Opens", "what the scene is opened with"),
     "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
 }
+HEAD = Field("string", "of saved histories: scene and methods in TOML, table `saved` last")
 CYCLE: Fields = _optional(
     {
         "cycleDepth": Field("(cycle)", "indentation [m]"),
@@ -55,6 +57,7 @@ STRIKER = Field("Striking")
 AXIAL: Fields = {
     **COMMON,
     **CYCLE,
+    "head": HEAD,
     "trip": Field("number", "T, the round trip of a wave or the time of a contact [s]"),
     "rods": Field("RodTold[]", "from left to right; none if no wave runs"),
     "impactor": STRIKER,
@@ -76,7 +79,9 @@ AXIAL: Fields = {
     "exponent": Field("number", "power of the indentation with which its force begins, 1 where nothing gives way"),
     "nominal": Field("number | null", "restitution by the usual formula of the law"),
     "leastRestitution": Field("number", "that a damping law delivers"),
-    "exactMass": Field("(motion)", "displacement of the impactor, evenly in time [v T]"),
+    "cushions": Field("Cushion[]", "sheets that can lie on the struck face"),
+    "motionTime": Field("(motion)", "[T]"),
+    "exactMass": Field("(motion)", "displacement of the impactor [v T]"),
     "exactEnd": Field("(motion)", "and of the struck end [v T]"),
     "exactWhole": Field("(motion)", "and of the mass centre of a rod that nothing holds [v T]", True),
     "exactRow": Field("(motion, balls)", "displacement of every ball of a row, gaps before it included [v T]", True),
@@ -100,9 +105,8 @@ AXIAL: Fields = {
             ),
             "exactBar": Field("(motion, bar places)", "of a pendulum that bends, from its pivot on [v T]"),
             "otherBar": Field("(motion, bar places)", "likewise [v T]"),
-            "exactMoments": Field(
-                "(moments, 3)", "of a bar that bends: at its pivot or axis, half way, and at the contact [N m]"
-            ),
+            "momentTime": Field("(moments)", "[T]"),
+            "exactMoments": Field("(moments, 3)", "of a bar that bends: at its pivot, half way, at the contact [N m]"),
             "otherMoments": Field("(moments, 3)", "[N m]"),
             "balanceTime": Field("(balances)", "[T]"),
             "balanceForce": Field("(balances)", "impulse over the step [Z v]"),
@@ -121,6 +125,7 @@ AXIAL: Fields = {
 BEAM: Fields = {
     **COMMON,
     **CYCLE,
+    "head": HEAD,
     "refused": Field("Note | null", "why the chosen method is not shown"),
     "trip": Field("number", "a unit of time [s]"),
     "speed": Field("number", "of the impact [m/s]"),
@@ -161,7 +166,7 @@ BEAM: Fields = {
             "shearOf#": Field("(shapes of link #, bend places)"),
             "shearScaleOf#": Field("(shapes of link #)", "[N]"),
             "energyTime": Field("(energy instants)", "[ms]"),
-            "energies": Field("(energy parts, energy instants)", "[J]"),
+            "energies": Field("(energy instants, energy parts)", "[J]"),
             "reactionTime": Field("(reaction instants)", "[ms]"),
             "reactions": Field("(reaction instants, joints, 3)", "on the second link of each joint [N, N, N m]"),
             "referenceReactionTime": Field("(reference reaction instants)", "[ms]"),
@@ -242,6 +247,7 @@ MESSAGES = {"axial": AXIAL, "beam": BEAM, "bodies": BODIES}  # by kind
 
 FIGURES: Fields = {
     "name": Field("string", "of the method"),
+    "model": Field("string | null", "of a method that has several"),
     "stillTouching": Field("boolean", "at the end"),
     "final": Field("number | null", "velocity of the impactor [v, or m/s of beams]"),
     "targetFinal": Field("number", "velocity of the target [v, or m/s of beams]"),
@@ -254,6 +260,12 @@ FIGURES: Fields = {
     "notes": Field("Note[]"),
 }
 RECORDS: dict[str, Fields] = {
+    "Cushion": {
+        "name": Field("string"),
+        "modulus": Field("number", "E [Pa]"),
+        "thickness": Field("number", "h [m]"),
+        "stiffness": Field("number", "k = E A / h [N/m]"),
+    },
     "AxialFigures": FIGURES
     | {
         "contacts": Field("Contact[]", "start, end [T], impulse [N s], peak force [N]"),

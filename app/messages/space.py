@@ -16,12 +16,11 @@ from solvers.numerics.rigid.friction import sliding_path
 from solvers.numerics.rigid.impulses import principal, strike
 from solvers.numerics.rigid.rotation import rotations
 
-from ..choices.opened import opened_charts
 from ..choices.request import Request
 from ..choices.scene_of import base_of
 from ..choices.space import equivalent_box, own_frame
-from .encoding import coded, packed, unshown
-from .parts import parts_told
+from .encoding import coded, packed
+from .parts import common
 
 STEPS = 60  # samples of the movement on either side of the impact
 LARGEST_TURN = 1.2  # [rad] shown on either side
@@ -50,17 +49,8 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         }
     header = {
         "kind": "bodies",
-        "chosen": request and request.chosen,
-        "own": request.own if request else None,
-        "draft": False,
-        "acting": request.acting if request else [],
+        **common(scene, request),
         "refusals": {},
-        "title": scene.title,
-        "source": scene.source,
-        "note": scene.note,
-        "parts": parts_told(request),
-        "unshown": unshown(scene),
-        "opens": opened_charts(""),
         "duration": duration,
         "size": size,
         "across": _listed(across),

@@ -9,9 +9,11 @@ import param
 
 from ..choices.body_value import with_body_value
 from ..choices.choices import SCENES
+from ..choices.request import IN_VIEW
 from ..choices.scene_of import kind_of
 from ..jobs.long_run import LongRun
 from ..jobs.runner import Runner
+from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
 from .begin import begin
 from .questions import Questions
@@ -43,6 +45,9 @@ class Panels(Questions):
         self.param.watch(self.ask_panels, list(self.FOLLOWED))
         for view in VIEWS:
             self._open(view)
+        acts = partial(setattr, self, "closer"), self._refuse, partial(self._wait, IN_VIEW)
+        self._runners[IN_VIEW] = Runner(solve_frame, *self._reports(acts), visitor=self.visitor)
+        self.param.watch(self._look_closer, IN_VIEW)
         acts = self.choose, self._refuse, partial(self._wait, with_body_value.__name__)
         self._lead("body_value", Runner(with_body_value, *self._reports(acts), visitor=self.visitor))
 
@@ -50,6 +55,11 @@ class Panels(Questions):
         """Have a question answered by choices that change."""
         self._runners[name] = runner
         self.param.watch(partial(self._go_to, name), name)
+
+    def _look_closer(self, event: param.parameterized.Event) -> None:
+        """Have the histories of the stretch of time in view sampled for it."""
+        if event.new:
+            begin(partial(self._runners[IN_VIEW].want, self.chosen() | {IN_VIEW: event.new}))
 
     def _reports(self, acts: Iterable[Callable]) -> Iterator[Callable]:
         return (partial(self._report, act) for act in acts)

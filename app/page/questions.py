@@ -11,11 +11,23 @@ class Questions(param.Parameterized):
     OPENED = tuple(view.opener for view in VIEWS)
     RUNS = tuple(view.running for view in VIEWS if view.run or view.stoppable)
     FOLLOWED = (*OPENED, *(name for view in VIEWS for name in view.sent))  # what is answered at once
-    ASKED = (*OPENED, *RUNS, "body_value", *(name for view in VIEWS for name in view.asked))  # what a visitor may set
+    ASKED = (
+        *OPENED,
+        *RUNS,
+        "body_value",
+        "time_in_view",
+        *(name for view in VIEWS for name in view.asked),
+    )  # what a visitor may set
 
     body_value = param.String(
         default="", regex=r"^[a-z0-9_.]{0,60}(=[\w.+-]{0,30})?$", doc="a value of a body, until it is so"
     )
+    time_in_view = param.String(
+        default="",
+        regex=r"^$|^\d+(\.\d+)?(e-?\d\d?)? \d+(\.\d+)?(e-?\d\d?)?$",
+        doc="START END [s]; empty: all of it",
+    )
+    closer = param.Bytes(default=b"", doc="the message whose histories are of the time in view")
 
 
 for _view in VIEWS:

@@ -72,5 +72,11 @@ def _address(text: str) -> Address | None:
     return getattr(found, "ipv4_mapped", None) or found
 
 
+def key_of(text: str) -> str:
+    """Of who connects, without what a proxy says of others."""
+    address = _address(text)
+    return text if address is None else _key(address)
+
+
 def _key(address: Address) -> str:
     return str(address) if address.version == 4 else str(ip_network((int(address), PREFIX), strict=False))

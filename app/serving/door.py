@@ -1,7 +1,6 @@
 """Who may come in: sessions are issued here, one live socket each, and only so many of them."""
 
 import calendar
-import math
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable
@@ -18,25 +17,12 @@ from bokeh.util.token import (
 from ..choices.bodies import is_key
 from ..choices.choices import Choices
 from ..jobs.fair import Shares
-from ..jobs.turns import Rate
 from ..page.address import ASKED, FORMER, LONGEST_TEXT
 from ..text.catalogues import page
-from .limits import (
-    ADDRESS_BURST,
-    ADDRESS_RATE,
-    ADDRESS_SESSIONS,
-    IDLE_SECONDS,
-    MAX_IN_LINE,
-    MAX_REOPEN_PAUSE,
-    MAX_SESSIONS,
-    REOPEN_PAUSE,
-    SESSIONS_BURST,
-    SESSIONS_RATE,
-)
+from .limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_SESSIONS
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
 KNOWN = {*Choices.CHOSEN, *ASKED, *FORMER, "panel"}  # keys of an address; others never reach a session
-SHORTEST_PAUSE = 1e-3  # [s]
 FULL = page().text("serving.full")
 
 
@@ -51,11 +37,6 @@ class Door:
         self._live: dict[str, Any] = {}  # by session: its socket
         self._barred: dict[str, float] = {}  # sessions whose visitors were turned out, and when
         self._turned_out = Shares(clock)  # by address, how many lately
-        self._waiting: set[Any] = set()  # sockets of which the session has not begun
-        self._lines: dict[str, list[Any]] = {}  # by address, sockets that wait to begin, the first first
-        self._begun: dict[str, float] = {}  # by address, when the last session from there began
-        self._new = Rate(SESSIONS_RATE, SESSIONS_BURST, clock)
-        self._rates: dict[str, Rate] = {}  # by address, likewise
 
     def issue(self, arguments: dict[str, list[bytes]]) -> str:
         """A token for a new session with these choices; the session itself is made when its socket opens."""
@@ -85,14 +66,7 @@ class Door:
             return page().text("serving.open-already")
         if session in sessions:
             return None
-        if self.full(address) or self._new.left < 1.0 or self._new_from(address).left < 1.0:
-            return FULL
-        return None
-
-    def _new_from(self, address: str) -> Rate:
-        """How many sessions may be made for an address: what it takes is not taken from all others."""
-        self._rates = {each: rate for each, rate in self._rates.items() if rate.left < ADDRESS_BURST}
-        return self._rates.setdefault(address, Rate(ADDRESS_RATE, ADDRESS_BURST, self._clock))
+        return FULL if self.full(address) else None
 
     def enter(self, socket: Any) -> None:
         """Count a socket, which knows its `session_id` and `address`; if there is no room otherwise, another goes."""
@@ -100,57 +74,18 @@ class Door:
             self.leave(first)
             first.turn_out(page().text("serving.idle"), flood=False)
         self._live[socket.session_id] = socket
-        self._waiting.add(socket)
-        self._count(socket, 1.0)
-
-    def _count(self, socket: Any, sessions: float) -> None:
-        self._new.take(sessions)
-        self._new_from(socket.address).take(sessions)
 
     def leave(self, socket: Any) -> None:
-        """Forget a socket, also where it still waits to begin."""
         if self._live.get(socket.session_id) is socket:
             del self._live[socket.session_id]
-        if socket in self._waiting:
-            self._count(socket, -1.0)
-        self._step_out(socket)
 
     def bar(self, session: str) -> None:
         """Let this session be opened no more."""
         self._barred[session] = self._clock()
 
     def slow(self, address: str) -> None:
-        """For a while, let new sessions from there begin one after the other: somebody there has flooded."""
+        """For a while, let new sessions from there come after others: somebody there has flooded."""
         self._turned_out.charge(address, 1.0)
-
-    def pause(self, socket: Any) -> float | None:
-        """How long [s] the session of this socket still waits, 0 if it begins now; None if too many wait already.
-
-        Where visitors were turned out lately, a class may be behind one address with somebody who floods: new sessions
-        begin one after the other. Who waits asks again, and whoever leaves makes room for the next at once.
-        """
-        now, address = self._clock(), socket.address
-        line = self._lines.setdefault(address, [])
-        if socket not in line:
-            if len(line) >= MAX_IN_LINE:
-                return None
-            line.append(socket)
-        between = min(REOPEN_PAUSE * self._turned_out.used(address), MAX_REOPEN_PAUSE)
-        self._begun = {each: when for each, when in self._begun.items() if now - when < MAX_REOPEN_PAUSE}
-        first = self._begun.get(address, -math.inf) + between  # when the first of the line begins
-        if between > SHORTEST_PAUSE and (first > now or socket is not line[0]):
-            return max(first - now, 0.0) + between * line.index(socket)
-        self._step_out(socket)
-        self._begun[address] = now
-        return 0.0
-
-    def _step_out(self, socket: Any) -> None:
-        self._waiting.discard(socket)
-        line = self._lines.get(socket.address, [])
-        if socket in line:
-            line.remove(socket)
-        if not line:
-            self._lines.pop(socket.address, None)
 
     def debt(self, address: str) -> float:
         """Seconds of the event loop that a new session from there counts as having had: others go first."""

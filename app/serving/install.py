@@ -1,7 +1,6 @@
 """What of the pinned Bokeh, Panel and Tornado must be otherwise for a page that anybody may open."""
 
-from contextlib import suppress
-from socket import SHUT_WR, socket
+from socket import socket
 from typing import Any
 
 from bokeh.server import server as bokeh_server
@@ -10,12 +9,9 @@ from bokeh.server.util import bind_sockets
 from panel.io.server import ComponentResourceHandler
 from tornado import httputil
 from tornado.escape import parse_qs_bytes
-from tornado.iostream import IOStream, UnsatisfiableReadError
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
-from ..text.catalogues import page
-from .bare import answer
-from .limits import MAX_FIELDS, MAX_HEADER
+from .limits import MAX_FIELDS
 from .pages import Page, set_headers
 from .sockets import Socket
 
@@ -29,7 +25,6 @@ def install() -> None:
     ComponentResourceHandler.parse_url_path = _nothing_here  # it imports the module that an address names
     StaticFileHandler.get = _without_null(StaticFileHandler.get)
     httputil.parse_qs_bytes = _first_fields(parse_qs_bytes)  # pyright: ignore[reportPrivateImportUsage]
-    IOStream._check_max_bytes = _said(IOStream._check_max_bytes)
 
 
 def listen_on(sockets: list[socket]) -> None:
@@ -63,27 +58,3 @@ def _first_fields(parse):
         return parse(mark.join(query.split(mark, MAX_FIELDS)[:MAX_FIELDS]), *options, **more)
 
     return first
-
-
-def _said(check):
-    """Answer a head that is too long, where Tornado closes the connection without a byte."""
-
-    def checked(self, delimiter: Any, size: int) -> None:
-        try:
-            check(self, delimiter, size)
-        except UnsatisfiableReadError:
-            if self._read_max_bytes == MAX_HEADER:
-                _refuse_head(self.socket)
-            raise
-
-    return checked
-
-
-def _refuse_head(wire: socket) -> None:
-    """As far as that goes without waiting: what is unread when a connection is closed may keep the answer back."""
-    with suppress(OSError):
-        while wire.recv(MAX_HEADER):
-            pass
-    with suppress(OSError):
-        wire.send(answer("431 Long", page().text("serving.too-long"), "text/plain"))
-        wire.shutdown(SHUT_WR)

@@ -14,6 +14,7 @@ import bokeh.server
 import panel
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
+from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
@@ -45,7 +46,7 @@ POLICY = (
     "connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'self'"
 )  # blob: Panel makes a module of its own code; styles: Bokeh writes them into every shadow root
-PAGES = "pages"  # with an address: who all that fetch the page from there are, when time is shared
+PAGES = "pages"  # what strangers ask for who fetch the page
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
 
 
@@ -88,7 +89,7 @@ class Page(RequestHandler):
 
     async def get(self) -> None:
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
-        turnstile, visitor = of_loop(Turnstile), (PAGES, self._address)
+        turnstile, visitor = of_loop(Turnstile), Stranger(PAGES, self._address)
         busy = turnstile.waiting >= MAX_PAGES_WAITING or turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
         if not busy:
             await turnstile.enter(visitor)
@@ -140,6 +141,8 @@ class Library(RequestHandler):
     def get(self, name: str) -> None:
         _send(self, dict(LIBRARIES)[name])
 
+    head = get  # of which no body is sent
+
 
 class Asset(StaticFileHandler):
     """A file of ours, by its name; there are no others."""
@@ -170,6 +173,8 @@ class Texts(RequestHandler):
         self.set_header("Cache-Control", FOR_EVER)
         self.write(TEXTS[language])
 
+    head = get
+
 
 class Figure(RequestHandler):
     """What the figure of a view looks like; a browser keeps it, and asks whether it is still the same."""
@@ -180,6 +185,8 @@ class Figure(RequestHandler):
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Type", "application/json")
         self.write(figure_text(name))
+
+    head = get
 
 
 @cache

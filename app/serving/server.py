@@ -5,6 +5,7 @@ import logging
 import re
 import secrets
 import signal
+from socket import socket
 from typing import Any
 
 from solvers.jit.cache import all_compiled
@@ -16,23 +17,24 @@ from ..jobs.loops import forget, of_loop
 from ..jobs.processes import prepare
 from ..jobs.workers import Workers
 from ..text.catalogues import command
+from . import connections
 from .addresses import Addresses, Network
-from .early import EarlyPort
 
 CLOSE_SECONDS = 2.0  # for sockets to be closed when the server stops
 log = logging.getLogger("strikewave")
 
 
-def serve(early: EarlyPort, origins: list[str], proxies: list[Network]) -> int:
+def serve(port: int, address: str, origins: list[str], proxies: list[Network], sockets: list[socket]) -> int:
     """Serve until interrupted, on a port that is taken already. Prints the address once the page answers at once.
 
     `origins`: hosts by which browsers reach the page; `proxies`: of which `X-Forwarded-For` is believed.
     """
+    most = connections.room()
     if not all_compiled().exists():
         COMPILER.start()  # while this process loads Panel
     prepare()  # likewise
-    port, address = early.port, early.address
-    server = build(port, address, origins, proxies, early=early)
+    server = build(port, address, origins, proxies, sockets=sockets)
+    connections.bound(server._http, most)
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
     print(command().text("run.page-at", address=f"http://{host}:{port}"), flush=True)
@@ -63,12 +65,12 @@ def build(
     origins: list[str],
     proxies: list[Network] | None = None,
     *,
-    early: EarlyPort | None = None,
+    sockets: list[socket] | None = None,
     unused_lifetime: int = 10_000,
 ) -> Any:
     """The server, warm but not started. Raises OSError if the port is taken.
 
-    `early` has the port until then; `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
+    `sockets` have the port already; `unused_lifetime` [ms]: how long the session of a page that was closed is kept.
     """
     import panel as pn
 
@@ -85,8 +87,8 @@ def build(
     shell()
     pack()
     secret = secrets.token_bytes(32)
-    if early is not None:
-        install.listen_on(early.hand_over())
+    if sockets is not None:
+        install.listen_on(sockets)
     server = pn.io.server.get_server(
         {"/": create},
         port=port,
@@ -136,7 +138,7 @@ def _quiet() -> None:
     logging.getLogger("bokeh").setLevel(logging.ERROR)
     for name in ("bokeh.server.views.ws", "bokeh.server.protocol_handler"):  # a stack per bad message, else
         logging.getLogger(name).setLevel(logging.CRITICAL)
-    logging.getLogger("tornado.access").setLevel(logging.ERROR)
+    logging.getLogger("tornado.access").setLevel(logging.CRITICAL)  # a page is refused at a stranger's will
     logging.getLogger("tornado.general").setLevel(logging.ERROR)
 
 

@@ -16,20 +16,19 @@ from tornado.iostream import StreamClosedError
 from tornado.websocket import WebSocketClosedError
 
 from ..choices.choices import Choices
+from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..jobs.workers import Workers
 from ..page.lab import Lab, lab_of
 from ..text.catalogues import page
 from . import guard
-from .door import FULL
 from .haste import Haste
 from .limits import (
     HASTE,
     HASTE_BURST,
     HASTE_RATE,
     HASTY_SECONDS,
-    LINE_CHECK,
     MAX_OVER_SECONDS,
     MAX_REFUSED,
     MAX_WAITING,
@@ -40,6 +39,7 @@ from .limits import (
     READ_AT_ONCE,
 )
 
+SESSIONS = "sessions"  # what strangers ask for who open a socket
 CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
 TOO_MANY = page().text("serving.too-much")
@@ -74,7 +74,7 @@ class Socket(WSHandler):
         if self.selected_subprotocol == "bokeh":
             reason = self._door.refuses(self._token, self.application_context._sessions, self.address)
         if reason is not None or self._token is None:
-            self.close(LIMIT, reason or page().text("serving.protocol"))
+            self._end(reason or page().text("serving.protocol"))
             return
         self.session_id = get_session_id(self._token)
         self._door.enter(self)
@@ -97,19 +97,12 @@ class Socket(WSHandler):
 
     async def _async_open(self, token: str) -> None:
         turnstile = of_loop(Turnstile)
-        pause: float | None = 0.0
-        while self._open and (pause := self._door.pause(self)):
-            await asyncio.sleep(min(pause, LINE_CHECK))
-        if pause is None:
-            self.close(LIMIT, FULL)
-            return
+        stranger = Stranger(SESSIONS, self.address)
+        await turnstile.enter(stranger)
         if not self._open:
             return
         self._blame(self._door.debt(self.address))
-        await turnstile.enter(self.session_id)
-        if not self._open:
-            return
-        await turnstile.paid(self.session_id, super()._async_open(token))
+        await turnstile.paid(stranger, super()._async_open(token))
         if (lab := self._lab) is not None:  # who left meanwhile has none
             lab.come_back()
 
@@ -295,8 +288,11 @@ class Socket(WSHandler):
         except (TimeoutError, WebSocketClosedError):
             pass
         finally:
-            self.close(LIMIT, sentence[:120])
-            asyncio.get_running_loop().call_later(CLOSE_SECONDS, self._abort)
+            self._end(sentence[:120])
+
+    def _end(self, sentence: str) -> None:
+        self.close(LIMIT, sentence)
+        asyncio.get_running_loop().call_later(CLOSE_SECONDS, self._abort)
 
     def _abort(self) -> None:
         """Who goes on sending does not answer that the socket is closed."""

@@ -1,13 +1,11 @@
 """Measured records sent by the browser: received, compared with the chosen scene, answered as JSON.
 
-One request is one record and one answer; nothing is kept. Where as many are on their way as may be, the one that is
-longest at it, of the address with most of them, makes room: whoever sends slowly keeps nobody out.
+One request is one record and one answer; nothing is kept. Where they are more bytes than may be, the largest of the
+address with most of them makes room: whoever sends slowly keeps nobody out, and holds nothing that anybody needs.
 """
 
 import logging
-import time
 from collections import Counter
-from collections.abc import Collection
 from typing import ClassVar
 from urllib.parse import urlsplit
 
@@ -19,15 +17,15 @@ from solvers.jit.compiling import NotCompiled
 from solvers.records.files import check_size
 
 from ..jobs.compiler import COMPILER
+from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
 from ..text.catalogues import page
 from ..views.record import record_answer
 
-MAX_RECEIVED = 32  # records on their way, 2 MB each at most
-MAX_COMPARED = 16  # records being compared, or waiting for it
-COMPARED_OF_ONE = 6  # of them, from one address
+MAX_HELD = 64_000_000  # bytes of all records that are on their way, or being compared
+COMPARED_OF_ONE = 6  # records of one address being compared, or waiting for it; addresses take turns
 RECEIVE_SECONDS = 20.0  # for a record to arrive
 MAX_PASSED_BY = 12_000_000  # bytes that are read of a record that is too long: a browser listens when it has sent all
 log = logging.getLogger("strikewave")
@@ -37,11 +35,11 @@ log = logging.getLogger("strikewave")
 class MeasuredRecord(RequestHandler):
     """POST with the file as body; in the query the choices, `kind`, `at` [m] and `sign`."""
 
-    _receiving: ClassVar[set["MeasuredRecord"]] = set()  # of all visitors together
+    _held: ClassVar[dict["MeasuredRecord", int]] = {}  # bytes, of all visitors together
     _comparing: ClassVar[set["MeasuredRecord"]] = set()
 
     def initialize(self) -> None:
-        self.address, self.begun = self.application.settings["addresses"].of(self.request), time.monotonic()
+        self.address = self.application.settings["addresses"].of(self.request)
 
     def prepare(self):
         self._body, self._refusal = bytearray(), None
@@ -55,9 +53,6 @@ class MeasuredRecord(RequestHandler):
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
             self._refusal = 403, page().text("serving.record.own-page")
         else:
-            if len(self._receiving) >= MAX_RECEIVED:
-                first_to_go(self._receiving)._make_room()
-            self._receiving.add(self)
             length = self.request.headers.get("Content-Length", "0")
             self._check_size(int(length) if length.isdecimal() else 0)
 
@@ -65,7 +60,10 @@ class MeasuredRecord(RequestHandler):
         """Keep the body, or let it pass by once it is refused."""
         if self._refusal is None and not self._finished:
             self._body += chunk
+            self._held[self] = len(self._body)
             self._check_size(len(self._body))
+            while sum(self._held.values()) > MAX_HELD:
+                first_to_go(self._held)._make_room()
 
     def _check_size(self, size: int) -> None:
         try:
@@ -75,23 +73,25 @@ class MeasuredRecord(RequestHandler):
             self._release()
 
     def _make_room(self) -> None:
-        """Refuse what is still on its way, at once."""
+        """Refuse it at once, on its way or being compared."""
         self._release()
         self.set_header("Connection", "close")
         self._refuse(429, page().text("serving.record.many"))
 
     async def post(self):
-        self._receiving.discard(self)
+        if self._finished:  # to make room
+            return None
         of_this = sum(each.address == self.address for each in self._comparing)
-        if self._refusal is None and (len(self._comparing) >= MAX_COMPARED or of_this >= COMPARED_OF_ONE):
+        if self._refusal is None and of_this >= COMPARED_OF_ONE:
             self._refusal = 429, page().text("serving.record.others")
         if self._refusal is not None:
             return self._refuse(*self._refusal)
         self._comparing.add(self)
         try:
             answer = await _answered(bytes(self._body), self.request.query_arguments, self.address)
-            self.set_header("Content-Type", "application/json; charset=UTF-8")
-            self.write(answer)
+            if not self._finished:  # to make room, meanwhile
+                self.set_header("Content-Type", "application/json; charset=UTF-8")
+                self.write(answer)
         except ValueError as refusal:  # SceneError: the sentence is for the visitor
             self._refuse(400, str(refusal))
         except Exception as error:
@@ -109,25 +109,28 @@ class MeasuredRecord(RequestHandler):
         self._release()
 
     def _release(self):
-        self._receiving.discard(self)
+        self._held.pop(self, None)
         self._body = bytearray()
 
     def _refuse(self, status: int, sentence: str) -> None:
-        self.set_status(status)
-        self.finish({"error": sentence})
+        if not self._finished:
+            self.set_status(status)
+            self.finish({"error": sentence})
 
 
-def first_to_go(receiving: Collection[MeasuredRecord]) -> MeasuredRecord:
-    """Of these records, the one that makes room for another."""
-    most, _ = Counter(each.address for each in receiving).most_common(1)[0]
-    return min((each for each in receiving if each.address == most), key=lambda each: each.begun)
+def first_to_go(held: dict[MeasuredRecord, int]) -> MeasuredRecord:
+    """Of these records and their bytes, the one that makes room for others."""
+    of_address: Counter[str] = Counter()
+    for each, size in held.items():
+        of_address[each.address] += size
+    return max(held, key=lambda each: (of_address[each.address], held[each]))
 
 
-async def _answered(content: bytes, arguments: dict[str, list[bytes]], visitor: str) -> str:
+async def _answered(content: bytes, arguments: dict[str, list[bytes]], address: str) -> str:
     """`record_answer` by a worker; what it needs that is not compiled yet is compiled in another process first."""
-    start, chosen = of_loop(Workers).start, chosen_in(arguments)
+    start, chosen, who = of_loop(Workers).start, chosen_in(arguments), Stranger("records", address)
     try:
-        return await start(record_answer, content, chosen, arguments, visitor=visitor).answer
+        return await start(record_answer, content, chosen, arguments, visitor=who).answer
     except NotCompiled:
         await COMPILER.ready("solve_frame", chosen)
-    return await start(record_answer, content, chosen, arguments, visitor=visitor, compiled=False).answer
+    return await start(record_answer, content, chosen, arguments, visitor=who, compiled=False).answer

@@ -8,6 +8,7 @@ import { Analyses } from './panels/panels.js';
 import { Bodies } from './shell/bodies.js';
 import { Caption } from './shell/caption.js';
 import { Changes } from './shell/changes.js';
+import { Closer } from './shell/closer.js';
 import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
 import { make } from './shell/dom.js';
@@ -22,6 +23,7 @@ import { Player } from './shell/player.js';
 import { copyLink, saveData } from './shell/share.js';
 import { Striker } from './shell/striker.js';
 import { Symbols } from './shell/symbols.js';
+import { times } from './shell/times.js';
 import { goOn, stateOf } from './shell/state.js';
 import { Waiting } from './shell/waiting.js';
 import { SpaceView } from './space/view.js';
@@ -67,11 +69,7 @@ export class Page {
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
     this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
-    this.controls = new Controls(
-      model.spec,
-      (name, value) => this.send(name, value),
-      (sentence) => this.complain(sentence),
-    );
+    this.controls = new Controls(model.spec, (name, value) => this.send(name, value));
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = new Caption();
@@ -90,6 +88,7 @@ export class Page {
     /** @type {Record<Frame['kind'], View>} */
     this.views = { axial: this.axial, beam: this.beam, bodies: this.space };
     this.analyses = new Analyses(this);
+    this.closer = new Closer(this);
     this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });
     this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
     const sheet = (/** @type {string} */ name) =>
@@ -104,11 +103,10 @@ export class Page {
       stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
     this.root.append(this.toast, this.help.root);
     el.append(...SHEETS.map(sheet), this.root, this.waiter.root);
-    const back = () => this.flush();
     this.connection = new Connection(model, this.root, {
       state: () => stateOf(this),
       late: () => this.changes.late,
-      back,
+      back: () => this.changes.flush(),
     });
     this.listen(model);
     for (const name of this.names) this.controls.show(name, model[name]);
@@ -197,6 +195,7 @@ export class Page {
     watchScrolling(this.root);
     const deaf = listenToKeys(this);
     const again = () => requestAnimationFrame(() => this.redraw());
+    times.watch(() => [again(), this.tell()]);
     const [resized, settled] = [new ResizeObserver(again), whenResized(again)];
     for (const { stage, stack } of Object.values(this.views))
       for (const part of [stage.root, ...(stack ? [stack.root] : [])]) resized.observe(part);
@@ -250,9 +249,6 @@ export class Page {
   get asked() {
     return this.changes.asked;
   }
-  flush() {
-    this.changes.flush();
-  }
   settle() {
     this.waiter.over('frame');
     this.changes.settle();
@@ -274,6 +270,7 @@ export class Page {
     if (this.root.dataset.kind !== this.frame.kind) this.turn();
     this.root.classList.toggle('hangs', frame.kind === 'axial' && frame.impactor.kind === 'pendulum');
     this.view.load(this.frame);
+    this.closer.later();
     const { strip } = this.view;
     if (this.layout.mode === 'phone' && strip && !this.layout.strip.contains(strip.root)) this.place();
     this.analyses.draw();
@@ -372,6 +369,7 @@ export class Page {
     this.view.zoom(start, end);
   }
   zoomed() {
+    this.closer.later();
     this.history.later();
     this.player.mark();
   }

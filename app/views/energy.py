@@ -12,7 +12,8 @@ from solvers.solution.motion import SplitsTarget
 
 from ..choices.request import Request
 from ..choices.scene_of import moves_on
-from ..messages.beam import MS, main_solution
+from ..messages.beam import main_solution
+from ..messages.histories import MS
 from ..text.catalogues import page
 from .figures import INK, blank, cursor, hover, legend, source
 

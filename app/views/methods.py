@@ -37,4 +37,5 @@ def _shown(row: Row) -> dict[str, Any]:
         "reason": row.reason and row.reason.table(),
         "name": row.method["name"],
         "label": row.label,
+        "model": row.method.get("model"),
     }

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import param
 
-from solvers import METHODS, Plan, RegimeMap, Scene, plan, regime_map
+from solvers import METHODS, Plan, QuasiStatic, RegimeMap, Scene, plan, regime_map
 from solvers.regimes.models import QUESTIONS as QUANTITIES
 from solvers.regimes.models import family_of
 from solvers.regimes.plan import law_of
@@ -18,7 +18,7 @@ from ..choices.choices import accepts
 from ..choices.map_point import choices_at
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..choices.scene_of import bends_alone
+from ..choices.scene_of import bends_alone, own_options
 from ..choices.space import in_space
 
 LINKS = re.compile(r"(target|impactor)\.links\.\d+\.modes")
@@ -53,7 +53,9 @@ def _plan(found: Plan, scene: Scene) -> dict[str, Any]:
             "model": candidate.parts,
             "error": candidate.expected_error if math.isfinite(candidate.expected_error) else None,
             "unknown": math.isnan(candidate.expected_error),
-            "choices": None if in_space(scene) else page_choices(candidate.changes, bends_alone(scene)),
+            "choices": None
+            if in_space(scene) or _by_another_model(candidate.changes["method"], scene)
+            else page_choices(candidate.changes, bends_alone(scene)),
         }
         for candidate in found.candidates
     ]
@@ -65,6 +67,14 @@ def _plan(found: Plan, scene: Scene) -> dict[str, Any]:
         "measured": found.measured,
         "modes": found.modes,
     }
+
+
+def _by_another_model(method: dict[str, Any], scene: Scene) -> bool:
+    """Whether the page, which has no choice of it, would take the other quasi-static model than the plan."""
+    if method["name"] != QuasiStatic.NAME:
+        return False
+    taken = QuasiStatic.read(own_options(scene, QuasiStatic.NAME)).model_of(scene)
+    return QuasiStatic(model=method.get("model", "auto")).model_of(scene) != taken
 
 
 def page_choices(changes: dict[str, Any], pendulum: bool = False) -> dict[str, Any] | None:

@@ -53,9 +53,11 @@ def _place(text: str, record: Record, scene: Scene) -> float | None:
     """Of the gauge [m]; of a contact force none. Raises ValueError with a sentence for the visitor."""
     if record.kind == "force":
         return None
+    if not text.strip() and record.place is not None:
+        return record.place
     length = sum(rod.length for rod in scene.target.rods)
     try:
-        place = float(text.replace(",", ".", 1))
+        place = float(text)
     except ValueError:
         place = math.nan
     if not 0.0 <= place <= (length or math.inf):
@@ -110,6 +112,7 @@ def _packed(
     shown = {name: _shown(times, values, trip, ends) for name, (times, values) in histories.items()}
     answer = {
         "kind": record.kind,
+        "at": place,
         "time": shown["record"][0],
         "values": shown["record"][1],
         "computed": dict(zip(("time", "model"), shown["computed"], strict=True)),

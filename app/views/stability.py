@@ -92,7 +92,7 @@ def _one(each: Map) -> dict[str, Any]:
         "steps": each.steps.tolist(),
         "failures": each.failures,
         "stopped": each.stopped,
-        "chattering": int(np.sum(each.chatter > 0)),
+        "chattering": int(np.sum((each.chatter > 0) & ~np.isin(each.ending, (DIVERGED, LASTING)))),  # of the rest
         "worst": None if np.isnan(each.worst_energy_error) else each.worst_energy_error,
         "count": int(np.sum(each.ending < NOT_RUN)),
     }

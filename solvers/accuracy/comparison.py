@@ -1,7 +1,7 @@
 """One impact by every method, each against the exact waves or many modes: what it misses, and what it costs."""
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -63,12 +63,35 @@ class Row:
         return asdict(self) | {"reason": self.reason and str(self.reason)}
 
 
+class Comparison(list[Row]):
+    """The rows of a comparison, with the solution that all are compared with; printed as a table."""
+
+    def __init__(self, exact: Solution, rows: Iterable[Row]):
+        super().__init__(rows)
+        self.exact = exact
+
+    @property
+    def rebound(self) -> float:
+        """The final velocity [m/s] that errors are those of."""
+        return rebound(self.exact)
+
+    def __str__(self) -> str:
+        from ..notebook import tables
+
+        return tables.comparison(self)
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.comparison_card(self)
+
+
 def compare(
     scene: SceneOrName,
     methods: Sequence[str | Method] | None = None,
     repeats: int = 5,
     duration: float | None = None,
-) -> list[Row]:
+) -> Comparison:
     """Every method on one scene, with its usual resolution, or with the one that the scene gives; or those named.
 
     duration: of every solve [s]; else until the bodies have parted by that method.
@@ -80,7 +103,7 @@ def compare(
         chosen = chosen_methods(scene)
     else:
         chosen = [given if isinstance(given, Method) else _named(given) for given in methods]
-    return [_row(scene, exact, method, repeats, duration) for method in chosen]
+    return Comparison(exact, [_row(scene, exact, method, repeats, duration) for method in chosen])
 
 
 def _named(name: str) -> Method:
@@ -109,7 +132,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: 
     until = max(contact.end for contact in [*exact.contacts, *found.contacts])
     instant = any(contact.peak_force is None for contact in [*exact.contacts, *found.contacts])
     return Row(
-        method=method.table(),
+        method=found.method,
         rebound_error=(rebound(found) - rebound(exact)) / scene.speed,
         duration_error=(first - true) / scene.time_unit,
         contacts=len(found.contacts),

@@ -2,10 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..text.notes import Note, coded
 from .refinement import label
+
+if TYPE_CHECKING:
+    from ..notebook.plots import Drawn
 
 EQUAL_ERRORS = 1e-12  # errors below it are equal
 
@@ -117,7 +120,7 @@ class TradeOff:
                 best = error
         return kept
 
-    def plot(self, quantity: str = "rebound") -> Any:
+    def plot(self, quantity: str = "rebound") -> "Drawn":
         """A HoloViews object: errors of one of `quantities` over wall time, a line for each ladder of resolutions, and
         what nothing beats, dashed. Errors below the uncertainty of the reference are drawn on it.
 

@@ -19,6 +19,7 @@ from .pulse import Pulse
 from .rigid_body import Body, check_struck, in_space, read_normal
 from .rods import Joint, Rod, Rods, Waveguide
 from .rotating import RotatingRod
+from .sections import Section
 
 IMPACTORS: dict[str, type[AnyBody]] = {
     "mass": RigidMass,
@@ -66,6 +67,7 @@ __all__ = [
     "Rod",
     "Rods",
     "RotatingRod",
+    "Section",
     "SpringMass",
     "Swing",
     "Wall",

@@ -24,6 +24,13 @@ from .protocol import AnyBody
 from .sections import Section, section_of_bar
 
 SUPPORTS = ("cantilever", "pinned-pinned", "clamped-clamped", "free-free", "pinned-free")
+SAME_SUPPORTS = {  # other words for them, read with spaces or underlines, too
+    "simply-supported": "pinned-pinned",
+    "hinged-hinged": "pinned-pinned",
+    "fixed-fixed": "clamped-clamped",
+    "clamped-free": "cantilever",
+    "fixed-free": "cantilever",
+}
 THEORIES = ("euler-bernoulli", "timoshenko")
 USUAL_PLACES = {"cantilever": 1.0, "pinned-free": 1.0}  # fraction of the length; else the middle
 CLOSEST = 1e-3  # to a place that a support holds, as a fraction of the length
@@ -114,7 +121,7 @@ class Beam(Bending):
             support = validation.choice("impactor.support", given.get("support", "free-free"), ("free-free",))
             velocity = read_impact_velocity(given)
         else:
-            support = validation.choice("target.support", given.get("support", "cantilever"), SUPPORTS)
+            support = _read_support(given.get("support", "cantilever"))
             velocity = read_target_velocity(given)
             if velocity != 0.0 and support != "free-free":
                 raise SceneError("target.velocity", velocity, validation.allowed("still", support=["free-free"]))
@@ -287,6 +294,13 @@ def free_places(support: str) -> tuple[float, float]:
     """First and last place, as fractions of the length, where nothing holds a beam on this support."""
     first = 0.0 if support == "free-free" else CLOSEST
     return first, 1.0 - (CLOSEST if support in ("pinned-pinned", "clamped-clamped") else 0.0)
+
+
+def _read_support(given: object) -> str:
+    """One of SUPPORTS, whatever it was called."""
+    word = "-".join(given.lower().replace("_", " ").replace("-", " ").split()) if isinstance(given, str) else given
+    known = SAME_SUPPORTS.get(word, word) if isinstance(word, str) else word
+    return validation.choice("target.support", known if known in SUPPORTS else given, SUPPORTS)
 
 
 def _read_place(key: str, given: Mapping[str, Any], support: str) -> float:

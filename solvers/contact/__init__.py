@@ -4,7 +4,10 @@ To add a law: write its class in one of the files here (or a new one) and name i
 command line take it from there.
 """
 
+from typing import Any
+
 from .elastic import Hertz, Linear, Power, Rigid
+from .own import check_law
 from .plastic import PlasticLinear, PlasticPower, YigitChristoforou
 from .viscous import HuntCrossley, KelvinVoigt, LankaraniNikravesh, LeeWang
 
@@ -21,6 +24,6 @@ _ALL = (
     PlasticLinear,
     PlasticPower,
 )
-LAWS = {law.NAME: law for law in _ALL}
+LAWS: dict[str, type[Any]] = {law.NAME: law for law in _ALL}
 
-__all__ = ["LAWS", *(law.__name__ for law in _ALL)]  # pyright: ignore[reportUnsupportedDunderAll]
+__all__ = ["LAWS", "check_law", *(law.__name__ for law in _ALL)]  # pyright: ignore[reportUnsupportedDunderAll]

@@ -94,7 +94,7 @@ def _form(given: Any) -> Any:
         return given.dtype, given.ndim, given.flags.c_contiguous, given.flags.writeable
     if isinstance(given, tuple):
         return type(given), *map(_form, given)
-    return float if isinstance(given, float) else int
+    return float if isinstance(given, float | np.floating) else int
 
 
 @cache

@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Self
 
 from .. import validation
 from ..bodies import Balls, FlexiblePendulum, Mechanism
+from ..contact.own import compiling
 from ..contact.protocol import Damped
 from ..provenance import compiled
 from ..scene import Scene
@@ -111,7 +112,8 @@ class Method(ABC):
             shortest = 1e-6 * impact.time_unit
             duration = validation.number("method.duration", duration, shortest, longest, "s")
         before = compiled()
-        solution = self._solve(impact, duration)
+        with compiling((impact.contact, *impact.joint_laws)):
+            solution = self._solve(impact, duration)
         if impact is not scene:
             solution = in_laboratory(solution, scene)
         whole, seconds = duration is None, compiled() - before
@@ -174,4 +176,5 @@ class Method(ABC):
 
     def table(self) -> dict[str, Any]:
         """Name and options, as in a scene file."""
-        return {"name": self.NAME} | {option.name: getattr(self, option.name) for option in fields(self) if option.repr}
+        options = {option.name: getattr(self, option.name) for option in fields(self) if option.repr}
+        return {"name": self.NAME} | validation.plain(options)

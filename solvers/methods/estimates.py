@@ -1,7 +1,13 @@
 """The error that is left in a figure, from how it differs at other resolutions."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from ..solution.solution import Later
+
+# Of what twice as many modes of links, or more, change: first order and better; see `tests/random_estimates.py`.
+LEFT_BY_MODES = 2.0
 
 
 def error_left(differences: Iterable[tuple[float, float]], order: float) -> float:
@@ -13,3 +19,11 @@ def error_left(differences: Iterable[tuple[float, float]], order: float) -> floa
     """
     left = [difference / (share**-order - 1.0) for share, difference in differences if share != 1.0]
     return math.sqrt(sum(part * part for part in left) / len(left)) if left else 0.0
+
+
+def with_error(figures: dict[str, Any], error: Callable[[], float | None]) -> dict[str, Any]:
+    """The figures of `summary`, with the estimated error in the diagnostics when these are read: it takes other solves,
+    which nothing else needs."""
+    known = figures["diagnostics"]
+    work = known.work if isinstance(known, Later) else lambda _: known
+    return figures | {"diagnostics": Later(lambda solved: work(solved) | {"estimated_error": error()})}

@@ -14,10 +14,11 @@ from ..numerics.switching.rod import MAX_PHASES, SwitchedModes
 from ..numerics.switching.rod_phases import LENGTH, SMOOTHINGS
 from ..provenance import clock
 from ..scene import Scene
-from ..solution.solution import ContactPeriod, Solution, summary
+from ..solution.solution import ContactPeriod, Solution
+from ..solution.summary import summary
 from ..text.notes import Note, Severity
 from .base import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from .estimates import error_left
+from .estimates import error_left, with_error
 from .options import option, whole, word
 from .validity import STILL_TOUCHING, bodies_that_bend
 
@@ -86,7 +87,6 @@ class ModeSwitch(Method):
         found = summary(scene, motion, contacts, duration, wall_time)
         found["diagnostics"] |= {
             "steps": len(course.phases),
-            "estimated_error": self._estimated_error(scene, course, duration) if self.estimate else None,
             "projection_losses": [units.energy * phase.lost for phase in course.phases],
             "left_out": course.left_out,
         }
@@ -100,7 +100,7 @@ class ModeSwitch(Method):
             peak_indentation=None,
             residual_indentation=None,
             notes=self._notes(scene, course, contacts, duration),
-            **found,
+            **with_error(found, lambda: self._estimated_error(scene, course, duration) if self.estimate else None),
         )
 
     def _resolution(self, scene: Scene) -> str | None:

@@ -32,13 +32,6 @@ def word(options: Iterable[str]) -> Reader:
     return lambda key, value: validation.choice(key, value, options)
 
 
-def flag(key: str, value: object) -> bool:
-    """true or false."""
-    if not isinstance(value, bool):
-        raise validation.SceneError(key, value, validation.allowed("flag"))
-    return value
-
-
 def options_of(method: Any) -> dict[str, Field]:
     """By name, the fields of a method (or of its class) that a scene file may give."""
     return {each.name: each for each in fields(method) if "read" in each.metadata}

@@ -70,7 +70,23 @@ def notes_on_front(scene: Scene, period: float, count: int, kind: str) -> list[N
     if touch >= periods * period:
         return []
     needed = math.ceil(count * periods * period / touch)
+    missed = missed_dashpot(scene, touch, period)
+    if missed > MAX_TRUSTED_ERROR:
+        values: dict = {"lasts": touch, "kind": kind, "period": period, "needed": needed, "missed": missed}
+        return [Note("rebound-unresolved", Severity.INVALID, **values)]
     return [Note("front-unresolved", Severity.WARNING, lasts=touch, kind=kind, period=period, needed=needed)]
+
+
+def missed_dashpot(scene: Scene, touch: float, period: float) -> float:
+    """About what a contact by a law with a rod, shorter than any `period` [s] known, is off by, of the impact speed.
+
+    What is left out meets it as a spring; a long rod is a dashpot, F / Z, and takes pi^2 / 2 m / (Z t) of the speed
+    from a mass on a spring that swings back in t. The square, by which that falls to nothing as t comes up to the
+    period, is fitted: to 200 impacts with 5 to 100 modes at mass ratios 10 to 5000 by all laws; 0.5 to 1.4 times the
+    true error of nine in ten.
+    """
+    share = min(0.5 * math.pi**2 * scene.halting_time / touch, 1.0) if math.isfinite(scene.halting_time) else 0.0
+    return share * max(1.0 - touch / period, 0.0) ** 2
 
 
 def general_notes(

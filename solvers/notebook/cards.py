@@ -35,6 +35,7 @@ def solution_card(solution: Any) -> str:
     found = solution.diagnostics
     rows = [
         ("method", _method(solution.method)),
+        ("in contact for", _number(solution.contact_time, "s")),
         ("impulse", _quantity(solution.impulse, "N s")),
         ("peak force", _number(solution.peak_force, "N")),
         ("impactor leaves at", _quantity(solution.impactor_velocity, "m/s")),
@@ -120,6 +121,77 @@ def stability_card(found: Any) -> str:
     rows = [*axes, ("modes", str(found.modes)), ("most steps of a run", str(found.bound))]
     head = ("integrator", "failed", "stopped at the bound", "worst energy error", "why not")
     return _card("Stability", found.scene.title, _table(head, maps) + _pairs(rows), found.notes)
+
+
+def ensemble_card(found: Any) -> str:
+    """The spread of every figure, and what can be trusted."""
+    spreads = [
+        (
+            f"{row.quantity.replace('_', ' ')} [{row.unit}]" if row.unit else row.quantity.replace("_", " "),
+            *(_number(value, unknown="-") for value in (row.unperturbed, row.lowest, row.median, row.highest)),
+            str(row.verdict),
+        )
+        for row in found.spread
+    ]
+    rows = [("runs", str(found.perturbations.size)), ("varied", found.key), ("method", _method(found.method))]
+    shown = _table(("figure", "unperturbed", "lowest", "median", "highest", "verdict"), spreads) + _pairs(rows)
+    return _card("Ensemble", found.title, shown, [found.summary, *found.notes])
+
+
+def convergence_card(found: Any) -> str:
+    """Every figure at every level, and what becomes of it."""
+    beside = found.reference_values or {}
+    known = [found.reference] if found.reference else []
+    figures = [
+        (
+            f"{name.replace('_', ' ')} [{found.units[name]}]" if found.units[name] else name.replace("_", " "),
+            *(_number(float(value)) for value in values),
+            *(_number(beside.get(name), unknown="-") for _ in known),
+            str(found.summary[name]),
+        )
+        for name, values in found.values.items()
+    ]
+    head = (found.kind, *(f"{count:g}" for count in found.counts), *known, "")
+    return _card("Convergence", found.title, _table(head, figures) + _pairs([("method", found.method)]), [])
+
+
+def sweep_card(found: Any) -> str:
+    """A row for each value."""
+    rows = [
+        (
+            _number(row["value"]),
+            str(row["contacts"]),
+            _number(row["contact_time"]),
+            _quantity(row["impulse"], ""),
+            _number(row["peak_force"], unknown="-"),
+            _quantity(tuple(v) if isinstance(v := row["impactor"]["final_velocity"], list) else v, ""),
+            _number(row["restitution"]["newton"], unknown="-"),
+            _number(row["estimated_error"], unknown="unknown"),
+        )
+        for row in found
+    ]
+    head = (found.key, "contacts", "in contact [s]", "impulse [N s]", "peak force [N]", "leaves at [m/s]")
+    return _card("Sweep", "", _table((*head, "restitution", "estimated error"), rows), [])
+
+
+def comparison_card(found: Any) -> str:
+    """What every method misses and costs."""
+    rows = [
+        (row.label, "cannot", "", "", "", str(row.reason))
+        if row.reason is not None
+        else (
+            row.label,
+            _percent(row.rebound_error),
+            f"{row.true_contacts_found} of {row.true_contacts}",
+            "-" if row.force_error is None else _percent(row.force_error),
+            _number(1e3 * (row.wall_time or 0.0), "ms"),
+            "",
+        )
+        for row in found
+    ]
+    head = ("method", "error of the rebound", "true contacts", "error of the force", "time", "why not")
+    measured = [("measured by", _method(found.exact.method)), ("its rebound", _number(found.rebound, "m/s"))]
+    return _card("Comparison", found.exact.scene.title, _table(head, rows) + _pairs(measured), [])
 
 
 # --- HTML -------------------------------------------------------------------------------------------------------------

@@ -15,17 +15,18 @@ from typing import Any
 
 import numpy as np
 
+from ..provenance import version
 from .figures import PARTS, Figure, fields_of, histories_of, origin, reach
 
 try:
-    import xarray
+    from xarray import Dataset
 except ImportError as missing:
     raise ImportError("dataset() needs xarray: pip install 'strikewave[notebook]'") from missing
 
 INSTANTS, PLACES = 401, 201  # enough to draw, and some 600 kB a field
 
 
-def dataset(solution: Any, time: Any = None, x: Any = None) -> xarray.Dataset:
+def dataset(solution: Any, time: Any = None, x: Any = None) -> Dataset:
     """See `Solution.dataset`."""
     motion, scene = solution.known_motion, solution.scene
     first, last = reach(solution)
@@ -43,7 +44,7 @@ def dataset(solution: Any, time: Any = None, x: Any = None) -> xarray.Dataset:
         "x": ("x", x, {"units": "m", "long_name": f"place from {origin(scene)}"}),
         "energy_part": ("energy_part", list(energies), {"long_name": "; ".join(f"{k}: {PARTS[k]}" for k in energies)}),
     }
-    return xarray.Dataset(found, coordinates, _attributes(solution))
+    return Dataset(found, coordinates, _attributes(solution))
 
 
 def _variable(dimensions: tuple[str, ...], figure: Figure, motion: Any, *at: np.ndarray) -> tuple[Any, ...]:
@@ -56,9 +57,21 @@ def _attributes(solution: Any) -> dict[str, str]:
     return {
         "title": scene.title,
         "source": scene.source,
+        "version": f"Strikewave {version()}",
         "conventions": f"SI units; time zero at first touch; x from {origin(scene)}; compression positive",
         "method": json.dumps(solution.method),
         "scene": json.dumps(scene.table()),
         "diagnostics": json.dumps(solution.diagnostics),
         "notes": "\n".join(map(str, solution.notes)),
     }
+
+
+def figures(found: Any, units: Any) -> Dataset:
+    """See `Figures.dataset`; `units` by figure."""
+    scene = {"scene": ("scene", np.arange(len(found)), {"long_name": "number of the scene"})}
+    varied = {key: ("scene", values) for key, values in found.varied.items()}
+    columns = {
+        name: ("scene", values, {"units": units[name], "long_name": name.replace("_", " ")})
+        for name, values in found.columns.items()
+    }
+    return Dataset(columns, scene | varied, {"version": f"Strikewave {version()}"})

@@ -19,9 +19,10 @@ LONGEST_HISTORY = 20_000  # instants; a longer one is drawn at INSTANTS
 WIDTH, HEIGHT = 700, 350  # pixels
 LONG_LEGEND = 250  # pixels, of methods with their options
 TIME = hv.Dimension("time", label="time", unit="s")
+Drawn = hv.core.Dimensioned  # what all of these are
 
 
-def plot(solution: Any, what: str) -> Any:
+def plot(solution: Any, what: str) -> Drawn:
     """See `Solution.plot`."""
     drawn = DRAWN[choice("what", what, DRAWN)]
     motion = solution.known_motion
@@ -134,6 +135,15 @@ def ensemble(found: Any, what: str, units: Any) -> Any:
     return _titled(
         hv.Overlay([*drawn, hv.Curve((found.time, band.median), TIME, value, label="median")]), "", "ensemble"
     )
+
+
+def figures(found: Any, what: str, units: Any) -> Any:
+    """See `Figures.plot`; `units` by figure."""
+    choice("what", what, units)
+    _draw_with_bokeh()
+    only = next(iter(found.varied.items())) if len(found.varied) == 1 else ("scene", np.arange(len(found)))
+    value = hv.Dimension(what, label=what.replace("_", " "), unit=units[what] or None)
+    return _titled(hv.Scatter((only[1], found.columns[what]), hv.Dimension(only[0]), value), "", what)
 
 
 BANDS = {

@@ -23,6 +23,9 @@ UNITS = {
     "force": {"N": 1.0, "kN": 1e3, "MN": 1e6},
 }
 LARGEST = {"strain": 0.1, "stress": 1e10, "force": 1e9}  # in SI units; beyond it the unit of the column is wrong
+SAVED = re.compile(r"^# \[saved\]$", re.MULTILINE)
+SAVED_STEPS = 20_000
+PLACE = re.compile(r"_at_(\d{1,6}(?:\.\d{1,6})?)_(mm|m)(?=_|$)")
 COLUMNS = "time_s, time_ms, time_us, time_ns; strain, microstrain, stress_Pa, stress_MPa, force_N, force_kN"
 
 
@@ -62,27 +65,47 @@ def read_record(
     """A record from the text of a table: one row per sample, columns named with their units in the first row.
 
     Separators are semicolons, tabs, commas or blanks; decimal commas are read where commas do not separate; lines that
-    start with # are skipped. `kind`: which kind of column to read, where there are several; `gauge`: the how manieth of
-    that kind. Without a row of names, `columns` gives them, or else the first column is time in seconds and the second
-    of `kind` in its SI unit. Strain is positive in tension, stress and force in compression; `sign` -1 turns a record
-    in which it is the other way round.
+    start with # are skipped. Of histories that were saved by the page or by `impact solve`, which say so in these
+    lines, the first column is the record if no `kind` is given. `kind`: which kind of column to read, where there are
+    several; `gauge`: the how manieth of that kind. Without a row of names, `columns` gives them, or else the first
+    column is time in seconds and the second of `kind` in its SI unit. Strain is positive in tension, stress and force
+    in compression; `sign` -1 turns a record in which it is the other way round.
     Raises SceneError naming row and column.
     """
     if kind is not None:
         validation.choice("kind", kind, KINDS)
     validation.choice("sign", str(sign), ("1", "-1"))
-    rows, separator = _rows(_text(content))
+    text = _text(content)
+    rows, separator = _rows(text)
     names, rows = _names(rows, separator, columns, kind)
-    chosen, found, factors = _choose(names, kind, gauge)
+    saved = SAVED.search(text) is not None
+    chosen, found, factors = _choose(names, kind, gauge, saved)
     if len(rows) < LEAST_ROWS:
         raise RecordError("few-rows", len(rows), rows=len(rows), least=LEAST_ROWS)
     if len(rows) > MAX_ROWS:
         raise RecordError("many-rows", len(rows), rows=len(rows), most=MAX_ROWS)
     table = _table(rows, separator, names, chosen)
     time, values = table[:, 0] * factors[0], table[:, 1] * factors[1] * sign
+    if saved:
+        time, values = _even(time, values)
     _check_time(time, [number for number, _ in rows])
     _check_unit(values, found, names[chosen[1]])
-    return Record(time, values, found)
+    return Record(time, values, found, _place(names[chosen[1]]))
+
+
+def _even(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Histories that a solver has told at instants of its own, twice at a jump, in even steps."""
+    steps = np.diff(time)
+    if not (steps >= 0.0).all() or np.ptp(steps) < 1e-3 * steps.mean():
+        return time, values
+    even = np.linspace(time[0], time[-1], SAVED_STEPS)
+    return even, np.interp(even, time, values)
+
+
+def _place(name: str) -> float | None:
+    """Where the gauge is [m], where the name of its column says it."""
+    found = PLACE.search(name[:NAME_LETTERS])
+    return None if found is None else float(found[1]) * {"mm": 1e-3, "m": 1.0}[found[2]]
 
 
 def _names(
@@ -156,7 +179,9 @@ def _are_names(cells: list[str], separator: str) -> bool:
     return not all(odd) and all(_number(cell, separator) is None for cell in cells)
 
 
-def _choose(names: tuple[str, ...], kind: str | None, gauge: int) -> tuple[tuple[int, int], str, tuple[float, float]]:
+def _choose(
+    names: tuple[str, ...], kind: str | None, gauge: int, saved: bool
+) -> tuple[tuple[int, int], str, tuple[float, float]]:
     """Which columns are time and value, the kind of the latter, and the factors to SI units."""
     known = [(index, *meaning) for index, name in enumerate(names) if (meaning := _meaning(name)) is not None]
     times = [column for column in known if column[1] == "time"]
@@ -166,16 +191,17 @@ def _choose(names: tuple[str, ...], kind: str | None, gauge: int) -> tuple[tuple
         raise RecordError("no-time", names, found=shown, columns=COLUMNS)
     if not values:
         raise RecordError("no-value", names, found=shown, kind=kind or "any", columns=COLUMNS)
-    if kind is None and len({column[1] for column in values}) > 1:
+    if kind is None and not saved and len({column[1] for column in values}) > 1:
         raise RecordError("several-kinds", names, kinds=list(KINDS))
     validation.whole_number("gauge", gauge, 1, len(values))
     value = values[gauge - 1]
     return (times[0][0], value[0]), value[1], (times[0][2], value[2])
 
 
+# In time that grows as the name does: no part of it can give back what it has taken, or matches what the next one does.
 _NAME = re.compile(
-    r"\s*(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>_\w+?)??"
-    r"(?:\s*[\[(]\s*(?P<bracket>[^\])]*?)\s*[\])]|[_ ]+(?P<bare>[^\d_\s][^_]*?))?(?:_\d+)?\s*",
+    r"(?P<word>t|time|(?:micro|milli)?strain|stress|compression|(?:contact_)?force)(?P<of>(?:_++[^\W_]++)*?)"
+    r"(?:\s*+[\[(](?P<bracket>[^\])]*+)[\])]|[_ ]++(?P<bare>[^\d_\s][^_]*+))?(?:_\d++)?",
     re.IGNORECASE,
 )
 
@@ -186,10 +212,10 @@ def _meaning(name: str) -> tuple[str, float] | None:
     Of what it is may stand before the unit, as in files that the page saves: `force_waves_N`.
     Raises SceneError where the unit of such a column is none.
     """
-    parts = _NAME.fullmatch(name)
+    parts = _NAME.fullmatch(name.strip())
     if parts is None:
         return None
-    word, unit = parts["word"].lower(), parts["bracket"] or parts["bare"] or ""
+    word, unit = parts["word"].lower(), (parts["bracket"] or parts["bare"] or "").strip()
     if word in UNITS["strain"]:
         return "strain", UNITS["strain"][word]
     kind = {"t": "time", "contact_force": "force", "compression": "stress"}.get(word, word)

@@ -5,7 +5,7 @@ tension. A record is straight between its samples.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,6 +41,7 @@ class Record:
     time: np.ndarray  # (n,) [s], increasing
     values: np.ndarray  # (n,) in SI units
     kind: str  # strain | stress | force
+    place: float | None = None  # of the gauge [m], where the file says it
 
     @property
     def step(self) -> float:
@@ -49,11 +50,11 @@ class Record:
 
     def shifted(self, by: float) -> "Record":
         """Later by so much [s]."""
-        return Record(self.time + validation.number("shift", by, -1e4, 1e4, "s"), self.values, self.kind)
+        return replace(self, time=self.time + validation.number("shift", by, -1e4, 1e4, "s"))
 
     def scaled(self, by: float) -> "Record":
         """Times a factor: a calibration, or a sign."""
-        return Record(self.time, self.values * validation.number("scale", by, -1e12, 1e12), self.kind)
+        return replace(self, values=self.values * validation.number("scale", by, -1e12, 1e12))
 
     def resampled(self, times: np.ndarray) -> "Record":
         """At other times, which must lie within the record."""
@@ -63,7 +64,7 @@ class Record:
         slack = 1e-9 * (self.time[-1] - self.time[0])
         for outside in (times[0], times[-1]):
             validation.number("times", float(outside), self.time[0] - slack, self.time[-1] + slack, "s", "record")
-        return Record(times, np.interp(times, self.time, self.values), self.kind)
+        return replace(self, time=times, values=np.interp(times, self.time, self.values))
 
     def at(self, times: np.ndarray) -> np.ndarray:
         """Values at any times; zero before the record, where nothing has happened yet, and NaN after it."""

@@ -1,7 +1,7 @@
 """What each cheap model misses, over mass ratio and contact time: maps for a page or a notebook to draw."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -9,6 +9,9 @@ from .. import validation
 from .contours import contour
 from .models import MODELS, QUESTIONS
 from .tables import models_table
+
+if TYPE_CHECKING:
+    from ..notebook.plots import Drawn
 
 LEVELS = (0.01, 0.05, 0.2)  # of error, drawn on the maps
 FAMILIES = ("fixed-rod", "free-rod", "cantilever", "pinned-pinned", "clamped-clamped", "free-free")
@@ -36,7 +39,7 @@ class RegimeMap:
     contours: dict[str, dict[float, tuple[np.ndarray, np.ndarray]]]
     smallest: np.ndarray
 
-    def plot(self, what: str = "smallest") -> Any:
+    def plot(self, what: str = "smallest") -> "Drawn":
         """A HoloViews object over relative time and mass ratio: the `smallest` model within the tolerance, or the
         error of one of `models` with its lines of equal error. Rigid contacts, at time zero, are left out.
 

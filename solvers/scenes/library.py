@@ -1,4 +1,4 @@
-"""Built-in scenes by name, and scene files."""
+"""Built-in scenes by name, scene files, and the scenes in heads of saved histories."""
 
 import difflib
 import re
@@ -8,6 +8,7 @@ from typing import Any
 
 from ..scene import Scene
 from ..validation import SceneError, allowed
+from .saved import MARK, head_of
 
 MAX_FILE_SIZE = 100_000  # bytes; a scene is a page of text
 SCENES = Path(__file__).parent
@@ -36,7 +37,7 @@ def _rank(name: str) -> tuple[object, ...]:
 
 
 def load(name_or_path: str | Path) -> Scene:
-    """A built-in scene by name, or a scene file.
+    """A built-in scene by name, a scene file, or the scene of histories that were saved (`.csv`).
 
     Raises SceneError if there is no such scene or file, or if what it says cannot be used.
     """
@@ -73,10 +74,12 @@ def _no_such_scene(given: object) -> SceneError:
 def read_toml(path: Path) -> dict[str, Any]:
     import tomllib
 
-    if path.stat().st_size > MAX_FILE_SIZE:
+    saved = path.suffix.lower() == ".csv"
+    if not saved and path.stat().st_size > MAX_FILE_SIZE:
         raise SceneError("scene", str(path), allowed("scene-size", most=MAX_FILE_SIZE))
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
+        tables = tomllib.loads(head_of(path) if saved else path.read_text(encoding="utf-8-sig"))
+        return {name: table for name, table in tables.items() if not (saved and name == MARK)}
     except (ValueError, RecursionError) as error:  # syntax, encoding, endless numbers, endless nesting
         raise SceneError("scene", str(path), allowed("toml", why=_named(error))) from None
     except OSError as error:

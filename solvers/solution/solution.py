@@ -3,16 +3,21 @@
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ..bodies import AnyBody, Mechanism, Pivoted, Swing
+from ..bodies import Mechanism, Pivoted, Swing
 from ..scene import Scene
 from ..text.notes import Note, coded
-from ..validation import SceneError, allowed
-from .motion import ChangesModes, Joined, Motion, Pushes
-from .restitution import restitution
+from ..validation import SceneError, allowed, plain
+from . import closures
+from .motion import ChangesModes, Joined, Motion
+
+if TYPE_CHECKING:
+    from ..notebook.datasets import Dataset
+    from ..notebook.plots import Drawn
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,11 @@ class ContactPeriod:
     end: float  # [s]
     impulse: float  # [N s]
     peak_force: float | Any  # [N]; None: an impact of no duration
+
+    @property
+    def duration(self) -> float:
+        """[s]; 0 of a sudden impulse."""
+        return self.end - self.start
 
 
 @dataclass(frozen=True)
@@ -93,7 +103,7 @@ class _Spin(_Figure):
         super().__set__(solution, value if isinstance(value, tuple) else None)  # a number follows anew
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Solution:
     """The answer to a scene, SI units, time zero at first touch, velocities positive the way the impactor came.
 
@@ -108,13 +118,13 @@ class Solution:
     duration: float  # [s], up to which it is solved
     motion: Motion | None  # None: bodies in space, which move freely before and after
     impulse: Any = _Figure()  # of all contacts [N s]; on the target, a vector, where bodies in space rub
-    impactor_velocity: Any = _Figure()  # [m/s]; a prescribed force has none
-    target_velocity: Any = _Figure()  # of its centre of mass [m/s]
+    impactor_velocity: float | Any = _Figure()  # [m/s]; a prescribed force has none
+    target_velocity: float | Any = _Figure()  # of its centre of mass [m/s]
     restitution: dict[str, float | None] = _Figure()  # newton, poisson, newton_at_contact
     energy: dict[str, float] = _Figure()  # at the end, by parts, and the initial one [J]
     diagnostics: dict[str, Any] = _Figure()
     notes: list[Note] = _Figure()
-    peak_force: float | None  # [N]
+    peak_force: float | Any  # [N]; None: an impact of no duration
     peak_indentation: float | None  # [m]
     residual_indentation: float | None  # that is left in the surfaces [m]
     effective_mass: float | None = None  # of the contact [kg], where the impact is one impulse
@@ -172,6 +182,11 @@ class Solution:
         return time[inside], force[inside]
 
     @property
+    def contact_time(self) -> float:
+        """For how long the bodies are in contact, all periods together [s]; 0 of sudden impulses."""
+        return sum((contact.duration for contact in self.contacts), 0.0)
+
+    @property
     def normal_impulse(self) -> float:
         """Of all contacts along their normal [N s]."""
         return float(np.dot(self.impulse, self.scene.normal)) if isinstance(self.impulse, tuple) else self.impulse
@@ -210,7 +225,7 @@ class Solution:
         work = before.work if isinstance(before, Later) else lambda _: before
         self.__dict__[f"_{name}"] = Later(lambda solution: change(solution, work(solution)))
 
-    def dataset(self, time: Any = None, x: Any = None) -> Any:
+    def dataset(self, time: ArrayLike | None = None, x: ArrayLike | None = None) -> "Dataset":
         """An xarray.Dataset of histories over `time` (time,) [s] and fields over (time, x), `x` (x,) [m]; names, units
         and what they mean are with the values.
 
@@ -224,7 +239,7 @@ class Solution:
 
         return datasets.dataset(self, time, x)
 
-    def plot(self, what: str = "force") -> Any:
+    def plot(self, what: str = "force") -> "Drawn":
         """A HoloViews object: the contact `force` over time, the `motion` of the impactor and the struck face, `waves`
         of stress over place and time, or the parts of the `energy` over time; SI units on the axes.
 
@@ -233,6 +248,26 @@ class Solution:
         from ..notebook import plots  # loads HoloViews, which nothing else here needs
 
         return plots.plot(self, what)
+
+    def __copy__(self) -> "Solution":
+        other = object.__new__(Solution)
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        for name in (*SUMMARY, "notes"):
+            getattr(self, name)  # what comes later comes now
+        return _solution_of, (closures.written(self.__dict__),)
+
+    def __str__(self) -> str:
+        from ..notebook import report
+
+        return report.report(self)
+
+    def __repr__(self) -> str:
+        from ..notebook import report
+
+        return report.brief(self)
 
     def _repr_html_(self) -> str:
         from ..notebook import cards
@@ -276,29 +311,41 @@ class Solution:
             rubbed = {"sliding": [asdict(each) for each in self.sliding], "models": self.models}
         impulse = list(self.impulse) if isinstance(self.impulse, tuple) else self.impulse
         changed = self.mode_change
-        return {
-            "scene": self.scene.table(),
-            "method": self.method,
-            "contacts": [asdict(contact) for contact in self.contacts],
-            **({"links": links} if links else {}),
-            **({"mode_change": changed, "mode_change_coordinates": self.mode_change_coordinates} if changed else {}),
-            **({"joints": joints} if joints or self.reactions is not None else {}),
-            "impulse": impulse,
-            **effective_mass,
-            "peak_force": self.peak_force,
-            "peak_indentation": self.peak_indentation,
-            "residual_indentation": self.residual_indentation,
-            "impactor": final(self.impactor_velocity, self.impactor_spin) | felt.get("impactor", {}),
-            "target": final(self.target_velocity, self.target_spin) | felt.get("target", {}),
-            **self.scene.target.figures(),
-            **balls,
-            "restitution": self.restitution,
-            "energy": self.energy,
-            **rubbed,
-            "diagnostics": self.diagnostics,
-            "duration": self.duration,
-            **coded(self.notes),
-        }
+        return plain(
+            {
+                "scene": self.scene.table(),
+                "method": self.method,
+                "contacts": [asdict(contact) for contact in self.contacts],
+                "contact_time": self.contact_time,
+                **({"links": links} if links else {}),
+                **(
+                    {"mode_change": changed, "mode_change_coordinates": self.mode_change_coordinates} if changed else {}
+                ),
+                **({"joints": joints} if joints or self.reactions is not None else {}),
+                "impulse": impulse,
+                **effective_mass,
+                "peak_force": self.peak_force,
+                "peak_indentation": self.peak_indentation,
+                "residual_indentation": self.residual_indentation,
+                "impactor": final(self.impactor_velocity, self.impactor_spin) | felt.get("impactor", {}),
+                "target": final(self.target_velocity, self.target_spin) | felt.get("target", {}),
+                **self.scene.target.figures(),
+                **balls,
+                "restitution": self.restitution,
+                "energy": self.energy,
+                **rubbed,
+                "diagnostics": self.diagnostics,
+                "duration": self.duration,
+                **coded(self.notes),
+            }
+        )
+
+
+def _solution_of(known: bytes) -> Solution:
+    """One that was pickled."""
+    solution = object.__new__(Solution)
+    solution.__dict__.update(closures.read(known))
+    return solution
 
 
 def final(velocity: Any, spin: Any) -> dict[str, Any]:
@@ -308,92 +355,3 @@ def final(velocity: Any, spin: Any) -> dict[str, Any]:
     if isinstance(spin, float):
         return {"final_velocity": velocity, "final_spin": spin}
     return {"final_velocity": list(velocity), "final_spin": list(spin)}
-
-
-def summary(
-    scene: Scene, motion: Motion, contacts: list[ContactPeriod], duration: float, wall_time: float
-) -> dict[str, Any]:
-    """What follows from any motion alone: velocities, `solvers.solution.restitution`, energies and residuals."""
-    if scene.prescribed_force:
-        return _summary_of_a_push(scene, motion, duration, wall_time)
-    end = np.array([duration])
-    impulse = float(motion.impulse(end)[0])
-    target_final = _swing(scene.target, impulse) if scene.target.swings else 0.0
-    if not scene.target.held:
-        target_final = float(motion.rigid_velocity(end)[0])
-    return balanced(
-        scene,
-        float(motion.impactor_velocity(end)[0]),
-        target_final,
-        impulse,
-        {name: float(value[0]) for name, value in motion.energies(end).items()},
-        None if touching(contacts, duration) else restitution(scene, motion, contacts[-1].end, duration),
-        wall_time,
-    )
-
-
-def touching(contacts: list[ContactPeriod], duration: float) -> bool:
-    """Whether the bodies are together at the end of the time solved: nothing is restored yet."""
-    return contacts[-1].end >= duration * (1.0 - 1e-12)
-
-
-def balanced(
-    scene: Scene,
-    final: float,
-    target_final: float,
-    impulse: float,
-    energies: dict[str, float],
-    restored: dict[str, float | None] | None,
-    wall_time: float,
-) -> dict[str, Any]:
-    """The figures of `summary` from the last velocities, the impulse and the energies, with what they are off by."""
-    m1, m2 = scene.impactor.mass, scene.target.mass
-    initial = scene.initial_energy
-    lost = impulse if scene.impactor.held else m1 * (scene.impactor.velocity - final)
-    mismatches = [lost - impulse]
-    if not scene.target.held:
-        mismatches.append(m2 * (target_final - scene.target.velocity) - lost)
-    return {
-        "impulse": impulse,
-        "impactor_velocity": final,
-        "target_velocity": target_final,
-        "restitution": restored or {"newton": None, "poisson": None, "newton_at_contact": None},
-        "energy": {"initial": initial} | energies,
-        "diagnostics": {
-            "energy_error": (sum(energies.values()) - initial) / (initial or 1.0),
-            "momentum_error": max(mismatches, key=abs) / (m1 * scene.speed),
-            "steps": 0,
-            "wall_time": wall_time,
-            "estimated_error": None,
-        },
-    }
-
-
-def _swing(beam: AnyBody, impulse: float) -> float:
-    """Mean velocity [m/s] with which a beam on a pin swings on: what it vibrates has no moment about the pin."""
-    known = beam.modes(1)
-    return known.rigid_mean * impulse / known.rigid_mass
-
-
-def _summary_of_a_push(scene: Scene, motion: Motion, duration: float, wall_time: float) -> dict[str, Any]:
-    """The same for a prescribed force: nothing strikes, nothing is restored; the first energy is the work it does."""
-    end = np.array([duration])
-    impulse, held = float(motion.impulse(end)[0]), scene.target.held
-    final = 0.0 if held else float(motion.rigid_velocity(end)[0])
-    energies = {name: float(value[0]) for name, value in motion.energies(end).items()}
-    assert isinstance(motion, Pushes)
-    initial = scene.initial_energy + motion.work(duration)
-    return {
-        "impulse": impulse,
-        "impactor_velocity": None,
-        "target_velocity": final,
-        "restitution": {"newton": None, "poisson": None, "newton_at_contact": None},
-        "energy": {"initial": initial} | energies,
-        "diagnostics": {
-            "energy_error": (sum(energies.values()) - initial) / initial,
-            "momentum_error": 0.0 if held else scene.target.mass * (final - scene.target.velocity) / impulse - 1.0,
-            "steps": 0,
-            "wall_time": wall_time,
-            "estimated_error": None,
-        },
-    }

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .integrators import BOUND, DIVERGED, LASTING, Outcome
 from .runs import INTEGRATORS, Problem, bound, damped, own_stiffness, problem_of, run
+
+if TYPE_CHECKING:
+    from ..notebook.plots import Drawn
 
 USUAL_MODES = 20  # where neither the scene nor an axis says how many
 NOT_RUN, CANNOT = 254, 255
@@ -116,7 +119,7 @@ class Stability:
     bound: int
     notes: list[Note]
 
-    def plot(self, integrator: str | None = None) -> Any:
+    def plot(self, integrator: str | None = None) -> "Drawn":
         """A HoloViews object over the two axes: the energy error of an integrator, or of all of `maps` one by one, its
         largest stable step and the scene itself. Runs that grew past reason, or did not end, have no colour.
 
@@ -227,6 +230,7 @@ def check_axes(scene: Scene, names: Sequence[str]) -> None:
 
 def _read_axis(name: str, given: int | Sequence[float]) -> Axis:
     unit, low, high, log = AXES[name]
+    given = validation.plain(given)
     if isinstance(given, int):
         count = validation.whole_number("grid", given, 2, 400)
         values = np.geomspace(low, high, count) if log else np.linspace(low, high, count)

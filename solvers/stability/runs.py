@@ -224,7 +224,8 @@ INTEGRATORS = {
     "newmark": Integrator("Newmark, contact status implicit", "stable at every step", _endless, _implicit),
     "newmark-frozen": Integrator(
         "Newmark, contact status frozen over a step",
-        "about 3 / omega_c, of the contact spring on what it moves at once (measured on one stiff contact)",
+        "a step of about 3 over the angular frequency of the contact spring with what it moves "
+        "(measured on one stiff contact)",
         lambda problem: FROZEN_LIMIT / math.sqrt(problem.stiffness * problem.mobility),
         _frozen,
     ),

@@ -42,7 +42,7 @@ def contact_times(solution: Solution) -> ContactTimes:
     with the mass attached that the apparent time comes near.
     """
     contacts = solution.contacts
-    apparent, real = apparent_time(contacts) or 0.0, sum(contact.end - contact.start for contact in contacts)
+    apparent, real = apparent_time(contacts) or 0.0, solution.contact_time
     with_mass, alone = half_periods(solution.scene.at_contact)
     return ContactTimes(
         len(contacts), apparent, real, with_mass, alone, _summary(len(contacts), apparent, real, with_mass)

@@ -7,7 +7,7 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,42 +21,26 @@ from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import Balances, Bends
 from ..solution.solution import Solution
-from ..text.notes import Note, Severity
+from ..text.notes import Note
 from .levels import Levels, levels_of
+from .orders import WHOLES, orders_of, rate
 from .sensitivity import plain
 
+if TYPE_CHECKING:
+    from ..notebook.plots import Drawn
+
 INSTANTS, PLACES = 2_000, 41  # at which largest values of fields are looked for
-CLOSE = 1e-6  # relative differences below this count as none
-REGULAR = 0.7  # of natural logarithms about a fitted power: a factor of two
-SETTLED = 1e-2  # differences among the last three that call for no order
-SLOWEST = 0.4  # order that still counts as one
-UNBOUNDED = 0.5  # smallest power of a figure that tends to zero, or to infinity
-REBOUND = (  # figures that hang on the last contact
-    "final_velocity",
-    "impulse",
-    "last_parting",
-    "peak_deflection",
-    "energy_lost",
-    "energy_lost_share",
-)
-WHOLES = {  # what a figure is a part of, where that is not the largest of its own values
-    "final_velocity": "speed",
-    "first_velocity": "speed",
-    "mean_jump": "speed",
-    "energy_lost": "energy",
-    "energy_lost_share": "energy",
-    "joint_impulse": "impulse",
-}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Convergence:
     """One figure per count of modes or elements, and what becomes of it; arrays (counts,), SI units.
 
     `differences` are those to the finest count, relative to the largest value, for velocities to the speed of approach,
     for the energy lost to the initial energy and for the impulse at a joint to that of the contact. `order` p: the
-    differences fall as counts^-p; None where they do not, or where there is nothing to fit, and of a rigid contact with
-    what bends, where there is none: a change of a mass in its last digits makes another rebound. `reference`: the
+    differences fall as counts^-p; None where they do not, where p is above what the method has, where there are fewer
+    than four levels, of the peak stress of a rod, and of a rigid contact with what bends, where there is none: a change
+    of a mass in its last digits makes another rebound. `reference`: the
     method that gives the impact without balances, and `reference_values` its figures: exact waves of a mass on a rod,
     rigid links of a mechanism.
     """
@@ -72,8 +56,9 @@ class Convergence:
     wall_time: float
     reference: str | None = None
     reference_values: dict[str, float] | None = None
+    title: str = ""  # of the scene
 
-    def plot(self, what: str = "differences") -> Any:
+    def plot(self, what: str = "differences") -> "Drawn":
         """A HoloViews object over the counts: all `differences` to the finest, or the values of one figure.
 
         Raises SceneError for another word.
@@ -82,9 +67,22 @@ class Convergence:
 
         return plots.convergence(self, what)
 
+    def __str__(self) -> str:
+        from ..notebook import tables
+
+        return tables.convergence(self)
+
+    def __repr__(self) -> str:
+        return f"<Convergence of {self.title[:60]!r} by {self.method}: {self.counts.size} levels>"
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.convergence_card(self)
+
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
-        table = plain({option.name: getattr(self, option.name) for option in fields(self)})
+        table = plain({option.name: getattr(self, option.name) for option in fields(self) if option.name != "title"})
         words = {name: f"{name.replace('_', ' ')}: {note}" for name, note in self.summary.items()}
         codes = {name: note.table() for name, note in self.summary.items()}
         if self.reference is None:
@@ -131,8 +129,10 @@ def convergence(
     if "energy_lost_share" in values:
         scales["energy_lost_share"] = 100.0
     steps_taken = finest.duration / numbers if kind == "step" else numbers
-    chaotic = scene.rigid_contact and scene.bends
-    rated = {name: _rate(name, steps_taken, column, scales[name], kind, chaotic) for name, column in values.items()}
+    chaotic, known = scene.rigid_contact and scene.bends, orders_of(scene, kind)
+    rated = {
+        name: rate(name, steps_taken, column, scales[name], kind, known, chaotic) for name, column in values.items()
+    }
     return Convergence(
         method=levels.method.NAME,
         kind=kind,
@@ -143,6 +143,7 @@ def convergence(
         order={name: found[1] for name, found in rated.items()},
         summary={name: found[2] for name, found in rated.items()},
         wall_time=time.perf_counter() - begun,
+        title=scene.title,
         reference=reference,
         reference_values=beside and {name: value for name, value in beside.items() if name in values},
     )
@@ -246,87 +247,3 @@ def _of_balances(solution: Solution) -> dict[str, float | None]:
         found["joint_impulse"] = math.hypot(*reaction["impulse"])
         found["joint_moment_impulse"] = abs(reaction["moment_impulse"])
     return found
-
-
-def _rate(
-    name: str, counts: np.ndarray, values: np.ndarray, scale: float, kind: str, chaotic: bool = False
-) -> tuple[np.ndarray, float | None, Note]:
-    """Relative differences to the finest, the order, and the note; `chaotic`: nothing is fitted to the rebound."""
-    differences = np.abs(values - values[-1]) / scale
-    if kind == "restitution":
-        return differences, None, _varies(values, scale)
-    own = {"resolution": f"{kind}s" if kind == "step" else kind}
-    if name == "contacts":
-        return differences, None, _settles(counts, values, own["resolution"], chaotic)
-    if differences.max() <= CLOSE:
-        return differences, None, Note("same-for-all", Severity.REMARK, **own, error=differences.max())
-    if not (chaotic and name in REBOUND):
-        power, irregular, last = _power(counts, np.abs(values))
-        if abs(power) >= UNBOUNDED and irregular <= 0.5 * REGULAR and last >= 0.5:
-            left = float(abs(values[-1])) / scale
-            return differences, None, _without_bound(name, power, left, round(counts[-1]), own)
-    last = differences[-3:].max()
-    left_open = own | {"error": 100.0 * last, "count": round(counts[-3])}
-    if chaotic:
-        return differences, None, Note("no-limit", Severity.WARNING, **left_open)
-    order, irregular = _order(counts, differences)
-    if order is None or irregular > REGULAR or order < SLOWEST:
-        settled = last <= SETTLED
-        found = Note("settled", Severity.REMARK, **left_open) if settled else None
-        return differences, None, found or Note("no-order", Severity.WARNING, **left_open)
-    left = differences[-2] / ((counts[-1] / counts[-2]) ** order - 1.0)
-    count = round(counts[-1])
-    return differences, order, Note("converges", Severity.REMARK, **own, order=order, error=left, count=count)
-
-
-def _without_bound(name: str, power: float, share: float, count: int, own: dict[str, str]) -> Note:
-    """Of what follows a power of the resolution: to infinity, or to zero, which is a limit like others."""
-    if power > 0.0:
-        return Note("diverges", Severity.WARNING, **own, power=power)
-    whole = WHOLES.get(name, "largest")
-    return Note("vanishes", Severity.REMARK, **own, power=power, share=100.0 * share, whole=whole, count=count)
-
-
-def _varies(values: np.ndarray, scale: float) -> Note:
-    """With something that is no resolution, from its largest value to its least."""
-    spread, changes = float(np.ptp(values)) / scale, np.diff(values)
-    if spread <= CLOSE:
-        return Note("same-for-each", Severity.REMARK, error=spread)
-    way = "rises" if (changes < 0.0).all() else "falls" if (changes > 0.0).all() else "neither"
-    return Note("varies", Severity.REMARK, error=100.0 * spread, way=way)
-
-
-def _settles(counts: np.ndarray, values: np.ndarray, kind: str, chaotic: bool) -> Note:
-    same = values == values[-1]
-    first = int(np.flatnonzero(~same)[-1]) + 1 if not same.all() else 0
-    if first < values.size - 1 and not (first and chaotic):  # where two are alike by chance
-        contacts, count = round(values[-1]), round(counts[first])
-        return Note("contacts-settle", Severity.REMARK, contacts=contacts, count=count, resolution=kind)
-    return Note("contacts-scatter", Severity.WARNING, lowest=round(values.min()), highest=round(values.max()))
-
-
-def _power(counts: np.ndarray, values: np.ndarray) -> tuple[float, float, float]:
-    """Exponent of the power of the counts that the values follow, the scatter of their logarithms about it, and the
-    exponent of the last two alone as a part of it.
-    """
-    if values.min() <= 0.0:
-        return 0.0, math.inf, 0.0
-    x, y = np.log(counts), np.log(values)
-    slope, start = np.polyfit(x, y, 1)
-    last = (y[-1] - y[-2]) / (x[-1] - x[-2]) / slope if slope else 0.0
-    return float(slope), float(np.sqrt(np.mean((y - slope * x - start) ** 2))), float(last)
-
-
-def _order(counts: np.ndarray, differences: np.ndarray) -> tuple[float | None, float]:
-    """p of differences = C (counts^-p - finest^-p), which counts that the finest is not exact, and the scatter."""
-    differing = differences[:-1] > CLOSE
-    if differing.sum() < 2:
-        return None, math.inf
-    x, y = counts[:-1][differing] / counts[-1], np.log(differences[:-1][differing])
-    orders = np.arange(0.1, 6.001, 0.02)
-    misses = y - np.log(x[None, :] ** -orders[:, None] - 1.0)
-    scatter = np.sqrt(np.mean((misses - misses.mean(axis=1, keepdims=True)) ** 2, axis=1))
-    best = int(np.argmin(scatter))
-    if best in (0, orders.size - 1):
-        return None, math.inf
-    return float(orders[best]), float(scatter[best])

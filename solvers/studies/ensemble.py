@@ -5,7 +5,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,13 +24,16 @@ from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .sensitivity import FIGURES, Band, Spread, band_of, ill_conditioned, plain, spread_table, summary
 
+if TYPE_CHECKING:
+    from ..notebook.plots import Drawn
+
 LEAST_RUNS, MOST_RUNS = 10, 10_000
 SPREAD_RANGE = (1e-9, 0.3)
 DECADES = 4.0  # that the perturbations span, downwards from the largest
 BAND_INTERVALS = 800  # intervals of the bands
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Ensemble:
     """Many impacts that differ a little: figures of each, bands of histories, and what can be trusted.
 
@@ -60,8 +63,9 @@ class Ensemble:
     summary: Note  # cause and remedy, or why it can be trusted
     notes: list[Note]
     wall_time: float
+    title: str = ""  # of the scene
 
-    def plot(self, what: str = "force") -> Any:
+    def plot(self, what: str = "force") -> "Drawn":
         """A HoloViews object: bands of `force`, `struck_position` or `impactor_velocity` over time, in which all runs
         lie, and nine tenths of them; or a figure such as `final_velocity` over the changes.
 
@@ -71,10 +75,25 @@ class Ensemble:
 
         return plots.ensemble(self, what, FIGURES)
 
+    def __str__(self) -> str:
+        from ..notebook import tables
+
+        return tables.ensemble(self)
+
+    def __repr__(self) -> str:
+        return f"<Ensemble of {self.title[:60]!r} by {self.method['name']}: {self.perturbations.size} runs>"
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.ensemble_card(self)
+
     def table(self) -> dict[str, Any]:
         """As plain lists and numbers."""
         said = {"told": str(self.summary), "summary_code": self.summary.table()}
-        return plain(asdict(self)) | {"summary": str(self.summary)} | said | coded(self.notes)
+        known = asdict(self)
+        del known["title"]
+        return plain(known) | {"summary": str(self.summary)} | said | coded(self.notes)
 
 
 def ensemble(
@@ -115,12 +134,11 @@ def ensemble(
     base = chosen.solve(scene, duration)
     instants = np.linspace(0.0, base.duration, BAND_INTERVALS + 1)
     found: list[Any] = _Runs(base, chosen, instants, _lean(scene, chosen, key), cancel).solve(scenes, progress)
-    done = [number for number, run in enumerate(found) if run is not None]
-    notes += _left_out(len(done), runs)
-    changes, found = changes[done], [found[number] for number in done]
+    done = [run is not None for run in found]
+    changes, found = changes[done], [run for run in found if run is not None]
     figures = {name: np.array([row[i] for row, _ in found]) for i, name in enumerate(FIGURES)}
     table = spread_table(_figures(base), figures, changes, _scales(scene, base))
-    notes += _late(figures["last_parting"], base.duration)
+    notes += [*_left_out(len(found), runs), *_late(figures["last_parting"], base.duration)]
     force, struck_position, impactor_velocity = (band_of([histories[i] for _, histories in found]) for i in range(3))
     return Ensemble(
         key,
@@ -136,6 +154,7 @@ def ensemble(
         summary=summary(scene, key, spread, table, ill_conditioned(table)),
         notes=notes,
         wall_time=time.perf_counter() - begun,
+        title=scene.title,
     )
 
 
@@ -267,7 +286,7 @@ class _Runs:
 
 def _of_contacts(contacts: list[ContactPeriod]) -> tuple[float, float, float, float]:
     """First parting, number, last parting, real contact time."""
-    return contacts[0].end, len(contacts), contacts[-1].end, sum(contact.end - contact.start for contact in contacts)
+    return contacts[0].end, len(contacts), contacts[-1].end, sum(contact.duration for contact in contacts)
 
 
 def _figures(solution: Solution) -> dict[str, float]:

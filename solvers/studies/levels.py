@@ -70,7 +70,7 @@ def levels_of(
     if refused:
         raise SceneNotSupported("method.name", chosen.NAME, refused)
     if kind in VALUES:
-        falling = _falling(kind, values[kind] or ())
+        falling = _falling(kind, values[kind])
         return Levels(chosen, kind, falling, [(_with(chosen, kind, value), scene) for value in falling], duration)
     if getattr(chosen, kind, 1) is None:  # some, where it is left out, do without
         chosen = replace(chosen, **{kind: 1})
@@ -88,9 +88,9 @@ def _counts(name: str, given: Sequence[Any]) -> list[int]:
     return counts
 
 
-def _falling(kind: str, given: Sequence[float]) -> list[float]:
+def _falling(kind: str, given: Sequence[float] | None) -> list[float]:
     name = GIVEN[kind]
-    if isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
+    if given is None or isinstance(given, (str, bytes)) or not FEWEST <= len(given) <= MOST:
         raise SceneError(name, given, allowed("list", low=FEWEST, high=MOST, of="numbers"))
     values = [validation.number(name, value, -math.inf, math.inf) for value in given]
     if values != sorted(set(values), reverse=True):

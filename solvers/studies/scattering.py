@@ -100,6 +100,7 @@ def _between_links(mechanism: Mechanism, joint: int | None) -> int:
         raise SceneError("target.joints", None, allowed("joined-links-only"))
     if joint is None:
         return between[0]
+    joint = validation.plain(joint)
     if joint not in between:
         raise SceneError("joint", joint, allowed("choice", options=[str(number) for number in between]))
     return joint

@@ -1,8 +1,7 @@
 """Many solves at once: scenes, or one key of a scene over a range."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +20,7 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.solution import Solution
 from ..solve import read_method, solve
 from ..validation import SceneError, allowed
+from .figures import Figures, asked_for, figures_of
 from .mass_ratios import TERMS
 
 MOST_VALUES = 2_000
@@ -47,64 +47,60 @@ def spaced(low: float, high: float, count: int = 21, spacing: str | None = None)
     return np.linspace(low, high, count)
 
 
-@dataclass(frozen=True)
-class Figures:
-    """What came of each of many scenes; all arrays (scenes,), NaN where a figure does not exist. See `Solution`."""
-
-    contacts: np.ndarray  # how many periods of contact
-    impulse: np.ndarray  # [N s]
-    peak_force: np.ndarray  # [N]
-    impactor_velocity: np.ndarray  # [m/s]
-    target_velocity: np.ndarray  # [m/s]
-    newton: np.ndarray  # restitution by centre-of-mass velocities
-    poisson: np.ndarray  # by impulses
-    newton_at_contact: np.ndarray  # by the touching surfaces
-    energy_error: np.ndarray  # of the energy before
-    momentum_error: np.ndarray  # of the impactor's momentum
-    estimated_error: np.ndarray  # of the impactor's velocity, of the speed of approach
-
-
 def solve_many(
     scenes: Sequence[SceneOrName] | SceneOrName,
     columns: Mapping[str, Sequence[float]] | None = None,
     method: str | Method | None = None,
     workers: int | None = None,
+    figures: Sequence[str] | None = None,
 ) -> Figures:
-    """The figures of many scenes, or of one with `columns` of values for some of its keys, all of one length.
+    """The figures of many scenes, or of one with `columns` of values for some of its keys, all of one length; only
+    those named in `figures`, where it is given, and what is not asked for is not worked out.
 
     Where a rigid mass strikes one uniform rod, and exact waves solve it, no scene is looked at twice: 100 000 of them
     take a second or two. All others are solved one by one. Kernels run on `workers` threads (as many as there are
     processors). Raises SceneError for columns that do not fit together, or for a value that is not allowed;
     SceneNotSupported as `solve` does. Bodies in space have no such figures.
     """
+    names = asked_for(figures)
     if isinstance(scenes, Scene | str | Path):
-        return _varied(scene_of(scenes), columns or {}, method, workers)
+        return _varied(scene_of(scenes), columns or {}, method, workers, names)
     if columns is not None:
         raise SceneError("columns", sorted(columns), allowed("no-columns"))
     validation.whole_number("number of scenes", len(scenes), 1, MOST_QUICK)
-    return _solved([scene_of(scene) for scene in scenes], method, workers)
+    return Figures(_solved([scene_of(scene) for scene in scenes], method, workers, names))
 
 
 def _varied(
-    scene: Scene, columns: Mapping[str, Sequence[float]], method: str | Method | None, workers: int | None
+    scene: Scene,
+    columns: Mapping[str, Sequence[float]],
+    method: str | Method | None,
+    workers: int | None,
+    names: Sequence[str],
 ) -> Figures:
     """Of one scene with columns of values."""
     arrays = {key: _numbers(key, values) for key, values in columns.items()}
     _check_columns(arrays)
     if _quick(scene, method) and set(arrays) <= QUICK_KEYS and scene.impactor.kind == "mass":
         bodies = _bodies_of_columns(scene, arrays)
-        return _impacts_on_rods(bodies, lambda row: _with(scene, _row_of(arrays, row)), workers)
+        found = _impacts_on_rods(bodies, lambda row: _with(scene, _row_of(arrays, row)), workers, names)
+        return Figures(found, arrays)
     rows = zip(*(values.tolist() for values in arrays.values()), strict=True)
-    return _solved([_with(scene, dict(zip(arrays, row, strict=True))) for row in rows], method, workers)
+    scenes = [_with(scene, dict(zip(arrays, row, strict=True))) for row in rows]
+    return Figures(_solved(scenes, method, workers, names), arrays)
 
 
-def _solved(scenes: list[Scene], method: str | Method | None, workers: int | None) -> Figures:
+def _solved(
+    scenes: list[Scene], method: str | Method | None, workers: int | None, names: Sequence[str]
+) -> dict[str, Any]:
+    """Columns of figures by their names."""
     if any(scene.normal is not None for scene in scenes):
         raise SceneError("scenes", "bodies in space", allowed("scenes-on-axis"))
     if all(_quick(scene, method) for scene in scenes):
-        return _impacts_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers)
+        return _impacts_on_rods(_bodies_of(scenes), lambda row: scenes[row], workers, names)
     with all_processors(workers) as pool:
-        return _columns(list(pool.map(lambda scene: _figures_of(solve(scene, method)), scenes)))
+        rows = list(pool.map(lambda scene: figures_of(solve(scene, method), names), scenes))
+    return dict(zip(names, zip(*rows, strict=True), strict=True))
 
 
 def _quick(scene: Scene, method: str | Method | None) -> bool:
@@ -169,7 +165,9 @@ def _bodies_of(scenes: Sequence[Scene]) -> np.ndarray:
     return found
 
 
-def _impacts_on_rods(bodies: np.ndarray, scene_of: Callable[[int], Scene], workers: int | None) -> Figures:
+def _impacts_on_rods(
+    bodies: np.ndarray, scene_of: Callable[[int], Scene], workers: int | None, names: Sequence[str]
+) -> dict[str, np.ndarray]:
     """Of `bodies` as `_bodies_of` gives them; `scene_of` a row: for impacts so long that each is solved alone."""
     mass, speed, rod_mass, impedance, trip, reflection = bodies
     beta, found = rod_mass / mass, np.empty((mass.size, rigid_figures.COLUMNS))
@@ -186,22 +184,29 @@ def _impacts_on_rods(bodies: np.ndarray, scene_of: Callable[[int], Scene], worke
     momentum = np.where(np.abs(off[0]) > np.abs(off[1]), *off) / (mass * speed)
     compressing = np.where(kernel[rigid_figures.COMPRESSING] > 0.0, kernel[rigid_figures.COMPRESSING], np.nan)
     energy_error = energy / initial - 1.0
-    figures = Figures(
-        contacts=kernel[rigid_figures.CONTACTS].astype(int),
-        impulse=impulse,
-        peak_force=force * kernel[rigid_figures.PEAK],
-        impactor_velocity=final,
-        target_velocity=target,
-        newton=(target - final) / speed,
-        poisson=kernel[rigid_figures.IMPULSE] / compressing - 1.0,
-        newton_at_contact=kernel[rigid_figures.FACE] - kernel[rigid_figures.FINAL],
-        energy_error=energy_error,
-        momentum_error=momentum,
-        estimated_error=np.maximum(np.abs(energy_error) + np.abs(momentum), 1e-15),
-    )
+    nothing = np.full(mass.size, np.nan)  # rigid faces do not give way
+    figures = {
+        "contacts": kernel[rigid_figures.CONTACTS],
+        "contact_time": trip * kernel[rigid_figures.TOUCHING],
+        "duration": trip * (kernel[rigid_figures.PARTING] + AFTERGLOW),
+        "impulse": impulse,
+        "peak_force": force * kernel[rigid_figures.PEAK],
+        "peak_indentation": nothing,
+        "residual_indentation": nothing.copy(),
+        "impactor_velocity": final,
+        "target_velocity": target,
+        "newton": (target - final) / speed,
+        "poisson": kernel[rigid_figures.IMPULSE] / compressing - 1.0,
+        "newton_at_contact": kernel[rigid_figures.FACE] - kernel[rigid_figures.FINAL],
+        "dissipated": np.zeros(mass.size),
+        "energy_error": energy_error,
+        "momentum_error": momentum,
+        "estimated_error": np.maximum(np.abs(energy_error) + np.abs(momentum), 1e-15),
+    }
+    figures = {name: figures[name] for name in names}
     for row in np.flatnonzero(kernel[rigid_figures.FOLLOWED] == 0.0).tolist():
-        for name, value in _figures_of(solve(scene_of(row), Waves())).items():
-            getattr(figures, name)[row] = np.nan if value is None else value
+        for name, value in zip(names, figures_of(solve(scene_of(row), Waves()), names), strict=True):
+            figures[name][row] = np.nan if value is None else value
     return figures
 
 
@@ -215,19 +220,22 @@ def _strike_all(beta: np.ndarray, reflection: np.ndarray, out: np.ndarray) -> No
         left = left[found[:, rigid_figures.FOLLOWED] == 0.0]
 
 
-def _figures_of(solution: Solution) -> dict[str, float | None]:
-    errors = ("energy_error", "momentum_error", "estimated_error")
-    return {
-        "contacts": len(solution.contacts),
-        **{name: getattr(solution, name) for name in ("impulse", "peak_force", "impactor_velocity", "target_velocity")},
-        **solution.restitution,
-        **{name: solution.diagnostics[name] for name in errors},
-    }
+class Sweep(list[dict[str, Any]]):
+    """The rows of a sweep, with the key that was varied; printed as a table."""
 
+    def __init__(self, key: str, rows: Iterable[dict[str, Any]] = ()):
+        super().__init__(rows)
+        self.key = key
 
-def _columns(rows: list[dict[str, float | None]]) -> Figures:
-    columns = {name: np.array([np.nan if row[name] is None else row[name] for row in rows]) for name in rows[0]}
-    return Figures(**columns | {"contacts": columns["contacts"].astype(int)})
+    def __str__(self) -> str:
+        from ..notebook import tables
+
+        return tables.sweep(self.key, self)
+
+    def _repr_html_(self) -> str:
+        from ..notebook import cards
+
+        return cards.sweep_card(self)
 
 
 def sweep(
@@ -236,12 +244,13 @@ def sweep(
     values: Sequence[float] | np.ndarray,
     workers: int | None = None,
     cancel: Callable[[], bool] | None = None,
-) -> list[dict[str, Any]]:
+) -> Sweep:
     """The scene solved with each of the values for one of its keys, by the method it names.
 
-    One row each: value, number of contacts, impulse [N s], peak_force [N], impactor velocity [m/s], restitution,
-    energy_error, estimated_error; None where undefined. Keys that take whole numbers get rounded ones, once each.
-    Raises SceneError with the first value that cannot be solved. `cancel()` true: what has not begun is left out.
+    One row each: value, number of contacts, impulse [N s], peak_force [N], contact_time [s], impactor velocity [m/s],
+    restitution, energy_error, estimated_error; None where undefined. Keys that take whole numbers get rounded ones,
+    once each. `cancel()` true: what has not begun is left out. Raises SceneError with the first value that cannot be
+    solved.
     Cost: that of `solve_many` where it is quick; else the solves, shared by `workers` threads (as many as there are
     processors), and at most 2000 of them; kernels run side by side.
     """
@@ -250,11 +259,11 @@ def sweep(
     validation.whole_number("number of values", len(values), 1, MOST_QUICK if quick else MOST_VALUES)
     values = [validation.number(key, value, -math.inf, math.inf) for value in _numbers(key, values).tolist()]
     if quick:
-        return _rows(values, solve_many(scene, {key: values}, workers=workers))
+        return Sweep(key, _rows(values, solve_many(scene, {key: values}, workers=workers)))
     if _takes_whole_numbers(scene, key, values[0]):
         values = list(dict.fromkeys(round(value) for value in values))
     scenes = [_with(scene, {key: value}) for value in values]  # all are read before any is solved
-    rows = [_row(values[0], solve(scenes[0]))]  # alone: if kernels must be compiled, then once
+    rows = Sweep(key, [_row(values[0], solve(scenes[0]))])  # alone: if kernels must be compiled, then once
 
     def row(value: float, changed: Scene) -> dict[str, Any] | None:
         return None if cancel is not None and cancel() else _row(value, solve(changed))
@@ -266,25 +275,19 @@ def sweep(
 
 def _rows(values: list[float], found: Figures) -> list[dict[str, Any]]:
     """As `_row` gives them."""
-    columns = {field.name: getattr(found, field.name) for field in fields(found)}
-    known = {name: np.where(np.isnan(column), np.array(None), column).tolist() for name, column in columns.items()}
+    known = {
+        name: np.where(np.isnan(column), np.array(None), column).tolist() for name, column in found.columns.items()
+    }
+    plain = ("contacts", "impulse", "peak_force", "contact_time")
     return [
         {
             "value": value,
-            "contacts": contacts,
-            "impulse": impulse,
-            "peak_force": peak,
-            "impactor": {"final_velocity": velocity},
-            "restitution": {"newton": newton, "poisson": poisson, "newton_at_contact": at_contact},
-            "energy_error": energy,
-            "estimated_error": error,
+            **{name: known[name][row] for name in plain},
+            "impactor": {"final_velocity": known["impactor_velocity"][row]},
+            "restitution": {name: known[name][row] for name in ("newton", "poisson", "newton_at_contact")},
+            **{name: known[name][row] for name in ("energy_error", "estimated_error")},
         }
-        for value, contacts, impulse, peak, velocity, newton, poisson, at_contact, energy, error in zip(
-            values,
-            *(known[name] for name in ("contacts", "impulse", "peak_force", "impactor_velocity", "newton", "poisson")),
-            *(known[name] for name in ("newton_at_contact", "energy_error", "estimated_error")),
-            strict=True,
-        )
+        for row, value in enumerate(values)
     ]
 
 
@@ -316,6 +319,7 @@ def _row(value: float, solution: Solution) -> dict[str, Any]:
         "contacts": len(solution.contacts),
         "impulse": solution.impulse,
         "peak_force": solution.peak_force,
+        "contact_time": solution.contact_time,
         "impactor": {"final_velocity": list(velocity) if isinstance(velocity, tuple) else velocity},
         "restitution": solution.restitution,
         "energy_error": found["energy_error"],

@@ -23,8 +23,8 @@ def free_port() -> int:
 class Server:
     """A server that can be ended and started again on the same port."""
 
-    def __init__(self, log: Path):
-        self.port, self.log = free_port(), log
+    def __init__(self, log: Path, *options: str):
+        self.port, self.log, self.options = free_port(), log, options
         self.address = f"127.0.0.1:{self.port}"
         self.process: subprocess.Popen | None = None
 
@@ -34,7 +34,7 @@ class Server:
         self.log.unlink(missing_ok=True)  # what a killed one has started may still write to that
         with self.log.open("w") as output:
             self.process = subprocess.Popen(
-                [sys.executable, "-m", "app.command", "serve", "--port", str(self.port)],
+                [sys.executable, "-m", "app.command", "serve", "--port", str(self.port), *self.options],
                 stdout=output,
                 stderr=subprocess.STDOUT,
                 cwd=ROOT,

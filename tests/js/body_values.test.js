@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { entriesOf, inUnit, read, textOf, unitOf, written } from '../../app/static/shell/body_values.js';
 import { text } from '../../app/static/text/catalogue.js';
-import { signsOf, typed } from '../../app/static/text/units.js';
+import { ambiguous, signsOf, typed } from '../../app/static/text/units.js';
 import { keptOf, keptText } from '../../app/static/shell/kept.js';
 
 const MM = unitOf('length', 0.3);
@@ -107,4 +107,20 @@ test('kept bodies are in an address by keys of their own', () => {
   assert.deepEqual(keptOf(saved, spec), [{ letter: 'A', settings: { modes: 5, bodies } }]);
   for (const bad of ['A,target.length', 'A,target.length:', 'A,target.length:1:2', 'A,target.length:<b>'])
     assert.equal(keptOf(bad, spec), null, bad);
+});
+
+test('a comma that may stand for thousands is refused, others are decimal', () => {
+  for (const given of ['1,000', '12,500 mm', '-1,000', '1,000,000', '1/1,000', '1,000.5'])
+    assert.ok(Number.isNaN(typed(given, 'm')), given);
+  for (const given of ['1,000', '1/1,000']) assert.ok(ambiguous(given), given);
+  /** @type {[given: string, value: number][]} */
+  const clear = [
+    ['0,125', 0.125],
+    ['1,5', 1.5],
+    ['1,25', 1.25],
+    ['1234,567', 1234.567],
+    ['1,0000', 1],
+    ['1.000', 1],
+  ];
+  for (const [given, value] of clear) assert.equal(typed(given, 'm'), value, given);
 });

@@ -2,20 +2,20 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { attachedModes } from '../../app/static/axial/attached_modes.js';
-import { at, Field, RigidField, SampledField, WaveField } from '../../app/static/axial/fields.js';
+import { Field, RigidField, SampledField, WaveField } from '../../app/static/axial/fields.js';
 import { ModalField } from '../../app/static/axial/modal_field.js';
 import { fieldOf } from '../../app/static/beam/field.js';
 
 const near = (found, expected, error) =>
   assert.ok(Math.abs(found - expected) <= error, `${found} is not ${expected} within ${error}`);
 const ROD = { from: 0, to: 2, transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null };
-const still = { exactMass: [0, 1, 0], exactEnd: [0, 0.5, 0], otherMass: [0, 2], otherEnd: [0, 4] };
-
-test('samples spread evenly are straight between each other', () => {
-  assert.equal(at([0, 10, 30], 0.75, 1), 20);
-  assert.equal(at([0, 10, 30], 9, 1), 30);
-  assert.equal(at([0, 10, 30], -9, 1), 0);
-});
+const still = {
+  motionTime: [0, 1, 2],
+  exactMass: [0, 1, 0],
+  exactEnd: [0, 0.5, 0],
+  otherMass: [0, 1, 2],
+  otherEnd: [0, 2, 4],
+};
 
 test('bodies without waves move as a whole', () => {
   const field = new Field({ duration: 2, ...still }, 'exact');
@@ -125,12 +125,12 @@ test('a damped mode of a beam under a constant force settles as an oscillator do
 
 test('the stress at a place is that of the profiles there', () => {
   const frame = { duration: 2, rods: [{ ...ROD, mirror: -1 }], f0Time: [0, 2], f0: [1, 1], exactForce: [1], ...still };
-  const { x, y } = new WaveField(frame).stressAt(0.5);
+  const { x, y } = new WaveField(frame).stressAt(0.5, [0, 2]);
   const told = (t) => y[x.findIndex((each) => each >= t)];
   assert.deepEqual([0.1, 0.2, 0.8, 0.95, 1.5].map(told), [0, 1, 1, 0, 0]);
   const sampled = { duration: 10, rods: [ROD], shapes: { fieldStress: [2, 3] }, ...still };
   const tables = { fieldStress: [0, 1, 2, 4, 5, 6], fieldVelocity: [0], fieldDisplacement: [0] };
-  const { x: times, y: found } = new SampledField({ ...sampled, ...tables }, 'other').stressAt(1.5);
+  const { x: times, y: found } = new SampledField({ ...sampled, ...tables }, 'other').stressAt(1.5, [0, 10]);
   assert.deepEqual(
     [[...times], [...found]],
     [
@@ -138,7 +138,7 @@ test('the stress at a place is that of the profiles there', () => {
       [1.5, 5.5],
     ],
   );
-  assert.equal(new Field({ duration: 2, ...still }, 'exact').stressAt(0), null);
+  assert.equal(new Field({ duration: 2, ...still }, 'exact').stressAt(0, [0, 2]), null);
 });
 
 test('a frame fixed to the struck end has the frequencies, shapes and stresses of solvers.numerics.rods', () => {

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { eventsOf } from '../../app/static/axial/events.js';
+import { unitsOf } from '../../app/static/axial/story.js';
 import { beamEvents } from '../../app/static/beam/events.js';
 import { seenIn } from '../../app/static/shell/first.js';
 
@@ -53,6 +54,28 @@ const rod = (changed) => ({
 test('a mass that goes on is not said to come back', () => {
   const [, sentence] = eventsOf(rod({ rods: [{ mirror: -1 }] })).at(-1) ?? [];
   assert.match(sentence ?? '', /goes on in the same direction at 0\.135\sv/);
+});
+
+test('a slow push on a rod is told as one, not as waves', () => {
+  const slow = (/** @type {number} */ mirror, /** @type {number} */ end) =>
+    eventsOf(
+      rod({
+        ...{ chosen: { law: 'linear' }, duration: 30, rods: [{ mirror }] },
+        exact: { contacts: [[0, end, 1, 1]], cutOff: [false], left: [-0.9] },
+      }),
+    ).map(([, sentence]) => sentence);
+  assert.equal(slow(1, 23).length, 3);
+  assert.match(slow(1, 23)[1], /to and fro some 23 times.*like a spring, and the wall bears/);
+  assert.match(slow(-1, 23)[1], /nearly as one body.*nothing at the free one/);
+  for (const sentences of [slow(1, 23), slow(-1, 23)]) assert.doesNotMatch(sentences.join(' '), /doubles|as tension/);
+  assert.match(slow(1, 1.7).join(' '), /the stress doubles/);
+});
+
+test('the unit of time of an impulse is not called the time of its contact', () => {
+  const frame = (/** @type {string} */ name) =>
+    /** @type {any} */ ({ exact: { name }, impactor: {}, rods: [], target: { kind: 'mass' }, trip: 1e-3 });
+  assert.match(unitsOf(frame('rigid')), /T = 1\sms: the unit of time of these charts; the impact itself takes none/);
+  assert.match(unitsOf(frame('quasi-static')), /about the time of a contact/);
 });
 
 test('of rods that are drawn rigid no waves are told', () => {

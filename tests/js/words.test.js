@@ -10,7 +10,10 @@ test('a method with its resolution', () => {
   assert.equal(described('modal modes=50'), '50 modes');
   assert.equal(described('fe-nodal elements=12 scheme=central-difference'), '12 finite elements, central differences');
   assert.equal(described('waves tolerance=1e-05'), 'exact waves, tolerance 10⁻⁵');
-  assert.equal(described('quasi-static model=local'), 'quasi-static, rigid bodies, compliant contact');
+  assert.equal(described('quasi-static model=local'), 'quasi-static contact');
+  assert.equal(described('quasi-static model=structural'), 'quasi-static structure');
+  assert.equal(called({ name: 'quasi-static', model: 'local' }), 'quasi-static contact');
+  assert.equal(described('rigid model=poisson'), 'rigid bodies, poisson');
   assert.equal(described('balance restitution=0 modes=50'), 'impulse–momentum balance, 50 modes, restitution 0');
   assert.equal(called({ name: 'modal', modes: 1 }), '1 mode');
   assert.equal(called({ name: 'fe-modal', modes: 1 }), 'FE modal superposition, 1 mode');

@@ -1,19 +1,21 @@
 // The views of an impact along one axis: x-t diagram, contact force and displacements over time, and the contact law.
 import { Chart } from '../charts/chart.js';
+import { Peak, timesOf, whenLargest } from '../charts/peak.js';
 import { paint, reader } from '../charts/picture.js';
-import { averaged, between, even, pair, stairs } from '../charts/scale.js';
+import { averaged, between, pair, stairs } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
 import { given } from '../shell/message.js';
+import { TRIPS, times } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
-import { naming } from '../text/words.js';
+import { called } from '../text/words.js';
 import { betweenOf, forcesOf, movementsOf } from './cradle.js';
 import { drawnFromOther } from './drawn.js';
 import { RigidField } from './fields.js';
 
 /** @import { Axis } from '../charts/axis.js' */
-/** @import { Series } from '../charts/chart.js' */
-/** @import { Samples } from '../charts/scale.js' */
+/** @import { Picture, Series } from '../charts/chart.js' */
+/** @import { Range, Samples } from '../charts/scale.js' */
 /** @import { AxialFrame, CycleTold, Numbers } from '../shell/message.js' */
 /** @import { Field, What } from './fields.js' */
 
@@ -21,6 +23,7 @@ const COLUMNS = 480;
 const ROWS = 121;
 const MODAL_COLUMNS = 200; // fewer for modes, which cost a sum each
 const MODAL_ROWS = 61;
+const REST = 150; // ms without a zoom, after which the picture is computed for what is in view
 const TRAINS = 2.5; // heights of the exact force that another may take: trains of impulses have no height
 
 /**
@@ -40,6 +43,10 @@ export class SpaceTime {
   reach = 1; // metres in a unit of places
   /** @type {number[]} */ joints = []; // of rods
   /** @type {number | null} */ marked = null; // a place [m] that another chart is of
+  images = [make('canvas'), make('canvas')]; // of all of the impact, and of what is in view
+  /** @type {Picture | null} */ whole = null;
+  /** @type {((image: HTMLCanvasElement, stretch: Range) => Picture) | null} */ paint = null;
+  /** @type {number | undefined} */ resting;
 
   /**
    * @param {Axis} axis
@@ -50,12 +57,11 @@ export class SpaceTime {
       title: text('axial.chart.waves'),
       about: text('axial.chart.waves-about'),
       axis,
-      xUnit: 'T',
+      xUnit: TRIPS,
       y: [1, 0], // the struck end on top
-      caption: () => text('axial.chart.waves-axes', { several: this.several }),
+      caption: () => text('axial.chart.waves-axes', { several: this.several, unit: times.shown[1] }),
       go,
     });
-    this.image = make('canvas');
   }
   /**
    * Rebuild the picture; `largest` is the end of the colour scale.
@@ -80,22 +86,55 @@ export class SpaceTime {
       rules: this.#rules(),
       bars: { name: text('axial.chart.in-contact'), spans: contacts, at: 0, least: 2 },
     };
+    this.whole = null;
     if (field instanceof RigidField) {
-      this.chart.show({ ...about, blank: text('axial.chart.no-waves', { method: naming(frame.other?.name ?? '') }) });
+      const method = frame.other ? called(frame.other) : '';
+      this.chart.show({ ...about, blank: text('axial.chart.no-waves', { method }) });
       return;
     }
+    this.paint = (canvas, stretch) => this.#picture(frame, field, what, largest, canvas, stretch);
+    this.whole = this.paint(this.images[0], [0, duration]);
+    this.chart.show({ ...about, picture: this.whole });
+    this.look();
+  }
+  /** After another stretch has come into view: the picture is computed for it, once it rests. */
+  look() {
+    const { axis } = this.chart;
+    clearTimeout(this.resting);
+    if (!this.whole) return;
+    this.chart.show({ ...this.chart.own, picture: this.whole });
+    if (!axis.zoomed) return;
+    this.resting = window.setTimeout(() => {
+      const [start, end] = axis.view;
+      const last = Math.min(end, this.whole?.x[1] ?? 0); // a solution that is kept may last longer
+      if (last <= start || !this.paint) return;
+      this.chart.show({ ...this.chart.own, picture: this.paint(this.images[1], [start, last]) });
+      this.chart.redraw();
+    }, REST);
+  }
+  /**
+   * @param {AxialFrame} frame
+   * @param {Field} field
+   * @param {What} what
+   * @param {number} largest
+   * @param {HTMLCanvasElement} image
+   * @param {Range} stretch
+   * @returns {Picture}
+   */
+  #picture(frame, field, what, largest, image, stretch) {
+    const [to, from] = /** @type {Range} */ (this.chart.options.y);
     const [columns, rows] = field.coarse ? [MODAL_COLUMNS, MODAL_ROWS] : [COLUMNS, ROWS];
     const values = new Float32Array(columns * rows);
-    field.image(what, columns, rows, (column, profile) => values.set(profile, column * rows));
-    paint(this.image, values, rows, largest);
-    const read = reader(values, rows, [0, duration], [from, to]);
+    field.image(stretch, what, columns, rows, (column, profile) => values.set(profile, column * rows));
+    paint(image, values, rows, largest);
+    const read = reader(values, rows, stretch, [from, to]);
     const probe = (/** @type {number} */ t, /** @type {number} */ place) => {
       const value = read(t, place);
       if (Number.isNaN(value)) return '';
       const found = what === 'stress' ? pressed(value * frame.stressUnit) : moving(value * frame.speed);
       return text('axial.chart.probe', { value: found, place: figures(place, 2), several: this.several });
     };
-    this.chart.show({ ...about, picture: { image: this.image, x: [0, duration], probe } });
+    return { image, x: stretch, probe };
   }
   #rules() {
     return this.marked === null ? this.joints : [...this.joints, this.marked / this.reach];
@@ -132,12 +171,13 @@ export class Force {
       title: text('axial.chart.force'),
       about: text('axial.chart.force-about'),
       axis,
-      xUnit: 'T',
+      xUnit: TRIPS,
       unit: 'N',
       zero: true,
       pad: [0.04, 0.25],
       go,
     });
+    this.peak = new Peak(this.chart.head, (t) => times.written(t));
   }
   /** @param {AxialFrame} frame */
   load(frame) {
@@ -152,7 +192,14 @@ export class Force {
       this.raw = stairs(modalForce, step);
       this.other = averaged(modalForce, step, window);
     }
+    this.#tell(frame);
     this.chart.show({ series: this.#series(frame), shades: frame.exact.contacts });
+  }
+  /** @param {AxialFrame} frame */
+  #tell({ exact: { contacts, peakForce: force, stillTouching: open }, duration, trip }) {
+    times.load({ duration, trip });
+    const [span, touching] = timesOf(contacts);
+    this.peak.load(force && this.exact.x.length ? { force, at: whenLargest(this.exact), span, touching, open } : null);
   }
   /**
    * @param {AxialFrame} frame
@@ -160,13 +207,13 @@ export class Force {
    */
   #series(frame) {
     const { balanceForce, balanceTime, exact, forceUnit: factor, other, record, target } = frame;
-    const first = naming(exact.name);
-    const called = target.row ? betweenOf({ first: 1, second: 2 }) : { name: first, cursor: first };
+    const first = called(exact);
+    const about = target.row ? betweenOf({ first: 1, second: 2 }) : { name: first, cursor: first };
     /** @type {Series[]} */
-    const found = [{ ...this.exact, factor, ...called, style: 'exact' }];
+    const found = [{ ...this.exact, factor, ...about, style: 'exact' }];
     if (target.row) found.push(...forcesOf(frame));
     if (this.other && other) {
-      const name = naming(other.name);
+      const name = called(other);
       const reach = this.raw ? Infinity : TRAINS;
       found.push({ ...this.other, factor, reach, name, cursor: name, style: 'other' });
     }
@@ -275,7 +322,7 @@ export class Displacements {
       title: text('axial.chart.motion'),
       about: text('axial.chart.motion-about'),
       axis,
-      xUnit: 'T',
+      xUnit: TRIPS,
       unit: 'm',
       zero: 'whole',
       caption: (unit) => text('axial.chart.motion-axes', { unit }),
@@ -286,7 +333,7 @@ export class Displacements {
   load(frame) {
     const { attached, duration, prediction, other, target } = frame;
     const factor = frame.speed * frame.trip;
-    const x = even(frame.exactMass.length, duration);
+    const { motionTime: x } = frame;
     /** @type {Series[]} */
     const series = [
       { x, y: frame.exactMass, factor, ...MASS, ...(attached ? ASIDE : {}), style: 'exact' },
@@ -296,7 +343,7 @@ export class Displacements {
     if (target.row) series.splice(0, 2, ...movementsOf(frame));
     if (frame.exactWhole) series.push({ x, y: frame.exactWhole, factor, ...WHOLE, reach: 0, style: 'whole' });
     if (other) {
-      const name = naming(other.name);
+      const name = called(other);
       series.push({ x, y: given(frame.otherMass, 'otherMass'), factor, reach: 0, name, style: 'thinOther' });
       const end = attached ? text('axial.chart.reference', { name }) : name;
       series.push({ x, y: given(frame.otherEnd, 'otherEnd'), factor, reach: 0, name: end, style: 'dashedOther' });

@@ -1,7 +1,7 @@
 // A row of balls that another strikes, on strings as in a cradle: what is drawn of it, and its curves over time. Balls
 // stand as far apart as they are pressed together at most, so that they never lie in one another.
 import { letters, scale as zoom } from '../charts/canvas.js';
-import { between, even } from '../charts/scale.js';
+import { between } from '../charts/scale.js';
 import { COLORS } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
@@ -47,8 +47,7 @@ const styleOf = (k) => /** @type {Series['style']} */ (`joint${k % COLOURS}`);
 export const movementsOf = (frame) =>
   pathsOf(frame).map((y, k) => {
     const name = text('axial.cradle.ball', { number: k + 1 });
-    const x = even(y.length, frame.duration);
-    return { x, y, factor: frame.speed * frame.trip, name, cursor: name, style: styleOf(k) };
+    return { x: frame.motionTime, y, factor: frame.speed * frame.trip, name, cursor: name, style: styleOf(k) };
   });
 
 /**
@@ -72,14 +71,13 @@ export function forcesOf(frame) {
     .map((_, k) => {
       const y = column(given(frame.exactRowForce, 'row'), count, k + 1);
       const pair = { first: k + 2, second: k + 3 };
-      const x = even(y.length, frame.duration);
-      return { x, y, factor: frame.forceUnit, ...betweenOf(pair), style: styleOf(k + 1) };
+      return { x: frame.motionTime, y, factor: frame.forceUnit, ...betweenOf(pair), style: styleOf(k + 1) };
     });
 }
 
 /**
  * @typedef {object} Row  of a frame, as it is drawn at any size
- * @property {AxialFrame} frame
+ * @property {Numbers} time  of the frame, which becomes finer where one looks closely
  * @property {number[]} radii
  * @property {Numbers[]} paths
  * @property {Numbers[]} velocities
@@ -96,7 +94,7 @@ let known = null;
  * @returns {Row}
  */
 function rowOf(frame) {
-  if (known?.frame === frame) return known;
+  if (known?.time === frame.motionTime) return known;
   const row = given(frame.target.row, 'row');
   const paths = pathsOf(frame);
   const deepest = row.map((_, k) => paths[k].reduce((most, moved, i) => Math.max(most, moved - paths[k + 1][i]), 0));
@@ -105,7 +103,7 @@ function rowOf(frame) {
   const forces = row.map((_, k) => column(all, row.length, k));
   const velocities = paths.map((_, k) => column(given(frame.exactRowVelocity, 'row'), paths.length, k));
   const radii = [frame.impactor.radius ?? row[0], ...row];
-  known = { frame, radii, paths, velocities, forces, deepest, strongest };
+  known = { time: frame.motionTime, radii, paths, velocities, forces, deepest, strongest };
   return known;
 }
 
@@ -125,7 +123,7 @@ export const swing = (height) => LIFT * (MIDDLE * height - TOP);
 export function cradle(c, frame, t, { rest, width, height, scale, size }) {
   const { deepest, forces, paths, radii, strongest, velocities } = rowOf(frame);
   const middle = MIDDLE * height;
-  const at = (/** @type {Numbers} */ values) => between(even(values.length, frame.duration), values, t);
+  const at = (/** @type {Numbers} */ values) => between(frame.motionTime, values, t);
   const sizes = radii.map((radius) => (size * radius) / radii[0]);
   let hung = rest - sizes[0] / 2;
   const balls = paths.map((path, k) => {

@@ -1,6 +1,6 @@
 // What happens in an impact along an axis, one event after the other.
 import { text } from '../text/catalogue.js';
-import { engineering, pretty, signed } from '../text/format.js';
+import { engineering, figures, pretty, signed } from '../text/format.js';
 import { drawnRigid, toldOf } from './drawn.js';
 
 /** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
@@ -8,6 +8,7 @@ import { drawnRigid, toldOf } from './drawn.js';
 
 const JUMPS = 6; // of the force in one contact that are told; later ones are small
 const GAPS = 4; // times that they close, of which is told
+const SLOW = 4; // T that a contact lasts at least for its rod to follow as a whole
 const STANDS = 5e-4; // of the impact speed; what is slower stands
 
 /**
@@ -118,16 +119,19 @@ function eventsOnOneRod(frame) {
   const rigid = chosen.law === 'rigid';
   const pressure = pretty(frame.stressUnit / 1e6);
   const said = { striker: frame.impactor.kind, pressure };
+  const [[, parts]] = exact.contacts;
+  const slow = !rigid && parts >= SLOW;
   /** @type {Event[]} */
   const found = [[0, text(rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', said)]];
-  if (duration > 0.5) found.push([0.5, text(fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid })]);
-  if (exact.contacts[0][1] > 1 + 1e-9)
+  if (slow) found.push([1, text('axial.event.slow-push', { fixed, trips: figures(parts, 2) })]);
+  else if (duration > 0.5) found.push([0.5, text(fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid })]);
+  if (!slow && parts > 1 + 1e-9)
     found.push([
       1,
       text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back', { spread: spreadOf(frame) }),
     ]);
   if (fixed && rigid) {
-    const again = Math.min(Math.ceil(exact.contacts[0][1] - 1e-9) - 1, JUMPS);
+    const again = Math.min(Math.ceil(parts - 1e-9) - 1, JUMPS);
     for (let t = 2; t <= again; t++) found.push([t, text('axial.event.front-again')]);
   }
   exact.contacts.forEach(([start, end], k) => {

@@ -1,9 +1,10 @@
 // Fields of an impact along an axis, rebuilt from the message. Time in round trips T, places in m from the struck end,
 // displacement in v T, velocity in v, stress in v sqrt(E rho); compression positive.
+import { between } from '../charts/scale.js';
 import { given, arrayOf } from '../shell/message.js';
 import { Mirrored, Wave } from './wave.js';
 
-/** @import { Samples } from '../charts/scale.js' */
+/** @import { Range, Samples } from '../charts/scale.js' */
 /** @import { AxialFrame, Numbers } from '../shell/message.js' */
 
 const SAMPLES = 2000; // of a stress over time, by waves
@@ -12,26 +13,14 @@ const SAMPLES = 2000; // of a stress over time, by waves
 /** @typedef {(column: number, values: Float64Array) => void} Visit */
 
 /**
- * Value at t of samples spread evenly over [0, duration].
- * @param {Numbers} samples
- * @param {number} t
- * @param {number} duration
- */
-export function at(samples, t, duration) {
-  const place = Math.min(Math.max(t / duration, 0), 1) * (samples.length - 1);
-  const i = Math.min(Math.floor(place), samples.length - 2);
-  return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
-}
-
-/**
- * Values at instants spread evenly over [0, duration].
- * @param {number} duration
+ * Values at instants spread evenly over a stretch of time.
+ * @param {Range} stretch
  * @param {number} count
  * @param {(t: number) => number} value
  * @returns {Samples}
  */
-export function evenly(duration, count, value) {
-  const x = Float64Array.from({ length: count + 1 }, (_, k) => (k / count) * duration);
+export function evenly([start, end], count, value) {
+  const x = Float64Array.from({ length: count + 1 }, (_, k) => start + (k / count) * (end - start));
   return { x, y: x.map(value) };
 }
 
@@ -76,22 +65,25 @@ export class Field {
     return out.fill(what === 'displacement' ? this.end(t) : 0);
   }
   /**
-   * Visit the profiles of instants spread evenly over the whole impact.
+   * Visit the profiles of instants spread evenly over a stretch of time.
+   * @param {Range} stretch
    * @param {What} what
    * @param {number} columns
    * @param {number} rows
    * @param {Visit} visit
    */
-  image(what, columns, rows, visit) {
+  image([start, end], what, columns, rows, visit) {
     const column = new Float64Array(rows);
-    for (let c = 0; c < columns; c++) visit(c, this.profile(((c + 0.5) / columns) * this.frame.duration, what, column));
+    for (let c = 0; c < columns; c++)
+      visit(c, this.profile(start + ((c + 0.5) / columns) * (end - start), what, column));
   }
   /**
-   * The stress at a place over time; nothing where it is not known.
+   * The stress at a place over a stretch of time; nothing where it is not known.
    * @param {number} _place  [m]
+   * @param {Range} _stretch
    * @returns {Samples | null}
    */
-  stressAt(_place) {
+  stressAt(_place, _stretch) {
     return null;
   }
   /**
@@ -99,7 +91,7 @@ export class Field {
    * @param {number} t
    */
   end(t) {
-    return at(this.ends, t, this.frame.duration);
+    return between(this.frame.motionTime, this.ends, t);
   }
   /**
    * Where that is drawn.
@@ -113,7 +105,7 @@ export class Field {
    * @param {number} t
    */
   mass(t) {
-    return at(this.masses, t, this.frame.duration);
+    return between(this.frame.motionTime, this.masses, t);
   }
 }
 
@@ -177,13 +169,15 @@ export class WaveField extends Field {
     }
     return out;
   }
-  /** @param {number} place */
-  stressAt(place) {
+  /**
+   * @param {number} place
+   * @param {Range} stretch
+   */
+  stressAt(place, stretch) {
     const rod = this.rods.findLast(({ from }) => from <= place) ?? this.rods[0];
     const { f, g, transit, area, from, to } = rod;
     const s = ((place - from) / (to - from)) * transit;
-    const { duration } = this.frame;
-    return evenly(duration, SAMPLES, (t) => (f.exactly(t - s) + g.exactly(t - transit + s)) / area);
+    return evenly(stretch, SAMPLES, (t) => (f.exactly(t - s) + g.exactly(t - transit + s)) / area);
   }
 }
 
@@ -270,7 +264,7 @@ export class SampledField extends Field {
     const row = (/** @type {number} */ i) => i * this.places + j;
     const { stress } = this.tables;
     const last = this.instants - 1;
-    return evenly(this.frame.duration, last, (t) => {
+    return evenly([0, this.frame.duration], last, (t) => {
       const p = row(Math.round((t / this.frame.duration) * last));
       return stress[p] + (along - j) * (stress[p + 1] - stress[p]);
     });

@@ -2,10 +2,11 @@
 import { Chart } from '../charts/chart.js';
 import { within } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
+import { NumberField } from '../shell/number_field.js';
+import { TRIPS } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
-import { signsOf, typed } from '../text/units.js';
-import { naming } from '../text/words.js';
+import { called } from '../text/words.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
 
 /** @import { Page } from '../page.js' */
@@ -23,8 +24,8 @@ const MIDDLE = 0.5; // of what is struck: where the gauge is, unless a scene say
  */
 
 export class Gauge {
-  place = 0; // from the struck end [m]
-  usual = 0; // the same, as the scene is opened
+  /** @type {number | null} */ asked = null; // place, by a hand or a link [m]
+  usual = 0; // place without one, as these rods are
   /** @type {unknown} */ scene = null;
   /** @type {AxialFrame} */ frame;
   /** @type {Kept[]} */ kept = [];
@@ -41,41 +42,28 @@ export class Gauge {
     this.page = page;
     const [title, about] = [text('axial.chart.gauge'), text('axial.chart.gauge-about')];
     const caption = (/** @type {string} */ unit) => text('axial.chart.gauge-axes', { unit });
-    this.chart = new Chart({ title, about, axis, xUnit: 'T', unit: 'Pa', zero: true, caption, go });
-    this.input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
-    this.input.autocomplete = 'off';
-    this.input.ariaLabel = text('axial.chart.gauge-place');
-    this.input.onchange = () => this.#set(this.input.value);
+    this.chart = new Chart({ title, about, axis, xUnit: TRIPS, unit: 'Pa', zero: true, caption, go });
+    const asked = { control: text('axial.chart.gauge-place'), sign: this.unit, si: 'm', factor: 1 / MILLIMETRES };
+    const written = (/** @type {number} */ place) => localised(String(Number((MILLIMETRES * place).toPrecision(5))));
+    this.number = new NumberField(
+      asked,
+      () => this.reach,
+      written,
+      (place) => page.axial.gaugeAt(place),
+    );
+    this.number.input.ariaLabel = asked.control;
     const sign = make('span', { className: 'unit', textContent: this.unit });
-    const field = make('label', { className: 'part' }, text('axial.chart.gauge-at'), this.input, sign);
-    this.chart.title.after(field);
+    const field = make('label', { className: 'part' }, text('axial.chart.gauge-at'), this.number.input, sign);
+    this.chart.title.after(field, this.number.wrong);
+  }
+  /** From the struck end [m]; on rods too short for the one that was asked for, their end. */
+  get place() {
+    return this.asked === null ? this.usual : within(this.asked, this.reach);
   }
   /** Between which places it can be [m]. @returns {[number, number]} */
   get reach() {
     const { rods } = this.frame;
     return [rods[0].from, rods[rods.length - 1].to];
-  }
-  /** @param {string} written */
-  #set(written) {
-    const [from, to] = this.reach;
-    const place = typed(written, 'm', 1 / MILLIMETRES);
-    if (place >= from && place <= to) {
-      this.page.axial.gaugeAt(place);
-      return;
-    }
-    const range = {
-      low: MILLIMETRES * from,
-      high: MILLIMETRES * to,
-      unit: this.unit,
-      units: signsOf('m'),
-      whole: false,
-    };
-    const value = `“${written.slice(0, 24)}”`;
-    this.page.complain(text('refused.typed', { control: text('axial.chart.gauge-place'), value, ...range }));
-    this.#write();
-  }
-  #write() {
-    this.input.value = localised(String(Number((MILLIMETRES * this.place).toPrecision(5))));
   }
   /** @param {AxialFrame} frame */
   load(frame) {
@@ -83,9 +71,9 @@ export class Gauge {
     const { chosen, opens, rods } = frame;
     this.chart.root.hidden = !rods.length;
     if (!rods.length) return;
-    if (chosen.scene !== this.scene) this.place = this.usual = opens.place ?? MIDDLE * rods[rods.length - 1].to;
+    if (chosen.scene !== this.scene) this.asked = null;
     this.scene = chosen.scene;
-    this.place = within(this.place, this.reach);
+    this.usual = within(opens.place ?? MIDDLE * rods[rods.length - 1].to, this.reach);
   }
   /**
    * Work the curves out, once for each answer and place.
@@ -94,13 +82,13 @@ export class Gauge {
    */
   follow(exact, other) {
     const { frame, kept, place } = this;
-    const about = [exact, other, place, kept];
+    const about = [exact, other, place, kept, ...this.chart.axis.view];
     if (about.every((each, k) => each === this.shown[k])) return;
     this.shown = about;
-    this.#write();
+    this.number.set(place);
     const series = [
-      ...this.#seriesOf(frame, exact, { name: naming(frame.exact.name), style: 'exact' }),
-      ...(other ? this.#seriesOf(frame, other, { name: naming(frame.other?.name ?? ''), style: 'other' }) : []),
+      ...this.#seriesOf(frame, exact, { name: called(frame.exact), style: 'exact' }),
+      ...(other ? this.#seriesOf(frame, other, { name: frame.other ? called(frame.other) : '', style: 'other' }) : []),
     ];
     this.chart.lay(kept.flatMap((run) => this.#laid(run)));
     this.chart.show({ series: series.map((each) => ({ ...each, cursor: each.name })), shades: frame.exact.contacts });
@@ -111,9 +99,13 @@ export class Gauge {
    * @param {{ name: string, style: Series['style'] }} how
    * @returns {Series[]}
    */
-  #seriesOf({ stressUnit }, field, how) {
-    const found = field.stressAt(this.place);
-    return found ? [{ ...found, factor: stressUnit, ...how }] : [];
+  #seriesOf({ duration, stressUnit, trip }, field, how) {
+    const times = trip / this.frame.trip;
+    const [start, end] = this.chart.axis.view.map((t) => within(t / times, [0, duration]));
+    const found = end > start ? field.stressAt(this.place, [start, end]) : null;
+    if (!found) return [];
+    const x = times === 1 ? found.x : Float64Array.from(Array.from(found.x), (t) => times * t);
+    return [{ x, y: found.y, factor: stressUnit, ...how }];
   }
   /** @param {Kept} run */
   #laid({ frame, name, style, which }) {
@@ -122,11 +114,7 @@ export class Gauge {
     const field = (known[which] ??= which === 'exact' ? exactFieldOf(frame) : otherFieldOf(frame));
     this.fields.set(frame, known);
     if (this.place < field.from || this.place > field.to) return [];
-    const times = frame.trip / this.frame.trip;
-    return this.#seriesOf(frame, field, { name, style }).map((each) => ({
-      ...each,
-      x: times === 1 ? each.x : Float64Array.from(Array.from(each.x), (t) => times * t),
-    }));
+    return this.#seriesOf(frame, field, { name, style });
   }
   draw() {
     this.chart.draw();

@@ -4,6 +4,7 @@ import { given } from '../shell/message.js';
 import { evenly, Field } from './fields.js';
 
 /** @import { AxialFrame } from '../shell/message.js' */
+/** @import { Range } from '../charts/scale.js' */
 /** @import { What } from './fields.js' */
 
 const SAMPLES = 12; // of a stress, in the shortest period
@@ -115,11 +116,14 @@ export class ModalField extends Field {
       }
     return made;
   }
-  /** @param {number} place */
-  stressAt(place) {
+  /**
+   * @param {number} place
+   * @param {Range} stretch
+   */
+  stressAt(place, [start, end]) {
     const { sines } = this.rows(Float64Array.of((place - this.from) / (this.to - this.from)));
-    const count = Math.min(Math.max(SAMPLES * this.omega.length * this.frame.duration, LEAST_SAMPLES), MOST_SAMPLES);
-    return evenly(this.frame.duration, Math.ceil(count), (t) => {
+    const count = Math.min(Math.max(SAMPLES * this.omega.length * (end - start), LEAST_SAMPLES), MOST_SAMPLES);
+    return evenly([start, end], Math.ceil(count), (t) => {
       this.seek(t);
       let sum = 0;
       for (let i = 0; i < sines.length; i++) sum += this.q[i] * this.omega[i] * sines[i];

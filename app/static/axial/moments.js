@@ -1,12 +1,12 @@
 // Bending moments of a bar on a pivot or an axis, over time: there, where none may be, half way, and at the contact.
 import { Chart } from '../charts/chart.js';
-import { even } from '../charts/scale.js';
+import { TRIPS } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
-import { naming } from '../text/words.js';
+import { called } from '../text/words.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { AxialFrame, Numbers } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Numbers } from '../shell/message.js' */
 
 const PLACES = /** @type {const} */ (['pivot', 'between', 'contact']);
 
@@ -19,27 +19,27 @@ export class Moments {
    */
   constructor(axis, go) {
     const [title, about] = [text('axial.chart.moments'), text('axial.chart.moments-about')];
-    this.chart = new Chart({ title, about, axis, xUnit: 'T', unit: 'N m', zero: true, go });
+    this.chart = new Chart({ title, about, axis, xUnit: TRIPS, unit: 'N m', zero: true, go });
   }
   /** @param {AxialFrame} frame */
-  load({ duration, exact, exactMoments, other, otherMoments, target }) {
-    this.chart.root.hidden = !exactMoments && !otherMoments;
+  load({ exact, exactMoments, momentTime: x, other, otherMoments, target }) {
+    this.chart.root.hidden = !x;
+    if (!x) return;
     /** @type {Series[]} */
     const series = [];
-    const add = (/** @type {Numbers} */ moments, /** @type {string} */ name, /** @type {Styles} */ styles) => {
-      const x = even(moments.length / PLACES.length, duration);
+    const add = (/** @type {Numbers} */ moments, /** @type {AxialFigures} */ of, /** @type {Styles} */ styles) => {
       PLACES.forEach((where, k) => {
         const style = styles[where];
         if (!style) return;
-        const told = text('axial.chart.moment', { where, turns: Boolean(target.rotation), method: naming(name) });
+        const told = text('axial.chart.moment', { where, turns: Boolean(target.rotation), method: called(of) });
         series.push({ x, y: moments.filter((_, i) => i % PLACES.length === k), name: told, style });
       });
     };
     const besides = otherMoments && other; // half way: of one solution, so that lines can be told apart
     if (exactMoments) {
-      add(exactMoments, exact.name, { pivot: 'exact', contact: 'struck', ...(!besides && { between: 'halfSpace' }) });
+      add(exactMoments, exact, { pivot: 'exact', contact: 'struck', ...(!besides && { between: 'halfSpace' }) });
     }
-    if (besides) add(otherMoments, other.name, { pivot: 'other', between: 'halfSpace', contact: 'dashedOther' });
+    if (besides) add(otherMoments, other, { pivot: 'other', between: 'halfSpace', contact: 'dashedOther' });
     this.chart.show({ series, shades: exact.contacts });
   }
   draw() {

@@ -1,6 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
+import { times } from '../shell/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { shortly } from '../text/words.js';
@@ -27,7 +28,8 @@ const estimated = (error) => (error === null ? '–' : error < 1e-9 ? '< 1e-9' :
 /** @param {number} error */
 const residual = (error) => (error === 0 ? text('axial.nothing') : numeral(Math.abs(error), '.0e'));
 /** @param {number} t */
-const when = (t) => `${localised(String(Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))))} T`;
+const when = (t) =>
+  times.inSeconds ? times.written(t, 3) : `${localised(String(Number(t.toFixed(t < 0.995 ? 2 : t < 10 ? 3 : 1))))} T`;
 
 /**
  * What its rotation does to a rod.
@@ -51,9 +53,10 @@ function turning({ speed, critical, stretch, strain, axial, bending, simplified 
  * What T is.
  * @param {AxialFrame} frame
  */
-function unitsOf({ exactBar, impactor, rods, target, trip }) {
+export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
   const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
-  const bent = target.rotation ? 'turning' : 'contact';
+  const rigid = exact.name === 'rigid' ? 'impulse' : 'contact';
+  const bent = target.rotation ? 'turning' : rigid;
   const alone = exactBar ? 'pendulum' : bent;
   const single = target.support === 'anechoic' ? 'endless' : 'one';
   const what = !rods.length ? alone : target.kind === 'rods' ? 'chain' : rods.length > 1 ? 'struck' : single;
@@ -112,13 +115,14 @@ export class Story {
           ['other', other],
         ]
       : [['exact', exact]];
-    const rows = both.flatMap(([kind, { contacts, name }]) =>
-      contacts.slice(0, CONTACTS).map(([start, end, impulse, peak], k) => {
-        const look = lookCloser(`${shortly(name)} ${k + 1}`, () => this.zoom(start, end), kind);
-        return rowOf([look, signed(start, 4), signed(end, 4), pretty(impulse), kilo(peak)]);
+    const [perTrip, unit] = times.shown;
+    const rows = both.flatMap(([kind, solution]) =>
+      solution.contacts.slice(0, CONTACTS).map(([start, end, impulse, peak], k) => {
+        const look = lookCloser(`${shortly(solution)} ${k + 1}`, () => this.zoom(start, end), kind);
+        return rowOf([look, signed(start * perTrip, 4), signed(end * perTrip, 4), pretty(impulse), kilo(peak)]);
       }),
     );
-    this.table.replaceChildren(contactHead(['', 'T', 'T', 'N s', 'kN']), make('tbody', {}, ...rows));
+    this.table.replaceChildren(contactHead(['', unit, unit, 'N s', 'kN']), make('tbody', {}, ...rows));
   }
   answers() {
     const { chosen, exact, impactor, prediction, modalForce, other, speed } = this.frame;
@@ -149,7 +153,7 @@ export class Story {
     }
     row('solved', (s) => pretty(s.diagnostics.wall_time * 1e3));
     const column = (/** @type {AxialFigures} */ s) =>
-      s.name === 'modal' && modalForce ? text('method.modal.modes', { modes: Number(chosen.modes) }) : shortly(s.name);
+      s.name === 'modal' && modalForce ? text('method.modal.modes', { modes: Number(chosen.modes) }) : shortly(s);
     const meaning = family('axial.meaning');
     const lines = rows.map(([name, ...cells]) =>
       rowOf([text(`axial.row.${name}`), ...cells], { title: meaning[name] ?? '' }),
@@ -180,14 +184,14 @@ export class Story {
     const { exact, other } = this.frame;
     const known = exact.notes.map(said);
     const own = (other?.notes ?? []).filter((note) => !known.includes(said(note)));
-    const method = shortly(other?.name ?? '');
+    const method = other ? shortly(other) : '';
     this.warnings.load([...known, ...own.map((note) => text('story.beside', { method, note }))]);
   }
   tell() {
     const { frame } = this;
     const { exact, other } = frame;
     const parts = [exact, ...(other ? [other] : [])].map(
-      ({ diagnostics, name }) => `${shortly(name)} ${residual(diagnostics.energy_error)}`,
+      (solution) => `${shortly(solution)} ${residual(solution.diagnostics.energy_error)}`,
     );
     const words = [text('axial.trust', { parts: parts.join(', ') })];
     const { resolved_time: time, raw_contacts: touches = 0 } = other?.diagnostics ?? {};

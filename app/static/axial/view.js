@@ -1,13 +1,13 @@
 // Everything that is shown of an impact along one axis: stage, views over time, contact law, story.
 import { Axis } from '../charts/axis.js';
-import { between, within } from '../charts/scale.js';
+import { between } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { Cycle, Displacements, Force, SpaceTime } from './charts.js';
 import { drawnFromOther } from './drawn.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
-import { at, unitOf } from './fields.js';
+import { unitOf } from './fields.js';
 import { Gauge } from './gauge.js';
 import { Moments } from './moments.js';
 import { Stage } from './stage.js';
@@ -93,6 +93,17 @@ export class AxialView {
     this.cycle.load(frame);
     this.dress();
   }
+  /** Its histories have become finer. */
+  refine() {
+    const { frame } = this;
+    this.exactField = exactFieldOf(frame);
+    this.#otherField = null;
+    this.force.load(frame);
+    this.displacements.load(frame);
+    this.moments.load(frame);
+    this.dress();
+    this.show(this.page.player.t);
+  }
   // The field that the pictures show.
   get field() {
     return drawnFromOther(this.frame) ? this.otherField : this.exactField;
@@ -123,7 +134,7 @@ export class AxialView {
   }
   /** @param {number} place  of which the stress is told [m] */
   gaugeAt(place) {
-    this.gauge.place = within(place, this.gauge.reach);
+    this.gauge.asked = place;
     this.draw();
     this.show(this.page.player.t);
     this.page.history.later();
@@ -141,12 +152,14 @@ export class AxialView {
     this.stage.draw(t);
     for (const part of this.charts) if (!part.chart.root.hidden) part.cursor(t);
     if (!frame.cycleDepth) return;
-    const moved = at(frame.exactMass, t, frame.duration) - at(frame.exactEnd, t, frame.duration);
+    const moved = between(frame.motionTime, frame.exactMass, t) - between(frame.motionTime, frame.exactEnd, t);
     this.cycle.mark(moved * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit);
   }
   // Another stretch of time fills the views.
   zoomed() {
     this.whole.hidden = !this.axis.zoomed;
+    if (this.frame) this.#gaugeStress();
+    if (this.frame?.rods.length) this.spaceTime.look();
     for (const { chart } of this.charts) if (!chart.root.hidden) chart.redraw();
   }
   /**
@@ -170,7 +183,9 @@ export class AxialView {
     const forces = frame.other ? [this.force.exact, this.force.other] : [this.force.exact];
     const called = fields.map(({ solution }) => frame[solution]?.name.replaceAll('-', '_'));
     const places = called.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
-    const gauged = frame.rods.length ? fields.map((field) => field.stressAt(this.gauge.place)) : [];
+    const gauged = frame.rods.length
+      ? fields.map((field) => field.stressAt(this.gauge.place, [0, frame.duration]))
+      : [];
     const where = `at_${Number((1e3 * this.gauge.place).toPrecision(5))}_mm`;
     const stresses = called.flatMap((name, k) => (gauged[k] ? [`compression_${name}_${where}_Pa`] : []));
     const names = ['time_s', ...called.map((name) => `force_${name}_N`), ...places, ...stresses];

@@ -2,11 +2,12 @@
 // its waves. Times in milliseconds.
 import { Chart } from '../charts/chart.js';
 import { paint, reader } from '../charts/picture.js';
-import { averaged, between, pair, stairs } from '../charts/scale.js';
+import { Peak, whenLargest } from '../charts/peak.js';
+import { averaged, between, pair, stairs, withFiner } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { given } from '../shell/message.js';
 import { family, named, text } from '../text/catalogue.js';
-import { engineering, figures, prefixed, signed } from '../text/format.js';
+import { duration, engineering, figures, prefixed, signed } from '../text/format.js';
 import { called } from '../text/words.js';
 
 const END = family('beam.end');
@@ -199,6 +200,7 @@ export class BeamForce {
       this.chart.redraw();
     };
     this.chart.value.before(this.half);
+    this.peak = new Peak(this.chart.head, duration);
   }
   /** @param {BeamFrame} frame */
   load(frame) {
@@ -211,8 +213,14 @@ export class BeamForce {
       const window = law.name === 'rigid' ? frame.main.diagnostics.resolved_time : 0;
       this.raw = window ? stairs(modalForce, h) : null;
       this.main = window ? averaged(modalForce, h, 1e3 * window) : stairs(modalForce, h);
+      const fine = pair(mainTime, mainForce); // of a stretch, where steps come in groups
+      if (fine && !window) this.main = withFiner(this.main, fine);
     } else this.main = given(pair(mainTime, mainForce), 'mainForce');
     this.half.hidden = !frame.halfForce;
+    const { apparent: span, real: touching } = frame.span;
+    const { peakForce: force, stillTouching: open } = frame.main;
+    const at = whenLargest(this.main);
+    this.peak.load(force && span && touching ? { force, at, span, touching, open } : null);
     this.#show();
   }
   #show() {

@@ -34,7 +34,8 @@ export class Energies {
     this.chart.root.hidden = !moving;
     if (!moving || !x) return;
     const all = given(energies, 'energies');
-    const parts = moving.energies.map((name, k) => ({ name, y: all.subarray(k * x.length, (k + 1) * x.length) }));
+    const count = moving.energies.length;
+    const parts = moving.energies.map((name, k) => ({ name, y: all.filter((_, i) => i % count === k) }));
     const sum = x.map((_, k) => parts.reduce((total, { y }) => total + y[k], 0));
     const names = family('motion.energy');
     const series = [...parts, { name: 'sum', y: sum }].map(({ name, y }) => ({

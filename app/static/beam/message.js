@@ -7,6 +7,7 @@
  * An impact on a beam: SI units, but times in milliseconds. What is optional depends on the method.
  * @typedef {object} BeamOnly
  * @property {'beam'} kind
+ * @property {string} head  of saved histories
  * @property {Note | null} refused  why the chosen method is not shown
  * @property {number} trip
  * @property {number} speed
@@ -20,7 +21,7 @@
  * @property {Numbers} [normals]  (2, edges), flat: as contacts begin and end, time and angle of the normal [rad]
  * @property {Numbers} [bendTime]  of what each link that bends says besides, under its number
  * @property {Numbers} [energyTime]
- * @property {Numbers} [energies]  (parts, energy instants), flat
+ * @property {Numbers} [energies]  (energy instants, parts), flat
  * @property {Numbers} [reactionTime]
  * @property {Numbers} [reactions]  (reaction instants, joints, 3), flat
  * @property {Striking} impactor

@@ -113,8 +113,7 @@ export function impactTable(table, frame, go) {
 export function movingShares(root, frame) {
   const energies = given(frame.energies, 'energies');
   const { energies: names } = given(frame.moving, 'moving');
-  const each = energies.length / names.length;
-  const last = names.map((name, k) => [OF_COLOURS[name] ?? name, energies[(k + 1) * each - 1]]);
+  const last = names.map((name, k) => [OF_COLOURS[name] ?? name, energies[energies.length - names.length + k]]);
   const told = family('motion.energy');
   /** @type {[string, string][]} */
   const parts = names.map((name) => [OF_COLOURS[name] ?? name, told[name]]);

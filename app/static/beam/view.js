@@ -126,6 +126,16 @@ export class BeamView {
     this.dress();
     this.draw();
   }
+  /** Its histories have become finer. */
+  refine() {
+    const { frame } = this;
+    this.field = fieldOf(frame);
+    for (const part of [this.force, this.motion, this.reactions, this.energies]) part.load(frame);
+    this.force.chart.root.hidden = withoutForce(frame);
+    this.dress();
+    this.draw();
+    this.show(this.page.player.t);
+  }
   /**
    * Whether there is anything of it to be seen in this impact.
    * @param {string} what

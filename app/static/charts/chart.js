@@ -1,5 +1,7 @@
 // A chart that is said, not programmed: axes, series and what else is to be seen; it finds its range and unit, writes
 // its legend, and can be zoomed, read, saved and listened to.
+import { make } from '../shell/dom.js';
+import { TRIPS, times } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { Axis } from './axis.js';
@@ -67,7 +69,7 @@ import { Tools } from './tools.js';
  * @property {string} about  what is to be seen, for those who do not see it
  * @property {Axis} [axis]  shared with other charts; its own by default
  * @property {string} [xName]  time by default
- * @property {string} xUnit
+ * @property {string} xUnit  T: times, written in the unit that is chosen for all of the page
  * @property {string} [unit]  of y, without prefix
  * @property {boolean | 'whole'} [zero]  nought belongs to the range: always, or while nothing is zoomed
  * @property {[below: number, above: number]} [pad]  room about the range, as shares of it
@@ -103,6 +105,9 @@ export class Chart extends Plot {
     this.tools = new Tools(this);
     this.head.append(this.tools.root);
     this.root.append(this.numbers.root);
+    this.turn = make('button', { type: 'button', className: 'unit-of-time', onclick: () => times.turn() });
+    this.turn.onpointerdown = (event) => event.stopPropagation(); // which would set the clock
+    if (options.xUnit === TRIPS) this.area.append(this.turn);
     listen(this);
   }
 
@@ -147,6 +152,7 @@ export class Chart extends Plot {
   draw() {
     const { content, options, axis } = this;
     this.x = axis.view;
+    if (options.xUnit === TRIPS) [this.across, this.xUnit] = times.shown;
     if (options.y) this.y = options.y;
     else {
       const { zero, pad = [0.08, 0.08] } = options;
@@ -162,6 +168,8 @@ export class Chart extends Plot {
     if (this.unit.textContent !== caption) this.unit.textContent = caption;
     this.numbers.wait();
     if (this.fit()) this.paint(this.begin(this.below));
+    this.turn.style.left = `${this.unitAt}px`;
+    this.turn.title = this.turn.ariaLabel = text('chart.unit-of-time', { unit: times.other });
   }
 
   /** After a change of the view of this chart alone. */
@@ -296,7 +304,8 @@ export class Chart extends Plot {
    * @param {number} x
    */
   writtenX(x) {
-    return `${signed(x, ticks(this.x[0], this.x[1], 10).digits + 2)} ${this.xUnit}`;
+    const [low, high] = this.x.map((end) => end * this.across);
+    return `${signed(x * this.across, ticks(low, high, 10).digits + 2)} ${this.xUnit}`;
   }
 
   /**

@@ -22,6 +22,8 @@ export class Plot {
   /** @type {{ x: number, y: number, w: number, h: number } | null} */ box = null; // none before it was drawn
   /** @type {((value: number, digits: number) => string) | null} */ label = null; // of a tick upward
   xUnit = ''; // written at the last tick across
+  across = 1; // of values across, for that unit
+  unitAt = 0; // where it is written [pixels]
   #said = '';
 
   /**
@@ -91,14 +93,14 @@ export class Plot {
   axes(c, grid = true) {
     const { x: left, y: top, w, h } = this.frame;
     const vertical = ticks(Math.min(...this.y), Math.max(...this.y), Math.max(h / 34, Math.min(2, h / 18)));
-    const across = ticks(this.x[0], this.x[1], w / 70);
+    const across = ticks(this.x[0] * this.across, this.x[1] * this.across, w / 70);
     c.font = FONT;
     c.lineWidth = 1;
     c.fillStyle = COLORS.faint;
     c.strokeStyle = COLORS.grid;
     c.beginPath();
     const ys = vertical.found.map((v) => Math.round(this.py(v)) + 0.5);
-    const xs = across.found.map((v) => Math.round(this.px(v)) + 0.5);
+    const xs = across.found.map((v) => Math.round(this.px(v / this.across)) + 0.5);
     for (const y of grid ? ys : []) {
       c.moveTo(left, y);
       c.lineTo(left + w, y);
@@ -118,7 +120,9 @@ export class Plot {
     across.found.forEach((v, k) => {
       const last = k === across.found.length - 1;
       const text = `${signed(v, across.digits)}${last && this.xUnit ? ` ${this.xUnit}` : ''}`;
-      c.fillText(text, Math.min(xs[k], this.width - 5 - (text.length * CHARACTER) / 2), top + h + 5);
+      const middle = Math.min(xs[k], this.width - 5 - (text.length * CHARACTER) / 2);
+      c.fillText(text, middle, top + h + 5);
+      if (last) this.unitAt = middle + ((text.length - this.xUnit.length) * CHARACTER) / 2;
     });
     c.strokeStyle = COLORS.edge;
     c.strokeRect(left + 0.5, top + 0.5, w - 1, h - 1);

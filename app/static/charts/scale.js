@@ -104,6 +104,20 @@ export const even = (count, end) => Float64Array.from({ length: count }, (_, k) 
 export const pair = (x, y) => (x && y ? { x, y } : null);
 
 /**
+ * A history with finer samples of a stretch in place of its own there.
+ * @param {Samples} whole
+ * @param {Samples} fine
+ * @returns {Samples}
+ */
+export function withFiner(whole, fine) {
+  const [start, end] = [fine.x[0], fine.x[fine.x.length - 1]];
+  const kept = (/** @type {(t: number) => boolean} */ outside) =>
+    Array.from(whole.x, (t, k) => [t, whole.y[k]]).filter(([t]) => outside(t));
+  const all = [...kept((t) => t < start), ...Array.from(fine.x, (t, k) => [t, fine.y[k]]), ...kept((t) => t > end)];
+  return { x: all.map(([t]) => t), y: all.map(([, value]) => value) };
+}
+
+/**
  * A history that holds each of its values for one step.
  * @param {ArrayLike<number>} values
  * @param {number} step

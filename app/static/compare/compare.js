@@ -18,7 +18,6 @@ import { Told } from './told.js';
 
 const PATIENCE = 30_000; // ms for a solution of a link
 const REMEMBERED = 16; // runs that undo may bring back as they were; others are solved again
-const LONGEST = 5; // times the impact that is shown, to which a longer one stretches the axis of time
 
 export class Compare {
   /** @type {Run[]} */ runs = [];
@@ -202,7 +201,7 @@ export class Compare {
     const others = this.runs.flatMap(({ frame: kept }) =>
       kept.kind === 'bodies' || !comparable(frame, kept) ? [] : [(kept.duration * kept.trip) / frame.trip],
     );
-    return Math.max(frame.duration, ...others.map((t) => Math.min(t, LONGEST * frame.duration)));
+    return Math.max(frame.duration, ...others);
   }
   /**
    * Words and numbers, with those of what is shown.

@@ -1,4 +1,5 @@
 // Figures of a solution in SI units, and how far two solutions lie apart, in percent and in words.
+import { timesOf } from '../charts/peak.js';
 import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { kindsOf } from './settings.js';
@@ -51,10 +52,10 @@ function ofAxial(frame, which) {
   const { exact, other, speed, trip } = frame;
   const told = (which === 'other' && other) || exact;
   const { contacts } = told;
-  const touching = contacts.reduce((sum, [start, end]) => sum + end - start, 0);
+  const [span, touching] = timesOf(contacts);
   return [
     figure('force', 'force', told.peakForce),
-    figure('apparent', 'time', contacts.length ? (contacts[contacts.length - 1][1] - contacts[0][0]) * trip : null),
+    figure('apparent', 'time', contacts.length ? span * trip : null),
     figure('real', 'time', touching * trip),
     figure('contacts', 'count', contacts.length),
     figure(
@@ -112,6 +113,19 @@ const ofSpace = ({ figures }) =>
 export function figuresOf(frame, which) {
   if (frame.kind === 'bodies') return ofSpace(frame);
   return frame.kind === 'beam' ? ofBeam(frame) : ofAxial(frame, which);
+}
+
+/**
+ * Figures of solutions side by side. Where bodies touch but once in all of them, the time from the first touch to the
+ * last parting is that in contact, and said once.
+ * @param {[Frame, 'exact' | 'other'][]} solutions
+ */
+export function sideBySide(solutions) {
+  const all = solutions.map(([frame, which]) => figuresOf(frame, which));
+  const timeOf = (/** @type {Figure[]} */ figures, /** @type {string} */ name) =>
+    figures.find(({ key }) => key === name)?.value ?? 0;
+  const once = all.every((each) => timeOf(each, 'apparent') - timeOf(each, 'real') <= SAME * timeOf(each, 'apparent'));
+  return once ? all.map((each) => each.filter(({ key }) => key !== 'apparent')) : all;
 }
 
 /**

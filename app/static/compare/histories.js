@@ -1,5 +1,5 @@
 // What charts overlay of a solution, in SI units, whatever kind of impact it is.
-import { averaged, even, pair } from '../charts/scale.js';
+import { averaged, pair } from '../charts/scale.js';
 import { given } from '../shell/message.js';
 
 /** @import { Samples } from '../charts/scale.js' */
@@ -50,11 +50,10 @@ function otherForce({ modalForce, other, otherForce: y, otherTime, step, trip })
  * @returns {Histories}
  */
 function ofAxial(frame, which) {
-  const { duration, forceUnit, speed, trip } = frame;
+  const { forceUnit, speed, trip } = frame;
   const exact = which === 'exact';
   const [impactor, struck] = exact ? [frame.exactMass, frame.exactEnd] : [frame.otherMass, frame.otherEnd];
-  const path = (/** @type {Numbers | undefined} */ y) =>
-    scaled(y ? { x: even(y.length, duration), y } : null, trip, speed * trip);
+  const path = (/** @type {Numbers | undefined} */ y) => scaled(pair(frame.motionTime, y), trip, speed * trip);
   const force = exact ? { x: frame.exactTime, y: frame.exactForce } : otherForce(frame);
   return {
     force: scaled(force, trip, forceUnit),

@@ -1,6 +1,6 @@
 // Kept solutions on the charts of the one that is shown, each in its colour; times and units are those of the charts.
 import { KEPT } from '../charts/styles.js';
-import { naming } from '../text/words.js';
+import { called } from '../text/words.js';
 import { comparable, kindsOf } from './settings.js';
 
 /** @import { Kept } from '../axial/gauge.js' */
@@ -28,7 +28,7 @@ function drawnOf(now, { frame }) {
 }
 
 /** @param {Frame} frame */
-const otherOf = (frame) => naming((frame.kind === 'axial' && frame.other?.name) || '');
+const otherOf = (frame) => (frame.kind === 'axial' && frame.other ? called(frame.other) : '');
 
 /**
  * @param {Samples | null} samples

@@ -3,7 +3,7 @@ import { KEPT } from '../charts/styles.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { heading, scrolled } from '../shell/story.js';
 import { text } from '../text/catalogue.js';
-import { bound, comparedOf, difference, figuresOf, leastSaid, sentences, written } from './figures.js';
+import { bound, comparedOf, difference, leastSaid, sentences, sideBySide, written } from './figures.js';
 import { comparable, differing, lineOf } from './settings.js';
 import { verdictOf } from './verdict.js';
 
@@ -68,7 +68,10 @@ function paragraphOf(now, { asked, frame, letter }, coming) {
   const settings = { name: letter, now: lineOf(names, now), settings: lineOf(names, frame) };
   if (!names.length) return { letters: [letter], head: coming ?? text('compare.against-same', settings) };
   const which = comparedOf(now, frame);
-  const [own, other] = [figuresOf(now, which), figuresOf(frame, which)];
+  const [own, other] = sideBySide([
+    [now, which],
+    [frame, which],
+  ]);
   const found = sentences(own, other);
   return {
     letters: [letter],
@@ -126,8 +129,7 @@ export class Told {
     const compared = runs.map(({ frame }) => comparedOf(now, frame));
     // figures of the other method only where it is what differs in all of them
     const which = compared.every((each) => each === 'other') ? 'other' : 'exact';
-    const own = figuresOf(now, which);
-    const others = runs.map(({ frame }) => figuresOf(frame, which));
+    const [own, ...others] = sideBySide([now, ...runs.map(({ frame }) => frame)].map((frame) => [frame, which]));
     const rows = own.map((figure) => {
       const cells = others.map((figures) => {
         const other = figures.find(({ key }) => key === figure.key);

@@ -1,8 +1,7 @@
 // This impact by every method, in a table.
 import { make, rowOf } from '../shell/dom.js';
 import { figures } from '../text/format.js';
-import { described, family, said, text } from '../text/catalogue.js';
-import { naming } from '../text/words.js';
+import { described, family, leftOut, methodOf, said, text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame } from '../shell/message.js' */
@@ -12,6 +11,7 @@ import { naming } from '../text/words.js';
  * @typedef {object} Row  one method
  * @property {string} name
  * @property {string} label  with its resolution
+ * @property {string | null} model  of a method that has several
  * @property {Note | null} reason  why it cannot solve the scene
  * @property {number} rebound_error
  * @property {number} duration_error
@@ -77,10 +77,12 @@ class Methods {
   /** @param {Row} row */
   row(row) {
     const { page } = this;
-    const pick = make('button', { type: 'button', className: 'when', textContent: naming(row.name) });
+    const called = methodOf(row.name, row.model ?? '');
+    const pick = make('button', { type: 'button', className: 'when', textContent: called });
     pick.onclick = () => page.send('method', row.name);
-    const name = make('td', {}, row.reason ? naming(row.name) : pick);
-    if (row.label !== row.name) name.append(make('small', { textContent: described(row.label) }));
+    const name = make('td', {}, row.reason ? called : pick);
+    const more = leftOut(row.model ?? '') || described(row.label);
+    if (more !== called) name.append(make('small', { textContent: more }));
     if (row.reason) {
       const reason = make('td', { colSpan: COLUMNS.length - 1, textContent: said(row.reason) });
       return make('tr', { className: 'refused' }, name, reason);

@@ -1,6 +1,6 @@
 // Which model is enough?: the smallest adequate model for a question, and where the impact lies among all others.
 import { headOf, make, rowOf } from '../shell/dom.js';
-import { family, modelled, named, said, text } from '../text/catalogue.js';
+import { family, leftOut, modelled, named, said, text } from '../text/catalogue.js';
 import { pretty, share } from '../text/format.js';
 import { RegimeMap } from './regime_map.js';
 import { percentField } from './unit_field.js';
@@ -80,7 +80,7 @@ class Needs {
     this.question = make('select', { ariaLabel: text('plan.question') }, ...options);
     this.question.onchange = () => this.ask('question', this.question.value);
     const send = (/** @type {number} */ value) => this.ask('plan_tolerance', value);
-    this.tolerance = percentField(text('plan.tolerance'), 1e-4, 0.5, send, (sentence) => page.complain(sentence));
+    this.tolerance = percentField(text('plan.tolerance'), 1e-4, 0.5, send);
     this.said = make('p', { className: 'verdict' });
     this.reason = make('p', { className: 'help' });
     this.table = make('table', { className: 'methods plan' });
@@ -196,6 +196,8 @@ class Needs {
     const { chosen } = page.frame;
     const missed = error === null ? text('plan.no-error', { measured: !unknown }) : share(error);
     const line = rowOf([modelled(model), missed, '']);
+    const out = leftOut(model.name);
+    if (out) line.firstElementChild?.append(make('small', { textContent: out }));
     if (picked) line.ariaCurrent = 'true';
     if (!choices) return line;
     const here = Object.entries(choices).every(([name, value]) => chosen[name] === value);

@@ -3,6 +3,7 @@ import { entriesOf } from '../shell/body_values.js';
 import { Figure } from '../charts/figure.js';
 import { between } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
+import { commaOf, numberInput } from '../shell/number_field.js';
 import { said, text } from '../text/catalogue.js';
 import { figures, localised, signed } from '../text/format.js';
 import { typed } from '../text/units.js';
@@ -15,6 +16,7 @@ import { typed } from '../text/units.js';
 /**
  * @typedef {object} Compared  times in round trips, values in SI units
  * @property {Kind} kind
+ * @property {number | null} at  the place of the gauge [m]; null of a force
  * @property {number[]} time  of the record, shifted and scaled to fit
  * @property {number[]} values
  * @property {{ time: number[], model: number[] }} computed
@@ -73,7 +75,7 @@ class Measurement {
       make('option', { value: k ? kind : '', textContent: text(`record.kind.${kind}`) }),
     );
     this.kind = make('select', { onchange }, ...kinds);
-    this.at = make('input', { type: 'text', inputMode: 'decimal', className: 'number', placeholder: '–', onchange });
+    this.at = Object.assign(numberInput(), { placeholder: '–', onchange });
     this.sign = make('input', { type: 'checkbox', onchange });
     this.name = make('span', { className: 'file-name' });
     this.name.textContent = text('record.drop');
@@ -138,18 +140,20 @@ class Measurement {
     return make('div', { className: 'movers' }, shift, scale, this.residual, this.automatic);
   }
   get open() {
-    return !this.root.hidden;
+    return this.page.model.record_shown;
   }
   toggle() {
-    this.root.hidden = !this.root.hidden;
-    this.button.ariaPressed = String(this.open);
-    if (!this.open) this.figure.close();
-    else {
-      if (this.answer) this.#plot(this.answer);
-      this.ask();
-    }
+    this.page.model.record_shown = !this.open;
+    this.#showOpen();
+    if (this.open && this.answer) this.#plot(this.answer);
+    this.ask();
     this.overlay();
     this.page.drawCharts();
+  }
+  #showOpen() {
+    this.root.hidden = !this.open;
+    this.button.ariaPressed = String(this.open);
+    if (!this.open) this.figure.close();
   }
   /** @param {File} file */
   takeFile(file, asks = true) {
@@ -178,6 +182,7 @@ class Measurement {
     this.button.disabled = away;
     this.button.hidden = frame.kind === 'beam';
     this.button.title = text(away ? 'record.in-space' : 'record.title');
+    this.#showOpen();
     this.root.classList.toggle('away', away);
     if (away) return;
     this.overlay();
@@ -189,6 +194,11 @@ class Measurement {
     if (!this.file || !this.open || frame.kind !== 'axial') return;
     if (this.asking) {
       this.again = true;
+      return;
+    }
+    const doubt = commaOf(this.at.value);
+    if (doubt) {
+      this.answered({ error: doubt }, frame);
       return;
     }
     this.asking = true;
@@ -233,6 +243,7 @@ class Measurement {
     if (refusal !== this.refusal) this.wrong.textContent = refusal; // said once, not at every step of a slider
     this.refusal = refusal;
     this.answer = 'error' in answer ? null : { ...answer, trip: frame.trip };
+    this.at.placeholder = localised(String(this.answer?.at ?? '–')); // as the file says it, where nothing is typed
     this.result.hidden = !this.answer;
     if (this.answer) {
       this.reset();

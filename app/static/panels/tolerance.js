@@ -46,10 +46,9 @@ class Tolerance extends Panel {
     this.quantity.onchange = () => this.ask('auto_quantity', this.quantity.value);
     this.within = make('select', { ariaLabel: text('tolerance.keep-to') }, ...optionsOf(WITHIN));
     this.within.onchange = () => this.ask('auto_within', this.within.value);
-    const complain = (/** @type {string} */ sentence) => page.complain(sentence);
     const bound = text('tolerance.bound');
-    this.tolerance = percentField(bound, 1e-6, 0.5, (value) => this.ask('auto_tolerance', value), complain);
-    this.budget = msField(bound, 1e-4, 6, (value) => this.ask('auto_budget', value), complain);
+    this.tolerance = percentField(bound, 1e-6, 0.5, (value) => this.ask('auto_tolerance', value));
+    this.budget = msField(bound, 1e-4, 6, (value) => this.ask('auto_budget', value));
     this.stopper = new Stopper(page.model, 'auto_running', () => this.fill());
     page.model.on('auto_follows', () => this.fill());
     this.waves = make('input', { type: 'checkbox', onchange: () => this.ask('auto_waves', this.waves.checked) });

@@ -279,7 +279,7 @@ class TradeOff extends Panel {
       edge: points.map((p, k) => (here[k] ? PICKED : p.best_for.includes(quantity) ? '#1c2733' : '#fff')),
       width: here.map((each) => (each ? 2.5 : 1)),
       label: points.map((p) => described(p.label)),
-      method: points.map((p) => shortly(p.method.name)), // in the legend, which has little room
+      method: points.map((p) => shortly(p.method)), // in the legend, which has little room
       solve: points.map((p) => ms(p.wall_time)),
       error: points.map((p) => signed(p.errors[quantity])),
       contacts: points.map(contactsOf),

@@ -1,8 +1,8 @@
 // Fields for numbers in the unit that a visitor thinks in.
 import { make } from '../shell/dom.js';
+import { NumberField } from '../shell/number_field.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
-import { signsOf, typed } from '../text/units.js';
 
 /**
  * @typedef {object} Unit
@@ -20,41 +20,21 @@ import { signsOf, typed } from '../text/units.js';
 
 /**
  * A number from `low` to `high` that is shown in another unit than the one that is sent.
- * @param {string} label
+ * @param {string} control
  * @param {Unit} unit
  * @param {number} low
  * @param {number} high
  * @param {(value: number) => void} send
- * @param {(sentence: string) => void} complain
  * @returns {UnitField}
  */
-export function unitField(label, { sign, many, times, si = sign }, low, high, send, complain) {
-  const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
-  input.autocomplete = 'off';
-  input.ariaLabel = text('panel.field', { label, unit: many });
-  let last = '';
-  input.onchange = () => {
-    const value = typed(input.value, si, 1 / times);
-    if (value >= low && value <= high) {
-      send(value);
-      return;
-    }
-    const range = { low: times * low, high: times * high, unit: sign, units: signsOf(si), whole: false };
-    complain(text('refused.typed', { control: label, value: `“${input.value.slice(0, 24)}”`, ...range }));
-    input.value = last;
-  };
-  const root = make(
-    'label',
-    { className: 'part' },
-    label,
-    input,
-    make('span', { className: 'unit', textContent: sign }),
-  );
-  const set = (/** @type {number} */ value) => {
-    last = localised(String(Number((times * value).toPrecision(4))));
-    if (!input.matches(':focus')) input.value = last;
-  };
-  return { root, set };
+export function unitField(control, { sign, many, times, si = sign }, low, high, send) {
+  const written = (/** @type {number} */ value) => localised(String(Number((times * value).toPrecision(4))));
+  const field = new NumberField({ control, sign, si, factor: 1 / times }, () => [low, high], written, send);
+  field.input.ariaLabel = text('panel.field', { label: control, unit: many });
+  const unit = make('span', { className: 'unit', textContent: sign });
+  const label = make('label', { className: 'part' }, control, field.input, unit);
+  const root = make('div', { className: 'asked' }, label, field.wrong);
+  return { root, set: (/** @type {number} */ value) => field.set(value) };
 }
 
 /**
@@ -63,10 +43,9 @@ export function unitField(label, { sign, many, times, si = sign }, low, high, se
  * @param {number} low
  * @param {number} high
  * @param {(value: number) => void} send
- * @param {(sentence: string) => void} complain
  */
-export const percentField = (label, low, high, send, complain) =>
-  unitField(label, { sign: '%', many: text('panel.percent'), times: 100, si: '1' }, low, high, send, complain);
+export const percentField = (label, low, high, send) =>
+  unitField(label, { sign: '%', many: text('panel.percent'), times: 100, si: '1' }, low, high, send);
 
 /**
  * A time [s], shown in milliseconds.
@@ -74,7 +53,6 @@ export const percentField = (label, low, high, send, complain) =>
  * @param {number} low
  * @param {number} high
  * @param {(value: number) => void} send
- * @param {(sentence: string) => void} complain
  */
-export const msField = (label, low, high, send, complain) =>
-  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), times: 1000, si: 's' }, low, high, send, complain);
+export const msField = (label, low, high, send) =>
+  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), times: 1000, si: 's' }, low, high, send);

@@ -55,8 +55,8 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
   const { axis, gauge, usual, what } = view;
   if (axis?.moved) add('view', axis.view.map((t) => Number(t.toPrecision(5))).join(','));
   if (what && what !== usual) add('colour', what);
-  if (gauge && !gauge.chart.root.hidden && gauge.place !== gauge.usual)
-    add('gauge', Number(gauge.place.toPrecision(5)));
+  if (gauge && !gauge.chart.root.hidden && gauge.asked !== null && gauge.asked !== gauge.usual)
+    add('gauge', Number(gauge.asked.toPrecision(5)));
   if (layout.mode !== 'phone' && layout.tabs.selected === 'numbers') add('tab', 'numbers');
   if (compare.runs.length) add('kept', keptText(compare.runs, frame));
   if (compare.beside) add('beside', compare.beside.letter);

@@ -4,6 +4,7 @@ import { pretty } from '../text/format.js';
 import { spoken, typeset } from '../text/typeset.js';
 import { inUnit, isCoordinate, placeOf, read, unitOf, unitsFor, written } from './body_values.js';
 import { make } from './dom.js';
+import { commaOf, numberInput, refusalAt } from './number_field.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame, PartTold, ValueTold } from './message.js' */
@@ -190,8 +191,7 @@ export class Bodies {
    */
   #number(key, { quantity, own, low, high }, body, parts) {
     made += 1;
-    const input = make('input', { type: 'text', inputMode: 'decimal', className: 'number', maxLength: 24 });
-    input.autocomplete = 'off';
+    const input = numberInput();
     input.id = `body-${made}`;
     input.placeholder = text('bodies.unknown');
     let unit = unitOf(quantity, Number(own ?? 0));
@@ -219,6 +219,7 @@ export class Bodies {
       row.complain(refused);
       if (refused) return undefined;
       typing = false;
+      last = input.value = inUnit(value, unit); // not as it was typed
       return this.set(key, value);
     };
     return {
@@ -258,7 +259,7 @@ export class Bodies {
 function refusalOf(value, given, unit, { quantity, low, high }) {
   const end = (/** @type {number | null} */ bound) => `${pretty(Number(bound) / unit.factor)} ${unit.sign}`.trim();
   const said = { given: given.slice(0, 24), unit: unit.sign || 'none', units: unitsFor(quantity) };
-  if (Number.isNaN(value)) return text('bodies.not-number', said);
+  if (Number.isNaN(value)) return commaOf(given) || text('bodies.not-number', said);
   const within = low === null || high === null || (value >= low && value <= high);
   return within ? '' : text('bodies.not-within', { ...said, low: end(low), high: end(high) });
 }
@@ -270,17 +271,8 @@ function refusalOf(value, given, unit, { quantity, low, high }) {
  * @param {...HTMLElement} more
  */
 function rowOf(label, input, ...more) {
-  const wrong = make('p', { className: 'wrong', role: 'alert', hidden: true, id: `${input.id}-wrong` });
+  const { wrong, complain } = refusalAt(input);
   const root = make('div', { className: 'body-value' }, label, input, ...more, wrong);
-  const complain = (/** @type {string} */ sentence) => {
-    wrong.hidden = !sentence;
-    wrong.textContent = sentence;
-    input.ariaInvalid = sentence ? 'true' : null;
-    if (sentence) {
-      input.setAttribute('aria-describedby', wrong.id);
-      wrong.scrollIntoView({ block: 'nearest' }); // below the field, it may be beyond the edge
-    } else input.removeAttribute('aria-describedby');
-  };
   const mark = (/** @type {boolean} */ own, /** @type {string} */ scenes) => {
     root.classList.toggle('changed', !own);
     input.title = own ? '' : text('bodies.own', { value: scenes });

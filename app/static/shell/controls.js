@@ -5,10 +5,11 @@ import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
 import { Slider } from './slider.js';
 
-/** @import { AxialFrame, Frame, SpaceFrame } from './message.js' */
+/** @import { AxialFrame, Cushion, Frame, SpaceFrame } from './message.js' */
 /** @import { Spec } from './model.js' */
 
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
+const DIGITS = 6; // of the stiffness of a cushion
 const LONGER_TITLE = 72; // beyond which it is everywhere
 
 /**
@@ -24,12 +25,10 @@ export class Controls {
   /**
    * @param {Spec} spec
    * @param {(name: string, value: number | string) => void} send  takes every change that the visitor makes
-   * @param {(sentence: string) => void} complain  of what is no number at all
    */
-  constructor(spec, send, complain) {
+  constructor(spec, send) {
     this.spec = spec;
     this.send = send;
-    this.complain = complain;
     this.root = make('form', { className: 'controls' });
     this.root.onsubmit = (event) => event.preventDefault();
     for (const name of Object.keys(spec)) {
@@ -39,6 +38,8 @@ export class Controls {
     }
     this.method = /** @type {HTMLSelectElement} */ (this.root.querySelector('#choice-method'));
     this.scene = /** @type {HTMLSelectElement} */ (this.fields.scene.root.querySelector('select'));
+    this.cushions = make('div', { className: 'cushions', hidden: true });
+    this.fields.law.root.append(this.cushions);
     this.note = make('p', { className: 'help' });
     this.fields.restitution.root.append(this.note);
   }
@@ -69,7 +70,7 @@ export class Controls {
   }
   /** @param {string} name */
   #slider(name) {
-    return new Slider(name, LABELS[name], this.spec[name], (value) => this.send(name, value), this.complain);
+    return new Slider(name, LABELS[name], this.spec[name], (value) => this.send(name, value));
   }
   /**
    * `refused`: back to this value, also where the hand still holds the slider.
@@ -96,11 +97,41 @@ export class Controls {
     this.fields.scene.set(option.value, false);
   }
   /**
+   * Sheets of rubber or wood between the two, each a linear spring.
+   * @param {Frame} frame
+   */
+  #cushion(frame) {
+    const told = frame.kind === 'axial' ? frame.cushions : [];
+    this.cushions.hidden = !told.length;
+    const on = (/** @type {Cushion} */ { stiffness: k }) =>
+      frame.chosen.law === 'linear' && Math.abs(Number(frame.chosen.linear_stiffness) - k) < 1e-3 * k;
+    const buttons = told.map((cushion) => {
+      const act = () => {
+        const settings = { law: 'linear', linear_stiffness: Number(cushion.stiffness.toPrecision(DIGITS)) };
+        for (const [name, value] of Object.entries(settings)) {
+          this.show(name, value);
+          this.send(name, value);
+        }
+      };
+      const name = text('controls.cushion', cushion);
+      const button = make('button', { type: 'button', className: 'whole small', textContent: name, onclick: act });
+      button.ariaPressed = String(on(cushion));
+      return button;
+    });
+    const help = told.filter(on).map((cushion) => text('controls.cushion-about', cushion));
+    this.cushions.replaceChildren(
+      make('span', { textContent: text('controls.cushions') }),
+      ...buttons,
+      make('p', { className: 'help', textContent: help.join(' ') }),
+    );
+  }
+  /**
    * Only what acts on this scene is shown; methods that cannot solve it say why.
    * @param {Frame} frame
    */
   arrange(frame) {
     this.#entitle(frame);
+    this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
     const onBeam = frame.kind === 'beam';
     const label = this.fields.method.root.querySelector('label');

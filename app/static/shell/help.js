@@ -3,6 +3,7 @@ import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 
 const KEYS = ['play', 'step', 'event', 'pace', 'loop', 'keep', 'undo', 'redo', 'slider', 'zoom', 'help', 'close'];
+const FINGERS = ['clock', 'zoom', 'striker', 'events', 'tabs'];
 const PARTS = ['bar', 'picture', 'clock', 'controls', 'charts', 'story', 'numbers', 'analysis'];
 const DOCUMENTS = ['page', 'scenes', 'records', 'how-it-is-computed', 'how-exact', 'command-line'];
 
@@ -43,7 +44,9 @@ export class Help {
     head.append(close);
     this.root = make('dialog', { className: 'help-dialog' }, head);
     this.root.setAttribute('aria-labelledby', 'help');
-    this.#part('help.keys', tableOf(KEYS, family('help.key'), family('help.does'), 'kbd'));
+    if (matchMedia('(hover: none) and (pointer: coarse)').matches)
+      this.#part('help.fingers', tableOf(FINGERS, family('help.finger'), family('help.touch'), 'span'));
+    else this.#part('help.keys', tableOf(KEYS, family('help.key'), family('help.does'), 'kbd'));
     this.#part('help.parts', tableOf(PARTS, family('help.part'), family('help.about'), 'span'));
     const address = documentation();
     if (address) this.#part('help.more', this.#links(address));

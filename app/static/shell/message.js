@@ -14,6 +14,7 @@
  * @property {Chosen} chosen
  * @property {Chosen} own  the same, as the page opens the scene
  * @property {boolean} draft  whether it is solved by fewer modes and elements than chosen
+ * @property {[start: number, end: number] | null} stretch  of time that histories are of [s]; null: all of it
  * @property {string[]} acting  choices that act on this scene
  * @property {Record<string, Note | null>} refusals  by method: why it cannot solve the scene, or nothing
  * @property {string} title
@@ -50,6 +51,13 @@
  * @property {number | null} low  that it may be; null of a material
  * @property {number | null} high
  */
+/**
+ * @typedef {object} Cushion
+ * @property {string} name
+ * @property {number} modulus  E [Pa]
+ * @property {number} thickness  h [m]
+ * @property {number} stiffness  k = E A / h [N/m]
+ */
 /** @typedef {{ initial: number, [part: string]: number }} Energies  [J]; `initial` is what the others are shares of */
 /** @typedef {{ newton: number | null, poisson: number | null, newton_at_contact: number | null }} Restitution */
 
@@ -71,6 +79,7 @@
  * What a solution says of itself. Velocities of axial messages in impact speeds, of beams in m/s.
  * @typedef {object} Figures
  * @property {string} name  of the method
+ * @property {string | null} model  of a method that has several
  * @property {boolean} stillTouching
  * @property {number | null} final  velocity of the impactor, as a whole
  * @property {number} targetFinal
@@ -166,6 +175,7 @@
  * `forceUnit`, stresses in `stressUnit`.
  * @typedef {object} AxialOnly
  * @property {'axial'} kind
+ * @property {string} head  of saved histories
  * @property {number} trip  T [s]
  * @property {RodTold[]} rods
  * @property {Striking} impactor
@@ -187,6 +197,8 @@
  * @property {number} exponent  of the indentation, with which the force of the law begins
  * @property {number | null} nominal
  * @property {number} leastRestitution
+ * @property {Cushion[]} cushions  sheets that can lie on the struck face
+ * @property {Numbers} motionTime  of what follows
  * @property {Numbers} exactMass
  * @property {Numbers} exactEnd
  * @property {Numbers} [exactWhole]  displacement of the mass centre of a rod that nothing holds
@@ -203,6 +215,7 @@
  * @property {Numbers} [fieldForce]  likewise, for the fields alone
  * @property {Numbers} [exactBar]  (motion, bar places), flat: of a pendulum that bends, from its pivot on [v T]
  * @property {Numbers} [otherBar]
+ * @property {Numbers} [momentTime]
  * @property {Numbers} [exactMoments]  (instant, 3), flat: of a bar that bends, at its pivot or axis, half way, contact
  * @property {Numbers} [otherMoments]
  * @property {Numbers} [balanceTime]

@@ -3,6 +3,7 @@ import { text } from '../text/catalogue.js';
 import { signed } from '../text/format.js';
 import { make } from './dom.js';
 import { PaceMenu } from './pace.js';
+import { times, unitOfTime } from './times.js';
 
 /** @import { AxialFrame, BeamFrame, Frame, SpaceFrame } from './message.js' */
 /** @import { Event } from './story.js' */
@@ -131,6 +132,7 @@ export class Player {
   }
   /** @param {Clocked} frame */
   load(frame) {
+    if (frame.kind === 'axial') times.load(frame);
     const first = !this.duration;
     // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
     this.start = frame.kind === 'bodies' ? -1 : 0;
@@ -138,7 +140,6 @@ export class Player {
     this.trip = frame.kind === 'bodies' ? frame.duration : frame.trip;
     // long impacts play in about half a minute; on a beam, where no wave comes back as it went, all of them in less
     this.inTrips = frame.kind === 'axial';
-    this.clock.dataset.term = this.inTrips ? 'T' : '';
     this.perSecond =
       frame.kind === 'beam' ? this.duration / secondsOf(frame) : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
     this.usual = this.perSecond;
@@ -259,9 +260,10 @@ export class Player {
   /** @param {number} way  to the event before or after */
   jump(way) {
     const now = this.t + this.start;
-    const times = this.score.events().map(([t]) => t);
+    const instants = this.score.events().map(([t]) => t);
     const before = this.playing ? EARLIER * this.perSecond * this.pace.speed : 0;
-    const to = way > 0 ? times.find((t) => t > now + 1e-9) : times.findLast((t) => t < now - Math.max(before, 1e-9));
+    const to =
+      way > 0 ? instants.find((t) => t > now + 1e-9) : instants.findLast((t) => t < now - Math.max(before, 1e-9));
     this.seek(to === undefined ? (way > 0 ? this.duration : 0) : to - this.start);
   }
   /** A slider moves: time stands still meanwhile. */
@@ -312,10 +314,12 @@ export class Player {
     this.#place();
     const now = this.t + this.start;
     const real = now * this.trip;
-    const size = Math.abs(real);
-    const [factor, unit] = size < 1e-3 ? [1e6, 'µs'] : size < 1 ? [1e3, 'ms'] : [1, 's'];
-    const trips = !this.inTrips ? '' : `${signed(this.t)} T = `;
-    this.clock.textContent = `${trips}${signed(real * factor, 1)} ${unit}`;
+    const [factor, unit] = unitOfTime(Math.abs(real));
+    const told = `${signed(real * factor, 1)} ${unit}`;
+    this.clock.dataset.term = this.inTrips && !times.inSeconds ? 'T' : '';
+    const [perTrip, chosen] = times.shown;
+    const trips = times.inSeconds ? '' : ` = ${told}`;
+    this.clock.textContent = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : told;
     this.scrub.ariaValueText = this.clock.textContent;
     this.show(now);
   }

@@ -1,11 +1,9 @@
 // What a visitor takes away: the link to what is shown, and its histories.
 import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
-import { entriesOf } from './body_values.js';
 import { download } from './dom.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from './message.js' */
 
 const DIGITS = 6; // behind the first one, of saved values
 
@@ -27,15 +25,14 @@ export async function copyLink(page) {
 }
 
 /**
- * Histories as comma-separated values, below the settings that they are of: readers skip lines that begin with #.
- * @param {Frame} frame
+ * Histories as comma-separated values, below the scene that they are of, as `impact solve` reads it: readers of tables
+ * skip lines that begin with #.
+ * @param {string} scene  in TOML, with table `saved` at the end
  * @param {string} link  to the same
  * @param {{ names: string[], values: number[][] }} table
  */
-export function written({ acting, chosen, title }, link, { names, values }) {
-  const settings = Object.entries(chosen).filter(([name]) => acting.includes(name) && name !== 'bodies');
-  const all = [['title', title], ...settings, ...(acting.includes('bodies') ? entriesOf(chosen.bodies) : [])];
-  const head = [...all, ['link', link]].map(([name, value]) => `# ${name} = ${value}`);
+export function written(scene, link, { names, values }) {
+  const head = `${scene}\nlink = ${JSON.stringify(link)}`.split('\n').map((line) => `# ${line}`);
   const rows = values.map((row) => row.map((value) => value.toExponential(DIGITS)).join(','));
   return [...head, names.join(','), ...rows, ''].join('\n');
 }
@@ -44,7 +41,7 @@ export function written({ acting, chosen, title }, link, { names, values }) {
 export function saveData(page) {
   const { frame, view } = page;
   const table = view.rows?.();
-  if (!table) return page.complain(text('page.no-history'));
+  if (!table || frame.kind === 'bodies') return page.complain(text('page.no-history'));
   const name = `strikewave-${frame.chosen.scene}.csv`;
-  return download(new Blob([written(frame, linkOf(page), table)], { type: 'text/csv' }), name);
+  return download(new Blob([written(frame.head, linkOf(page), table)], { type: 'text/csv' }), name);
 }

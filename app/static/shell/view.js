@@ -34,6 +34,7 @@
  * @property {(what: any) => void} [colour]  have them show it
  * @property {(hidden: boolean) => void} hide
  * @property {(frame: any) => void} load
+ * @property {() => void} [refine]  after histories of the frame have become finer
  * @property {() => void} draw
  * @property {(t: number) => void} show
  * @property {(start?: number, end?: number) => void} zoom

@@ -208,6 +208,21 @@ export const said = ({ code, values }) =>
 export const named = (choice, value) => texts[`name.${choice}.${value}`] ?? value;
 
 /**
+ * A method; one that has two models is called by the model.
+ * @param {string} name
+ * @param {string} [model]
+ * @param {'' | '-short'} [form]  for heads of columns
+ */
+export const methodOf = (name, model = '', form = '') =>
+  texts[`name.model${form}.${model}`] ?? named(`method${form}`, name);
+
+/**
+ * What a model of a method or of a plan leaves out; nothing of models that are named by all they do.
+ * @param {string} model
+ */
+export const leftOut = (model) => texts[`left-out.${model.replace('-quasi-static', '')}`] ?? '';
+
+/**
  * All texts below a code, by the rest of theirs.
  * @param {string} code
  * @returns {Record<string, string>}
@@ -222,11 +237,12 @@ export function described(label) {
   const [name, ...given] = label.split(' ');
   /** @type {Record<string, string>} */
   const options = Object.fromEntries(given.map((option) => option.split('=')));
+  const model = `name.model.${options.model}` in texts ? options.model : '';
   const counted = ['modes', 'elements'].find((key) => key in options && `method.${name}.${key}` in texts);
   const first = counted
     ? text(`method.${name}.${counted}`, { [counted]: Number(options[counted]) })
-    : named('method', name);
-  const rest = Object.entries(options).filter(([key]) => key !== counted);
+    : methodOf(name, model);
+  const rest = Object.entries(options).filter(([key]) => key !== counted && !(key === 'model' && model));
   return [first, ...rest.map(([key, value]) => optionOf(key, value))].join(', ');
 }
 

@@ -2,7 +2,8 @@
 
 /** @type {{ language: string }} */
 const { language } = /** @type {any} */ (globalThis).strikewaveTexts;
-const DECIMAL = new Intl.NumberFormat(language).formatToParts(0.5).find(({ type }) => type === 'decimal')?.value ?? '.';
+export const DECIMAL =
+  new Intl.NumberFormat(language).formatToParts(0.5).find(({ type }) => type === 'decimal')?.value ?? '.';
 
 /**
  * A number as JavaScript writes it, with the decimal sign of the language.
@@ -141,7 +142,7 @@ export function engineering(value, unit, digits = 3) {
   if (!rounded) return `0 ${unit}`;
   const power = Number(rounded.toExponential().split('e')[1]);
   const step = Math.min(Math.max(Math.floor(power / 3), -3), 3);
-  return `${figures(rounded / 1000 ** step)} ${PREFIXES[step + 3]}${unit}`;
+  return `${figures(rounded / 1000 ** step, digits)} ${PREFIXES[step + 3]}${unit}`;
 }
 
 /** @param {number} ms */

@@ -1,6 +1,8 @@
 // The units in which numbers can be typed, and what was typed as a number in the unit that is sent. Columns of records
 // have a list of their own: solvers/records/files.py.
 
+import { DECIMAL } from './format.js';
+
 const PREFIXES = { n: 1e-9, µ: 1e-6, m: 1e-3, c: 1e-2, k: 1e3, M: 1e6, G: 1e9 };
 const [INCH, FOOT, POUND, GRAVITY] = [0.0254, 0.3048, 0.45359237, 9.80665];
 const POUND_FORCE = POUND * GRAVITY;
@@ -43,8 +45,8 @@ const UNITS = {
 const ALSO = { '"': 'in', '″': 'in', inch: 'in', inches: 'in', "'": 'ft', '′': 'ft', feet: 'ft', foot: 'ft' };
 Object.assign(ALSO, { lbs: 'lb', kph: 'km/h', kmh: 'km/h' });
 
-const NUMBER = String.raw`(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
-const GIVEN = new RegExp(String.raw`^([+-]?${NUMBER})(?:\s*/\s*(${NUMBER}))?\s*(\S*)$`, 'i');
+const NUMBER = String.raw`(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?`;
+const GIVEN = new RegExp(String.raw`^([+-]?${NUMBER})(?:\s*/\s*(${NUMBER}))?\s*([^\s\d.]\S*)?$`, 'i');
 const DIGITS = 12; // that are sent
 
 /**
@@ -74,9 +76,18 @@ const plain = (sign) => {
   return Object.hasOwn(ALSO, raised) ? ALSO[raised] : raised;
 };
 
+const FOREIGN = DECIMAL === '.' ? ',' : '.';
+const THOUSANDS = new RegExp(String.raw`(?<![\d.,])[1-9]\d{0,2}[${FOREIGN}]\d{3}(?!\d)`);
+
+/**
+ * Whether a number may be meant with a decimal sign or with thousands apart, as "1,000".
+ * @param {string} given
+ */
+export const ambiguous = (given) => THOUSANDS.test(given);
+
 /**
  * What was typed, in the unit that is sent: a number or a fraction, in the unit of the field or with another one behind
- * it. NaN where it is none.
+ * it. NaN where it is none, or may be two.
  * @param {string} given
  * @param {string} si  the unit that is sent; none of a plain number
  * @param {number} [factor]  of the unit of the field
@@ -85,6 +96,7 @@ export function typed(given, si, factor = 1) {
   const [, number, by = '1', sign = ''] = GIVEN.exec(given.trim().replaceAll(',', '.').replace('−', '-')) ?? [];
   const [units, unit] = [unitsOf(si), plain(sign)];
   const times = !sign ? factor : Object.hasOwn(units, unit) ? units[unit] : NaN;
+  if (ambiguous(given)) return NaN;
   const value = (Number(number) / Number(by)) * times;
   return Number.isFinite(value) ? Number(value.toPrecision(DIGITS)) : NaN;
 }

@@ -1,21 +1,21 @@
 // What choices and their values are called on the page.
-import { family, named, text } from './catalogue.js';
+import { family, methodOf, text } from './catalogue.js';
 
-/** @param {string} name */
-export const naming = (name) => named('method', name);
-/** @param {string} name */
-export const shortly = (name) => named('method-short', name);
+/** @typedef {{ name: string, modes?: number | null, elements?: number | null, model?: string | null }} Called */
+
+/** @param {Called} solution */
+export const shortly = ({ name, model }) => methodOf(name, model ?? '', '-short');
 
 /**
  * A method with its resolution, as a reader calls it.
- * @param {{ name: string, modes?: number | null, elements?: number | null }} solution
+ * @param {Called} solution
  */
-export const called = ({ name, modes, elements }) =>
+export const called = ({ name, modes, elements, model }) =>
   modes && name in COUNTED.modes
     ? text(`method.${name}.modes`, { modes })
     : elements && name in COUNTED.elements
       ? text(`method.${name}.elements`, { elements })
-      : naming(name);
+      : methodOf(name, model ?? '');
 
 const COUNTED = {
   modes: { modal: true, 'mode-switch': true, 'fe-modal': true },

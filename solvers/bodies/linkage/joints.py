@@ -84,9 +84,7 @@ class Drive:
         """From a table of `target.drives`. Raises SceneError naming the key."""
         given = validation.table(key, given, cls.KEYS)
         joint = _read_joint(key, given, joints)
-        initial = given.get("initial", False)
-        if not isinstance(initial, bool):
-            raise SceneError(f"{key}.initial", initial, allowed("flag"))
+        initial = validation.flag(f"{key}.initial", given.get("initial", False))
         unit = "m/s" if joints[joint].kind == system.PRISMATIC else "rad/s"
         return cls(joint, validation.required_number(key, given, "speed", -FASTEST, FASTEST, unit), initial)
 

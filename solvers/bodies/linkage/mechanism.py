@@ -153,7 +153,7 @@ class Mechanism(AnyBody):
         if section is not None and section.second_moment is not None:
             side = float(np.sign(self.frozen.system.links[self.frozen.link].axes[1] @ self.frozen.normal))
             fibre = side * section.half_depth / section.second_moment
-        return StruckMechanism(self.frozen, fibre, link.material, self.radius, self.flexible)
+        return StruckMechanism(self, self.frozen, fibre, link.material, self.radius, self.flexible)
 
     @cached_property
     def extent(self) -> float:

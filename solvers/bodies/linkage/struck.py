@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Self
 
@@ -20,6 +20,7 @@ class StruckMechanism(AnyBody):
     drives hold it. Positions are along the normal, from where it would be without the impact.
     """
 
+    mechanism: Any  # the whole of it
     frozen: Frozen
     fibre: float  # stress on its struck side per unit of the bending moment there, 1 / W [1/m3]
     material: Material | None
@@ -38,6 +39,20 @@ class StruckMechanism(AnyBody):
 
     def table(self) -> dict[str, Any]:
         raise TypeError("a mechanism is written as a whole")
+
+    @property
+    def most_modes(self) -> int:
+        """Of any link, of bending or of stretching; 0 where all are rigid."""
+        return self.mechanism.most_modes
+
+    @property
+    def refined(self) -> Self:
+        """The same with more modes of each link that has any, of a mesh up to all it has."""
+        return replace(self._finer.at_rest, falls=self.falls)
+
+    @cached_property
+    def _finer(self) -> Any:
+        return self.mechanism.with_own_modes(self.mechanism.refined.most_modes)
 
     @property
     def acceleration(self) -> float:

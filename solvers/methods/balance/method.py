@@ -16,10 +16,11 @@ from ...numerics.free_motion import Turn, exact_turn, newmark_turn
 from ...numerics.modes import Modes
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.solution import Solution, summary
+from ...solution.solution import Solution
+from ...solution.summary import summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..estimates import error_left
+from ..estimates import error_left, with_error
 from ..options import option, real, whole, word
 from ..validity import bodies_that_bend, notes_on_rigid_impact
 from .motion import MOST_NUMBERS, BalanceMotion, Pair, Run
@@ -45,13 +46,14 @@ class Others(NamedTuple):
     factor_of_more: float  # for several, whose waves meet
 
 
-# Finer ones only where they cost no more than 120 elements do. Factors: `tests/random_estimates.py`.
+# Finer ones where they cost a second at most. Factors: `tests/random_estimates.py`.
 OTHERS = (
     Others(30, (3.0, 4.0), 2.0, 2.6),
-    Others(60, (3 / 2, 2.0), 2.4, 2.6),
+    Others(200, (2.0, 3.0), 2.2, 2.4),
     Others(math.inf, (0.7, 0.6, 1 / 2, 2 / 5, 1 / 3, 1 / 4), 2.7, 2.9),
 )
-OTHERS_OF_BEAMS = OTHERS[1:]  # whose highest mode swings with the square of its number
+# Of beams the highest mode swings with the square of its number.
+OTHERS_OF_BEAMS = (Others(60, (3 / 2, 2.0), 2.4, 2.6), OTHERS[-1])
 
 
 @dataclass(frozen=True)
@@ -127,7 +129,6 @@ class Balance(Method):
         found = summary(scene, motion, contacts, run.duration, wall_time)
         found["diagnostics"] |= {
             "steps": run.steps,
-            "estimated_error": self._estimated_error(scene, run) if self.estimate else None,
             "balances": int(run.balances.sum()),
             "resolved_time": run.pair.resolved_time,
         }
@@ -142,7 +143,7 @@ class Balance(Method):
             peak_indentation=None,
             residual_indentation=None,
             notes=self._notes(scene, run),
-            **found,
+            **with_error(found, lambda: self._estimated_error(scene, run) if self.estimate else None),
         )
 
     def _notes(self, scene: Scene, run: Run) -> list[Note]:

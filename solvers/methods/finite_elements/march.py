@@ -11,12 +11,20 @@ from ...contact import Linear
 from ...contact.duration import contact_time
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.solution import Solution, summary
+from ...solution.solution import Later, Solution
+from ...solution.summary import summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..estimates import error_left
+from ..estimates import error_left, with_error
 from ..options import option, real, whole
-from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
+from ..validity import (
+    STILL_TOUCHING,
+    bodies_that_bend,
+    cut_short,
+    missed_dashpot,
+    notes_on_front,
+    notes_on_rigid_impact,
+)
 from .motion import Course, ElementMotion
 
 # Of the shortest contact there can be. With fewer the peak force is off by more than the mesh is; orders:
@@ -29,11 +37,13 @@ MAX_USUAL_STEPS = 60_000
 MAX_STEPS = 4_000_000  # of any solve; it is ended there, which is said
 SNAPSHOTS = 1000  # of all nodes, over the time expected
 MOST_NUMBERS = 10_000_000  # doubles kept of nodes
-# Of an estimate: other meshes, as shares of the elements; of a rigid contact more of them, as its rebound scatters. Few
-# elements are held against more of them, which say more and still cost little.
-SHARES, RIGID_SHARES, FINER_SHARES, FEW_ELEMENTS = (1 / 2, 1 / 3), (1 / 2, 2 / 5, 1 / 3, 1 / 4), (3 / 2, 2.0), 30
-MAX_SURE_CONTACTS = 6  # of a stiff contact with a beam; of more, the later ones hang on rounding, which is said
 SETTLED_ERROR = 1e-3  # estimated; with less, many contacts by a law are well determined all the same
+# Of an estimate: other meshes, as shares of the elements. Against much finer ones the difference is the error; of more
+# elements they are as fine as is bearable, and of many, or in beams, coarser: more of them if the contact is rigid, as
+# its rebound scatters.
+MUCH_FINER, FINER, COARSER, COARSER_RIGID = (4.0, 6.0), (3 / 2, 2.0), (1 / 2, 1 / 3), (1 / 2, 2 / 5, 1 / 3, 1 / 4)
+FEW_ELEMENTS, MANY_ELEMENTS = 30, 100
+MAX_SURE_CONTACTS = 6  # of a stiff contact with a beam; of more, the later ones hang on rounding, which is said
 ELEMENTS_RANGE = (1, 2000)
 
 
@@ -71,7 +81,6 @@ class FiniteElements(Method):
         found["diagnostics"] |= {
             "steps": course.steps,
             "momentum_error": motion.momentum_error(),
-            "estimated_error": self._estimated_error(scene, course) if self.estimate and not course.diverged else None,
             "raw_contacts": motion.raw_contacts()[0].size,
             "raw_peak_force": float(course.force.max()),
             "resolved_time": course.resolved_time,
@@ -87,10 +96,17 @@ class FiniteElements(Method):
             peak_force=max(contact.peak_force for contact in contacts),
             peak_indentation=depth,
             residual_indentation=None if depth is None else float(scene.contact.dent(depth)),
-            notes=self._notes(scene, motion, duration, len(contacts), found["diagnostics"]["estimated_error"])
-            + self._energy_notes(found["diagnostics"]),
-            **found,
+            notes=Later(lambda solved: self._all_notes(solved, motion, duration)),  # pyright: ignore[reportArgumentType]
+            **with_error(found, lambda: self._error(scene, course)),
         )
+
+    def _error(self, scene: Scene, course: Course) -> float | None:
+        return self._estimated_error(scene, course) if self.estimate and not course.diverged else None
+
+    def _all_notes(self, solved: Solution, motion: ElementMotion, duration: float | None) -> list[Note]:
+        found = solved.diagnostics
+        notes = self._notes(solved.scene, motion, duration, len(solved.contacts), found["estimated_error"])
+        return notes + self._energy_notes(found)
 
     def _energy_notes(self, diagnostics: Mapping[str, Any]) -> list[Note]:
         """What the figures themselves say."""
@@ -129,57 +145,65 @@ class FiniteElements(Method):
         """
         rigid, scale = scene.rigid_contact, scene.impactor.mass * scene.speed
 
-        def difference(method: Self, scene: Scene) -> float:
+        def difference(method: FiniteElements, scene: Scene = scene) -> float:
             return float(course.impulse[-1] - method._course(scene, course.duration).impulse[-1]) / scale
 
-        few = self.elements <= FEW_ELEMENTS
-        others = [
-            self._with_share(scene, share) for share in (FINER_SHARES if few else RIGID_SHARES if rigid else SHARES)
-        ]
-        order, factor = self._order_and_factor(scene, few)
-        estimated = factor * error_left([(self._share(other), difference(other, scene)) for other in others], order)
+        estimated = self._left_by_mesh(scene, difference)
         cut = scene.target.with_single_elements_cut(self.elements)
         if cut is not scene.target:  # which no coarser mesh can show
-            finer = difference(replace(self, steps=None), replace(scene, target=cut))
-            estimated = max(estimated, 2.0 * abs(finer))
-        if rigid and scene.halting_time < self._known_down_to(scene, course):
+            again = difference(replace(self, steps=None), replace(scene, target=cut))
+            estimated = max(estimated, 2.0 * abs(again))
+        known = self._known_down_to(scene, course)
+        if rigid and scene.halting_time < known:
             return max(estimated, 1.0)  # shorter than the mesh resolves: all meshes are wrong alike
-        return estimated if rigid or bodies_that_bend(scene) else max(estimated, self._unfelt(scene, course))
+        if rigid or bodies_that_bend(scene):
+            return estimated
+        return max(
+            estimated, missed_dashpot(scene, contact_time(scene.contact, scene.reduced_mass, scene.speed), known)
+        )
 
-    def _order_and_factor(self, scene: Scene, finer: bool) -> tuple[float, float]:
+    def _left_by_mesh(self, scene: Scene, difference: Callable[["FiniteElements"], float]) -> float:
+        """The error by other meshes; `difference`: of the final velocity to that of another, of the impact speed."""
+        others = [self._with_share(scene, share) for share in self._shares(scene)]
+        order, factor = self._order_and_factor(scene)
+        return factor * error_left([(self._share(other), difference(other)) for other in others], order)
+
+    def _shares(self, scene: Scene) -> tuple[float, ...]:
+        """Other meshes, as shares of the elements."""
+        if self.elements <= FEW_ELEMENTS:
+            return FINER if scene.bends else MUCH_FINER
+        if self.elements <= MANY_ELEMENTS and not scene.bends:
+            return FINER
+        return COARSER_RIGID if scene.rigid_contact else COARSER
+
+    def _order_and_factor(self, scene: Scene) -> tuple[float, float]:
         """The order of the error in the elements, about or somewhat less, and a factor on what differences leave by it:
         random impacts keep to it so. What runs through several rods scatters, as no two meshes share them out alike.
         """
+        alone, shares = len(scene.impactor.rods) + len(scene.target.rods) == 1, self._shares(scene)
         if scene.rigid_contact:
-            return self._of_rigid_contact(scene, finer)
-        if bodies_that_bend(scene):
+            return self._of_rigid_contact(scene, alone)
+        if scene.bends:
             return 2.0, 1.25
-        if finer:
-            return 1.0, 1.0
-        return 4 / 3 if scene.contact.JUMPS else 3 / 2, 1.0 if _alone(scene) else 2.5
+        jumps = scene.contact.JUMPS
+        if shares is MUCH_FINER:
+            return (4 / 3 if jumps else 2.0), 1.5
+        if shares is FINER:
+            return (4 / 3, 2.0 if alone else 2.5) if jumps else (2.0, 1.5 if alone else 2.0)
+        return 4 / 3 if jumps else 3 / 2, 1.0 if alone else 2.5
 
-    def _of_rigid_contact(self, scene: Scene, finer: bool) -> tuple[float, float]:
+    def _of_rigid_contact(self, scene: Scene, alone: bool) -> tuple[float, float]:
         """Order and factor, see `_order_and_factor`."""
-        if finer:
+        shares = self._shares(scene)
+        if shares is MUCH_FINER:
+            return 1.0, 2.0
+        if shares is FINER:
             return 1.0, 3.0
-        return 1.0 if scene.target.fixed else 2 / 3, 2.8 if _alone(scene) else 4.2
+        return 1.0 if scene.target.fixed else 2 / 3, 2.8 if alone else 4.2
 
     def _share(self, other: Self) -> float:
         """Of the resolution that another has."""
         return other.elements / self.elements
-
-    def _unfelt(self, scene: Scene, course: Course) -> float:
-        """What an impact under a law on a rod is off by, of the speed of approach, where all meshes are wrong alike.
-
-        A mass so light that it is stopped before a wave has left the struck node, and a contact so short, meet that
-        node as a mass, where a rod would give way at F / Z; that takes pi^2 / 2 m / (Z t) of the speed from a spring.
-        Measured at mass ratios of 60 to 1000, 6 to 200 elements: 0.3 to 1.6 times what is returned.
-        """
-        shortest = self._known_down_to(scene, course)
-        touch = contact_time(self._law(scene), scene.reduced_mass, scene.speed)
-        if scene.halting_time >= shortest:
-            return 0.0
-        return min(3.0 * scene.halting_time / touch, 1.0) * min(0.6 * shortest / touch, 1.0) ** 2
 
     def _known_down_to(self, scene: Scene, course: Course) -> float:
         """The shortest period of the mesh at the contact [s], or half a swing of what strikes a beam on the local
@@ -225,11 +249,6 @@ class FiniteElements(Method):
 
     @abstractmethod
     def _course(self, scene: Scene, duration: float | None) -> Course: ...
-
-
-def _alone(scene: Scene) -> bool:
-    """Whether waves run in one rod only."""
-    return len(scene.impactor.rods) + len(scene.target.rods) == 1
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from ...scene import Scene
 from ...solution.sampled_motion import ShapeField, given_up, growth
 from ...text.notes import Note, Severity
 from ..options import option, whole, word
-from .march import ELEMENTS_RANGE, FiniteElements, Plan, end, follow
+from .march import ELEMENTS_RANGE, FINER, MUCH_FINER, FiniteElements, Plan, end, follow
 from .motion import Course, shape_field
 
 STEPS_PER_PERIOD = 20  # of the highest mode kept
@@ -73,10 +73,12 @@ class FeModal(FiniteElements):
         elements = other.elements if other._gives_way(scene) else self.elements
         return replace(other, elements=elements, modes=None if kept is None else max(1, round(share * kept)))
 
-    def _of_rigid_contact(self, scene: Scene, finer: bool) -> tuple[float, float]:
+    def _of_rigid_contact(self, scene: Scene, alone: bool) -> tuple[float, float]:
         if not self._massless(scene):
-            return super()._of_rigid_contact(scene, finer)
-        return 1.0, 1.5 if finer else 2.0 if len(scene.target.rods) == 1 else 3.0
+            return super()._of_rigid_contact(scene, alone)
+        if self._shares(scene) is MUCH_FINER:
+            return 1.0, 1.5
+        return 1.0, 2.0 if self._shares(scene) is FINER or len(scene.target.rods) == 1 else 3.0
 
     def why_not(self, scene: Scene) -> Note | None:
         reason = super().why_not(scene)
@@ -99,7 +101,7 @@ class FeModal(FiniteElements):
             return body.modes(1)
         mesh = body.mesh(self.elements, AVERAGED if massless else CONSISTENT)
         if not mesh.bends:
-            return mesh_modes(mesh, kept, massless)
+            return mesh_modes(mesh, kept, massless).excited()
         if massless:  # the upper half is the mesh's own, and something must be left out to give way
             kept = min(kept, (mesh.size - mesh.free.shape[0]) // 2)
         modes = mesh_modes(mesh, kept).excited()

@@ -3,36 +3,56 @@
 import math
 from collections.abc import Callable
 
-from ...bodies import FlexiblePendulum, Waveguide
+import numpy as np
+
+from ...bodies import AnyBody, FlexiblePendulum, Waveguide
+from ...bodies.linkage.struck import StruckMechanism
 from ...scene import Scene
-from ..estimates import error_left
+from ..estimates import LEFT_BY_MODES, error_left
 from ..validity import bodies_that_bend
 from .motion import ModalMotion
 
-# Other numbers of modes, as shares; of a rigid contact more of them, as its rebound scatters.
-SHARES, RIGID_SHARES, FINER_SHARES = (1 / 2, 2 / 3), (1 / 2, 2 / 5, 1 / 3, 1 / 4), (3 / 2, 2.0)
+MOST_MODES = 10_000  # of any solve
+
+# Other numbers of modes, as shares. Against many more the difference is the error.
+MANY_MORE, MORE, FEWER = (4.0, 6.0), (3 / 2, 2.0), (1 / 2, 2 / 3)
+FEWER_RIGID = (1 / 2, 2 / 5, 1 / 3, 1 / 4)  # more of them, as the rebound scatters
 FEW_MODES = 20
+FADING_RATIO = 0.8  # target over impactor
+# Of the first contact by a law: shortest periods that it must last for all modes left out to follow it as springs do,
+# and steps in which twice its time is solved with as many modes as that takes.
+PERIODS_OF_SPRINGS, STEPS_OF_FIRST_CONTACT = 4.0, 400
+SCATTER = 1.1  # of that about its order
 MIN_IMPULSE_SHARE = 0.2  # of the largest impulse: shorter contacts of less are not asked to be resolved
 MIN_STEPS_PER_CONTACT = 20.0  # with fewer neither its peak nor its losses are resolved, which is said
 
 
-def error_of_modes(motion: ModalMotion, modes: int, solved: Callable[[int], float]) -> float:
-    """Of the final velocity, relative to the impact speed. `solved`: that velocity by so many modes in half the steps.
+def error_of_modes(
+    motion: ModalMotion, modes: int, solved: Callable[[int, AnyBody], float], begun: Callable[[int, float], float]
+) -> float:
+    """Of the final velocity, relative to the impact speed. `solved`: that velocity by so many modes, and a target, in
+    steps to match; `begun`: that at an instant of the first contact [s] by so many.
 
-    Of few modes, as of a pendulum that has its own, against more, which cost little: fewer are no beam any longer. The
-    factors are such that random impacts keep to it: `tests/random_estimates.py`.
+    Of few modes, as of a pendulum or of links that have their own, against more, which cost little: fewer are no beam
+    any longer. The factors are such that random impacts keep to it: `tests/random_estimates.py`.
     """
     scene = motion.scene
 
-    def difference(count: int) -> float:
-        return (motion.final_velocity - solved(count)) / scene.speed
+    def difference(count: int, target: AnyBody = scene.target) -> float:
+        return (motion.final_velocity - solved(count, target)) / scene.speed
 
-    if any(motion.pair.truncated):
+    missed = _missed_by_springs(motion, modes, begun)
+    if isinstance(scene.target, StruckMechanism) and scene.target.most_modes:
+        estimated = LEFT_BY_MODES * abs(difference(2 * modes, scene.target.refined))
+    elif not any(motion.pair.truncated):
+        estimated = abs(difference(modes))
+    elif missed is not None and len(motion.contacts()) == 1:
+        estimated = missed
+    else:
         shares, order, factor = _others(scene, modes)
         counts = [max(1, round(share * modes)) for share in shares]
         estimated = factor * error_left([(count / modes, difference(count)) for count in counts], order)
-    else:
-        estimated = abs(difference(modes))
+        estimated = max(estimated, missed or 0.0)
     steps = steps_of_a_contact(motion)
     if steps < MIN_STEPS_PER_CONTACT:  # so coarse that half the steps may be as wrong; second order
         estimated = max(estimated, 2.0 * steps**-2.0)
@@ -43,12 +63,44 @@ def error_of_modes(motion: ModalMotion, modes: int, solved: Callable[[int], floa
 
 def _others(scene: Scene, modes: int) -> tuple[tuple[float, ...], float, float]:
     """Other numbers of modes, as shares, the order of the error and a factor on what they leave."""
-    few = modes <= FEW_MODES or isinstance(scene.impactor, FlexiblePendulum)
-    if few and not scene.target.own_modes:  # which has no more
-        return FINER_SHARES, 1.0, 1.0
+    few, jumps = modes <= FEW_MODES, scene.contact.JUMPS
+    ringing = [body for body in (scene.impactor, scene.target) if body.time_unit is not None]
+    if all(isinstance(body, Waveguide) for body in ringing):
+        if few:
+            return (MANY_MORE, 1.0, 1.5) if scene.rigid_contact else (MANY_MORE, 4 / 3, 1.25)
+        if (
+            scene.rigid_contact
+        ):  # a free rod about as heavy as the mass is left while the force is fading, which settles slowly
+            return MORE, 2 / 3 if not scene.target.fixed and scene.mass_ratio > FADING_RATIO else 3 / 2, 2.6
+        return (MORE, 4 / 3, 2.0) if jumps else (MORE, 2.0, 2.0)
+    if few or isinstance(scene.impactor, FlexiblePendulum):
+        return MORE, 1.0, 1.0
     if scene.rigid_contact:
-        return RIGID_SHARES, 1.0, 1.75
-    return SHARES, 4 / 3 if scene.contact.JUMPS else 2.0, 1.0
+        return FEWER_RIGID, 1.0, 1.75
+    return FEWER, 4 / 3 if jumps else 2.0, 1.0
+
+
+def _missed_by_springs(motion: ModalMotion, modes: int, begun: Callable[[int, float], float]) -> float | None:
+    """What the first contact with a rod by a law is off by as modes left out are springs, of the speed of approach.
+
+    One shorter than their periods meets a dashpot, the impedance of the rod. Against as many modes as make springs of
+    those left out then, for twice as long as it lasts; second order in them. None where they are springs to it anyway.
+    """
+    scene, resolved = motion.scene, motion.pair.resolved_time
+    ringing = [body for body in (scene.impactor, scene.target) if body.time_unit is not None]
+    if scene.rigid_contact or not all(isinstance(body, Waveguide) for body in ringing):
+        return None
+    first = motion.contacts()[0]
+    lasts = first.end - first.start
+    end = min(first.end + lasts, motion.duration)
+    asked = math.ceil(modes * PERIODS_OF_SPRINGS * resolved / lasts)
+    if asked <= modes:
+        return None
+    if asked > PERIODS_OF_SPRINGS * MOST_MODES:
+        return 1.0
+    velocity = float(motion.impactor_velocity(np.array([end]))[0])
+    difference = abs(velocity - begun(min(asked, MOST_MODES), end)) / scene.speed
+    return SCATTER * difference / (1.0 - PERIODS_OF_SPRINGS**-2.0)
 
 
 def _fading_time(scene: Scene) -> float:

@@ -6,17 +6,20 @@ from typing import Any
 
 import numpy as np
 
+from ... import validation
 from ...bodies import AnyBody, Beam, Bending, Pivoted, Rod
 from ...numerics.modes import Modes
 from ...numerics.oscillators import Record, Residual, march
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.solution import Later, Solution, later, summary
+from ...solution.solution import Later, Solution, later
+from ...solution.summary import summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, MAX_ROUND_TRIPS, Method
-from ..options import flag, option, whole, word
+from ..estimates import with_error
+from ..options import option, whole, word
 from ..validity import STILL_TOUCHING, bodies_that_bend, cut_short, notes_on_front, notes_on_rigid_impact
-from .estimate import MIN_STEPS_PER_CONTACT, error_of_modes, steps_of_a_contact
+from .estimate import MIN_STEPS_PER_CONTACT, MOST_MODES, STEPS_OF_FIRST_CONTACT, error_of_modes, steps_of_a_contact
 from .frames import frame_figures, pivot_figures
 from .motion import ModalMotion, last_touch
 from .pair import Pair
@@ -62,11 +65,11 @@ class Modal(Method):
     Differs: thesis 8.2 takes the stiffness of the neighbouring element and misses the second contact below 400 modes.
     """
 
-    modes: int = option(50, whole(1, 10_000))
+    modes: int = option(50, whole(1, MOST_MODES))
     steps: int | None = option(None, whole(10, MAX_STEPS))  # over the whole duration
     # of a free rod or a beam on a pin: floating frame and the shapes that go with it
     frame: str = option("mean-axis", word(FRAMES))
-    residual: bool = option(True, flag)  # whether the modes left out give way
+    residual: bool = option(True, validation.flag)  # whether the modes left out give way
     estimate: bool = field(default=True, repr=False)  # the error, which costs as much again
     coarser: float = field(default=1.0, repr=False)  # times the usual step, where no steps are asked for
 
@@ -106,14 +109,18 @@ class Modal(Method):
             peak_indentation=None if rigid else deepest,
             residual_indentation=None if rigid else float(scene.contact.dent(deepest)),
             notes=Later(lambda _: self._notes(scene, motion, duration is not None, contacts)),  # pyright: ignore[reportArgumentType]
-            **later(lambda: self._figures(scene, motion, contacts, wall_time)),
+            **self._later_figures(scene, motion, contacts, wall_time),
         )
+
+    def _later_figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
+        """Figures worked out when they are read; the error, which takes other solves, with the diagnostics alone."""
+        found = later(lambda: self._figures(scene, motion, contacts, wall_time))
+        return with_error(found, lambda: self._estimated_error(scene, motion) if self.estimate else None)
 
     def _figures(self, scene: Scene, motion: ModalMotion, contacts: list, wall_time: float) -> dict[str, Any]:
         found = summary(scene, motion, contacts, motion.duration, wall_time)
         found["diagnostics"] |= {
             "steps": motion.steps,
-            "estimated_error": self._estimated_error(scene, motion) if self.estimate else None,
             "raw_contacts": len(motion.raw_contacts()[0]),
             "raw_peak_force": float(motion.record.contact_force.max()),
             "resolved_time": motion.pair.resolved_time,
@@ -209,19 +216,23 @@ class Modal(Method):
         return body.known_as(Rod).attached_modes(self.modes, self.frame == "attached")
 
     def _estimated_error(self, scene: Scene, motion: ModalMotion) -> float | None:
-        """Of the final velocity, relative to the impact speed: against other numbers of modes and half the steps.
+        """Of the final velocity, relative to the impact speed: against other numbers of modes, in half the steps or so
+        many that they resolve them.
 
         None where the target says itself how many modes it has and nothing but they gives way.
         """
         if scene.target.own_modes and scene.rigid_contact:
             return None
-        steps = max(10, motion.steps // 2)
 
-        def solved(modes: int) -> float:
-            other = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes))
+        def solved(modes: int, target: AnyBody) -> float:
+            steps = max(10, math.ceil(0.5 * motion.steps * max(1.0, modes / self.modes / 2.0)))
+            other = replace(scene, impactor=scene.impactor.with_share_of_modes(modes / self.modes), target=target)
             return replace(self, modes=modes, steps=steps)._march(other, motion.duration).final_velocity
 
-        return error_of_modes(motion, self.modes, solved)
+        def begun(modes: int, until: float) -> float:
+            return replace(self, modes=modes, steps=STEPS_OF_FIRST_CONTACT)._march(scene, until).final_velocity
+
+        return error_of_modes(motion, self.modes, solved, begun)
 
     def _march(self, scene: Scene, duration: float | None) -> ModalMotion:
         pair = self.pair(scene)

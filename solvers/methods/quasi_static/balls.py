@@ -11,7 +11,8 @@ from ...numerics.ball_chain import Course, follow
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion
-from ...solution.solution import ContactPeriod, Solution, summary
+from ...solution.solution import ContactPeriod, Solution
+from ...solution.summary import summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW
 from ..validity import STILL_TOUCHING

@@ -14,7 +14,8 @@ from ...numerics.single_degree import SQUARE, Response, against_equal, on_spring
 from ...provenance import clock
 from ...scene import Scene
 from ...solution.sampled_motion import SampledMotion, ShapeField, field_as_a_whole
-from ...solution.solution import ContactPeriod, Solution, summary
+from ...solution.solution import ContactPeriod, Solution
+from ...solution.summary import summary
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..options import option, word
@@ -57,7 +58,7 @@ class QuasiStatic(Method):
     BEAMS = ROWS = True
 
     def why_not(self, scene: Scene) -> Note | None:
-        model = self._model(scene)
+        model = self.model_of(scene)
         target, kinds = scene.target, {"impactor": scene.impactor.kind, "target": scene.target.kind}
         if isinstance(target, Waveguide) and (target.endless or not isinstance(target, Rod)):
             return Note("refusals.no-finite-body", Severity.REFUSAL)
@@ -85,7 +86,8 @@ class QuasiStatic(Method):
     def _miscounts(self) -> str:
         return "one-contact"
 
-    def _model(self, scene: Scene) -> str:
+    def model_of(self, scene: Scene) -> str:
+        """The model that is taken: the one that is asked for, or by "auto" the one that suits the scene."""
         if self.model != "auto":
             return self.model
         if scene.rigid_contact:
@@ -99,9 +101,9 @@ class QuasiStatic(Method):
 
     def _solve(self, scene: Scene, duration: float | None) -> Solution:
         if isinstance(scene.target, Balls):
-            return solve_balls(scene, self.table(), duration)
+            return solve_balls(scene, self.table() | {"model": "local"}, duration)
         begun = clock()
-        model = self._model(scene)
+        model = self.model_of(scene)
         if not model.startswith("structural"):
             found = _local(scene, model, duration)
         elif equal_rods(scene):
@@ -114,7 +116,7 @@ class QuasiStatic(Method):
         results["diagnostics"] |= {"steps": motion.time.size - 1, "model": model} | found.diagnostics
         return Solution(
             scene=scene,
-            method=self.table(),
+            method=self.table() | {"model": model},
             contacts=[contact],
             duration=found.duration,
             motion=motion,

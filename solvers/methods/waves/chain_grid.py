@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from ...bodies import Pulse
 from ...numerics.law_functions import MEMORY, step_function
 from ...numerics.waves import grid as wave_grid
 from ...numerics.waves.events import NO_PULL
@@ -106,14 +107,11 @@ class GridHistory(ChainHistory):
 
     def _pulse(self, count: int) -> np.ndarray:
         """Mean of a prescribed force over every step."""
-        times, forces = self.given.pulse
-        if not self.scene.prescribed_force:
+        pulse = self.scene.impactor
+        if not isinstance(pulse, Pulse):
             return np.zeros(count)
-        edges = self.step * np.arange(count + 1)
-        fine = np.union1d(edges, times)
-        values = np.interp(0.5 * (fine[1:] + fine[:-1]), times, forces, 0.0, 0.0)  # straight in between
-        total = np.concatenate(([0.0], np.cumsum(values * np.diff(fine))))
-        return np.diff(total[np.searchsorted(fine, edges)]) / self.step
+        pushed = pulse.pushed(self.trip * self.step * np.arange(count + 1))
+        return np.diff(pushed) / (self.trip * self.step * self.force_unit)
 
     def estimated_error(self, residual: float, unbalanced: float, tolerance: float) -> float:
         """Without what energies miss: that is first order in the step, and does not come back to the velocities."""

@@ -12,8 +12,9 @@ import numpy as np
 from ...bodies import Pulse, Rod, Waveguide
 from ...contact import Linear, Rigid
 from ...numerics.law_functions import constants_of
+from ...numerics.waves.collocation import NODES
 from ...numerics.waves.parts import ABSORBING, BONDED, FREE, LAW, PRESSED, RIGID_FACES, Chain
-from ...numerics.waves.record import DEPTH, FORCE, LOST, OUT_LEFT, OUT_RIGHT, SPEED, TOTAL_LEFT, TOTAL_RIGHT
+from ...numerics.waves.record import DEPTH, FORCE, LOST, OUT_LEFT, OUT_RIGHT, POINTS, SPEED, TOTAL_LEFT, TOTAL_RIGHT
 from ...scene import Scene
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
@@ -110,11 +111,12 @@ class ChainScene:
         )
 
     def _pulse(self) -> np.ndarray:
-        """Times and values of a prescribed force."""
+        """The smooth pieces of a prescribed force, as `network.solve` takes them."""
         pulse = self.scene.impactor
         if not isinstance(pulse, Pulse):
-            return np.zeros((2, 1))
-        return np.array([pulse.times, pulse.forces]) / np.array([[self.trip], [self.force_unit]])
+            return np.zeros((1, 2 + POINTS))
+        edges, forces = pulse.pieces(NODES)
+        return np.column_stack((edges / self.trip, forces / self.force_unit))
 
     def _masses(self) -> np.ndarray:
         """Of the part to the right of every joint that can open, the contact being one; of the impactor at last."""

@@ -53,10 +53,9 @@ def follow(scene: Scene, until: float, tolerance: float) -> ChainHistory:
 
 def _closing_time(pulse: Pulse, given: ChainScene) -> float:
     """Of all gaps [s], where all before each goes on with the momentum that the force gives; none if that pulls."""
-    momentum = float(np.trapezoid(pulse.forces, pulse.times))
     moved = np.cumsum([rod.mass for rod in given.target.rods])[:-1]
     gaps = np.array([joint.gap for joint in given.target.joints])
-    return float(moved @ gaps) / momentum if momentum > 0.0 else 0.0
+    return float(moved @ gaps) / pulse.impulse if pulse.impulse > 0.0 else 0.0
 
 
 def _difference(history: ChainHistory, coarse: ChainHistory) -> float:

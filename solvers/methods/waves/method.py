@@ -10,7 +10,8 @@ from ...bodies import Waveguide
 from ...contact import Rigid
 from ...provenance import clock
 from ...scene import Scene
-from ...solution.solution import ContactPeriod, Solution, balanced, later, summary, touching
+from ...solution.solution import ContactPeriod, Solution, later
+from ...solution.summary import balanced, summary, touching
 from ...text.notes import Note, Severity
 from ..base import AFTERGLOW, Method
 from ..grazing import one_front

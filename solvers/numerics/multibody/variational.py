@@ -162,10 +162,9 @@ def _variational(linkage, w, q, time, step, reactions):
         if worst <= SETTLED or not worst < last:  # or as good as their rounding lets them be
             break
         last = worst
-    actions(linkage, w.room, w.middle, w.rate, w.momentum, w.force_now)
     for k in range(size):
         q[k] = w.moved[k]
-        w.begun[k] += step * w.force_now[k]
+        w.begun[k] += step * w.force_now[k]  # of the last iteration, after which nothing changes but by rounding
     for i in range(count):
         add_to(w.begun, -w.pushed[i], w.jacobian[i])
         reactions[i] += w.pushed[i]

@@ -174,15 +174,17 @@ def solve(
 
     record, state: new ones, which are filled, or those of a solve that stopped, to go on. contact, joint: their laws,
     see `laws.law_function`; of that of every node the constants (nodes, CONSTANTS), and whether it remembers, and
-    loses (nodes,). pulse (2, points): times and values of the force on a PRESSED node. masses (nodes + 1,), creep: see
-    `separate`. wait: how long after parting no touch may come.
+    loses (nodes,). pulse (pieces, 2 + POINTS): of each smooth piece of the force on a PRESSED node, one after another,
+    its begin, its end and the force at its NODES. masses (nodes + 1,), creep: see `separate`. wait: how long after
+    parting no touch may come.
     """
     chain, record, state, work = refer(chain), refer(record), refer(state), refer(work)
     nodes, capacity = chain.kind.size, record.closed.shape[1]
     for node in range(nodes):
         if chain.kind[node] == PRESSED and record.count[node] == 0:
-            for t in pulse[0]:
-                add_break(state, node, t)
+            for begin, end in pulse[:, :2]:
+                add_break(state, node, begin)
+                add_break(state, node, end)
     while True:
         node, limit, fresh = _next_node(chain, state, until)
         t, was_closed = state.time[node], state.closed[node]

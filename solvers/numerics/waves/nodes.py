@@ -240,20 +240,19 @@ def seen(record, sender, delay, t, seek):
 
 
 @inner_kernel
-def _given_force(pulse, t):
-    """A force given as straight lines between points (2, points), times and values; zero beyond them."""
-    times, forces = pulse[0], pulse[1]
-    if t < times[0] or t > times[-1]:
-        return 0.0
-    low, high = 0, times.size - 1
+def _given_force(pulse, t, step, forces):
+    """Fill `forces` (POINTS,) of a step within one piece of a pulse (pieces, 2 + POINTS), see `network.solve`."""
+    middle, low, high = t + 0.5 * step, 0, pulse.shape[0]  # the force may jump at the ends of the step
     while high - low > 1:
-        middle = (low + high) // 2
-        if times[middle] <= t:
-            low = middle
+        half = (low + high) // 2
+        if pulse[half, 0] <= middle:
+            low = half
         else:
-            high = middle
-    width = times[high] - times[low]
-    return forces[low] + (forces[high] - forces[low]) * ((t - times[low]) / width if width > 0.0 else 1.0)
+            high = half
+    begin, end = pulse[low, 0], pulse[low, 1]
+    for i in range(POINTS):
+        place = min(max((t + step * NODES[i] - begin) / (end - begin), 0.0), 1.0)
+        forces[i] = interpolate(pulse[low, 2:], place) if middle < end else 0.0
 
 
 @inner_kernel
@@ -285,9 +284,7 @@ def simple_forces(chain, state, node, rods, masses, pulse, step, work):
     if kind == ABSORBING:
         copy_to(work.forces, work.from_left)
     elif kind == PRESSED:
-        t, inside = state.time[node], 1e-9 * step
-        for i in range(POINTS):  # seen from inside the step, as the force may jump at its ends
-            work.forces[i] = _given_force(pulse, t + min(max(step * NODES[i], inside), step - inside))
+        _given_force(pulse, state.time[node], step, work.forces)
     elif kind == FREE or not state.closed[node]:
         for i in range(POINTS):
             work.forces[i] = 0.0

@@ -9,8 +9,8 @@ from . import rigid as rigid_waves
 IMPULSE, TARGET, COMPRESSING, ROD = range(4)
 FIGURES = 4
 # and what `strike_all` gives besides
-CONTACTS, PARTING, FINAL, FACE, PEAK, FOLLOWED = range(FIGURES, FIGURES + 6)
-COLUMNS = FIGURES + 6
+CONTACTS, PARTING, FINAL, FACE, PEAK, TOUCHING, FOLLOWED = range(FIGURES, FIGURES + 7)
+COLUMNS = FIGURES + 7
 
 
 @kernel
@@ -59,7 +59,8 @@ def strike_all(beta, reflection, afterglow, sent, out):
 
     beta, reflection (impacts,); sent: room for one of them; out (impacts, COLUMNS): those of `figures`, the number of
     contacts, the time T of the last parting, velocity of the mass after it and of the struck face just after it in the
-    impact speed, peak stress, and 1 if the impact was followed to its end within so much room, else 0.
+    impact speed, peak stress, the time T in contact, and 1 if the impact was followed to its end within so much room,
+    else 0.
     """
     for i in range(beta.size):
         status, pieces, count = rigid_waves.strike(beta[i], reflection[i], rigid_waves.FOREVER, sent)
@@ -71,6 +72,7 @@ def strike_all(beta, reflection, afterglow, sent, out):
         end, integral = last[1] + afterglow, sent.integral[: pieces + 1]
         figures(end, beta[i], reflection[i], start, coefficients, degrees, integral, contacts, out[i])
         out[i, CONTACTS], out[i, PARTING], out[i, FINAL], out[i, FACE] = count, last[1], last[3], last[6]
-        out[i, PEAK] = 0.0
+        out[i, PEAK], out[i, TOUCHING] = 0.0, 0.0
         for n in range(count):
+            out[i, TOUCHING] += contacts[n, 1] - contacts[n, 0]
             out[i, PEAK] = max(out[i, PEAK], contacts[n, 4])

@@ -5,8 +5,8 @@ import json
 from app.command.main import main
 
 KEYS = {
-    "scene", "method", "contacts", "impulse", "peak_force", "peak_indentation", "residual_indentation", "impactor",
-    "target", "restitution", "energy", "diagnostics", "duration", "notes", "note_codes",
+    "scene", "method", "contacts", "contact_time", "impulse", "peak_force", "peak_indentation", "residual_indentation",
+    "impactor", "target", "restitution", "energy", "diagnostics", "duration", "notes", "note_codes",
 }  # fmt: skip
 
 

@@ -33,6 +33,13 @@ def test_help(capsys):
     assert "solve" in capsys.readouterr().out
 
 
+def test_version(capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(["--version"])
+    assert ended.value.code == 0
+    assert capsys.readouterr().out == f"{solvers.__version__}\n"
+
+
 @pytest.mark.parametrize(
     "arguments",
     [

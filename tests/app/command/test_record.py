@@ -146,3 +146,18 @@ def test_the_example_comes_with_the_library(capsys):
     assert found["gauges"][0]["shift"] == approx(-37e-6, abs=0.2e-6)
     assert "FILE: got nothing; allowed: one file, or --example" in refusal(capsys, "record", *words)
     assert "FILE: got 'some.csv'" in refusal(capsys, "record", "some.csv", "--example", *words)
+
+
+@pytest.mark.parametrize(
+    "change", ["method.name=waves", "target.length=0.5", 'contact={ law = "hertz", stiffness = 1e10 }']
+)
+def test_what_was_saved_is_read_back_as_scene_and_record(capsys, tmp_path, change):
+    path = str(tmp_path / "saved.csv")
+    answer(capsys, "solve", "fixed-rod", "--set", change, "--series", path)
+    solution = solvers.solve(solvers.load(path))
+    assert json.loads(answer(capsys, "solve", path, "--json"))["peak_force"] == solution.peak_force
+    found = json.loads(answer(capsys, "record", path, "--scene", path, "--json"))
+    (gauge,) = found["gauges"]
+    assert gauge["kind"] == "force" and gauge["at"] == 0.0
+    assert abs(gauge["shift"]) < 1e-3 * solution.duration and gauge["scale"] == approx(1.0, abs=2e-3)
+    assert gauge["residual"] < 0.03  # jumps are blurred over one step

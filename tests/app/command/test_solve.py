@@ -116,6 +116,12 @@ def test_the_report_for_people(capsys):
     assert "not defined" not in text
 
 
+def test_the_report_says_for_how_long_they_are_in_contact(capsys):
+    for scene, said in (("fixed-rod", "0.0001829458 s   (1.57205 T)"), ("rigid-pendulum", "one impulse, no duration")):
+        assert main(["solve", scene]) == 0
+        assert f"  in contact for       {said}\n" in capsys.readouterr().out
+
+
 def test_the_report_says_what_is_unfinished(capsys):
     text = answer(capsys, "solve", "fixed-rod", "--set", "method.duration=5e-5")
     assert "Note: The bodies are still in contact" in text
@@ -135,12 +141,16 @@ def test_bodies_in_space(capsys, tmp_path):
     assert "no history" in refusal(capsys, "solve", "note-rod", "--series", str(tmp_path / "impact.csv"))
 
 
+def below_the_head(file):
+    return (line for line in file if not line.startswith("#"))
+
+
 def test_a_rigid_impact_on_an_axis_jumps(capsys, tmp_path):
     path = tmp_path / "histories.csv"
     found = result(capsys, "free-rod", "--set", "method.name=rigid", "--series", str(path))
     assert found["contacts"] == [{"start": 0.0, "end": 0.0, "impulse": approx(2.133), "peak_force": None}]
     with path.open(newline="") as file:
-        rows = [[float(value) for value in row.values()] for row in csv.DictReader(file)]
+        rows = [[float(value) for value in row.values()] for row in csv.DictReader(below_the_head(file))]
     assert [row[3] for row in rows] == approx([1.0, 0.0, 0.0], abs=1e-12)  # equal masses exchange their velocities
     assert [row[5] for row in rows] == approx([0.0, 1.0, 1.0], abs=1e-12)
     assert "no duration" in answer(capsys, "solve", "free-rod", "--set", "method.name=rigid")
@@ -153,7 +163,7 @@ def test_series(capsys, tmp_path, change):
     path = tmp_path / "histories.csv"
     found = result(capsys, "fixed-rod", "--set", change, "--series", str(path))
     with path.open(newline="") as file:
-        rows = list(csv.DictReader(file))
+        rows = list(csv.DictReader(below_the_head(file)))
     assert list(rows[0]) == SERIES
     columns = {name: [float(row[name]) for row in rows] for name in SERIES}
     assert all(math.isfinite(x) for values in columns.values() for x in values)

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from app.jobs.fair import HALF_LIFE, Shares
+from app.jobs.fair import HALF_LIFE, MOST, Shares, Stranger
 from app.jobs.turns import Rate, Turnstile
 
 from ..socket_client import run
@@ -23,12 +23,28 @@ def test_shares_fade_and_the_least_served_is_next():
     shares = Shares(clock)
     shares.charge("much", 2.0)
     shares.charge("little", 0.5)
-    assert shares.least(["much", "little", "new"]) == "new" and shares.least(["much", "little"]) == "little"
+    assert sorted(["much", "little", "new"], key=lambda who: shares.place(who, 0.0)) == ["new", "little", "much"]
     clock.now = HALF_LIFE
     assert shares.used("much") == 1.0
-    for number in range(2_000):
+    for number in range(2 * MOST):
         shares.charge(number, 1e-6)
-    assert len(shares._used) < 1_500  # who used nothing worth counting is forgotten
+    assert len(shares._used) == MOST
+
+
+def test_a_stream_of_new_addresses_comes_before_nobody_who_is_in_or_has_waited():
+    """Each had used nothing, and came first: answers to all others took up to 12 s."""
+    clock = Clock()
+    shares = Shares(clock)
+    known = Stranger("pages", "known")
+    shares.charge("visitor", 0.3)
+    shares.charge(known, 0.1)
+    for number in range(3 * MOST):
+        new = Stranger("pages", f"2001:db8:{number:x}::/48")
+        shares.charge(new, 0.004)
+        clock.now += 0.004
+    fresh = Stranger("pages", "fresh")
+    assert shares.place("visitor", 0.0) < shares.place(fresh, 0.0)
+    assert shares.place(known, 0.2) < shares.place(fresh, 0.0)
 
 
 def test_a_rate_gives_its_burst_and_then_so_many_a_second():

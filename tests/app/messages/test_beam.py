@@ -12,8 +12,9 @@ import solvers
 from app.choices.choices import Choices
 from app.choices.request import Request
 from app.choices.scene_of import choices_of, chosen_scene
-from app.messages.beam import MS, PLACES, chosen_method, struck_velocity
+from app.messages.beam import PLACES, chosen_method
 from app.messages.encoding import instants, read_header
+from app.messages.histories import MS, struck_velocity
 from app.messages.solve import solve_frame
 from app.page.picker import scene_groups
 from app.views.convergence import convergence_data

@@ -7,8 +7,9 @@ from pytest import approx
 import solvers
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
-from app.messages.beam import extremes, main_solution
+from app.messages.beam import main_solution
 from app.messages.encoding import read_header
+from app.messages.histories import extremes
 from app.messages.mechanism import rigid_answer
 from app.messages.solve import solve_frame
 from tests.catalog import SCENES

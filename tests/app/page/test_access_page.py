@@ -98,6 +98,14 @@ def test_the_help_says_all_keys_and_gives_the_focus_back(open_page):
     expect(help_).to_be_hidden()
 
 
+def test_the_help_on_a_phone_is_of_fingers(open_page):
+    page = open_page(size=(390, 844), has_touch=True, is_mobile=True)
+    page.tab.get_by_role("button", name="Help").click()
+    help_ = page.tab.get_by_role("dialog", name="Help")
+    expect(help_).to_contain_text("Two fingers on a chart")
+    expect(help_.locator("kbd")).to_have_count(0)
+
+
 def test_the_help_links_to_the_documentation_where_its_address_is_set(open_page):
     page = open_page(drawn=False, own=True)
     page.tab.add_init_script(

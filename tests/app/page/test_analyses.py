@@ -3,6 +3,8 @@
 import pytest
 from playwright.sync_api import expect
 
+import solvers
+
 from .test_page import drag, settled
 
 LONG = 120_000  # ms: in a fresh copy all kernels of all methods are compiled first
@@ -139,3 +141,27 @@ def test_a_bad_file_is_refused_and_the_page_lives(open_page, content, said):
     page.answered(lambda: drag(page, "Impact speed", 0.6))
     page.wait(f"() => !{RECORD}.asking && !strikewave.page.asked")
     page.errors.clear()
+
+
+def test_saved_data_is_read_back_by_the_panel_that_its_link_opens(open_page, tmp_path):
+    page = open_page("?scene=fixed-rod&target.length=0.45&law=hertz&method=modal&panel=record")
+    expect(page.tab.locator(".record-panel")).to_be_visible()
+    with page.tab.expect_download() as download:
+        page.tab.get_by_role("button", name="Save data").click()
+    path = tmp_path / "data.csv"
+    download.value.save_as(path)
+    scene = solvers.load(path)
+    assert scene.target.rods[0].length == 0.45 and scene.contact.NAME == "hertz"
+    assert solvers.solve(scene).peak_force == pytest.approx(page.header("exact")["peakForce"], rel=1e-12)
+    head = [line for line in path.read_text().splitlines() if line.startswith("#")]
+    assert any(line.startswith('# methods = { waves = { name = "waves"') and "modal = {" in line for line in head)
+    assert "panel=record" in head[-1] and head[-1].startswith("# link = ")
+    page.tab.locator("input[type=file]").set_input_files(path)
+    answer = compared(page)
+    assert answer["kind"] == "force" and abs(answer["shift"]) < 1e-6 and answer["scale"] == pytest.approx(1.0, abs=1e-3)
+    page.tab.locator(".record-panel select").select_option("stress")
+    page.wait(f"() => {RECORD}.answer?.kind === 'stress'", timeout=LONG)
+    answer = compared(page)
+    assert answer["at"] == pytest.approx(0.225) and answer["residual"] < 1e-2
+    page.tab.get_by_role("button", name="Close: Compare with measured data").click()
+    page.wait("() => !location.search.includes('panel=record')")

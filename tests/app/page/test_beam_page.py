@@ -5,7 +5,8 @@ import pytest
 from playwright.sync_api import expect
 
 from app.choices.request import Request
-from app.messages.beam import MS, chosen_method
+from app.messages.beam import chosen_method
+from app.messages.histories import MS
 
 from .test_page import check_slider, settled
 
@@ -108,9 +109,10 @@ def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
     page.wait("() => !strikewave.page.beam.inView.owed.has(strikewave.page.beam.dispersion)")
 
 
-def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
+def test_slow_motion_plays_the_first_contacts_and_asks_for_these_alone(open_page):
     page = open_page(SCENE)
-    frames, top = page.quiet(), page.evaluate(STAGE_TOP)
+    page.quiet()
+    solved, top = page.evaluate("() => strikewave.frames"), page.evaluate(STAGE_TOP)
     page.tab.get_by_role("button", name="Slow motion").click()
     page.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0")
     assert page.evaluate(STAGE_TOP) == top
@@ -119,7 +121,10 @@ def test_slow_motion_plays_the_first_contacts_and_sends_nothing(open_page):
     expect(page.tab.locator(".now")).to_contain_text("contact 1 of")
     page.tab.get_by_role("button", name="Show the whole impact").click()
     assert page.evaluate("() => strikewave.page.beam.axis.view[1]") == page.header("duration")
-    assert page.frames == frames
+    page.wait("() => strikewave.page.model.time_in_view !== ''")
+    asked = [float(each) for each in page.evaluate("() => strikewave.page.model.time_in_view").split()]
+    assert asked == pytest.approx([1e-3 * low, 1e-3 * high], rel=1e-6)
+    assert page.evaluate("() => strikewave.frames") == solved
 
 
 def test_colours_and_the_half_space_can_be_changed(open_page):

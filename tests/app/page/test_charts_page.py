@@ -241,7 +241,7 @@ def test_a_chart_can_be_saved(open_page, tmp_path, name):
         download.value.save_as(tmp_path / kind)
     width = int(hand.area.bounding_box()["width"])
     size = np.frombuffer((tmp_path / "PNG").read_bytes()[16:24], ">u4")
-    assert size[0] == 2 * width and size[1] > 300
+    assert size[0] == 2 * width and size[1] > 200
     text = (tmp_path / "SVG").read_text()
     found = page.evaluate(
         """(text) => {
@@ -295,3 +295,16 @@ def test_a_zoomed_picture_of_a_beam_is_computed_anew(open_page):
     page.wait(f"() => ({drawn})()[0] === ({VIEW})()[0] && ({drawn})()[1] === ({VIEW})()[1]")
     page.tab.mouse.dblclick(*hand.at(0.5))
     page.wait(f"() => ({drawn})()[1] === ({DURATION})()")
+
+
+def test_motions_forces_and_pictures_of_rods_are_sampled_for_what_is_in_view(open_page):
+    page = open_page("?scene=fixed-rod")
+    count = """() => { const { axial: { axis, displacements } } = strikewave.page, [low, high] = axis.view;
+      return Array.from(displacements.chart.content.series[0].x).filter((t) => t >= low && t <= high).length; }"""
+    page.evaluate("() => strikewave.page.zoom(1.99, 2.01)")
+    assert page.evaluate(count) < 5
+    page.wait("() => strikewave.page.closer.part")
+    assert page.evaluate(count) > 250
+    seen = "() => strikewave.page.axial.spaceTime.chart.content.picture.x"
+    page.wait(f"() => ({seen})()[0] > 1.9")
+    assert page.evaluate(seen) == page.evaluate("() => strikewave.page.axial.axis.view")

@@ -64,10 +64,24 @@ def test_the_place_is_set_by_hand_and_kept_in_the_address(open_page):
     page.wait("() => location.search.includes('gauge=0.3')")
     field.fill("400")
     field.press("Enter")
-    expect(page.tab.locator(".toast")).to_contain_text("from 0 to 300 mm")
-    expect(field).to_have_value("300")
+    expect(page.tab.locator(".wrong:visible")).to_contain_text("from 0 to 300 mm")
+    expect(field).to_have_value("400")
     again = open_page("?gauge=0.1")
     assert again.evaluate("() => strikewave.page.view.gauge.place") == 0.1
+
+
+def test_a_rod_that_is_short_for_a_while_leaves_the_place_as_it_was(open_page):
+    page = open_page("?gauge=0.1")
+    length = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
+    for written, then in (("30", 0.03), ("300", 0.1)):
+        page.answered(lambda written=written: (length.fill(written), length.press("Enter")))
+        page.wait(f"() => strikewave.page.view.gauge.place === {then}")
+    other = open_page()
+    length = other.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
+    for written, then in (("30", 0.015), ("300", 0.15)):
+        other.answered(lambda written=written: (length.fill(written), length.press("Enter")))
+        other.wait(f"() => strikewave.page.view.gauge.place === {then}")
+    assert "gauge" not in other.tab.url
 
 
 def test_what_is_kept_is_laid_over(open_page):

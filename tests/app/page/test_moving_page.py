@@ -121,3 +121,29 @@ def test_no_name_lies_under_the_mass(open_page):
           return [[...under], [...read]]; }}"""
     )
     assert under == [] and sorted(read) == ["crank", "piston", "rod"]
+
+
+def test_a_stretch_in_view_is_sampled_for_it_so_that_an_impact_is_seen(open_page):
+    page = open_page("?scene=four-bar-moves")
+    impact = page.evaluate("() => strikewave.page.frame.contacts[2][0]")
+    counts = """() => { const { frame, beam: { axis: { view: [low, high] } } } = strikewave.page;
+      const within = (time) => Array.from(time).filter((t) => t >= low && t <= high).length;
+      return ['time', 'reactionTime', 'energyTime'].map((name) => within(frame[name])); }"""
+    page.evaluate(f"() => strikewave.page.zoom({impact - 1}, {impact + 1})")
+    before = page.evaluate(counts)
+    page.wait("() => strikewave.page.closer.part")
+    after = page.evaluate(counts)
+    assert before[1] <= 3 and before[2] <= 3 and after[1] > 10 and after[2] > 10 and after[0] > 400
+    page.evaluate("() => strikewave.page.beam.motion.switch.root.querySelector('[data-kind=velocity]').click()")
+    shown = page.evaluate("""() => { const { series } = strikewave.page.beam.motion.chart.content;
+      return series.slice(0, 2).map(({ x, y }) => [Array.from(x), Array.from(y)]); }""")
+    rates = page.evaluate("() => Array.from(strikewave.page.frame.rates.subarray(8, 12))")
+    for body, (time, velocity) in enumerate(shown):
+        at = next(k for k in range(len(time)) if time[k] == time[k + 1] == approx(impact, rel=1e-6))
+        assert velocity[at : at + 2] == approx([rates[body], rates[2 + body]], rel=1e-5)
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('restitution', 0.6)"))  # another answer
+    page.evaluate(f"() => strikewave.page.zoom({impact - 1}, {impact + 1})")  # the same is asked of it
+    page.wait("() => strikewave.page.closer.frame === strikewave.page.frame")
+    assert page.evaluate(counts)[1] > 10
+    page.evaluate("() => strikewave.page.zoom()")
+    assert page.evaluate("() => strikewave.page.frame.reactionTime.length") < 400

@@ -5,6 +5,7 @@ import math
 import pytest
 from playwright.sync_api import expect
 
+from solvers import load
 from solvers.records.files import load_record
 
 FIRST_END, SECOND_START, SECOND_END = (
@@ -251,11 +252,33 @@ def test_exact_values_can_be_typed_and_wrong_ones_are_refused_with_a_sentence(op
     for wrong in ("5000", "-1", "abc", "0"):
         field.fill(wrong)
         field.press("Enter")
-        expect(page.tab.locator(".toast")).to_contain_text("Mass ratio: ")
-        expect(page.tab.locator(".toast")).to_contain_text("0.001 to 1000")
-        expect(field).to_have_value("0.37")
-        page.evaluate("() => { strikewave.page.toast.hidden = true; strikewave.page.toast.textContent = ''; }")
+        told = page.tab.locator(".field-mass_ratio .wrong")
+        expect(told).to_contain_text(f"Mass ratio: “{wrong}” is not possible. ")
+        expect(told).to_contain_text("0.001 to 1000")
+        expect(field).to_have_value(wrong)  # to be mended, not typed anew
+    field.fill("1,000")
+    field.press("Enter")
+    expect(page.tab.locator(".wrong:visible")).to_contain_text("“1,000” can be read in two ways.")
+    expect(page.tab.locator(".toast:visible")).to_have_count(0)
     assert page.header("chosen")["mass_ratio"] == 0.37
+    page.answered(lambda: drag(page, "Mass ratio", 0.5))
+    expect(page.tab.locator(".wrong:visible")).to_have_count(0)
+
+
+def test_what_was_typed_is_shown_in_the_unit_of_its_field_also_where_nothing_changes(open_page):
+    page = open_page("?law=linear&linear_stiffness=1e6")
+    stiffness = page.tab.locator(".field-linear_stiffness .number")
+    page.answered(lambda: (stiffness.fill("2 kN/mm"), stiffness.press("Enter")))
+    expect(stiffness).to_have_value("2e6")
+    for same in ("2 kN/mm", "2000 N/mm"):
+        stiffness.fill(same)
+        stiffness.press("Enter")
+        expect(stiffness).to_have_value("2e6")
+    box = page.tab.locator(".body").nth(1).get_by_role("textbox", name="Length")
+    box.fill("0.3 m")
+    box.press("Enter")
+    expect(box).to_have_value("300")
+    assert page.evaluate("() => [...document.querySelectorAll('input[inputmode=decimal]')].length") == 0
 
 
 def test_the_address_says_what_is_shown(open_page):
@@ -349,10 +372,11 @@ def test_data_can_be_saved(open_page, tmp_path):
         page.tab.get_by_role("button", name="Save data").click()
     download.value.save_as(tmp_path / "data.csv")
     lines = (tmp_path / "data.csv").read_text().splitlines()
-    assert {"# scene = fixed-rod", "# speed = 1", "# law = rigid"} < set(lines)
+    assert {"# velocity = 1.0", "# length = 0.3", '# law = "rigid"', '# name = "waves"'} < set(lines)
+    assert load(tmp_path / "data.csv").table()["target"] == load("fixed-rod").table()["target"]
     rows = [line for line in lines if not line.startswith("#")]
     assert rows[0].startswith("time_s,force_waves_N")
     assert len(rows) == 2002
-    saved = load_record(tmp_path / "data.csv", kind="force")  # which the page takes back
+    saved = load_record(tmp_path / "data.csv")  # which the page takes back, without a question
     assert saved.values[0] == float(rows[1].split(",")[1]) and saved.values.size == 2001
     assert float(rows[1].split(",")[1]) == pytest.approx(36657.741337949345, rel=1e-6)  # sigma_0 A, thesis (4.9)

@@ -18,9 +18,7 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from app.page.lab import VERSION
 from app.serving.guard import REPORTED, SETTABLE, decide
 from app.serving.limits import MAX_BODY, MAX_REFUSED
-from app.serving.uploads import MAX_RECEIVED
 
-from .. import example_record
 from ..conftest import Page
 from ..socket_client import SocketClient, run
 from .wires import SCRIPT, closed, with_token
@@ -216,21 +214,6 @@ def test_a_body_that_is_too_long_is_not_read(server):
             wire.sendall(head.encode() + b"x" * 1000)
             answer = wire.recv(200)
             assert answer == b"" or answer.startswith((b"HTTP/1.1 400", b"HTTP/1.1 405", b"HTTP/1.1 413"))
-
-
-def test_slow_uploads_hold_nobody_up(server):
-    head = f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nContent-Length: 1000\r\n\r\n"
-    slow = [socket.create_connection(tuple(server.split(":")), timeout=20) for _ in range(MAX_RECEIVED - 1)]
-    for wire in slow:
-        wire.sendall(head.encode())
-    query = "scene=bronze-rod-steel-ball&kind=strain&at=1.0"
-    request = urllib.request.Request(
-        f"http://{server}/record?{query}", example_record.FILE.read_bytes(), {"Origin": f"http://{server}"}
-    )
-    with urllib.request.urlopen(request, timeout=60) as answer:
-        assert answer.status == 200 and json.load(answer)["kind"] == "strain"
-    for wire in slow:
-        wire.close()
 
 
 # --- costly choices ---------------------------------------------------------------------------------------------------

@@ -1,14 +1,13 @@
 """Files of the page: its modules as one; packed for who can read that, plain for others, and the same for both."""
 
 import gzip
-import socket
 import subprocess
 import urllib.request
 
 import pytest
 
 from app.serving.bundle import bundle
-from app.serving.pages import LIBRARIES, STATIC, VERSION, text_of
+from app.serving.pages import FIGURES, LIBRARIES, STATIC, VERSION, text_of
 
 ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "shell/lab.css")} | dict(LIBRARIES)
 
@@ -68,7 +67,7 @@ def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
         bundle(tmp_path, "a.js")
 
 
-@pytest.mark.parametrize("path", ["", "liveness", "?mass_ratio=3"])
+@pytest.mark.parametrize("path", ["", "liveness", "?mass_ratio=3", LIBRARIES[0][0], f"figures/{next(iter(FIGURES))}"])
 def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
     whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=60)
     head = urllib.request.urlopen(urllib.request.Request(f"http://{server}/{path}", method="HEAD"), timeout=60)
@@ -81,15 +80,3 @@ def test_a_link_of_many_fields_is_answered_with_the_page(server, fields):
     """Beyond a thousand it was an empty 400."""
     with urllib.request.urlopen(f"http://{server}/?" + "&".join(["mass_ratio=3"] * fields), timeout=60) as page:
         assert page.status == 200 and b"Strikewave" in page.read()
-
-
-@pytest.mark.parametrize("length", [121_000, 300_000])
-def test_a_link_that_is_too_long_is_answered_in_a_sentence(server, length):
-    """The connection was closed without a byte."""
-    host, port = server.split(":")
-    with socket.create_connection((host, int(port)), timeout=60) as wire:
-        wire.sendall(b"GET /?law=" + b"x" * length)  # the head goes on: nothing that was sent is left unread
-        answer = b""
-        while part := wire.recv(1_000):
-            answer += part
-    assert answer.startswith(b"HTTP/1.1 431") and b"too long" in answer

@@ -5,8 +5,8 @@ import json
 import socket
 import urllib.error
 import urllib.request
-from contextlib import suppress
-from types import SimpleNamespace
+from collections import namedtuple
+from typing import Any
 from urllib.parse import urlencode
 
 import numpy as np
@@ -19,13 +19,15 @@ from tornado.web import Application
 
 from app.serving import uploads
 from app.serving.addresses import Addresses, network_of
-from app.serving.uploads import COMPARED_OF_ONE, MAX_COMPARED, MAX_RECEIVED, MeasuredRecord, first_to_go
+from app.serving.uploads import COMPARED_OF_ONE, MeasuredRecord, first_to_go
 from app.views.record import MAX_POINTS
 from solvers.records.files import MAX_BYTES
 
 from .. import example_record
 from ..socket_client import run
 
+MANY = 20  # records of one address at once
+Held = namedtuple("Held", "address bytes")
 QUERY = {"scene": "bronze-rod-steel-ball", "kind": "strain", "at": "1.0"}
 GOOD = example_record.FILE.read_bytes()
 PEAK = 5582.0  # [N], of the scene itself, tests/app/messages/test_axial.py
@@ -147,62 +149,89 @@ def test_other_pages_may_not_send_records(server, origin):
     assert status == 403 and "this page" in answer["error"]
 
 
-def test_uploads_that_trickle_keep_nobody_out_and_the_longest_of_them_makes_room(server):
+def test_uploads_that_trickle_keep_nobody_out_and_nobody_is_cut_for_them(server):
     host, port = server.split(":")
-    head = f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nContent-Length: 1000\r\n\r\n"
-    waiting = [socket.create_connection((host, int(port)), timeout=20) for _ in range(MAX_RECEIVED + 8)]
-    for wire in waiting:
-        wire.sendall(head.encode())
-    for _ in range(3):
+    head = (
+        f"POST /record?{urlencode(QUERY)} HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\n"
+        f"Content-Length: {len(GOOD)}\r\n\r\n"
+    )
+    with socket.create_connection((host, int(port)), timeout=60) as honest:
+        honest.sendall(head.encode() + GOOD[:-1_000])
+        waiting = [socket.create_connection((host, int(port)), timeout=20) for _ in range(60)]
+        for wire in waiting:
+            wire.sendall(head.encode() + b"1")
         assert post(server, GOOD)[0] == 200
-    ended = 0
-    for wire in waiting:
-        wire.settimeout(20.0 if ended < 8 else 0.01)
-        with suppress(TimeoutError):
-            ended += wire.recv(100).startswith(b"HTTP/1.1 429")
-        wire.close()
-    assert 8 <= ended < 20
+        honest.sendall(GOOD[-1_000:])
+        assert honest.recv(100).startswith(b"HTTP/1.1 200")
+        for wire in waiting:
+            wire.close()
 
 
-def test_of_many_uploads_the_longest_of_the_busiest_address_goes_first():
-    begun = {"modest": (0.0, 1.0), "greedy": (7.0, 5.0, 6.0)}
-    receiving = [SimpleNamespace(address=who, begun=when) for who, times in begun.items() for when in times]
-    assert first_to_go(receiving).begun == 5.0
+def test_of_many_uploads_the_largest_of_the_address_that_holds_most_goes_first():
+    sizes = {"modest": (1_900, 10), "greedy": (700, 900, 800)}
+    held: Any = {Held(who, size): size for who, given in sizes.items() for size in given}
+    assert (gone := first_to_go(held)).address == "greedy" and held[gone] == 900
 
 
-def test_costly_comparisons_of_one_visitor_leave_room_for_others(monkeypatch):
-    """In this process, where a comparison takes until the test lets it end."""
+class Slow:
+    """The handler in this process, where a comparison for these addresses takes until it is let end."""
 
-    async def compared():
-        others, entered = asyncio.Event(), []
+    def __init__(self, monkeypatch, *addresses):
+        self._end = asyncio.Event()
 
-        async def answered(content, arguments, visitor):
-            entered.append(visitor)
-            if visitor == "203.0.113.1":
-                await others.wait()
+        async def answered(content, arguments, address):
+            if address in addresses:
+                await self._end.wait()
             return "{}"
 
         monkeypatch.setattr(uploads, "_answered", answered)
-        settings = {"addresses": Addresses([network_of("127.0.0.1")])}
-        application = Application([("/record", MeasuredRecord)], **settings)
-        application.websocket_origins = {"here:80"}
-        server = HTTPServer(application)
-        wire, port = bind_unused_port()
-        server.add_socket(wire)
+        application = Application([("/record", MeasuredRecord)], addresses=Addresses([network_of("127.0.0.1")]))
+        setattr(application, "websocket_origins", {"here:80"})  # noqa: B010  as Bokeh does
+        self._server = HTTPServer(application)
+        wire, self._port = bind_unused_port()
+        self._server.add_socket(wire)
 
-        async def sent(address):
-            headers = {"Origin": "http://here:80", "X-Forwarded-For": address}
-            request = HTTPRequest(f"http://127.0.0.1:{port}/record", "POST", headers, b"1", request_timeout=60)
-            return (await AsyncHTTPClient(max_clients=100, force_instance=True).fetch(request, raise_error=False)).code
+    async def sent(self, address, content=b"1"):
+        """The status that is answered to somebody there."""
+        headers = {"Origin": "http://here:80", "X-Forwarded-For": address}
+        request = HTTPRequest(f"http://127.0.0.1:{self._port}/record", "POST", headers, content, request_timeout=60)
+        return (await AsyncHTTPClient(max_clients=100, force_instance=True).fetch(request, raise_error=False)).code
 
-        costly = [asyncio.ensure_future(sent("203.0.113.1")) for _ in range(MAX_COMPARED + 4)]
-        while sum(task.done() for task in costly) < MAX_COMPARED + 4 - COMPARED_OF_ONE:
-            await asyncio.sleep(0.01)
-        assert [await sent("203.0.113.2") for _ in range(3)] == [200] * 3
-        others.set()
-        codes = await asyncio.gather(*costly)
-        server.stop()
+    async def end(self, *sent):
+        self._end.set()
+        codes = await asyncio.gather(*sent)
+        self._server.stop()
         return codes
 
+
+def test_costly_comparisons_of_three_addresses_leave_room_for_others(monkeypatch):
+    """24 of them closed it for all."""
+
+    async def compared():
+        addresses = [f"203.0.113.{k}" for k in range(1, 4)]
+        slow = Slow(monkeypatch, *addresses)
+        costly = [asyncio.ensure_future(slow.sent(address)) for address in addresses for _ in range(MANY)]
+        while sum(task.done() for task in costly) < 3 * (MANY - COMPARED_OF_ONE):
+            await asyncio.sleep(0.01)
+        assert [await slow.sent("203.0.113.9") for _ in range(3)] == [200] * 3
+        return await slow.end(*costly)
+
     codes = run(compared())
-    assert codes.count(200) == COMPARED_OF_ONE and codes.count(429) == MAX_COMPARED + 4 - COMPARED_OF_ONE
+    assert codes.count(200) == 3 * COMPARED_OF_ONE and codes.count(429) == 3 * (MANY - COMPARED_OF_ONE)
+
+
+def test_a_record_that_makes_room_while_it_is_compared_is_refused_once(monkeypatch, caplog):
+    """It was answered again, and strangers could have traces written."""
+
+    async def compared():
+        slow = Slow(monkeypatch, "203.0.113.1")
+        monkeypatch.setattr(uploads, "MAX_HELD", 1_000)
+        large = asyncio.ensure_future(slow.sent("203.0.113.1", b"1" * 900))
+        while not MeasuredRecord._comparing:
+            await asyncio.sleep(0.01)
+        assert await slow.sent("203.0.113.2", b"1" * 200) == 200
+        return await slow.end(large)
+
+    assert run(compared()) == [429]
+    assert not caplog.records or all(record.name == "tornado.access" for record in caplog.records)
+    assert not MeasuredRecord._comparing and not MeasuredRecord._held

@@ -57,7 +57,7 @@ def test_every_axis_can_be_named_and_every_plot_can_be_zoomed_read_and_saved(nam
 
 
 def test_figures_belong_to_views_and_have_what_their_answers_name():
-    assert set(FIGURES) - {view.name for view in VIEWS} == {"stability-linear", "record"}
+    assert set(FIGURES) - {view.name for view in VIEWS} == {"stability-linear"}
     for look in ("stability", "stability-linear"):
         assert list(json.loads(drawn(FIGURES[look]))["roots"]) == list(INTEGRATORS)
     energy = list(objects(json.loads(drawn(FIGURES["energy"]))["doc"]))

@@ -67,6 +67,9 @@ def test_what_is_shown_is_what_was_planned():
     own = plan(load(scene), question).candidates
     for row, candidate in zip(planned(scene, question)["candidates"], own, strict=True):
         choices, method = row["choices"], candidate.changes["method"]
+        if method.get("model") == "structural":  # by itself the page takes the contact
+            assert choices is None
+            continue
         assert choices["method"] == method["name"] and all(accepts(*pair) for pair in choices.items())
         options = method_options(method["name"], Request.of(asked(scene, question) | choices))
         assert METHODS[method["name"]].read(options).table().get("modes") == method.get("modes")
@@ -107,3 +110,11 @@ def test_more_modes_of_links_are_the_slider_of_modes():
     row = next(row for row in planned("four-bar-moves")["candidates"] if row["model"].get("modes") == 5)
     assert row["choices"] == {"method": "modal", "modes": 5}
     assert planned("figure-9.11")["candidates"][2]["choices"] is None  # a rigid pendulum is another body
+
+
+@pytest.mark.parametrize("mass_ratio, other", [(4.0, "structural-quasi-static"), (0.1, "local-quasi-static")])
+def test_a_quasi_static_model_that_the_page_would_not_take_cannot_be_shown(mass_ratio, other):
+    rows = planned("fixed-rod", law="hertz", mass_ratio=mass_ratio)["candidates"]
+    static = {row["model"]["name"]: row["choices"] for row in rows if "quasi-static" in row["model"]["name"]}
+    assert len(static) == 2 and static.pop(other) is None
+    assert list(static.values()) == [{"method": "quasi-static"}]

@@ -217,7 +217,7 @@ def test_what_cannot_be_asked(options, said):
 
 
 def test_a_scene_that_none_of_the_methods_can_solve_is_refused_with_reasons():
-    with pytest.raises(SceneNotSupported, match="the contact must be rigid, got hertz"):
+    with pytest.raises(SceneNotSupported, match=r"the contact must be rigid, .* law 'hertz'"):
         solvers.solve(bronze_rod(), "auto", among=["mode-switch"])
 
 

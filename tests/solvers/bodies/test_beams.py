@@ -7,6 +7,7 @@ from pytest import approx
 
 import solvers
 from solvers import Beam, Scene, SceneError
+from solvers.bodies.beams import SAME_SUPPORTS, SUPPORTS
 from tests.catalog import STEEL_BEAM, struck_beam
 
 STEEL = {"young": 210e9, "density": 7900.0, "poisson": 0.3}
@@ -123,3 +124,27 @@ def test_modes_faster_than_any_wave_are_counted():
     assert beam().modes_within_reach(40) == 11
     assert beam(theory="timoshenko").modes_within_reach(40) == 40
     assert any("keep at most 11" in str(note) for note in solvers.solve(struck_beam(), modes=20).notes)
+
+
+@pytest.mark.parametrize(
+    "word", ["simply-supported", "simply supported", "Simply_Supported", "hinged-hinged", "pinned pinned"]
+)
+def test_other_words_for_a_support_are_read_and_the_usual_one_is_written(word):
+    target = STEEL_BEAM | {"support": word, "at": 0.5}
+    scene = Scene.from_table({"impactor": {"mass": 1.0, "velocity": 1.0}, "target": target})
+    assert scene.target.support == scene.table()["target"]["support"] == "pinned-pinned"
+    assert scene == Scene.from_table(scene.table())
+    assert scene == scene.replace({"target.support": "pinned-pinned"})
+
+
+@pytest.mark.parametrize("word, support", SAME_SUPPORTS.items())
+def test_words_are_those_of_supports_that_are_there(word, support):
+    assert support in SUPPORTS and word not in SUPPORTS
+    assert beam(support=word).support == support
+
+
+@pytest.mark.parametrize("word", ["simply", "glued", "", 5, None, ["free-free"]])
+def test_an_unknown_support_is_told_which_there_are(word):
+    refused = refusal(support=word)
+    assert (refused.key, refused.value) == ("target.support", word)
+    assert all(repr(support) in refused.allowed for support in SUPPORTS)

@@ -138,7 +138,7 @@ CASES = {
         rebounds_right,
     ),
     "too coarse": Case(
-        ("off by 6", "take more steps"),
+        ("off by 29", "take more steps"),
         Impact(struck_rod(20.0), "waves", {"steps": 20}),
         Impact(struck_rod(20.0), "waves", {"steps": 1000}),
         Impact(struck_rod(0.3), "waves", {"steps": 200}),

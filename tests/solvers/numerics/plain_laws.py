@@ -3,6 +3,8 @@
 import math
 from typing import NamedTuple
 
+from solvers.contact import elastic
+
 MASS, SPEED, STIFFNESS = 0.2, 2.03, 6.92e9  # of the ball of thesis 10.2
 
 
@@ -17,7 +19,9 @@ class Power(NamedTuple):
     exponent: float
 
     NAME, LOSSY, PLASTIC = "some power", False, False
-    limits = no_limits
+    EXPONENT, VARIED, KEYS, JUMPS = elastic.Power.EXPONENT, {}, elastic.Power.KEYS, False
+    limits, read, table, scaled = no_limits, elastic.Power.read, elastic.Power.table, elastic.Power.scaled
+    slopes, unloading, mean_force = elastic.Power.slopes, elastic.Power.unloading, elastic.Power.mean_force
 
     def force(self, indentation, rate, deepest):
         return self.stiffness * max(indentation, 0.0) ** self.exponent
@@ -29,28 +33,6 @@ class Power(NamedTuple):
         if start == end:
             return self.force(start, rate, deepest), 0.0
         return (self.stored(end, 0.0) - self.stored(start, 0.0)) / (end - start), 0.0
-
-    def dent(self, deepest):
-        return 0.0
-
-    def corner(self, indentation, deepest):
-        return math.inf
-
-
-class Damped(NamedTuple):
-    """Hertz with F = K a^1.5 (1 + loss a'). Source: thesis 7.3.1."""
-
-    stiffness: float
-    loss: float
-
-    NAME, LOSSY, PLASTIC = "some damped", True, False
-    limits = no_limits
-
-    def force(self, indentation, rate, deepest):
-        return self.stiffness * max(indentation, 0.0) ** 1.5 * max(1.0 + self.loss * rate, 0.0)
-
-    def stored(self, indentation, deepest):
-        return 0.4 * self.stiffness * max(indentation, 0.0) ** 2.5
 
     def dent(self, deepest):
         return 0.0

@@ -6,7 +6,7 @@ from pytest import approx
 
 import solvers
 from solvers import SceneError
-from tests.catalog import SCENES
+from tests.catalog import SCENES, T
 
 
 @pytest.mark.parametrize("method", ["waves", "modal", "fe-nodal"])
@@ -46,3 +46,13 @@ def test_spins_of_bodies_in_space_are_vectors_and_what_does_not_turn_has_none():
     assert np.shape(brick.impactor_spin) == (3,) == np.shape(brick.target_spin)
     rod = solvers.solve("fixed-rod")
     assert rod.impactor_spin is None and rod.target_spin is None
+
+
+def test_for_how_long_the_bodies_are_in_contact():
+    """The sum of all periods, with none of the time between; of a sudden impulse nothing."""
+    solution = solvers.solve("fixed-rod")
+    assert len(solution.contacts) == 2
+    assert solution.contact_time == approx(1.572054 * T, rel=1e-5)  # 1.533834 + (2.162843 - 2.124623)
+    assert solution.table()["contact_time"] == sum(contact.duration for contact in solution.contacts)
+    sudden = solvers.solve("rigid-pendulum")
+    assert sudden.contact_time == sudden.contacts[0].duration == 0.0

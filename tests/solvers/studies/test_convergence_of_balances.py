@@ -17,11 +17,11 @@ def of_table(number, **given):
 
 def test_by_elements():
     """Table 6.2, all that is printed; the exact waves beside, of which it prints the last velocity wrong."""
-    found = of_table(2, modes=(5, 10, 20))
-    assert (found.kind, found.counts.tolist()) == ("elements", [5, 10, 20])
-    assert found.values["balances"].tolist() == [12, 30, 63]
-    assert found.values["final_velocity"] == approx([-0.702, -0.715, -0.695], abs=5e-4)
-    assert found.values["last_parting"] == approx([1.56e-4, 1.78e-4, 2.54e-4], abs=5e-7)
+    found = of_table(2, modes=(5, 10, 20, 40))
+    assert (found.kind, found.counts.tolist()) == ("elements", [5, 10, 20, 40])
+    assert found.values["balances"][:3].tolist() == [12, 30, 63]
+    assert found.values["final_velocity"][:3] == approx([-0.702, -0.715, -0.695], abs=5e-4)
+    assert found.values["last_parting"][:3] == approx([1.56e-4, 1.78e-4, 2.54e-4], abs=5e-7)
     assert (found.values["first_parting"][2], found.values["first_velocity"][2]) == approx((1.82e-4, -0.687), abs=5e-4)
     assert found.summary["balances"].code == "diverges"
     jump = found.summary["mean_jump"]

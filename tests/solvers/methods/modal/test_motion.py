@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from pytest import approx
 
+import solvers
 from solvers import Modal, Waves
 from tests.catalog import ROD, SCENES, SIGMA0_AREA, SUPPORTS, T, contact_table, struck_rod
 from tests.solvers.methods.modal.fixed_rod import fixed_rod
@@ -136,3 +137,13 @@ def test_mean_velocity_of_a_held_rod():
     assert found.rigid_velocity(time) == approx(exact.rigid_velocity(time), abs=0.02)
     x = (np.arange(2000) + 0.5) / 2000 * ROD.length
     assert found.rigid_velocity(time) == approx(found.velocity(time, x).mean(axis=1), abs=1e-4)  # 50 modes, midpoints
+
+
+def test_the_energy_is_read_without_the_estimate_of_the_error(monkeypatch):
+    """It takes other solves, which once made reading an energy cost twice the impact."""
+    estimated = solvers.solve("fixed-rod", "modal").diagnostics["estimated_error"]
+    monkeypatch.setattr(solvers.Modal, "_estimated_error", lambda *_: 1.0)
+    solution = solvers.solve("fixed-rod", "modal")
+    solution.refine("diagnostics", lambda *_: pytest.fail("worked out"))
+    assert solution.energy["initial"] > 0.0 and solution.impulse > 0.0 and solution.restitution["newton"] is not None
+    assert solvers.solve("fixed-rod", "modal").diagnostics["estimated_error"] == 1.0 > estimated

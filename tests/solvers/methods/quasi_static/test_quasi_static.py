@@ -9,11 +9,11 @@ from pytest import approx
 import solvers
 from solvers import QuasiStatic, Scene, SceneError, SceneNotSupported
 from solvers.contact.plastic import PlasticLinear
-from solvers.contact.viscous import damping_for
+from solvers.contact.viscous import HuntCrossley, damping_for
 from solvers.numerics.collisions import damped_collision
 from tests.catalog import STEEL_ROD, bronze_rod, struck_beam, struck_rod
 from tests.solvers.methods.quasi_static.impacts import rods, two_masses
-from tests.solvers.numerics.plain_laws import MASS, SPEED, STIFFNESS, Damped, Power
+from tests.solvers.numerics.plain_laws import MASS, SPEED, STIFFNESS, Power
 
 
 def test_local_impacts_on_beams_feel_the_mass_where_they_strike():
@@ -66,7 +66,7 @@ def test_plastic_impact_leaves_a_dent():
 @pytest.mark.parametrize("restitution", [0.95, 0.6, 0.2, 0.01])
 def test_damped_law_delivers_its_restitution(restitution):
     """Against the first integral d (1 + e) = ln((1 + d) / (1 - d e))."""
-    law = Damped(STIFFNESS, damping_for(restitution) / SPEED)
+    law = HuntCrossley(STIFFNESS, damping_for(restitution) / SPEED)
     found = damped_collision(law, MASS, SPEED, 1e-4)
     assert -found.rate[-1] / SPEED == approx(restitution, abs=1e-10)
     assert found.lost[-1] / (0.5 * MASS * SPEED**2) == approx(1.0 - restitution**2, abs=1e-10)

@@ -1,0 +1,133 @@
+"""Studies as tables of plain text: what `print` shows of them, and the command."""
+
+import textwrap
+from collections.abc import Mapping
+from typing import Any
+
+from ..text.catalogue import library
+from .report import line, method_line, title_of
+from .words import family, named, shown, text
+
+COLUMNS = {  # and how wide they are
+    "contacts": 8,
+    "impulse": 13,
+    "peak-force": 15,
+    "contact-time": 15,
+    "leaves": 15,
+    "restitution": 11,
+    "energy": 15,
+    "error": 14,
+}
+
+
+def sweep(key: str, rows: list[dict[str, Any]]) -> str:
+    """A line for each value."""
+    width = max(len(key), 12)
+    heads = family("sweep.head")
+    head = "  ".join([f"  {key:>{width}}", *(f"{heads[name]:>{size}}" for name, size in COLUMNS.items())])
+    return "\n".join([head, *(_line(row, width) for row in rows)])
+
+
+def _line(row: dict[str, Any], width: int) -> str:
+    velocity = row["impactor"]["final_velocity"]
+    if isinstance(velocity, list):  # of a body in space
+        velocity = "(" + ", ".join(f"{part + 0.0:.4g}" for part in velocity) + ")"
+    peak = None if row["peak_force"] is None else row["peak_force"] / 1e3
+    cells = [
+        (row["contacts"], "d"), (row["impulse"], ".6g"), (peak, ".6g"), (1e6 * row["contact_time"], ".6g"),
+        (velocity, "+.6f"), (row["restitution"]["newton"], ".6f"), (row["energy_error"], "+.1e"),
+        (row["estimated_error"], ".1e"),
+    ]  # fmt: skip
+    sized = (shown(*cell).rjust(size) for cell, size in zip(cells, COLUMNS.values(), strict=True))
+    return "  ".join([f"  {shown(row['value'], '.8g'):>{width}}", *sized])
+
+
+def ensemble(found: Any) -> str:
+    """The spread of every figure, a line each, and what can be trusted."""
+    columns = {"unperturbed": 14, "lowest": 14, "median": 14, "highest": 14, "half-range": 12, "sensitivity": 13}
+    columns["amplified"] = 11
+    heads = family("ensemble.head")
+    head = "".join(f"{heads[name]:>{width}}" for name, width in columns.items())
+    runs = {"runs": found.perturbations.size, "method": found.method["name"], "key": found.key}
+    spread, seconds = 100.0 * float(abs(found.perturbations).max()), found.wall_time
+    lines = [
+        found.title or text("report.scene"),
+        "  " + text("ensemble.runs", spread=spread, seconds=seconds, **runs),
+        "",
+        f"  {'':24}{head}  {heads['verdict']}",
+    ]
+    for row in found.spread:
+        name = named("quantity", row.quantity) + (f" [{row.unit}]" if row.unit else "")
+        cells: list[Any] = [
+            (row.unperturbed, 12, ".6g"), (row.lowest, 12, ".6g"), (row.median, 12, ".6g"), (row.highest, 12, ".6g"),
+            (100.0 * row.half_range, 8, ".2g"), (row.sensitivity, 13, "+.3g"), (row.amplification, 9, ".2g"),
+        ]  # fmt: skip
+        values = "  ".join(shown(value, form).rjust(size) for value, size, form in cells[:4])
+        rest = f"{shown(*cells[4][::2]):>8} %" + shown(*cells[5][::2]).rjust(13) + shown(*cells[6][::2]).rjust(11)
+        lines.append(f"  {name:24}  {values}  {rest}  {row.verdict}")
+    return "\n".join([*lines, "", str(found.summary), *(text("report.note", note=note) for note in found.notes)])
+
+
+def convergence(found: Any) -> str:
+    """A column for each level, and what they show."""
+    names = [named("quantity", name) + (f" [{unit}]" if unit else "") for name, unit in found.units.items()]
+    width = max(map(len, names))
+    by = text("convergence.by", method=found.method, seconds=found.wall_time)
+    beside = found.reference_values or {}
+    heads = [f"{count:>14g}" for count in found.counts] + ([f"{found.reference:>14}"] if found.reference else [])
+    lines = [found.title or text("report.scene"), f"  {by}", ""]
+    lines.append(f"  {named('convergence.kind', found.kind):{width}}" + "".join(heads))
+    for name, (key, values) in zip(names, found.values.items(), strict=True):
+        known = [f"{beside[key]:>14.7g}" if key in beside else f"{'-':>14}"] if found.reference else []
+        lines.append(f"  {name:{width}}" + "".join([*(f"{value:>14.7g}" for value in values), *known]))
+    return "\n".join([*lines, "", *(f"  {told}" for told in found.table()["told"].values())])
+
+
+def comparison(found: Any) -> str:
+    """A table of plain text: every method against the exact solution, or the one taken for it."""
+    exact, rows = found.exact, found
+    scene = exact.scene
+    moving = text("solve.target-moves" if exact.impactor_velocity is None else "solve.impactor-leaves")
+    spans = [(each.start / scene.time_unit, each.end / scene.time_unit) for each in exact.contacts]
+    periods = ", ".join(text("compare.period", start=start, end=end) for start, end in spans)
+    head, units = family("compare.head"), family("compare.unit")
+    lines = [
+        title_of(exact),
+        line("solve.mass-ratio", f"{scene.mass_ratio:.6g}"),
+        line("compare.reference", method_line(exact)),
+        line("compare.contacts", textwrap.shorten(periods, 200, placeholder=" ...")),
+        f"  {text('compare.moving', moving=moving):32}{found.rebound:+.8g} m/s{_uncertainty(exact)}",
+        "",
+        f"  {head['method']:38}{head['rebound']:>10}{head['first']:>13}{head['true']:>7}{head['listed']:>8}"
+        f"{head['raw']:>6}{head['force']:>10}{head['resolved']:>10}{head['time']:>9}",
+        f"  {'':38}{units['rebound']:>10}{units['first']:>13}{units['true']:>7}{'':14}"
+        f"{'[%]':>10}{'[%]':>10}{'[ms]':>9}",
+    ]
+    for row in rows:
+        if row.reason is not None:
+            lines.append(f"  {row.label:38}{text('compare.cannot', reason=row.reason)}")
+            continue
+        shares = [
+            "-" if share is None else f"{100 * share:.1f}" for share in (row.force_error, row.resolved_force_error)
+        ]
+        lines.append(
+            f"  {row.label:38}{100 * row.rebound_error:+10.4f}{row.duration_error:+13.5f}"
+            f"{f'{row.true_contacts_found}/{row.true_contacts}':>7}{row.contacts:8d}{row.raw_contacts:6d}"
+            f"{shares[0]:>10}{shares[1]:>10}{1e3 * (row.wall_time or 0.0):9.3f}"
+        )
+    return "\n".join(lines + left_out({row.label: row.method.get("model", "") for row in rows}))
+
+
+def left_out(models: Mapping[str, str]) -> list[str]:
+    """What each quasi-static model leaves out, a paragraph each; models by what they are called in a table."""
+    about, lines = library().family("left-out"), []
+    for called, model in models.items():
+        if model in about:
+            about_it = text("report.model", called=called, name=named("model-name", model), about=about[model])
+            lines += textwrap.wrap(about_it, 118, initial_indent="  ", subsequent_indent="    ")
+    return ["", *lines] if lines else []
+
+
+def _uncertainty(reference: Any) -> str:
+    error = reference.diagnostics["estimated_error"]
+    return "" if reference.method["name"] == "waves" or error is None else "   " + text("compare.within", error=error)

@@ -1,0 +1,27 @@
+"""What is printed of results, by the codes below `printed` in `solvers/text/*/`."""
+
+from typing import Any
+
+from ..text.catalogue import library
+
+
+def text(code: str, /, **values: Any) -> str:
+    """A sentence, or a name."""
+    return library().text(f"printed.{code}", **values)
+
+
+def named(family: str, key: str) -> str:
+    """What a key of a result is called; the key itself in words where it has no name."""
+    return library().texts.get(f"printed.{family}.{key}", key.replace("_", " "))
+
+
+def family(code: str) -> dict[str, str]:
+    """All names below a code, such as the heads of a table."""
+    return library().family(f"printed.{code}")
+
+
+def shown(value: object, form: str) -> str:
+    """A number in this form, a word as it is, a dash for what does not exist."""
+    if value is None:
+        return "-"
+    return value if isinstance(value, str) else f"{value:{form}}"

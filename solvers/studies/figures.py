@@ -1,0 +1,118 @@
+"""What came of each of many scenes, as columns: all figures, or those that were asked for."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from .. import validation
+from ..solution.solution import Solution
+from ..validation import SceneError, allowed
+
+
+def _restitution(name: str) -> Callable[[Solution], float | None]:
+    return lambda solution: solution.restitution[name]
+
+
+def _error(name: str) -> Callable[[Solution], float | None]:
+    return lambda solution: solution.diagnostics[name]
+
+
+FIGURES: dict[str, tuple[str, Callable[[Solution], float | None]]] = {  # unit, and how a solution gives it
+    "contacts": ("", lambda solution: len(solution.contacts)),
+    "contact_time": ("s", lambda solution: solution.contact_time),
+    "duration": ("s", lambda solution: solution.duration),
+    "impulse": ("N s", lambda solution: solution.impulse),
+    "peak_force": ("N", lambda solution: solution.peak_force),
+    "peak_indentation": ("m", lambda solution: solution.peak_indentation),
+    "residual_indentation": ("m", lambda solution: solution.residual_indentation),
+    "impactor_velocity": ("m/s", lambda solution: solution.impactor_velocity),
+    "target_velocity": ("m/s", lambda solution: solution.target_velocity),
+    "newton": ("", _restitution("newton")),
+    "poisson": ("", _restitution("poisson")),
+    "newton_at_contact": ("", _restitution("newton_at_contact")),
+    "dissipated": ("J", lambda solution: solution.energy["dissipated"]),
+    "energy_error": ("", _error("energy_error")),
+    "momentum_error": ("", _error("momentum_error")),
+    "estimated_error": ("", _error("estimated_error")),
+}
+
+
+class _Column:
+    """A figure of every scene, where it was asked for."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, figures: Any, owner: type | None = None) -> np.ndarray:
+        if self.name not in figures.columns:
+            raise SceneError("figures", self.name, allowed("asked-figures", names=list(figures.columns)))
+        return figures.columns[self.name]
+
+
+class Figures:
+    """What came of each of many scenes; all arrays (scenes,), NaN where a figure does not exist. See `Solution`.
+
+    `columns`: those that there are, by name; one that was not asked for is refused with a SceneError when it is read.
+    `varied`: the columns of values that the scenes differ by.
+    """
+
+    contacts = _Column()  # how many periods of contact
+    contact_time = _Column()  # all of them together [s]
+    duration = _Column()  # up to which it is solved [s]
+    impulse = _Column()  # [N s]
+    peak_force = _Column()  # [N]
+    peak_indentation = _Column()  # [m]
+    residual_indentation = _Column()  # [m]
+    impactor_velocity = _Column()  # [m/s]
+    target_velocity = _Column()  # [m/s]
+    newton = _Column()  # restitution by centre-of-mass velocities
+    poisson = _Column()  # by impulses
+    newton_at_contact = _Column()  # by the touching surfaces
+    dissipated = _Column()  # energy [J]
+    energy_error = _Column()  # of the energy before
+    momentum_error = _Column()  # of the impactor's momentum
+    estimated_error = _Column()  # of the impactor's velocity, of the speed of approach
+
+    def __init__(self, found: Mapping[str, Any], varied: Mapping[str, np.ndarray] | None = None):
+        """Of these columns alone, None for what does not exist."""
+        self.varied = dict(varied or {})
+        self.columns = {
+            name: np.asarray(found[name], int if name == "contacts" else float) for name in FIGURES if name in found
+        }
+
+    def __len__(self) -> int:
+        return next(iter(self.columns.values())).size
+
+    def __repr__(self) -> str:
+        return f"<Figures of {len(self)} scenes: {', '.join([*self.varied, *self.columns])}>"
+
+    def dataset(self) -> Any:
+        """An xarray.Dataset over `scene`, a number, with units; what the scenes differ by are coordinates.
+
+        Raises ImportError without the extra `notebook`.
+        """
+        from ..notebook import datasets  # loads xarray, which nothing else here needs
+
+        return datasets.figures(self, {name: unit for name, (unit, _) in FIGURES.items()})
+
+    def plot(self, what: str = "impactor_velocity") -> Any:
+        """A HoloViews object: one figure over what the scenes differ by, or over their number if that is more than one
+        value, or none that is known. Raises SceneError for another word."""
+        from ..notebook import plots  # loads HoloViews, which nothing else here needs
+
+        return plots.figures(self, what, {name: FIGURES[name][0] for name in self.columns})
+
+
+def asked_for(figures: Sequence[str] | None) -> tuple[str, ...]:
+    """All of them, or these. Raises SceneError for a word that is none."""
+    if figures is None:
+        return tuple(FIGURES)
+    if isinstance(figures, str) or not figures:
+        raise SceneError("figures", figures, allowed("choice", options=list(FIGURES)))
+    return tuple(dict.fromkeys(validation.choice("figures", name, FIGURES) for name in figures))
+
+
+def figures_of(solution: Solution, names: Sequence[str]) -> list[float | None]:
+    """Of one solution; nothing else of it is worked out."""
+    return [FIGURES[name][1](solution) for name in names]

@@ -1,0 +1,77 @@
+"""No regular expression takes long over what anybody may send: each is fed the worst that can be made for it."""
+
+import json
+import re
+import subprocess
+import time
+
+import pytest
+
+from app.text.catalogues import script
+
+from .patterns import ROOT, hostile, of_javascript, of_python
+
+LENGTHS = (30, 100, 300, 1_000, 3_000, 10_000)  # a cubic pattern is seen before, and never gets to 10 000
+MOST = 5.0  # [s] of computing; a search that begins anew at each letter takes 0.1 to 2 s
+SLOWEST = 2  # texts that are tried at the next length
+FEED = """
+const given = JSON.parse((await import('node:fs')).readFileSync(0, 'utf-8'));
+for (const [file, pattern, flags, texts] of given.patterns) {
+  let left = texts;
+  for (const length of given.lengths) {
+    const taken = left.map(([before, piece, end]) => {
+      const text = before + piece.repeat(length / piece.length) + end;
+      const begun = process.cpuUsage();
+      text.search(new RegExp(pattern, flags));
+      const { user, system } = process.cpuUsage(begun);
+      return [(user + system) / 1e6, [before, piece, end]];
+    });
+    taken.sort(([a], [b]) => b - a);
+    if (taken[0][0] > given.most) {
+      console.log(file, pattern, JSON.stringify(taken[0]), length);
+      process.exit(1);
+    }
+    left = taken.slice(0, given.slowest).map(([, text]) => text);
+  }
+}
+"""
+
+
+def slowest(match, texts, length):
+    """Seconds of computing and text, the longest first."""
+    taken = []
+    for before, piece, end in texts:
+        text = before + piece * (length // len(piece)) + end
+        begun = time.thread_time()
+        match(text)
+        taken.append((time.thread_time() - begun, (before, piece, end)))
+    return sorted(taken, reverse=True)[:SLOWEST]
+
+
+@pytest.mark.parametrize("pattern, searched", [pytest.param(*each, id=where) for where, *each in of_python()])
+def test_no_pattern_of_the_library_or_the_server_takes_long(pattern, searched):
+    for match in (pattern.fullmatch, pattern.search if searched else pattern.match):
+        texts = hostile(pattern.pattern)
+        for length in LENGTHS:
+            taken = slowest(match, texts, length)
+            assert taken[0][0] < MOST, (taken[0], length)
+            texts = [text for _, text in taken]
+
+
+def test_a_cubic_pattern_would_be_found():
+    cubic = re.compile(r"t(?:\s*\[\s*([^\]]*?)\s*\])?")
+    with pytest.raises(AssertionError):
+        test_no_pattern_of_the_library_or_the_server_takes_long(cubic, False)
+
+
+@pytest.mark.browser
+def test_no_pattern_of_the_page_takes_long():
+    texts = ROOT / "build/texts.mjs"
+    texts.parent.mkdir(exist_ok=True)
+    texts.write_text(script(), encoding="utf-8")
+    patterns = [(*each, hostile(each[1])) for each in of_javascript()]
+    assert len(patterns) > 20
+    given = json.dumps({"patterns": patterns, "lengths": LENGTHS, "most": MOST, "slowest": SLOWEST})
+    call = ["node", "--input-type=module", "--eval", FEED]
+    found = subprocess.run(call, cwd=ROOT, input=given, capture_output=True, text=True, timeout=600)
+    assert found.returncode == 0, found.stdout + found.stderr
