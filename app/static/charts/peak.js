@@ -60,8 +60,9 @@ export class Peak {
     if (!told) return;
     const { at, force, open, span, touching } = told;
     const parts = [text('chart.peak', { force: engineering(force, 'N', 4), time: written(at) })];
-    const said = { time: written(touching), span: written(span), parts: touching < span, open };
-    if (touching > 0) parts.push(text('chart.contact-time', said));
-    root.textContent = parts.join(' · ');
+    if (touching > 0) parts.push(text('chart.contact-time', { time: written(touching), open }));
+    root.replaceChildren(parts.join(' · '));
+    if (0 < touching && touching < span)
+      root.append(make('span', { textContent: text('chart.contact-span', { span: written(span) }) }));
   }
 }

@@ -180,7 +180,8 @@ def test_many_changes_at_once_end_with_the_newest(server):
             await client.set("mass_ratio", 1.0 + k / 64)
         while b'"mass_ratio":1.1875' not in client.last_frame:
             await client.answer()
-        assert "frame" not in (await client.changes(1.0))[0]  # and the newest choice is the last
+        await client.changes(1.0)  # of a machine that is slow a first one is a draft
+        assert b'"mass_ratio":1.1875' in client.last_frame  # the newest choice is the last
         client.close()
 
     run(hurry())

@@ -13,16 +13,18 @@ from tests.random_estimates import FIRST, KINDS, NOTHING, Rated, rated, shares
 
 BEYOND = FIRST + 10_000  # seeds that the benchmark does not use
 SCENES = 12  # of each kind
+FEW = {"multibody of moving mechanisms": 4}  # 10 s of computing for each
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_true_errors_are_within_the_estimates_and_estimates_near_the_errors(kind):
     """A share of `bench --only estimates`, with room for the scatter of so few: one or two of them may miss."""
-    seen = shares(list(rated(kind, range(BEYOND, BEYOND + SCENES))))
-    assert seen["impacts"] >= SCENES - 2 and seen["unknown"] < 0.5
+    count = FEW.get(kind, SCENES)
+    seen = shares(list(rated(kind, range(BEYOND, BEYOND + count))))
+    assert seen["impacts"] >= count - 2 and seen["unknown"] < 0.5
     beyond, far_beyond = ((1.0 - seen[name]) * seen["compared"] for name in ("within", "within 3"))
-    assert beyond < 2.5 and far_beyond < 1.5
+    assert beyond < 0.2 * count + 0.5 and far_beyond < 0.1 * count + 0.5
     assert seen["not beyond 5"] * seen["compared"] >= 0.4 * seen["compared"] - 1.5
 
 
