@@ -61,7 +61,8 @@ export class Layout {
     };
     bar.prepend(this.folders.left);
     bar.append(this.folders.right);
-    this.root = make('div', { className: alone ? 'page' : 'page embedded' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
+    this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
+    this.root.classList.toggle('embedded', !alone);
     this.tabs.select('story');
     const moved = () => this.place();
     LARGE.addEventListener('change', moved);
