@@ -34,9 +34,6 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
 )
 ENTRY = "page.js"  # stands for all modules
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
-TEXTS_IF_MISSING = (  # in a page that is not ours
-    f"globalThis.strikewaveTexts ?? (await import(new URL('text/{LANGUAGE}.js', import.meta.url).href));\n"
-)
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 PACKED = (".js", ".css")
@@ -113,7 +110,7 @@ class Page(RequestHandler):
 @cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
-    return (TEXTS_IF_MISSING + bundle(STATIC, ENTRY)).encode() if file == STATIC / ENTRY else file.read_bytes()
+    return bundle(STATIC, ENTRY, f"text/{LANGUAGE}.js").encode() if file == STATIC / ENTRY else file.read_bytes()
 
 
 @cache
