@@ -23,11 +23,13 @@ from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
 from ..text.catalogues import page
 from ..views.record import record_answer
+from .addresses import Addresses
 
 MAX_HELD = 64_000_000  # bytes of all records that are on their way, or being compared
 COMPARED_OF_ONE = 6  # records of one address being compared, or waiting for it; addresses take turns
 RECEIVE_SECONDS = 20.0  # for a record to arrive
 MAX_PASSED_BY = 12_000_000  # bytes that are read of a record that is too long: a browser listens when it has sent all
+PEERS = Addresses()  # where the application is another's, and names no proxies
 log = logging.getLogger("strikewave")
 
 
@@ -39,7 +41,7 @@ class MeasuredRecord(RequestHandler):
     _comparing: ClassVar[set["MeasuredRecord"]] = set()
 
     def initialize(self) -> None:
-        self.address = self.application.settings["addresses"].of(self.request)
+        self.address = self.application.settings.get("addresses", PEERS).of(self.request)
 
     def prepare(self):
         self._body, self._refusal = bytearray(), None
