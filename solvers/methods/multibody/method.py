@@ -27,8 +27,8 @@ from .linkage import Rows, centres, rates_of_centres, rigid_linkage, struck_by
 from .motion import MovingMotion, RigidMotion
 
 # Of the fastest link, or of the shortest one as it swings under its weight: with as many the energy of a double
-# pendulum is kept to 1e-7, with 200 to 1e-8, see `tests/solvers/numerics/multibody/test_moving.py`.
-STEPS_PER_TURN = 120
+# pendulum is kept to 1e-8, see `tests/solvers/numerics/multibody/test_moving.py`.
+STEPS_PER_TURN = 200
 MAX_STEPS = 1_000_000
 MOST_IMPACTS = 2_000
 USUAL_TURNS = 1.0  # for which it is followed, where no duration is asked for

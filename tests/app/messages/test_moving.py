@@ -165,13 +165,12 @@ def test_a_law_decides_not_the_restitution_of_the_scene():
     assert [note["code"] for note in told["main"]["notes"]] == ["configuration-followed"]
 
 
-def test_a_draft_takes_fewer_and_simpler_steps_and_shows_the_same_motion():
-    told, whole = (Told(chosen("bouncing-on-piston", 0.7, **draft)) for draft in ({DRAFT: 0.125}, {}))
-    assert whole.header["main"]["diagnostics"]["steps"] > moving.DRAFT_STEPS
+def test_a_draft_takes_fewer_and_simpler_steps_and_shows_the_same_motion(piston):
+    told = Told(chosen("bouncing-on-piston", 0.6, **{DRAFT: 0.125}))
     assert told.header["draft"] and told.header["main"]["diagnostics"]["steps"] == moving.DRAFT_STEPS
-    assert told.solution.diagnostics["energy_drift"] < 1e-4
-    time = np.linspace(0.0, 0.7, 100)
-    here, there = (np.stack([*each.solution.motion.link_points(time).values()]) for each in (told, whole))
+    assert told.solution.diagnostics["energy_drift"] < 1e-4 and told.header["main"]["diagnostics"]["steps"] < 1_400
+    time = np.linspace(0.0, 0.6, 100)
+    here, there = (np.stack([*each.solution.motion.link_points(time).values()]) for each in (told, piston))
     assert here == approx(there, abs=1e-3 * np.ptp(there[:, 0], axis=0).max())
 
 
