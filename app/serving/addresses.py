@@ -4,6 +4,7 @@ import logging
 from collections.abc import Iterable
 from ipaddress import IPv4Address, IPv4Network, IPv6Address, IPv6Network, ip_address, ip_network
 from typing import Any
+from urllib.parse import urlsplit
 
 MAX_PROXIES = 16  # in a row, whose entries are looked at
 PREFIX = 64  # bits of an IPv6 address that tell one customer from another; whoever has one has 2^64 of them
@@ -70,6 +71,14 @@ def _address(text: str) -> Address | None:
     except ValueError:
         return None
     return getattr(found, "ipv4_mapped", None) or found
+
+
+def host_of(origin: str) -> str:
+    """Of the page that asks, as its browser says; nothing for what is no address."""
+    try:
+        return urlsplit(origin).netloc.lower()
+    except ValueError:
+        return ""
 
 
 def key_of(text: str) -> str:
