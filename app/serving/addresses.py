@@ -2,6 +2,7 @@
 
 import logging
 from collections.abc import Iterable
+from functools import lru_cache
 from ipaddress import IPv4Address, IPv4Network, IPv6Address, IPv6Network, ip_address, ip_network
 from typing import Any
 from urllib.parse import urlsplit
@@ -81,6 +82,7 @@ def host_of(origin: str) -> str:
         return ""
 
 
+@lru_cache(1_000)  # of every connection, each time that one has to give way
 def key_of(text: str) -> str:
     """Of who connects, without what a proxy says of others."""
     address = _address(text)
