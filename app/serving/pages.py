@@ -23,7 +23,7 @@ from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
 from .door import FULL
-from .limits import MAX_PAGES_OF_ONE, MAX_PAGES_WAITING
+from .limits import MAX_PAGES_OF_ONE
 from .still import bare_frame, first_still
 
 LIBRARIES = (  # of the page, in this order: address, and the file there
@@ -91,7 +91,7 @@ class Page(RequestHandler):
     async def get(self) -> None:
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
         turnstile, visitor = of_loop(Turnstile), Stranger(PAGES, self._address)
-        busy = turnstile.waiting >= MAX_PAGES_WAITING or turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
+        busy = turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
         if not busy:
             await turnstile.enter(visitor)
         turnstile.charge(visitor, PAGE_SECONDS)

@@ -121,7 +121,7 @@ def _quiet() -> None:
     """One line for what a reader of the log can act on; nothing for what strangers send."""
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     logging.getLogger("bokeh").setLevel(logging.ERROR)
-    for name in ("bokeh.server.views.ws", "bokeh.server.protocol_handler"):  # a stack per bad message, else
+    for name in ("bokeh.server.views.ws", "bokeh.server.protocol_handler", "bokeh.protocol"):  # a stack for what is bad
         logging.getLogger(name).setLevel(logging.CRITICAL)
     logging.getLogger("tornado.access").setLevel(logging.CRITICAL)  # a page is refused at a stranger's will
     logging.getLogger("tornado.general").setLevel(logging.ERROR)

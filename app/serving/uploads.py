@@ -7,7 +7,6 @@ address with most of them makes room: whoever sends slowly keeps nobody out, and
 import logging
 from collections import Counter
 from typing import ClassVar
-from urllib.parse import urlsplit
 
 from bokeh.server.util import check_allowlist
 from tornado.web import RequestHandler, stream_request_body
@@ -23,7 +22,7 @@ from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
 from ..text.catalogues import page
 from ..views.record import record_answer
-from .addresses import Addresses
+from .addresses import Addresses, host_of
 
 MAX_HELD = 64_000_000  # bytes of all records that are on their way, or being compared
 COMPARED_OF_ONE = 6  # records of one address being compared, or waiting for it; addresses take turns
@@ -51,12 +50,12 @@ class MeasuredRecord(RequestHandler):
             return
         self.request.connection.set_body_timeout(RECEIVE_SECONDS)
         self.request.connection.set_max_body_size(MAX_PASSED_BY)
-        origin = urlsplit(self.request.headers.get("Origin", "")).netloc.lower()
+        origin = host_of(self.request.headers.get("Origin", ""))
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
             self._refusal = 403, page().text("serving.record.own-page")
         else:
             length = self.request.headers.get("Content-Length", "0")
-            self._check_size(int(length) if length.isdecimal() else 0)
+            self._check_size(int(length) if length.isdecimal() and len(length) < 20 else 0)
 
     def data_received(self, chunk: bytes):
         """Keep the body, or let it pass by once it is refused."""
