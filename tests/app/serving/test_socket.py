@@ -153,6 +153,34 @@ def test_broken_messages_are_refused_and_the_page_stays(server, content):
     run(attack())
 
 
+HEADER = '{"msgid": "1", "msgtype": "PATCH-DOC"}'
+NESTED = "[" * 9_000
+UNREADABLE = {
+    "content without end": (HEADER, "{}", NESTED),
+    "header without end": (NESTED, "{}", "{}"),
+    "no header": ("1", "{}", "{}"),
+    "a header of nothing": ("[]", "{}", "{}"),
+    "no id": ('{"msgtype": "PATCH-DOC"}', "{}", '{"events": []}'),
+    "an odd kind": ('{"msgid": "1", "msgtype": []}', "{}", "{}"),
+    "no content": (HEADER, "{}", "null"),
+    "buffers": ('{"msgid": "1", "msgtype": "PATCH-DOC", "num_buffers": 1e9}', "{}", '{"events": []}'),
+}
+
+
+@pytest.mark.parametrize("parts", UNREADABLE.values(), ids=UNREADABLE)
+def test_what_cannot_be_read_closes_its_socket_without_a_line_in_the_log(server, started, parts):
+    """Strangers had lines written at will, and of a message with buffers without end all were kept."""
+
+    async def attack():
+        client, before = await opened(server), started.log.read_text()
+        for part in parts:
+            await client._socket.write_message(part)
+        assert await closed(client._socket) == (1008, "This message could not be read.")
+        assert started.log.read_text() == before
+
+    run(attack())
+
+
 def test_too_long_a_message_closes_only_its_own_connection(server):
     async def attack():
         client = await opened(server)
