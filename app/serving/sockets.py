@@ -128,8 +128,8 @@ class Socket(WSHandler):
             self.turn_out(page().text("serving.unreadable"))
 
     async def _receive(self, fragment: str | bytes) -> Message | None:
-        """A whole message, if this completes one. A page sends no buffers, which Bokeh would keep without bound, and what
-        Bokeh stumbles over leaves no line in the log.
+        """A whole message, if this completes one. A page sends no buffers, which Bokeh would keep without bound;
+        what it stumbles over leaves no line in the log.
         """
         try:
             message = await self.receiver.consume(fragment)
