@@ -14,7 +14,7 @@ from bokeh.util.token import get_session_id
 from panel.io.server import WSHandler
 from tornado.iostream import StreamClosedError
 from tornado.web import HTTPError
-from tornado.websocket import WebSocketClosedError, WebSocketProtocol
+from tornado.websocket import WebSocketClosedError, WebSocketProtocol, WebSocketProtocol13
 
 from ..choices.choices import Choices
 from ..jobs.fair import Stranger
@@ -56,6 +56,16 @@ class Reading(Turnstile):
 
     def __init__(self):
         super().__init__(READ_AT_ONCE)
+
+
+class Wire(WebSocketProtocol13):
+    """Tornado's, but a ping, a pong or a fragment takes its turn too: each costs as much as a part of a message."""
+
+    async def _receive_frame(self) -> None:
+        before = self._message_bytes_in
+        await super()._receive_frame()
+        if self._message_bytes_in == before:
+            await self.handler.pass_by()  # pyright: ignore[reportAttributeAccessIssue]
 
 
 class Socket(WSHandler):
@@ -105,6 +115,11 @@ class Socket(WSHandler):
     @property
     def _open(self) -> bool:
         return not self._out and self.ws_connection is not None
+
+    def get_websocket_protocol(self) -> Any:
+        protocol: Any = super().get_websocket_protocol()
+        socket: Any = self
+        return protocol and Wire(socket, False, protocol.params)
 
     async def _async_open(self, token: str) -> None:
         turnstile = of_loop(Turnstile)
@@ -166,8 +181,17 @@ class Socket(WSHandler):
         """Whether there is no session yet, or no more."""
         return self.connection is None or self.connection._session is None
 
+    async def pass_by(self) -> None:
+        """A frame that is no message: no browser sends many."""
+        if self._parts.left < 1.0:
+            self.turn_out(TOO_MANY)
+        await self._in_turn()
+
     async def _in_turn(self) -> bool:
         """Wait until this socket may be read from; False if it is closed instead."""
+        if self._out:
+            await asyncio.sleep(OVER_PAUSE)
+            return False
         reading = of_loop(Reading)
         await reading.enter(self.session_id)
         reading.charge(self.session_id, PART_SECONDS)

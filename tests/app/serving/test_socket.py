@@ -181,6 +181,22 @@ def test_what_cannot_be_read_closes_its_socket_without_a_line_in_the_log(server,
     run(attack())
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("frame", [b"\x89\x80", b"\x8a\x80", b"\x00\x80"], ids=["pings", "pongs", "fragments"])
+def test_who_floods_with_what_is_no_message_is_closed(server, frame):
+    """Five such sockets let others wait for 3 s."""
+
+    async def attack():
+        client = await opened(server)
+        stream, mask = client._socket.protocol.stream, bytes(4)
+        await stream.write(b"\x01\x80" + mask if frame[0] == 0 else b"")  # a message, of which nothing else comes
+        flood = asyncio.ensure_future(stream.write((frame + mask) * 20_000))
+        assert (await closed(client._socket, 60.0))[0] == 1008
+        flood.cancel()
+
+    run(attack())
+
+
 def test_too_long_a_message_closes_only_its_own_connection(server):
     async def attack():
         client = await opened(server)
