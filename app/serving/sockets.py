@@ -146,12 +146,11 @@ class Socket(WSHandler):
         """A whole message, if this completes one. A page sends no buffers, which Bokeh would keep without bound;
         what it stumbles over leaves no line in the log.
         """
-        try:
-            message = await self.receiver.consume(fragment)
-            if isinstance(message.header["msgid"], str) if message else self.receiver._partial is None:
+        with suppress(Exception):
+            receiver: Any = self.receiver
+            message = await receiver.consume(fragment)
+            if isinstance(message.header["msgid"], str) if message else receiver._partial is None:
                 return message
-        except Exception:  # it is no message
-            pass
         self.turn_out(page().text("serving.unreadable"), flood=False)
         return None
 
