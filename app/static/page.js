@@ -179,11 +179,13 @@ export class Page {
     model.on('frame', () => this.take());
     model.on('refused', () => {
       if (!model.refused) return;
+      const { goal, sent } = this.changes;
       this.changes.leave();
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      if (!this.bodies.refused(model.refused)) this.complain(model.refused);
+      const field = this.bodies.refused(model.refused) || (!goal && this.controls.refused(sent, model.refused));
+      if (!field) this.complain(model.refused);
     });
     for (const name of this.names)
       model.on(name, () => {
