@@ -5,9 +5,11 @@ import multiprocessing
 import os
 import sys
 import time
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from multiprocessing import forkserver
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from solvers.jit.cache import FOLDER
@@ -32,7 +34,8 @@ class Process:
         self._since = 0.0
         self._seen, self._stirred = 0.0, 0.0  # seconds of computing, and when there were that many
         self._process = forks().Process(target=serve, args=(theirs,), daemon=True)
-        self._process.start()
+        with _without_main():
+            self._process.start()
         theirs.close()
 
     def sink(self, level: int, nice: int) -> None:
@@ -99,6 +102,18 @@ class Process:
         if code is None:
             self._process.kill()
         return code
+
+
+@contextmanager
+def _without_main() -> Iterator[None]:
+    """A process that is started meanwhile does not run the script of this one: it has all that it needs, and a script
+    that serves would serve once more."""
+    main = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = main
 
 
 def prepare() -> None:

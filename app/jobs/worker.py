@@ -5,12 +5,14 @@ import logging
 import os
 import signal
 from collections.abc import Callable
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from solvers.jit.compiling import NotCompiled, compiled_only
 
+SOONER = 500  # of 1000, than the server is a worker ended where memory runs out
 DONE, PART, REFUSED, FAILED, NOT_COMPILED = "done", "part", "refused", "failed", "not compiled"
 log = logging.getLogger("strikewave")
 
@@ -35,6 +37,9 @@ def serve(connection: Connection) -> None:
     for number in (signal.SIGTERM, signal.SIGPROF):
         signal.signal(number, signal.SIG_DFL)
     gc.freeze()  # what was loaded before the fork stays shared
+    with suppress(OSError):  # no Linux
+        score = Path("/proc/self/oom_score_adj")
+        score.write_text(str(min(int(score.read_text()) + SOONER, 1000)))
     while True:
         try:
             task = connection.recv()

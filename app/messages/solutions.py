@@ -4,8 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from solvers import Modal, Rod, Solution
+from solvers.accuracy.reference import exact_solution
 from solvers.methods.modal.method import STEPS_PER_PERIOD
 from solvers.methods.multibody.method import Multibody
+from solvers.solution.summary import touching
 
 from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
@@ -13,6 +15,7 @@ from ..choices.scene_of import RESTORING, has_frames, own_options, resolutions
 
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 LEAST_STEPS = 1_000  # of a draft, where a scene sets more
+MOST_LONGER = 4.0  # times the usual duration, for a method whose contacts last longer
 LEAST_SWITCHED = 2  # modes that can change with the contact
 
 
@@ -20,6 +23,18 @@ def by_modes(exact: Solution) -> bool:
     """Whether many modes stand for an exact solution: then the chosen number of them can be shown beside it."""
     bodies = exact.scene.impactor, exact.scene.target
     return exact.method["name"] == Modal.NAME and any(body.time_unit is not None for body in bodies)
+
+
+def both(request: Request) -> tuple[Solution, Solution | None]:
+    """The exact solution and the method beside it, over so much time that contacts of either are seen to their end."""
+    exact = exact_solution(request.scene, request.restitution)
+    other, longest = beside(request, exact), MOST_LONGER * exact.duration
+    while other and other.contacts and exact.duration < longest and touching(other.contacts, exact.duration):
+        if "duration" in request.scene.method or request.draft:
+            break
+        exact = exact_solution(request.scene, request.restitution, 2.0 * exact.duration)
+        other = beside(request, exact)
+    return exact, other
 
 
 def beside(request: Request, exact: Solution) -> Solution | None:

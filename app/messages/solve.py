@@ -3,12 +3,11 @@
 from typing import Any
 
 from solvers import RigidImpulse
-from solvers.accuracy.reference import exact_solution
 
 from ..choices.request import Request
 from .axial import pack
 from .beam import beam_frame
-from .solutions import beside
+from .solutions import both
 from .space import bodies_frame
 
 
@@ -20,5 +19,4 @@ def solve_frame(chosen: dict[str, Any]) -> bytes:
         return bodies_frame(method.solve(request.scene), request)
     if request.kind == "beam":
         return beam_frame(request)
-    exact = exact_solution(request.scene, request.restitution)
-    return pack(request, exact, beside(request, exact))
+    return pack(request, *both(request))

@@ -37,6 +37,7 @@ STATIC = Path(__file__).parents[1] / "static"
 _SERVED = [file.read_bytes() for file in sorted(STATIC.rglob("*")) if file.is_file()] + [
     script(language).encode() for language in LANGUAGES
 ]
+HEIGHT = 860  # pixels, in a page of somebody else, unless another is given
 VERSION = hashlib.sha256(b"".join(_SERVED)).hexdigest()[:10]
 _LABS: WeakKeyDictionary[Any, "Lab"] = WeakKeyDictionary()  # by document
 
@@ -64,15 +65,17 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     _priority_changes = [*Choices.CHOSEN, *Panels.ASKED]  # no debounce: the browser waits for each answer
 
     def __init__(self, **choices):
-        super().__init__(
-            spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, sizing_mode="stretch_width", margin=0, **choices
-        )
+        own = choices_of(choices["scene"]) if accepts("scene", choices.get("scene")) else {}
+        place = {"sizing_mode": "stretch_width", "height": HEIGHT, "margin": 0}
+        super().__init__(spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, **(place | own | choices))
         self._sent = frozenset(self._linked_properties)
         self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
         waiting = partial(self._report, self._wait, solve_frame.__name__)
         context = pn.state.curdoc.session_context if pn.state.curdoc else None
         self.visitor = context.id if context else None
         self._runner = Runner(solve_frame, self._take, self._fail, waiting, visitor=self.visitor)
+        if pn.state.curdoc and context:
+            pn.state.curdoc.on_session_destroyed(lambda _: self.leave())
         self._away = False
         self.answered = 0.0  # when the visitor was last shown what comes of the choices
         self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
@@ -86,7 +89,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
 
     @classmethod
     def _component_resource_path(cls, esm_path: Any, compiled: Any) -> str:
-        return f"assets/{VERSION}/page.js"  # served like all of ours
+        return "/".join([*filter(None, [pn.state.rel_path]), f"assets/{VERSION}/page.js"])  # served like all of ours
 
     @property
     def choices_model(self) -> str:
@@ -297,7 +300,7 @@ def create() -> "Lab":
     """One visitor's laboratory, with the choices that the address asks for."""
     choices, refused = from_address(pn.state.session_args)
     opened, refused_too = opened_from_address(pn.state.session_args)
-    lab = Lab(**choices, **opened)
+    lab = Lab(height=None, **choices, **opened)  # the window has one
     if (document := pn.state.curdoc) is not None:
         document.config.reconnect_session = False  # the page comes back with a session of its own, see connection.js
         document.config.notify_connection_status = False

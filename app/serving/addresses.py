@@ -2,8 +2,10 @@
 
 import logging
 from collections.abc import Iterable
+from functools import lru_cache
 from ipaddress import IPv4Address, IPv4Network, IPv6Address, IPv6Network, ip_address, ip_network
 from typing import Any
+from urllib.parse import urlsplit
 
 MAX_PROXIES = 16  # in a row, whose entries are looked at
 PREFIX = 64  # bits of an IPv6 address that tell one customer from another; whoever has one has 2^64 of them
@@ -72,6 +74,15 @@ def _address(text: str) -> Address | None:
     return getattr(found, "ipv4_mapped", None) or found
 
 
+def host_of(origin: str) -> str:
+    """Of the page that asks, as its browser says; nothing for what is no address."""
+    try:
+        return urlsplit(origin).netloc.lower()
+    except ValueError:
+        return ""
+
+
+@lru_cache(1_000)  # of every connection, each time that one has to give way
 def key_of(text: str) -> str:
     """Of who connects, without what a proxy says of others."""
     address = _address(text)

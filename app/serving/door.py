@@ -2,8 +2,8 @@
 
 import calendar
 import time
-from collections import Counter
-from collections.abc import Callable, Iterable
+from collections import Counter, deque
+from collections.abc import Callable
 from typing import Any
 
 from bokeh.util.token import (
@@ -19,7 +19,7 @@ from ..choices.choices import Choices
 from ..jobs.fair import Shares
 from ..page.address import ASKED, FORMER, LONGEST_TEXT
 from ..text.catalogues import page
-from .limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_SESSIONS
+from .limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_BARRED, MAX_SESSIONS
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
 KNOWN = {*Choices.CHOSEN, *ASKED, *FORMER, "panel"}  # keys of an address; others never reach a session
@@ -35,7 +35,7 @@ class Door:
     def __init__(self, secret: bytes, clock: Callable[[], float] = time.monotonic):
         self._secret, self._clock = secret, clock
         self._live: dict[str, Any] = {}  # by session: its socket
-        self._barred: dict[str, float] = {}  # sessions whose visitors were turned out, and when
+        self._barred: deque[str] = deque(maxlen=MAX_BARRED)  # sessions whose visitors were turned out
         self._turned_out = Shares(clock)  # by address, how many lately
 
     def issue(self, arguments: dict[str, list[bytes]]) -> str:
@@ -53,10 +53,8 @@ class Door:
         """Whether there is no room for another visitor from there."""
         return len(self._live) >= MAX_SESSIONS and self._first_to_go(address) is None
 
-    def refuses(self, token: str | None, sessions: Iterable[str], address: str) -> str | None:
-        """Why this token opens no socket, or None; `sessions` are those that exist."""
-        now = self._clock()
-        self._barred = {each: when for each, when in self._barred.items() if now - when < TOKEN_SECONDS}
+    def refuses(self, token: str | None, address: str) -> str | None:
+        """Why this token opens no socket, or None. Who comes back needs room too: else there is no end of sessions."""
         session = self._session_in(token)
         if session is None:
             return page().text("serving.out-of-date")
@@ -64,8 +62,6 @@ class Door:
             return page().text("serving.barred")
         if session in self._live:
             return page().text("serving.open-already")
-        if session in sessions:
-            return None
         return FULL if self.full(address) else None
 
     def enter(self, socket: Any) -> None:
@@ -81,7 +77,7 @@ class Door:
 
     def bar(self, session: str) -> None:
         """Let this session be opened no more."""
-        self._barred[session] = self._clock()
+        self._barred.append(session)
 
     def slow(self, address: str) -> None:
         """For a while, let new sessions from there come after others: somebody there has flooded."""
@@ -92,19 +88,18 @@ class Door:
         return self._turned_out.used(address)
 
     def _first_to_go(self, address: str) -> Any:
-        """Whose place a visitor from this address may have: of one who is idle, or whose address has far more than it.
+        """Whose place a visitor from this address may have: of one whose address has far more than it, or who is idle.
 
         One address with many sockets does not shut the door for the others; a class behind one keeps its places.
         """
-        now = self._clock()
-        idlest = min(self._live.values(), key=lambda each: each.active, default=None)
-        if idlest is None or now - idlest.active > IDLE_SECONDS:
-            return idlest
-        count = Counter(socket.address for socket in self._live.values())
-        most, sessions = count.most_common(1)[0]
-        if sessions <= ADDRESS_SESSIONS or count[address] >= sessions:
-            return None
-        return min((each for each in self._live.values() if each.address == most), key=lambda each: each.active)
+        by_idleness = sorted(self._live.values(), key=lambda each: each.active)
+        count = Counter(each.address for each in by_idleness)
+        most, sessions = max(count.items(), key=lambda each: each[1], default=("", 0))
+        if sessions > ADDRESS_SESSIONS and count[address] < sessions:
+            return next(each for each in by_idleness if each.address == most)
+        if by_idleness and self._clock() - by_idleness[0].active > IDLE_SECONDS:
+            return by_idleness[0]
+        return None
 
     def _session_in(self, token: str | None) -> str | None:
         try:

@@ -23,7 +23,7 @@ from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
 from .door import FULL
-from .limits import MAX_PAGES_OF_ONE, MAX_PAGES_WAITING
+from .limits import MAX_PAGES_OF_ONE
 from .still import bare_frame, first_still
 
 LIBRARIES = (  # of the page, in this order: address, and the file there
@@ -38,6 +38,7 @@ TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in L
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 PACKED = (".js", ".css")
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
+OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
 FILES = {ENTRY, *OF_THE_DOCUMENT} | {
     path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file() and path.suffix != ".js"
 }
@@ -61,7 +62,7 @@ def shell(first: bool = True) -> str:
     links = [
         (kind, name)
         for kind, ending in (('preload" as="style', ".css"), ("modulepreload", ".js"))
-        for name in sorted(FILES - OF_THE_DOCUMENT)
+        for name in sorted(FILES - OF_THE_DOCUMENT - OF_ANOTHER_PAGE)
         if name.endswith(ending)
     ]
     preloads = [f'<link rel="{kind}" href="assets/{VERSION}/{name}">' for kind, name in links]
@@ -90,7 +91,7 @@ class Page(RequestHandler):
     async def get(self) -> None:
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
         turnstile, visitor = of_loop(Turnstile), Stranger(PAGES, self._address)
-        busy = turnstile.waiting >= MAX_PAGES_WAITING or turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
+        busy = turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
         if not busy:
             await turnstile.enter(visitor)
         turnstile.charge(visitor, PAGE_SECONDS)
@@ -109,7 +110,7 @@ class Page(RequestHandler):
 @cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
-    return bundle(STATIC, ENTRY).encode() if file == STATIC / ENTRY else file.read_bytes()
+    return bundle(STATIC, ENTRY, f"text/{LANGUAGE}.js").encode() if file == STATIC / ENTRY else file.read_bytes()
 
 
 @cache

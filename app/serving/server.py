@@ -2,7 +2,6 @@
 
 import contextlib
 import logging
-import re
 import secrets
 import signal
 from socket import socket
@@ -79,6 +78,7 @@ def build(
     from .door import Door
     from .limits import MAX_BODY, MAX_HEADER, MAX_MESSAGE
     from .pages import pack, shell
+    from .routes import routes
 
     _quiet()
     install.install()
@@ -97,7 +97,7 @@ def build(
         show=False,
         start=False,
         location=False,
-        extra_patterns=_routes(),
+        extra_patterns=routes(),
         websocket_max_message_size=MAX_MESSAGE,
         http_server_kwargs={
             "max_body_size": MAX_BODY,
@@ -117,26 +117,11 @@ def build(
     return server
 
 
-def _routes() -> list[tuple]:
-    """What is served beside the page and its socket."""
-    from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts
-    from .uploads import MeasuredRecord
-
-    return [
-        (r"/liveness", Alive),
-        (r"/record", MeasuredRecord),
-        (r"/figures/([a-z-]+)", Figure),
-        (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
-        (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
-        (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),
-    ]
-
-
 def _quiet() -> None:
     """One line for what a reader of the log can act on; nothing for what strangers send."""
     logging.basicConfig(level=logging.WARNING, format="%(levelname)s %(message)s")
     logging.getLogger("bokeh").setLevel(logging.ERROR)
-    for name in ("bokeh.server.views.ws", "bokeh.server.protocol_handler"):  # a stack per bad message, else
+    for name in ("bokeh.server.views.ws", "bokeh.server.protocol_handler", "bokeh.protocol"):  # a stack for what is bad
         logging.getLogger(name).setLevel(logging.CRITICAL)
     logging.getLogger("tornado.access").setLevel(logging.CRITICAL)  # a page is refused at a stranger's will
     logging.getLogger("tornado.general").setLevel(logging.ERROR)

@@ -7,13 +7,14 @@ import random
 import time
 from collections import deque
 from contextlib import suppress
-from typing import Any
+from typing import Any, ClassVar
 
 from bokeh.protocol.message import Message
 from bokeh.util.token import get_session_id
 from panel.io.server import WSHandler
 from tornado.iostream import StreamClosedError
-from tornado.websocket import WebSocketClosedError
+from tornado.web import HTTPError
+from tornado.websocket import WebSocketClosedError, WebSocketProtocol, WebSocketProtocol13
 
 from ..choices.choices import Choices
 from ..jobs.fair import Stranger
@@ -23,12 +24,14 @@ from ..jobs.workers import Workers
 from ..page.lab import Lab, lab_of
 from ..text.catalogues import page
 from . import guard
+from .addresses import host_of
 from .haste import Haste
 from .limits import (
     HASTE,
     HASTE_BURST,
     HASTE_RATE,
     HASTY_SECONDS,
+    MAX_CLOSING,
     MAX_OVER_SECONDS,
     MAX_REFUSED,
     MAX_WAITING,
@@ -40,6 +43,7 @@ from .limits import (
 )
 
 SESSIONS = "sessions"  # what strangers ask for who open a socket
+SOCKET_SECONDS = 0.002  # of the event loop that this takes, also of who leaves before it is his turn
 CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
 TOO_MANY = page().text("serving.too-much")
@@ -54,10 +58,27 @@ class Reading(Turnstile):
         super().__init__(READ_AT_ONCE)
 
 
+class Wire(WebSocketProtocol13):
+    """Tornado's, but a ping, a pong or a fragment takes its turn too: each costs as much as a part of a message."""
+
+    async def _receive_frame(self) -> None:
+        before = self._message_bytes_in
+        await super()._receive_frame()
+        if self._message_bytes_in == before:
+            await self.handler.pass_by()  # pyright: ignore[reportAttributeAccessIssue]
+
+
 class Socket(WSHandler):
     """Bokeh's, but who may open it, what may come and how much of it is decided here."""
 
     session_id = ""
+    _closing: ClassVar[deque[WebSocketProtocol]] = deque()  # of all visitors, the oldest first
+    _turn: asyncio.Future | None = None  # which this visitor waits for, to begin
+
+    async def prepare(self) -> None:
+        if not host_of(self.request.headers.get("Origin", "http://none")):
+            raise HTTPError(403)  # Tornado stumbles over it
+        await super().prepare()
 
     def open(self, *arguments: Any, **options: Any) -> None:
         self.active = time.monotonic()
@@ -72,7 +93,7 @@ class Socket(WSHandler):
         self.address = self.application.settings["addresses"].of(self.request)
         reason = page().text("serving.protocol")
         if self.selected_subprotocol == "bokeh":
-            reason = self._door.refuses(self._token, self.application_context._sessions, self.address)
+            reason = self._door.refuses(self._token, self.address)
         if reason is not None or self._token is None:
             self._end(reason or page().text("serving.protocol"))
             return
@@ -95,10 +116,17 @@ class Socket(WSHandler):
     def _open(self) -> bool:
         return not self._out and self.ws_connection is not None
 
+    def get_websocket_protocol(self) -> Any:
+        protocol: Any = super().get_websocket_protocol()
+        socket: Any = self
+        return protocol and Wire(socket, False, protocol.params)
+
     async def _async_open(self, token: str) -> None:
         turnstile = of_loop(Turnstile)
         stranger = Stranger(SESSIONS, self.address)
-        await turnstile.enter(stranger)
+        turnstile.charge(stranger, SOCKET_SECONDS)
+        self._turn = asyncio.ensure_future(turnstile.enter(stranger))
+        await asyncio.wait([self._turn])
         if not self._open:
             return
         self._blame(self._door.debt(self.address))
@@ -112,7 +140,19 @@ class Socket(WSHandler):
             await self._take(fragment)
         except Exception as error:  # nobody above could do anything about it
             log.error("a message could not be taken: %r", error)
-            self.close(LIMIT, page().text("serving.unreadable"))
+            self.turn_out(page().text("serving.unreadable"))
+
+    async def _receive(self, fragment: str | bytes) -> Message | None:
+        """A whole message, if this completes one. A page sends no buffers, which Bokeh would keep without bound;
+        what it stumbles over leaves no line in the log.
+        """
+        with suppress(Exception):
+            receiver: Any = self.receiver
+            message = await receiver.consume(fragment)
+            if isinstance(message.header["msgid"], str) if message else receiver._partial is None:
+                return message
+        self.turn_out(page().text("serving.unreadable"), flood=False)
+        return None
 
     async def _take(self, fragment: str | bytes) -> None:
         if self._out:
@@ -140,8 +180,17 @@ class Socket(WSHandler):
         """Whether there is no session yet, or no more."""
         return self.connection is None or self.connection._session is None
 
+    async def pass_by(self) -> None:
+        """A frame that is no message: no browser sends many."""
+        if self._parts.left < 1.0:
+            self.turn_out(TOO_MANY)
+        await self._in_turn()
+
     async def _in_turn(self) -> bool:
         """Wait until this socket may be read from; False if it is closed instead."""
+        if self._out:
+            await asyncio.sleep(OVER_PAUSE)
+            return False
         reading = of_loop(Reading)
         await reading.enter(self.session_id)
         reading.charge(self.session_id, PART_SECONDS)
@@ -291,15 +340,23 @@ class Socket(WSHandler):
             self._end(sentence[:120])
 
     def _end(self, sentence: str) -> None:
+        """Close it; who does not answer to that, and goes on sending, is not waited for."""
+        if (protocol := self.ws_connection) is None:
+            return
         self.close(LIMIT, sentence)
-        asyncio.get_running_loop().call_later(CLOSE_SECONDS, self._abort)
+        self._closing.append(protocol)
+        asyncio.get_running_loop().call_later(CLOSE_SECONDS, self._give_up, protocol)
+        if len(self._closing) > MAX_CLOSING:
+            self._give_up(self._closing[0])
 
-    def _abort(self) -> None:
-        """Who goes on sending does not answer that the socket is closed."""
-        if self.ws_connection is not None:
-            self.ws_connection._abort()
+    def _give_up(self, protocol: Any) -> None:
+        if protocol in self._closing:
+            self._closing.remove(protocol)
+            protocol._abort()
 
     def on_close(self) -> None:
+        if self._turn is not None:
+            self._turn.cancel()  # who has gone keeps no place in the line
         if not self.session_id:
             return
         self._door.leave(self)

@@ -7,7 +7,6 @@ address with most of them makes room: whoever sends slowly keeps nobody out, and
 import logging
 from collections import Counter
 from typing import ClassVar
-from urllib.parse import urlsplit
 
 from bokeh.server.util import check_allowlist
 from tornado.web import RequestHandler, stream_request_body
@@ -23,11 +22,13 @@ from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
 from ..text.catalogues import page
 from ..views.record import record_answer
+from .addresses import Addresses, host_of
 
 MAX_HELD = 64_000_000  # bytes of all records that are on their way, or being compared
 COMPARED_OF_ONE = 6  # records of one address being compared, or waiting for it; addresses take turns
 RECEIVE_SECONDS = 20.0  # for a record to arrive
 MAX_PASSED_BY = 12_000_000  # bytes that are read of a record that is too long: a browser listens when it has sent all
+PEERS = Addresses()  # where the application is another's, and names no proxies
 log = logging.getLogger("strikewave")
 
 
@@ -39,7 +40,7 @@ class MeasuredRecord(RequestHandler):
     _comparing: ClassVar[set["MeasuredRecord"]] = set()
 
     def initialize(self) -> None:
-        self.address = self.application.settings["addresses"].of(self.request)
+        self.address = self.application.settings.get("addresses", PEERS).of(self.request)
 
     def prepare(self):
         self._body, self._refusal = bytearray(), None
@@ -49,12 +50,12 @@ class MeasuredRecord(RequestHandler):
             return
         self.request.connection.set_body_timeout(RECEIVE_SECONDS)
         self.request.connection.set_max_body_size(MAX_PASSED_BY)
-        origin = urlsplit(self.request.headers.get("Origin", "")).netloc.lower()
+        origin = host_of(self.request.headers.get("Origin", ""))
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
             self._refusal = 403, page().text("serving.record.own-page")
         else:
             length = self.request.headers.get("Content-Length", "0")
-            self._check_size(int(length) if length.isdecimal() else 0)
+            self._check_size(int(length) if length.isdecimal() and len(length) < 20 else 0)
 
     def data_received(self, chunk: bytes):
         """Keep the body, or let it pass by once it is refused."""

@@ -15,6 +15,7 @@ import { make } from './shell/dom.js';
 import { First } from './shell/first.js';
 import { Help } from './shell/help.js';
 import { History } from './shell/history.js';
+import { alone } from './shell/home.js';
 import { listenToKeys } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
@@ -45,6 +46,7 @@ const SHEETS = [
   'space/stage.css',
   'beam/beam.css',
   ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
+  ...(alone ? [] : ['shell/embedded.css']),
 ];
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
@@ -177,11 +179,13 @@ export class Page {
     model.on('frame', () => this.take());
     model.on('refused', () => {
       if (!model.refused) return;
+      const { goal, sent } = this.changes;
       this.changes.leave();
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      if (!this.bodies.refused(model.refused)) this.complain(model.refused);
+      const field = this.bodies.refused(model.refused) || (!goal && this.controls.refused(sent, model.refused));
+      if (!field) this.complain(model.refused);
     });
     for (const name of this.names)
       model.on(name, () => {
@@ -295,7 +299,7 @@ export class Page {
     this.resumed = true;
     document.getElementById('still')?.remove();
     this.analyses.resume();
-    const timed = follow(this, readLink(window.location.search, this));
+    const timed = follow(this, readLink(alone ? window.location.search : '', this));
     const state = cameBack();
     if (state) goOn(this, state);
     else if (!timed && !window.matchMedia('(prefers-reduced-motion: reduce)').matches) this.player.tour();

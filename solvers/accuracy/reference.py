@@ -48,12 +48,14 @@ def swept_reference(scene: Scene) -> Solution:
     return (waves if scene.target.rods else Modal(modes=SWEEP_MODES, estimate=False)).solve(scene)
 
 
-def exact_solution(scene: Scene, restitution: float) -> Solution:
+def exact_solution(scene: Scene, restitution: float, duration: float | None = None) -> Solution:
     """Waves; for bodies without waves one integrated to rounding; many modes of what else rings.
 
     Where nothing gives way at the contact of bodies without waves, the restitution stands for it; a row of balls is
-    integrated by its usual method. Raises SceneError for beams, of which no exact solution is known.
+    integrated by its usual method. Without a duration [s] as long as the scene says, or as is usual. Raises SceneError
+    for beams, of which no exact solution is known.
     """
+    duration = duration or scene.method.get("duration")
     if scene.target.bends:
         raise SceneError("target.kind", scene.target.kind, allowed("not-bending"))
     rings = any(body.time_unit is not None for body in (scene.impactor, scene.target))
@@ -64,8 +66,8 @@ def exact_solution(scene: Scene, restitution: float) -> Solution:
         scene = replace(scene, impactor=replace(bar, count=known))
     for method in (Waves(), modes, RigidImpulse(restitution), Balance(restitution=restitution)):
         if not method.refusal(scene):
-            return method.solve_in_full(scene, scene.method.get("duration"))
-    return METHODS[usual_method(scene)].read({}).solve_in_full(scene, scene.method.get("duration"))
+            return method.solve_in_full(scene, duration)
+    return METHODS[usual_method(scene)].read({}).solve_in_full(scene, duration)
 
 
 def modes_beside(scene: Scene, shown: Solution) -> Solution | None:

@@ -45,6 +45,7 @@ FORMATS: dict[str, Callable[[Any], str]] = {
     "list": ", ".join,
     "options": lambda words: ", ".join(map(repr, words)),
     "method": lambda label: f"'{label}'",  # of a method, with its resolution
+    "law": lambda name: f"'{name}'",
 }
 NOTE, REFUSALS = "note", "refusals"  # formats of a note within a note, and of notes by method, each why it cannot
 

@@ -85,11 +85,11 @@ def _descends(pid: int, of: int) -> bool:
 
 def _seconds(of: int, solves: bool) -> dict[int, float]:
     """Of processors, that each of a server's processes has used, by its id."""
-    found = {}
+    found, server = {}, _fields(of)
     for folder in Path("/proc").glob("[0-9]*"):
         pid, fields = int(folder.name), _fields(int(folder.name))
-        # Workers yield to others; the server and the compiling process do not.
-        if fields and (not solves or int(fields[16]) > 0) and _descends(pid, of):
+        # Workers are nicer than the server; the compiling process is not.
+        if fields and server and (not solves or int(fields[16]) > int(server[16])) and _descends(pid, of):
             found[pid] = (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
     return found
 
@@ -101,12 +101,12 @@ class Meter:
     """
 
     def __init__(self, server: Server, solves: bool = False):
-        self._pid, self._solves, self._total = server.process.pid, solves, 0.0
-        self._known = _seconds(self._pid, solves)
+        self._pid, self._solves = server.process.pid, solves
+        self._begun = _seconds(self._pid, solves)
+        self.used: dict[int, float] = {}  # by each process, also by those that have ended
 
     def read(self) -> float:
         """Until now; often enough, as what a process has used is known no more once it has ended."""
-        now = _seconds(self._pid, self._solves)
-        self._total += sum(seconds - self._known.get(pid, 0.0) for pid, seconds in now.items())
-        self._known = now
-        return self._total
+        for pid, seconds in _seconds(self._pid, self._solves).items():
+            self.used[pid] = seconds - self._begun.get(pid, 0.0)
+        return sum(self.used.values())

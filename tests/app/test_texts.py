@@ -68,6 +68,7 @@ def test_page_and_command_name_the_same_note_in_their_own_words():
     values = {"slenderness": 3.0, "theory": "euler-bernoulli", "least": 10}
     assert page().text("beam-not-slender", **values).endswith("use Theory: Timoshenko.")
     assert command().text("beam-not-slender", **values).endswith("use theory = 'timoshenko'.")
+    assert command().text("refusals.frozen-law", law="hertz").split("got ")[1].startswith("'hertz'")
     assert LANGUAGES == ("en",)
 
 

@@ -1,6 +1,7 @@
 // A figure whose looks Python has drawn (app/views/figures.py): fetched when it is first shown, filled from answers,
 // and zoomed, read and saved by Bokeh in the browser. The server hears of none of it.
 import { download, make } from '../shell/dom.js';
+import { served } from '../shell/home.js';
 import { text } from '../text/catalogue.js';
 import { dress, NARROW } from './dress.js';
 
@@ -24,7 +25,7 @@ const looks = new Map(); // by name of the figure
 
 /** @param {string} name */
 async function fetched(name) {
-  const answer = await fetch(new URL(`figures/${name}`, document.baseURI));
+  const answer = await fetch(served(`figures/${name}`));
   if (!answer.ok) throw new Error(`figures/${name}: ${answer.status}`);
   return answer.text();
 }

@@ -3,6 +3,7 @@ import { entriesOf } from '../shell/body_values.js';
 import { Figure } from '../charts/figure.js';
 import { between } from '../charts/scale.js';
 import { make } from '../shell/dom.js';
+import { served } from '../shell/home.js';
 import { commaOf, numberInput } from '../shell/number_field.js';
 import { said, text } from '../text/catalogue.js';
 import { figures, localised, signed } from '../text/format.js';
@@ -228,7 +229,7 @@ class Measurement {
   async #send(query, body) {
     const headers = { 'Content-Type': 'application/octet-stream' };
     try {
-      const response = await fetch(new URL(`record?${query}`, document.baseURI), { method: 'POST', body, headers });
+      const response = await fetch(served(`record?${query}`), { method: 'POST', body, headers });
       return await response.json();
     } catch {
       return { error: text('record.not-sent', { most: LIMIT / 1e6 }) };

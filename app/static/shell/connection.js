@@ -3,6 +3,7 @@
 import { text } from '../text/catalogue.js';
 import { documents } from './bokeh.js';
 import { make } from './dom.js';
+import { alone, served } from './home.js';
 import { keep, kept } from './store.js';
 
 /** @import { Model } from './model.js' */
@@ -41,7 +42,10 @@ export class Connection {
     this.root.append(this.words, reload);
     page.append(this.root);
     model.on('disconnected', () => this.#turnedOut());
-    for (const shown of documents()) shown.on_event('connection_lost', () => this.#lose(true));
+    for (const shown of documents()) {
+      shown.on_event('connection_lost', () => this.#lose(true));
+      if (!alone) shown.on_event('client_reconnected', () => this.#found());
+    }
     this.offline = () => this.#lose();
     window.addEventListener('offline', this.offline);
     this.watch = window.setInterval(() => this.#watch(), TICK);
@@ -64,7 +68,7 @@ export class Connection {
     const due = this.late() > LATE && now - this.asked > LATE;
     if (!due && now - this.asked < REGULAR) return;
     this.asked = now;
-    if (!(await answers('liveness'))) this.#lose();
+    if (!(await answers(served('liveness')))) this.#lose();
   }
   /** @param {boolean} [cut] */
   #lose(cut = false) {
@@ -72,8 +76,8 @@ export class Connection {
     if (this.lost || this.closed) return;
     this.lost = true;
     this.pause = AGAIN;
-    this.#say(this.model.disconnected || text('connection.lost'));
-    this.#look();
+    this.#say(this.model.disconnected || text(alone ? 'connection.lost' : 'connection.lost-in-page'));
+    if (alone || !cut) this.#look(); // when another's page comes back is its own affair
   }
   /** Ask until there is a server with room; then go on there. */
   #look() {
@@ -84,16 +88,16 @@ export class Connection {
   async #ask() {
     this.pause = Math.min(1.4 * this.pause, SELDOM);
     if (this.closed) return;
-    if (!(await answers('liveness'))) this.#look();
+    if (!(await answers(served('liveness')))) this.#look();
     else if (!this.cut) this.#found();
-    else if (await answers(window.location.href)) {
+    else if (await answers(window.location)) {
       this.#say(text('connection.back'));
       this.#return();
     } else this.#look();
   }
   /** It was only slow, or the line was: the session is still there. */
   #found() {
-    this.lost = false;
+    this.lost = this.cut = false;
     this.#say('');
     this.back();
   }
@@ -103,7 +107,7 @@ export class Connection {
   }
   /** What is shown, for when this page is come back to. */
   keep() {
-    keep(NAME, { ...Object(this.state()), at: Date.now() }, true);
+    if (alone) keep(NAME, { ...Object(this.state()), at: Date.now() }, true);
   }
   /** @param {string} sentence */
   #say(sentence) {
@@ -117,6 +121,7 @@ export class Connection {
  * @returns {Record<string, any> | null}
  */
 export function cameBack() {
+  if (!alone) return null;
   const state = kept(NAME, /** @type {Record<string, any> | null} */ (null), true);
   keep(NAME, undefined, true);
   const [how] = performance.getEntriesByType('navigation');
@@ -126,12 +131,12 @@ export function cameBack() {
 
 /**
  * Whether an address is answered soon, and well.
- * @param {string} address
+ * @param {URL | Location} address
  */
 async function answers(address) {
   try {
     const signal = AbortSignal.timeout(PATIENCE);
-    return (await fetch(new URL(address, document.baseURI), { signal, cache: 'no-store' })).ok;
+    return (await fetch(address.href, { signal, cache: 'no-store' })).ok;
   } catch {
     return false;
   }

@@ -16,6 +16,7 @@ const LONGER_TITLE = 72; // beyond which it is everywhere
  * @typedef {object} Control
  * @property {HTMLElement} root
  * @property {(value: any, refused: boolean) => void} set
+ * @property {(sentence: string) => void} [complain]  below its value
  */
 
 export class Controls {
@@ -79,6 +80,17 @@ export class Controls {
    */
   show(name, value, refused = false) {
     this.fields[name]?.set(value, refused);
+  }
+  /**
+   * Whether the choices that were refused are those of one field in view that has room to say so.
+   * @param {string[]} names
+   * @param {string} sentence
+   */
+  refused([name, ...others], sentence) {
+    const field = this.fields[name];
+    if (others.length || !field?.complain || !field.root.checkVisibility()) return false;
+    field.complain(sentence);
+    return true;
   }
   /**
    * The scene by its name, and whether it is still that one.

@@ -2,6 +2,7 @@
 // kept or kept no more. Back undoes, and does not leave the page before all is undone.
 import { make } from './dom.js';
 import { addressOf, choicesText, queryOf } from './address.js';
+import { alone, Steps } from './home.js';
 import { Writing } from './keys.js';
 import { text } from '../text/catalogue.js';
 import { keep, kept } from './store.js';
@@ -33,6 +34,9 @@ export class History {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
+    this.popped = () => this.#arrive();
+    /** @type {import('./home.js').Entries<Entry>} */
+    this.entries = alone ? window.history : new Steps(this.popped);
     const { entry } = this;
     if (entry) this.top = Math.max(kept(TOP, 0, true), entry.strikewave); // the page was left, or reloaded
     const button = (/** @type {string} */ sign, /** @type {string} */ title, /** @type {() => void} */ onclick) =>
@@ -48,8 +52,7 @@ export class History {
     this.redoing = button('↷', text('page.redo'), () => this.redo());
     this.undoing.setAttribute('aria-keyshortcuts', 'Control+Z');
     this.redoing.setAttribute('aria-keyshortcuts', 'Control+Shift+Z');
-    this.popped = () => this.#arrive();
-    window.addEventListener('popstate', this.popped);
+    if (alone) window.addEventListener('popstate', this.popped);
   }
   /**
    * The fields below this have an undo of their own.
@@ -64,16 +67,16 @@ export class History {
   }
   /** @returns {Entry | null} */
   get entry() {
-    const { state } = window.history;
+    const { state } = this.entries;
     return state && typeof state.strikewave === 'number' && state.chosen ? state : null;
   }
   undo() {
     this.#settle();
-    if ((this.entry?.strikewave ?? 0) > 0) window.history.back();
+    if ((this.entry?.strikewave ?? 0) > 0) this.entries.back();
   }
   redo() {
     this.#settle();
-    if ((this.entry?.strikewave ?? 0) < this.top) window.history.forward();
+    if ((this.entry?.strikewave ?? 0) < this.top) this.entries.forward();
   }
   #settle() {
     if (this.resting) this.write(); // what is still to be written comes before
@@ -126,7 +129,7 @@ export class History {
    */
   #put(how, entry, address) {
     try {
-      window.history[how](entry, '', address);
+      this.entries[how](entry, '', address);
     } catch {
       this.later();
     }

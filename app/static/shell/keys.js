@@ -1,5 +1,7 @@
 // What keys do on the page, and what they mean to the element that has the focus.
 
+import { alone } from './home.js';
+
 /** @import { Page } from '../page.js' */
 
 const TAKE_LETTERS = ['INPUT', 'SELECT', 'TEXTAREA']; // what keys mean something else in
@@ -75,6 +77,7 @@ export function listenToKeys(page) {
     if (taken(event)) return;
     if (page.player.key(event) || page.compare.key(event)) event.preventDefault();
   };
-  document.addEventListener('keydown', key);
-  return () => document.removeEventListener('keydown', key);
+  const place = alone ? document : page.root;
+  place.addEventListener('keydown', /** @type {EventListener} */ (key));
+  return () => place.removeEventListener('keydown', /** @type {EventListener} */ (key));
 }

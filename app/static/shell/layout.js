@@ -5,6 +5,7 @@ import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { gripOf } from './grip.js';
+import { alone } from './home.js';
 import { keep, kept } from './store.js';
 import { Tabs } from './tabs.js';
 
@@ -61,13 +62,17 @@ export class Layout {
     bar.prepend(this.folders.left);
     bar.append(this.folders.right);
     this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
+    this.root.classList.toggle('embedded', !alone);
     this.tabs.select('story');
     const moved = () => this.place();
     LARGE.addEventListener('change', moved);
     window.addEventListener('resize', moved);
+    const resized = new ResizeObserver(moved);
+    if (!alone) resized.observe(this.root);
     this.leave = () => {
       LARGE.removeEventListener('change', moved);
       window.removeEventListener('resize', moved);
+      resized.disconnect();
     };
     this.place();
   }
@@ -75,13 +80,18 @@ export class Layout {
   get sheet() {
     return this.lent ? 0 : (this.sizes.sheet ?? SNAPS[1]);
   }
+  /** @returns {[width: number, height: number]} in pixels, of the window or of its place in another's page */
+  get #room() {
+    const { clientWidth, clientHeight } = this.root;
+    return alone || !clientWidth ? [window.innerWidth, window.innerHeight] : [clientWidth, clientHeight];
+  }
   /** @param {'left' | 'right'} name */
   folded(name) {
     return Boolean(this.sizes.folded?.[name]);
   }
   /** Put everything where it belongs at this width. */
   place() {
-    const [width, height] = [window.innerWidth / scale, window.innerHeight / scale];
+    const [width, height] = this.#room.map((size) => size / scale);
     const across = width < TABLET && height < Math.min(LOW, width);
     /** @type {Mode} */
     const mode = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
@@ -103,8 +113,9 @@ export class Layout {
   /** How wide the docks are, and how high the sheet. */
   #measure() {
     const { root, sizes } = this;
-    const room = window.innerWidth - CENTRE;
-    const usual = USUAL * window.innerWidth;
+    const [whole] = this.#room;
+    const room = whole - CENTRE;
+    const usual = USUAL * whole;
     const least = (/** @type {'left' | 'right'} */ name) => sizes[name] && Math.max(sizes[name], LEAST[name]);
     const left = Math.min(least('left') ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
     const wanted = least('right') ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
@@ -112,7 +123,7 @@ export class Layout {
     const wide = this.mode === 'tablet' ? Math.min(248 * scale, room) : left;
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
-    root.style.setProperty('--sheet', `${100 * this.sheet}dvh`);
+    root.style.setProperty('--sheet', `${100 * this.sheet}${alone ? 'dvh' : '%'}`);
     this.left.hidden = this.mode === 'phone' || this.folded('left');
     this.right.hidden = this.mode === 'desk' && (this.folded('right') || this.full);
     const menu = this.mode === 'desk' && this.tabs.selected === 'analysis' && this.spare;
@@ -128,7 +139,7 @@ export class Layout {
       name === 'sheet' ? this.right.clientHeight : (name === 'left' ? this.left : this.right).clientWidth;
     const resize = (/** @type {number} */ wanted) => {
       if (name === 'sheet') this.lent = false;
-      if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / window.innerHeight, 0), SNAPS[2]);
+      if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / this.#room[1], 0), SNAPS[2]);
       else this.sizes[name] = Math.max(wanted, LEAST[name]);
       this.#measure();
     };

@@ -2,6 +2,7 @@
 import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
 import { download } from './dom.js';
+import { alone } from './home.js';
 
 /** @import { Page } from '../page.js' */
 
@@ -9,7 +10,8 @@ const DIGITS = 6; // behind the first one, of saved values
 
 /** @param {Page} page */
 function linkOf(page) {
-  const { origin, pathname } = window.location;
+  const { href, origin, pathname } = window.location;
+  if (!alone) return href;
   return `${origin}${pathname}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
 }
 

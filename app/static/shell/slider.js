@@ -32,7 +32,8 @@ export class Slider {
     const { low: least, high: most, whole } = bounds;
     const shown = (/** @type {number} */ value) => (whole ? String(value) : pretty(value));
     this.number = new NumberField({ control: title, sign: unit, whole }, () => [least, most], shown, send);
-    const { input, wrong } = this.number;
+    const { input, wrong, complain } = this.number;
+    this.complain = complain;
     input.ariaLabel = text('controls.exact-value', { title });
     this.range.oninput = () => this.#moved(this.#toValue(Number(this.range.value)));
     this.range.onchange = () => (this.held = false);

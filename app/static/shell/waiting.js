@@ -65,8 +65,10 @@ export class Waiting {
   settle() {
     const box = this.place?.getBoundingClientRect();
     if (!box?.width) return;
-    for (const side of /** @type {const} */ (['left', 'top', 'width', 'height']))
-      this.root.style[side] = `${box[side]}px`;
+    const from = this.root.offsetParent?.getBoundingClientRect(); // in another's page, which scrolls
+    const { width, height } = box;
+    const at = { left: box.left - (from?.left ?? 0), top: box.top - (from?.top ?? 0), width, height };
+    for (const [side, value] of Object.entries(at)) this.root.style.setProperty(side, `${value}px`);
   }
   say() {
     clearTimeout(this.saying);

@@ -128,6 +128,7 @@ const FORMATS = {
   percent: (part) => `${localised(numeral(Number((100 * part).toPrecision(2)), 'g'))} %`,
   rough: (value) => localised(numeral(Number(value.toPrecision(1)), 'g')),
   method: (label) => described(label),
+  law: (name) => named('law', name),
   model: (parts) => modelled(parts),
   figures: (names) => names.map((/** @type {string} */ name) => named('figure', name)).join(', ') || text('nothing'),
   error: (error) => (error === 0 ? text('nothing') : share(error)),

@@ -6,6 +6,7 @@ import os
 import signal
 import time
 from contextlib import suppress
+from pathlib import Path
 
 import pytest
 
@@ -195,6 +196,16 @@ def test_work_of_a_process_that_is_killed_is_done_by_another():
         job = workers.start(works.compute, 0.5, level=LONG)
         os.kill(await begun(job), signal.SIGKILL)
         assert await asyncio.wait_for(job.answer, 60.0) == 0.5
+
+    with_workers(test)
+
+
+@pytest.mark.skipif(not Path("/proc/self/oom_score_adj").exists(), reason="no Linux")
+def test_where_memory_runs_out_a_worker_is_ended_and_not_the_server():
+    own = int(Path("/proc/self/oom_score_adj").read_text())
+
+    async def test(workers):
+        assert int(await workers.start(Path.read_text, Path("/proc/self/oom_score_adj")).answer) == min(own + 500, 1000)
 
     with_workers(test)
 

@@ -164,3 +164,11 @@ def test_it_is_told_when_a_gap_between_rods_is_closed():
         solve_frame(Choices(scene="rod-with-gap", **choices_of("rod-with-gap")).chosen())
     )["gaps"]
     assert rod == 2 and 0.25 < closes < 0.28 and opens == pytest.approx(1.406, abs=1e-3)
+
+
+def test_contacts_of_the_method_beside_are_seen_to_their_end():
+    """One mode lets go long after the waves have: its contact was told to last as long as what was solved."""
+    wished = Choices().chosen() | {"modes": 1}
+    found = read_header(solve_frame(wished))
+    assert not found["other"]["stillTouching"]
+    assert found["other"]["contacts"][-1][1] < 0.9 * found["duration"]

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from playwright.sync_api import expect
 from pytest import approx
 
 import solvers
@@ -56,9 +57,8 @@ def test_a_cushion_is_a_spring_of_its_modulus_area_and_thickness(open_page, name
     page.wait("() => strikewave.page.frame.chosen.law === 'linear' && !strikewave.page.asked")
     stiffness = page.evaluate("() => strikewave.page.frame.chosen.linear_stiffness")
     assert stiffness == approx(modulus * 0.03**2 / 0.01, rel=1e-5)
-    about = page.tab.locator(".cushions .help")
-    assert "k = E A / h" in about.text_content()
-    assert page.tab.get_by_role("button", name=f"{name}, 10 mm").get_attribute("aria-pressed") == "true"
+    expect(page.tab.locator(".cushions .help")).to_contain_text("k = E A / h")  # once the words follow
+    expect(page.tab.get_by_role("button", name=f"{name}, 10 mm")).to_have_attribute("aria-pressed", "true")
 
 
 def test_a_soft_run_beside_a_hard_one_is_seen_whole(open_page):

@@ -216,6 +216,24 @@ def test_a_body_that_is_too_long_is_not_read(server):
             assert answer == b"" or answer.startswith((b"HTTP/1.1 400", b"HTTP/1.1 405", b"HTTP/1.1 413"))
 
 
+@pytest.mark.slow
+def test_pages_asked_for_from_five_addresses_shut_nobody_out(own_server):
+    """Beyond 300 that waited everybody was told that the server is full: 475 connections of five did that."""
+    where, wires = ("127.0.0.1", own_server.port), []
+    request = f"GET / HTTP/1.1\r\nHost: {own_server.address}\r\n\r\n".encode()
+    try:
+        for number in range(475):
+            source = (f"127.0.0.{2 + number % 5}", 0)
+            wires.append(socket.create_connection(where, timeout=60, source_address=source))
+        for wire in wires:
+            wire.sendall(3 * request)  # who is answered asks again at once
+        for _ in range(5):
+            assert urllib.request.urlopen(f"http://{own_server.address}/", timeout=60).status == 200
+    finally:
+        for wire in wires:
+            wire.close()
+
+
 # --- costly choices ---------------------------------------------------------------------------------------------------
 
 

@@ -5,7 +5,7 @@ from bokeh.util.token import generate_jwt_token, generate_session_id, get_sessio
 
 from app.serving import door as doors
 from app.serving.door import FULL, Door
-from app.serving.limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_SESSIONS
+from app.serving.limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_BARRED, MAX_SESSIONS
 
 SECRET = b"a secret of this process"
 HERE, ELSEWHERE = "203.0.113.1", "203.0.113.2"
@@ -43,7 +43,7 @@ def door(clock):
 def opened(door, address=HERE):
     """A new socket from an address, or None if it is refused."""
     token = door.issue({})
-    if door.refuses(token, [], address) is not None:
+    if door.refuses(token, address) is not None:
         return None
     socket = Socket(token, address=address, now=door._clock())
     door.enter(socket)
@@ -53,11 +53,11 @@ def opened(door, address=HERE):
 def test_a_session_that_was_issued_opens_once_and_again_when_its_socket_has_gone(door):
     token = door.issue({})
     socket = Socket(token)
-    assert door.refuses(token, [], HERE) is None
+    assert door.refuses(token, HERE) is None
     door.enter(socket)
-    assert "open already" in door.refuses(token, [socket.session_id], HERE)
+    assert "open already" in door.refuses(token, HERE)
     door.leave(socket)
-    assert door.refuses(token, [socket.session_id], HERE) is None
+    assert door.refuses(token, HERE) is None
 
 
 @pytest.mark.parametrize("signed", [False, True])
@@ -65,25 +65,25 @@ def test_a_session_that_another_has_made_up_is_refused(door, signed):
     own = generate_session_id(secret_key=b"another", signed=True)
     for session in (own, "evil", ""):
         token = generate_jwt_token(session, secret_key=b"another", signed=signed, expiration=300)
-        assert "out of date" in door.refuses(token, [], HERE)
+        assert "out of date" in door.refuses(token, HERE)
 
 
 @pytest.mark.parametrize("token", [None, "", "x", "a.b", "a.b.c", "é", "eyJ9.eyJ9", "." * 100, "A" * 10_000])
 def test_what_is_no_token_is_refused(door, token):
-    assert "out of date" in door.refuses(token, [], HERE)
+    assert "out of date" in door.refuses(token, HERE)
 
 
 def test_a_token_that_is_too_old_or_was_changed_is_refused(door, monkeypatch):
     token = door.issue({})
-    assert "out of date" in door.refuses(token[:-2] + "xx", [], HERE)
+    assert "out of date" in door.refuses(token[:-2] + "xx", HERE)
     monkeypatch.setattr(doors, "TOKEN_SECONDS", -1)
-    assert "out of date" in door.refuses(door.issue({}), [], HERE)
+    assert "out of date" in door.refuses(door.issue({}), HERE)
 
 
 def test_who_was_turned_out_stays_out(door):
     token = door.issue({})
     door.bar(get_session_id(token))
-    assert "disconnected" in door.refuses(token, [], HERE)
+    assert "disconnected" in door.refuses(token, HERE)
 
 
 def test_only_what_an_address_may_say_reaches_a_session(door):
@@ -97,9 +97,9 @@ def test_only_what_an_address_may_say_reaches_a_session(door):
 def test_the_last_place_is_given_and_no_more_than_that(door):
     for _ in range(MAX_SESSIONS):
         token = door.issue({})
-        assert door.refuses(token, [], HERE) is None and not door.full(HERE)
+        assert door.refuses(token, HERE) is None and not door.full(HERE)
         door.enter(Socket(token))
-    assert door.refuses(door.issue({}), [], HERE) == FULL and door.full(HERE)
+    assert door.refuses(door.issue({}), HERE) == FULL and door.full(HERE)
 
 
 def test_who_is_idle_for_long_makes_room(door):
@@ -108,7 +108,7 @@ def test_who_is_idle_for_long_makes_room(door):
     for socket in (*sockets, idle):
         door.enter(socket)
     token = door.issue({})
-    assert not door.full(HERE) and door.refuses(token, [], HERE) is None
+    assert not door.full(HERE) and door.refuses(token, HERE) is None
     door.enter(Socket(token))
     assert "idle" in idle.reported and not any(socket.reported for socket in sockets)
 
@@ -174,3 +174,33 @@ def test_of_a_flood_of_sockets_that_leave_nothing_is_left(door):
         assert socket is not None
         door.leave(socket)
     assert None not in [opened(door) for _ in range(CLASS)]
+
+
+def test_five_addresses_of_strangers_who_never_rest_do_not_shut_the_house(door):
+    """With 30 each nobody was over his share."""
+    busy = [opened(door, f"198.51.100.{k % 5}") for k in range(MAX_SESSIONS)]
+    others = [opened(door, f"203.0.113.{k}") for k in range(MAX_SESSIONS - 5 * ADDRESS_SESSIONS)]
+    assert None not in [*busy, *others] and not any(socket.reported for socket in others)
+
+
+def test_a_crowd_gives_way_before_who_only_reads(door, clock):
+    reading = opened(door, ELSEWHERE)
+    clock.now += IDLE_SECONDS + 1.0
+    crowd = [opened(door, HERE) for _ in range(MAX_SESSIONS - 1)]
+    assert opened(door, "203.0.113.3") is not None and crowd[0].reported and not reading.reported
+
+
+def test_who_comes_back_to_a_full_house_waits(door):
+    """Sessions that were left for a moment were no visitors, and all came back at once: 600 in place of 150."""
+    token = door.issue({})
+    first = Socket(token)
+    door.enter(first)
+    door.leave(first)
+    assert None not in [opened(door, f"198.51.100.{k}") for k in range(MAX_SESSIONS)]
+    assert door.refuses(token, HERE) == FULL
+
+
+def test_of_those_turned_out_only_the_last_are_remembered(door):
+    for k in range(3 * MAX_BARRED):
+        door.bar(str(k))
+    assert len(door._barred) == MAX_BARRED and str(3 * MAX_BARRED - 1) in door._barred

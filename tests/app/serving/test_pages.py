@@ -1,6 +1,7 @@
 """Files of the page: its modules as one; packed for who can read that, plain for others, and the same for both."""
 
 import gzip
+import re
 import subprocess
 import urllib.request
 
@@ -34,6 +35,7 @@ def test_all_modules_are_one():
     apart = {"shell/modules.js", "shell/start.js"}  # which the document loads
     names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
     assert {name for name in names if f"modules['{name}'] = " in whole} == names - apart
+    assert re.findall(r"^\s*(?://|/\*\*\n).*", whole, re.MULTILINE) == []
 
 
 @pytest.mark.browser  # needs Node

@@ -5,16 +5,22 @@ import json
 import re
 import urllib.error
 import urllib.request
+from types import SimpleNamespace
 
 import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
 from app.choices.choices import Choices
+from app.jobs.loops import of_loop
+from app.jobs.turns import Turnstile
 from app.page.lab import VERSION
+from app.serving.limits import MAX_CLOSING
+from app.serving.sockets import LIMIT, Socket
 
 from ..servers import Meter
 from ..socket_client import SocketClient, run
+from .wires import closed
 
 NAN = {"type": "number", "value": "nan"}
 INFINITE = {"type": "number", "value": "+inf"}
@@ -147,6 +153,50 @@ def test_broken_messages_are_refused_and_the_page_stays(server, content):
     run(attack())
 
 
+HEADER = '{"msgid": "1", "msgtype": "PATCH-DOC"}'
+NESTED = "[" * 9_000
+UNREADABLE = {
+    "content without end": (HEADER, "{}", NESTED),
+    "header without end": (NESTED, "{}", "{}"),
+    "no header": ("1", "{}", "{}"),
+    "a header of nothing": ("[]", "{}", "{}"),
+    "no id": ('{"msgtype": "PATCH-DOC"}', "{}", '{"events": []}'),
+    "an odd kind": ('{"msgid": "1", "msgtype": []}', "{}", "{}"),
+    "no content": (HEADER, "{}", "null"),
+    "buffers": ('{"msgid": "1", "msgtype": "PATCH-DOC", "num_buffers": 1e9}', "{}", '{"events": []}'),
+}
+
+
+@pytest.mark.parametrize("parts", UNREADABLE.values(), ids=UNREADABLE)
+def test_what_cannot_be_read_closes_its_socket_without_a_line_in_the_log(server, started, parts):
+    """Strangers had lines written at will, and of a message with buffers without end all were kept."""
+
+    async def attack():
+        client, before = await opened(server), started.log.read_text()
+        for part in parts:
+            await client._socket.write_message(part)
+        assert await closed(client._socket) == (1008, "This message could not be read.")
+        assert started.log.read_text() == before
+
+    run(attack())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("frame", [b"\x89\x80", b"\x8a\x80", b"\x00\x80"], ids=["pings", "pongs", "fragments"])
+def test_who_floods_with_what_is_no_message_is_closed(server, frame):
+    """Five such sockets let others wait for 3 s."""
+
+    async def attack():
+        client = await opened(server)
+        stream, mask = client._socket.protocol.stream, bytes(4)
+        await stream.write(b"\x01\x80" + mask if frame[0] == 0 else b"")  # a message, of which nothing else comes
+        flood = asyncio.ensure_future(stream.write((frame + mask) * 20_000))
+        assert (await closed(client._socket, 60.0))[0] == 1008
+        flood.cancel()
+
+    run(attack())
+
+
 def test_too_long_a_message_closes_only_its_own_connection(server):
     async def attack():
         client = await opened(server)
@@ -164,9 +214,9 @@ def test_too_long_a_message_closes_only_its_own_connection(server):
 def test_a_page_of_another_site_cannot_connect(server):
     async def attack():
         client = await SocketClient(server).open()
-        request = HTTPRequest(f"ws://{server}/ws", headers={"Origin": "http://elsewhere.example"})
-        with pytest.raises(Exception, match="403"):
-            await websocket_connect(request)
+        for origin in ("http://elsewhere.example", "http://[no-address"):
+            with pytest.raises(Exception, match="403"):
+                await websocket_connect(HTTPRequest(f"ws://{server}/ws", headers={"Origin": origin}))
         client.close()
 
     run(attack())
@@ -243,3 +293,67 @@ def test_who_leaves_while_the_socket_opens_leaves_no_trace(server):
         client.close()
 
     run(visits())
+
+
+@pytest.mark.parametrize("part", ["x", "[]", "null", "[" * 9_000, "1" * 9_000, '{"msgid":[],"msgtype":[]}', b"buffer"])
+def test_what_cannot_be_read_closes_the_socket_and_leaves_no_line_in_the_log(server, started, part):
+    """A log grew at the will of strangers."""
+
+    async def attack():
+        client = await opened(server)
+        for each in (part, "{}", "{}"):
+            await client._socket.write_message(each, isinstance(each, bytes))
+        await closed(client._socket)
+
+    before = started.log.read_text()
+    run(attack())
+    assert started.log.read_text() == before
+
+
+def test_buffers_are_not_kept(server):
+    """A message that announces buffers without end was kept until the machine had no memory: 10 MB a second."""
+
+    async def attack():
+        client = await opened(server)
+        header = {"msgid": "a", "msgtype": "PATCH-DOC", "num_buffers": 10**9}
+        for part in (json.dumps(header), "{}", "{}", '{"id": "b"}', b"x" * 1_000):
+            await client._socket.write_message(part, isinstance(part, bytes))
+        assert (await closed(client._socket))[0] == LIMIT
+
+    run(attack())
+
+
+def test_who_leaves_before_his_turn_keeps_no_place_in_the_line():
+    """Sockets opened and reset at once, by tokens that were hoarded, kept all others out for a minute."""
+
+    async def leave() -> list[bool]:
+        turnstile = of_loop(Turnstile)
+        others = [asyncio.ensure_future(turnstile.enter(number)) for number in range(20)]
+        await asyncio.sleep(0)
+        socket = Socket.__new__(Socket)
+        socket.address, socket.ws_connection, socket._out = "203.0.113.1", None, False
+        opening = asyncio.ensure_future(socket._async_open("token"))
+        await asyncio.sleep(0)
+        socket.on_close()
+        await opening
+        return [each.done() for each in others]
+
+    assert not all(run(leave()))
+
+
+def test_sockets_whose_end_is_not_answered_are_few():
+    """Each kept its file for five seconds: 2 000 of them within eight."""
+    aborted = []
+
+    async def end():
+        for number in range(MAX_CLOSING + 3):
+            socket = Socket.__new__(Socket)
+            protocol = SimpleNamespace(close=lambda *_: None, _abort=lambda number=number: aborted.append(number))
+            socket.ws_connection = protocol
+            socket._end("")
+        assert aborted == [0, 1, 2]
+        while Socket._closing:
+            await asyncio.sleep(0.05)
+
+    run(end())
+    assert sorted(aborted) == list(range(MAX_CLOSING + 3))

@@ -143,7 +143,16 @@ def test_a_body_that_does_not_say_its_size_is_cut(server):
         assert wire.recv(100).startswith(b"HTTP/1.1 413")
 
 
-@pytest.mark.parametrize("origin", ["", "http://elsewhere.example", "null"])
+def test_a_size_that_is_no_size_is_refused(server):
+    head = (
+        f"POST /record HTTP/1.1\r\nHost: {server}\r\nOrigin: http://{server}\r\nContent-Length: {'0' * 5_000}1\r\n\r\n"
+    )
+    with socket.create_connection(tuple(server.split(":")), timeout=20) as wire:
+        wire.sendall(head.encode())
+        assert wire.recv(100).startswith(b"HTTP/1.1 400")
+
+
+@pytest.mark.parametrize("origin", ["", "http://elsewhere.example", "null", "http://[no-address"])
 def test_other_pages_may_not_send_records(server, origin):
     status, answer = post(server, GOOD, origin=origin)
     assert status == 403 and "this page" in answer["error"]
