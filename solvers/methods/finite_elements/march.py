@@ -146,7 +146,7 @@ class FiniteElements(Method):
         rigid, scale = scene.rigid_contact, scene.impactor.mass * scene.speed
 
         def difference(method: FiniteElements, scene: Scene = scene) -> float:
-            return float(course.impulse[-1] - method._course(scene, course.duration).impulse[-1]) / scale
+            return (float(course.impulse[-1]) - method._last_impulse(scene, course.duration)) / scale
 
         estimated = self._left_by_mesh(scene, difference)
         cut = scene.target.with_single_elements_cut(self.elements)
@@ -249,6 +249,10 @@ class FiniteElements(Method):
 
     @abstractmethod
     def _course(self, scene: Scene, duration: float | None) -> Course: ...
+
+    @abstractmethod
+    def _last_impulse(self, scene: Scene, duration: float) -> float:
+        """That has been given by then [N s], without histories and fields."""
 
 
 @dataclass(frozen=True)

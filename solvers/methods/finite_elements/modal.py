@@ -115,6 +115,16 @@ class FeModal(FiniteElements):
     def _course(self, scene: Scene, duration: float | None) -> Course:
         if duration is None and self.steps is not None:
             duration = replace(self, steps=None)._course(scene, None).duration
+        return self._histories(scene, *self._march(scene, duration))
+
+    def _last_impulse(self, scene: Scene, duration: float) -> float:
+        _, _, _, plan, record, steps, _ = self._march(scene, duration)
+        return plan.step * float(record.contact_force[:steps].sum())
+
+    def _march(
+        self, scene: Scene, duration: float | None
+    ) -> tuple[tuple[Modes, Modes], Any, float, Plan, Record, int, bool]:
+        """Modes of both, law, compliance of what is left out, plan, record, steps, and whether they have parted."""
         massless = self._massless(scene)
         first, second = (self._modes_of(body, self._kept(scene), massless) for body in (scene.impactor, scene.target))
         frequencies = np.concatenate((second.frequencies, first.frequencies))
@@ -154,7 +164,7 @@ class FeModal(FiniteElements):
         if parted:
             last = int(np.flatnonzero(record.contact_force[:done])[-1]) + 1
             done = end(plan, scene, last, done)
-        return self._histories(scene, (first, second), law, residual, plan, record, done, parted)
+        return (first, second), law, residual, plan, record, done, parted
 
     def _face_goes_along(self, scene: Scene) -> bool:
         """Whether a face has no compliance but its own: that of the massless element, and of the modes left out."""

@@ -83,6 +83,16 @@ class FeNodal(FiniteElements):
     def _course(self, scene: Scene, duration: float | None) -> Course:
         if duration is None and self.steps is not None:
             duration = replace(self, steps=None)._course(scene, None).duration
+        return _nodal_course(scene, *self._marched(scene, duration))
+
+    def _last_impulse(self, scene: Scene, duration: float) -> float:
+        *_, record, steps, _, _ = self._marched(scene, duration)
+        return float(record.impulse[steps])
+
+    def _marched(
+        self, scene: Scene, duration: float | None
+    ) -> tuple[Any, Line, Any, Plan, newmark.Record, int, bool, bool]:
+        """Meshes, both as one, law, plan, record, steps, whether they have parted, and whether it has diverged."""
         lumping = LUMPED if self.scheme == "central-difference" else CONSISTENT
         meshes = tuple(body.mesh(self.elements, lumping) for body in (scene.impactor, scene.target))
         whole, law = line(*meshes), self._law(scene)
@@ -91,8 +101,7 @@ class FeNodal(FiniteElements):
             limit = 2.0 / highest_frequency(whole, steepest_stiffness(law, scene.reduced_mass, scene.speed))
             fine = limit
         plan = Plan.of(scene, law, fine, limit, self.steps, duration, whole.mass.shape[1])
-        record, steps, parted, diverged = self._march(scene, meshes, whole, law, plan)
-        return _nodal_course(scene, meshes, whole, law, plan, record, steps, parted, diverged)
+        return meshes, whole, law, plan, *self._march(scene, meshes, whole, law, plan)
 
     def _march(self, scene, meshes, whole: Line, law: Any, plan: Plan) -> tuple[newmark.Record, int, bool, bool]:
         v = np.concatenate(
