@@ -6,7 +6,8 @@ from typing import Any
 from solvers import Scene
 from solvers.methods.multibody.method import Multibody
 
-from .scene_of import acting_choices, chosen_scene, kind_of, own_choices
+from .kinds import kind_of
+from .scene_of import acting_choices, chosen_scene, own_choices
 
 DRAFT = "draft"  # key, beside the choices, of the share of the resolution that will do while a slider moves
 IN_VIEW = (
@@ -50,7 +51,7 @@ class Request:
     @property
     def kind(self) -> str:
         """Of scene, see `kind_of`."""
-        return kind_of(self.scene)
+        return kind_of(self.scene).NAME
 
     @property
     def own(self) -> dict[str, Any]:

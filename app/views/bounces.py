@@ -15,9 +15,9 @@ from solvers.bodies.drop import STANDARD_GRAVITY
 from solvers.methods.base import Method, SceneNotSupported, never
 from solvers.provenance import clock
 
+from ..choices.built_in import base_of
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..messages.beam import method_at_impact
 from ..text.catalogues import page
 

@@ -10,8 +10,8 @@ from solvers import Solution
 from solvers.accuracy.reference import exact_solution
 from solvers.solution.motion import SplitsTarget
 
+from ..choices.kinds import moves_on
 from ..choices.request import Request
-from ..choices.scene_of import moves_on
 from ..messages.beam import main_solution
 from ..messages.histories import MS
 from ..text.catalogues import page

@@ -11,8 +11,8 @@ from solvers.bodies import Mechanism
 from solvers.bodies.linkage.links import GROUND
 from solvers.studies.scattering import INCOMING, OUTGOING, joint_scattering
 
+from ..choices.built_in import base_of
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..text.catalogues import page
 from .figures import COLOURS, blank, hover, legend, source
 

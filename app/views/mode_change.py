@@ -8,8 +8,8 @@ import numpy as np
 
 from solvers.bodies import Mechanism
 
+from ..choices.built_in import base_of
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..text.catalogues import page
 
 PARTS = ("along", "across", "turn")  # of each node, in this order

@@ -9,8 +9,8 @@ import numpy as np
 
 from solvers.bodies import RotatingRod
 
+from ..choices.built_in import base_of
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..text.catalogues import page
 from .figures import COLOURS, PICKED, blank, hover, source
 
