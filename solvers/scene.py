@@ -48,7 +48,8 @@ class Scene:
     """An impactor about to touch a target at rest at time zero.
 
     `contact` is a contact law with its constants in SI units; `method` holds the table `[method]` as given, which says
-    how the scene is solved unless the caller says otherwise; `note` says what is seen and what was printed.
+    how the scene is solved unless the caller says otherwise; `note` says what is seen and what was printed; `view`
+    holds the table `[view]`, by which the page opens the scene.
     """
 
     impactor: AnyBody
@@ -62,6 +63,7 @@ class Scene:
     normal: tuple[float, float, float] | Any = None  # from impactor to target, where they are bodies in space
     note: str = ""
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
+    view: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
@@ -75,7 +77,7 @@ class Scene:
 
         Raises SceneError that names the key, the value and what is allowed.
         """
-        names = ("title", "source", "note", "impactor", "target", "contact", "method")
+        names = ("title", "source", "note", "impactor", "target", "contact", "method", "view")
         given = validation.table("", validation.plain(given), names)
         target = read_body("target", validation.required("", given, "target", allowed("a-table")))
         usual = target.usual_impactor()
@@ -92,6 +94,9 @@ class Scene:
         method = given.get("method", {})
         if not isinstance(method, Mapping):
             raise SceneError("method", method, allowed("method-table"))
+        view = given.get("view", {})
+        if not isinstance(view, Mapping):
+            raise SceneError("view", view, allowed("a-table"))
         return cls(
             impactor,
             target,
@@ -104,6 +109,7 @@ class Scene:
             normal,
             validation.text("note", given.get("note", ""), LONGEST_NOTE),
             friction,
+            dict(view),
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -161,7 +167,8 @@ class Scene:
             "target": self.target.table(),
             "contact": contact,
         }
-        return validation.plain(tables | ({"method": self.method} if self.method else {}))
+        more = {name: table for name, table in (("method", self.method), ("view", self.view)) if table}
+        return validation.plain(tables | more)
 
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
         """The table of the impactor, with the height from which it falls where the scene gives that."""

@@ -30,6 +30,7 @@ class Kind:
     """What all kinds have. `base`: the built-in scene with the chosen values of its bodies."""
 
     NAME: ClassVar[str]  # in messages
+    EXACT: ClassVar[bool] = False  # whether an exact solution is shown
 
     def values(self, base: Scene) -> Values:
         """The choices as the scene has them, where it says anything."""
@@ -144,6 +145,7 @@ class Axial(WithLaw):
     """Rods, masses, balls and pendulums."""
 
     NAME = "axial"
+    EXACT = True
 
     def values(self, base: Scene) -> Values:
         frame = {"floating_frame": base.method["frame"]} if has_frames(base) and "frame" in base.method else {}
@@ -192,7 +194,7 @@ class OnBeam(WithLaw):
 class OnMechanism(WithLaw):
     """What strikes a link of a mechanism."""
 
-    NAME = "beam"
+    NAME = "mechanism"
 
     def values(self, base: Scene) -> Values:
         found, method = super().values(base) | mechanism_values(base), base.method

@@ -50,8 +50,13 @@ class Request:
 
     @property
     def kind(self) -> str:
-        """Of scene, see `kind_of`."""
+        """Of scene, by its name in messages."""
         return kind_of(self.scene).NAME
+
+    @property
+    def exact(self) -> bool:
+        """Whether an exact solution is shown."""
+        return kind_of(self.scene).EXACT
 
     @property
     def own(self) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from solvers.bodies.pendulum import Pivoted
 
 from ..choices.bodies import parts_of
 from ..choices.choices import SCENES, STRIKING
-from ..choices.opened import opened_charts
+from ..choices.opened import opening_of
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
@@ -34,7 +34,7 @@ def common(scene: Scene, request: Request | None) -> dict[str, Any]:
         "note": scene.note,
         "parts": parts_told(request),
         "unshown": unshown(scene),
-        "opens": opened_charts(request.chosen["scene"] if request else ""),
+        "opens": opening_of(request.chosen["scene"] if request else "").table(),
     }
 
 

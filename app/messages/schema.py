@@ -28,7 +28,7 @@ def _optional(fields: Fields) -> Fields:
 
 
 COMMON: Fields = {
-    "kind": Field("string", "of the message: axial, beam or bodies"),
+    "kind": Field("string", "of the message: axial, beam, mechanism or bodies"),
     "chosen": Field("Chosen", "a value for every choice; None outside the page"),
     "own": Field("Chosen", "the same, as the page opens the scene"),
     "draft": Field("boolean", "whether it is solved by fewer modes and elements than chosen"),
@@ -41,7 +41,7 @@ COMMON: Fields = {
     "parts": Field("PartTold[]", "bodies, and rods, links and joints one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
     "opens": Field("Opens", "what the scene is opened with"),
-    "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
+    "duration": Field("number", "axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s]"),
 }
 HEAD = Field("string", "of saved histories: scene and methods in TOML, table `saved` last")
 CYCLE: Fields = _optional(
@@ -122,7 +122,7 @@ AXIAL: Fields = {
         }
     ),
 }
-BEAM: Fields = {
+BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     **COMMON,
     **CYCLE,
     "head": HEAD,
@@ -130,8 +130,6 @@ BEAM: Fields = {
     "trip": Field("number", "a unit of time [s]"),
     "speed": Field("number", "of the impact [m/s]"),
     "beam": Field("BeamTold"),
-    "mechanism": Field("MechanismTold | null", "of which the struck link stands for the beam"),
-    "moving": Field("MovingTold | null", "of one that moves on as far as it goes"),
     "impactor": STRIKER,
     "law": Field("{ name: string, damps: boolean, yields: boolean, exponent: number }"),
     "main": Field("BeamFigures"),
@@ -150,27 +148,6 @@ BEAM: Fields = {
     "rates": Field("(told, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
     **_optional(
         {
-            "linkPoints": Field(
-                "(links, link places, 2)", "of a mechanism, as the impact begins; unbent if it moves on [m]"
-            ),
-            "linkTime": Field("(link instants)", "closer together at first [ms]"),
-            "linkMoves": Field("(link instants, links, link places, 2)", "how far they have come [m]"),
-            "massPlaces": Field("(link instants, 2)", "of a mechanism that moves on: where the mass is [m]"),
-            "normals": Field("(2, edges)", "as contacts begin and end: time [ms], angle of the normal [rad]"),
-            "bendTime": Field("(bend instants)", "[ms]"),
-            "amountsOf#": Field("(bend instants, shapes of link #)", "of the shapes of link #, each over its largest"),
-            "shapeOf#": Field("(shapes of link #, bend places)", "displacement, moment and shear over their scales"),
-            "shapeScaleOf#": Field("(shapes of link #)", "[m]"),
-            "momentOf#": Field("(shapes of link #, bend places)"),
-            "momentScaleOf#": Field("(shapes of link #)", "[N m]"),
-            "shearOf#": Field("(shapes of link #, bend places)"),
-            "shearScaleOf#": Field("(shapes of link #)", "[N]"),
-            "energyTime": Field("(energy instants)", "[ms]"),
-            "energies": Field("(energy instants, energy parts)", "[J]"),
-            "reactionTime": Field("(reaction instants)", "[ms]"),
-            "reactions": Field("(reaction instants, joints, 3)", "on the second link of each joint [N, N, N m]"),
-            "referenceReactionTime": Field("(reference reaction instants)", "[ms]"),
-            "referenceReactions": Field("(reference reaction instants, joints, 3)", "[N, N, N m]"),
             "wavenumbers": Field("(wavenumbers)", "[1/m]"),
             "lower": Field("(wavenumbers)", "angular frequency [rad/s]"),
             "modeFrequencies": Field("(kept modes)", "[rad/s]"),
@@ -214,6 +191,34 @@ BEAM: Fields = {
         }
     ),
 }
+MECHANISM: Fields = {
+    **BENDING,
+    "mechanism": Field("MechanismTold", "of which the struck link stands for the beam"),
+    "moving": Field("MovingTold | null", "of one that moves on as far as it goes"),
+    **_optional(
+        {
+            "linkPoints": Field("(links, link places, 2)", "as the impact begins; unbent if it moves on [m]"),
+            "linkTime": Field("(link instants)", "closer together at first [ms]"),
+            "linkMoves": Field("(link instants, links, link places, 2)", "how far they have come [m]"),
+            "massPlaces": Field("(link instants, 2)", "of one that moves on: where the mass is [m]"),
+            "normals": Field("(2, edges)", "as contacts begin and end: time [ms], angle of the normal [rad]"),
+            "bendTime": Field("(bend instants)", "[ms]"),
+            "amountsOf#": Field("(bend instants, shapes of link #)", "of the shapes of link #, each over its largest"),
+            "shapeOf#": Field("(shapes of link #, bend places)", "displacement, moment and shear over their scales"),
+            "shapeScaleOf#": Field("(shapes of link #)", "[m]"),
+            "momentOf#": Field("(shapes of link #, bend places)"),
+            "momentScaleOf#": Field("(shapes of link #)", "[N m]"),
+            "shearOf#": Field("(shapes of link #, bend places)"),
+            "shearScaleOf#": Field("(shapes of link #)", "[N]"),
+            "energyTime": Field("(energy instants)", "[ms]"),
+            "energies": Field("(energy instants, energy parts)", "[J]"),
+            "reactionTime": Field("(reaction instants)", "[ms]"),
+            "reactions": Field("(reaction instants, joints, 3)", "on the second link of each joint [N, N, N m]"),
+            "referenceReactionTime": Field("(reference reaction instants)", "[ms]"),
+            "referenceReactions": Field("(reference reaction instants, joints, 3)", "[N, N, N m]"),
+        }
+    ),
+}
 BODIES: Fields = {
     **COMMON,
     "size": Field("number", "of what is drawn [m]"),
@@ -243,7 +248,7 @@ BODIES: Fields = {
         }
     ),
 }
-MESSAGES = {"axial": AXIAL, "beam": BEAM, "bodies": BODIES}  # by kind
+MESSAGES = {"axial": AXIAL, "beam": BENDING, "mechanism": MECHANISM, "bodies": BODIES}  # by kind
 
 FIGURES: Fields = {
     "name": Field("string", "of the method"),
@@ -292,6 +297,15 @@ RECORDS: dict[str, Fields] = {
         "charts": Field("string[]", "by name"),
         "place": Field("number | null", "at which the stress is told [m]"),
         "until": Field("number | null", "from the first touch on, what is looked at [s]"),
+        "compare": Field("Question[]", "that can be asked of it by a comparison"),
+        "trials": Field("Try[]", "what can be tried: words, choice, value"),
+    },
+    "Question": {
+        "question": Field("string", "its key in the catalogue"),
+        "first": Field("Partial<Chosen>"),
+        "between": Field("Partial<Chosen>[]", optional=True),
+        "second": Field("Partial<Chosen>"),
+        "alone": Field("boolean", "whether other than the scene has them", optional=True),
     },
     "PartTold": {
         "key": Field("string", "of its table: impactor, target, target.rods.2"),

@@ -4,6 +4,7 @@ import { BeamView } from './beam/view.js';
 import { whenResized } from './charts/canvas.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
+import { MechanismView } from './mechanism/view.js';
 import { Analyses } from './panels/panels.js';
 import { Bodies } from './shell/bodies.js';
 import { Caption } from './shell/caption.js';
@@ -86,9 +87,10 @@ export class Page {
     this.compare = new Compare(this);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
+    this.mechanism = new MechanismView(this);
     this.space = new SpaceView(this);
     /** @type {Record<Frame['kind'], View>} */
-    this.views = { axial: this.axial, beam: this.beam, bodies: this.space };
+    this.views = { axial: this.axial, beam: this.beam, mechanism: this.mechanism, bodies: this.space };
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
     this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });

@@ -18,7 +18,7 @@ from solvers.provenance import clock
 from ..choices.built_in import base_of
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..messages.beam import method_at_impact
+from ..messages.transverse import method_at_impact
 from ..text.catalogues import page
 
 CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
@@ -69,7 +69,7 @@ def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -
 
 def method_of(request: Request) -> Method:
     """By which the page shows the impact: the exact one on an axis, the chosen one of a beam."""
-    if request.kind == "beam":
+    if not request.exact:
         return method_at_impact(request).without_estimate()
     options = dict(exact_solution(request.scene, request.restitution).method)
     return METHODS[options.pop("name")].read(options).without_estimate()

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { eventsOf } from '../../app/static/axial/events.js';
 import { unitsOf } from '../../app/static/axial/story.js';
-import { beamEvents } from '../../app/static/beam/events.js';
+import { mechanismEvents } from '../../app/static/mechanism/resting_story.js';
 import { seenIn } from '../../app/static/shell/first.js';
 
 /**
@@ -12,7 +12,7 @@ import { seenIn } from '../../app/static/shell/first.js';
  * @returns {any}
  */
 const mechanism = (changed = {}) => ({
-  ...{ kind: 'beam', speed: 1, impactor: { kind: 'mass' }, rates: [], chosen: {} },
+  ...{ kind: 'mechanism', speed: 1, impactor: { kind: 'mass' }, rates: [], chosen: {} },
   mechanism: { struck: 0, links: [{ name: 'lower', flexible: false }] },
   main: { name: 'rigid', contacts: 1, final: 0.263 },
   contacts: [[0, 0, 0.368, 0]],
@@ -20,13 +20,15 @@ const mechanism = (changed = {}) => ({
 });
 
 test('an impulse in no time is one event, which says how large it is', () => {
-  const events = beamEvents(mechanism());
+  const events = mechanismEvents(mechanism());
   assert.equal(events.length, 1);
   assert.match(
     events[0][1],
     /link “lower” meet at 1\sm\/s. One impulse of 368\smN\ss, in no time.*has 0.263\sm\/s along/,
   );
-  const lasting = beamEvents(mechanism({ main: { name: 'modal', contacts: 1, final: 0 }, contacts: [[0, 1, 1, 1]] }));
+  const lasting = mechanismEvents(
+    mechanism({ main: { name: 'modal', contacts: 1, final: 0 }, contacts: [[0, 1, 1, 1]] }),
+  );
   assert.equal(lasting.length, 2);
 });
 

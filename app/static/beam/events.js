@@ -1,10 +1,8 @@
 // What happens in an impact on a beam, one event after the other, and why.
 import { text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
-import { mechanismEvents, mechanismReasons } from './mechanism_story.js';
-import { keptOf, movingEvents, movingReasons } from './moving_story.js';
 
-/** @import { BeamFrame, Support } from '../shell/message.js' */
+/** @import { BendingFrame, Support } from '../shell/message.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const TOLD = 4; // contacts told one by one
@@ -24,7 +22,7 @@ const WAVELESS = ['rigid', 'quasi-static']; // methods without waves
 /**
  * A sentence of the beam's catalogue, which takes what strikes and what is struck besides its values.
  * @param {string} code
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {Record<string, any>} [values]
  */
 export const tell = (code, frame, values = {}) => {
@@ -35,7 +33,7 @@ export const tell = (code, frame, values = {}) => {
 
 /**
  * The support next to the struck place, where that is so near that the contact gives way and not the beam; else null.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 function holding({ beam, contacts, main, time, struckPath }) {
   const [first, last] = HOLDERS[beam.support];
@@ -52,12 +50,10 @@ function holding({ beam, contacts, main, time, struckPath }) {
 
 /**
  * The events of the impact, in the order of time [ms].
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @returns {Event[]}
  */
 export function beamEvents(frame) {
-  if (frame.moving) return movingEvents(frame);
-  if (frame.mechanism) return mechanismEvents(frame);
   const { contacts, main } = frame;
   const last = contacts.length - 1;
   /** @type {Event[]} */
@@ -80,7 +76,7 @@ export function beamEvents(frame) {
 
 /**
  * Velocities of the impactor and of the struck place as a contact begins or ends, as far as they are told.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} k
  * @param {0 | 1} end
  * @returns {[impactor: number, struck: number] | null}
@@ -88,7 +84,7 @@ export function beamEvents(frame) {
 const ratesAt = ({ rates }, k, end) =>
   4 * k + 3 < rates.length ? [rates[4 * k + 2 * end], rates[4 * k + 2 * end + 1]] : null;
 
-/** @param {BeamFrame} frame */
+/** @param {BendingFrame} frame */
 function firstTouch(frame) {
   if (WAVELESS.includes(frame.main.name)) return tell('beam.event.touches-waveless', frame);
   const held = holding(frame);
@@ -98,7 +94,7 @@ function firstTouch(frame) {
 
 /**
  * How contact number k begins.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} k
  */
 function meeting(frame, k) {
@@ -109,7 +105,7 @@ function meeting(frame, k) {
 
 /**
  * How contact number k ends, where another follows; null where it is not told.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} k
  */
 function parting(frame, k) {
@@ -129,7 +125,7 @@ function parting(frame, k) {
 
 /**
  * The impactor stands still for the first time.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @returns {Event | null}
  */
 function turningPoint(frame) {
@@ -142,7 +138,7 @@ function turningPoint(frame) {
 
 /**
  * How the last contact ends.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 function ending(frame) {
   const { contacts, main } = frame;
@@ -154,12 +150,10 @@ function ending(frame) {
 
 /**
  * Why so many contacts, or why only one.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 export function reasonsOf(frame) {
   const { main } = frame;
-  if (frame.moving) return movingReasons(frame);
-  if (frame.mechanism) return mechanismReasons(frame);
   const waveless = WAVELESS.includes(main.name);
   const held = waveless ? null : holding(frame);
   if (held) return tell('beam.why.held', frame, held);
@@ -169,10 +163,9 @@ export function reasonsOf(frame) {
 
 /**
  * How long the whole takes, and how that compares with the beam.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 export function spanOf(frame) {
-  if (frame.moving) return keptOf(frame);
   const { beam, main, span } = frame;
   const held = WAVELESS.includes(main.name) ? null : holding(frame);
   const share = percent(span.apparent > 0 ? span.real / span.apparent : 1);
@@ -186,7 +179,7 @@ export function spanOf(frame) {
 
 /**
  * The impact against half a period of the beam with the impactor on it [ms].
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} half
  */
 function ridingOf(frame, half) {

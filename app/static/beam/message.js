@@ -1,29 +1,16 @@
-// The message of an impact on a beam or a mechanism, as types; see ../shell/message.js.
+// The message of an impact on a beam, or on another body that is told of as one, as types; see ../shell/message.js.
 
 /** @import { Note } from '../text/catalogue.js' */
 /** @import { BeamFigures, Common, Contact, CycleTold, Numbers, Striking } from '../shell/message.js' */
 
 /**
- * An impact on a beam: SI units, but times in milliseconds. What is optional depends on the method.
- * @typedef {object} BeamOnly
- * @property {'beam'} kind
+ * SI units, but times in milliseconds. What is optional depends on the method.
+ * @typedef {object} OfBending
  * @property {string} head  of saved histories
  * @property {Note | null} refused  why the chosen method is not shown
  * @property {number} trip
  * @property {number} speed
  * @property {BeamTold} beam
- * @property {MechanismTold | null} mechanism
- * @property {MovingTold | null} moving  of a mechanism that moves on as far as it goes
- * @property {Numbers} [linkPoints]  (links, link places, 2), flat; unbent if it moves on
- * @property {Numbers} [linkTime]
- * @property {Numbers} [linkMoves]  (link instants, links, link places, 2), flat
- * @property {Numbers} [massPlaces]  (link instants, 2), flat
- * @property {Numbers} [normals]  (2, edges), flat: as contacts begin and end, time and angle of the normal [rad]
- * @property {Numbers} [bendTime]  of what each link that bends says besides, under its number
- * @property {Numbers} [energyTime]
- * @property {Numbers} [energies]  (energy instants, parts), flat
- * @property {Numbers} [reactionTime]
- * @property {Numbers} [reactions]  (reaction instants, joints, 3), flat
  * @property {Striking} impactor
  * @property {{ name: string, damps: boolean, yields: boolean, exponent: number }} law
  * @property {BeamFigures} main
@@ -37,8 +24,6 @@
  * @property {Numbers} struckRate
  * @property {Contact[]} contacts  [ms, ms, N s, N], the first of many
  * @property {Numbers} rates  (contact, begin and end, impactor and struck place), flat
- * @property {Numbers} [referenceReactionTime]
- * @property {Numbers} [referenceReactions]
  * @property {Numbers} [referenceImpactorPath]
  * @property {Numbers} [referenceStruckPath]
  * @property {Numbers} [referenceTime]
@@ -68,39 +53,6 @@
  * @property {number} endMass
  * @property {boolean} held
  * @property {number} speedLimit
- */
-/**
- * A mechanism, of which the struck link stands for the beam. Links reach from their first end to their second.
- * @typedef {object} MechanismTold
- * @property {LinkTold[]} links
- * @property {JointTold[]} joints
- * @property {number} struck  which link is
- * @property {number} at  share of its length
- * @property {[number, number]} contact  [m]
- * @property {[number, number]} normal  from impactor to link
- * @property {number} mass  of all links [kg]
- */
-/**
- * Nodes are those of finite elements, as shares of its length.
- * @typedef {{ name: string, flexible: boolean, nodes: number[], depth: number }} LinkTold
- */
-/**
- * A mechanism that moves on.
- * @typedef {object} MovingTold
- * @property {number | null} restitution  none: by the contact law
- * @property {Note | null} rigid  why links that bend are followed as rigid ones
- * @property {boolean} cut  it was to be followed for longer
- * @property {string[]} energies  names of the parts
- * @property {number[][]} jolts  size of the impulse at every joint in the first impacts [N s]
- */
-/**
- * @typedef {object} JointTold
- * @property {string} kind
- * @property {[string, string]} links  by name; ground
- * @property {number} link  on which it is drawn
- * @property {number} share  of its length
- * @property {[number, number] | null} axis  along which it slides
- * @property {boolean} driven
  */
 /** @typedef {'joined' | 'cantilever' | 'pinned-pinned' | 'clamped-clamped' | 'free-free' | 'pinned-free'} Support */
 
@@ -136,6 +88,10 @@
  * @property {Numbers} fieldMoment
  * @property {Numbers} fieldShear
  */
-/** @typedef {Common & BeamOnly & CycleTold & Partial<ModalTold> & Partial<SampledTold>} BeamFrame */
+/**
+ * @typedef {object} BeamKind
+ * @property {'beam'} kind
+ */
+/** @typedef {Common & OfBending & CycleTold & Partial<ModalTold> & Partial<SampledTold> & BeamKind} BeamFrame */
 
 export {};

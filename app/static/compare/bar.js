@@ -72,7 +72,7 @@ export class Bar {
     const { compare } = this;
     const { frame } = compare.page;
     const asks = questionsOf(frame).map((question) =>
-      this.#item(text(`compare.question.${question.key}`), () => compare.ask(question)),
+      this.#item(text(`compare.question.${question.question}`), () => compare.ask(question)),
     );
     const heading = make('span', { className: 'menu-title', textContent: text('compare.ready') });
     this.menu.replaceChildren(...(asks.length ? [heading, ...asks, make('hr')] : []));

@@ -4,7 +4,7 @@ import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { kindsOf } from './settings.js';
 
-/** @import { AxialFrame, BeamFrame, Energies, Frame, Restitution, SpaceFrame } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Energies, Frame, Restitution, SpaceFrame } from '../shell/message.js' */
 
 /** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
 /** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
@@ -78,7 +78,7 @@ const restitutionOf = ({ newton, newton_at_contact: points }) => [
   newton === null ? figure('restitution-at-contact', 'number', points) : figure('restitution', 'number', newton),
 ];
 
-/** @param {BeamFrame} frame */
+/** @param {BendingFrame} frame */
 function ofBeam({ main, span }) {
   return [
     figure('force', 'force', main.peakForce),
@@ -112,7 +112,7 @@ const ofSpace = ({ figures }) =>
  */
 export function figuresOf(frame, which) {
   if (frame.kind === 'bodies') return ofSpace(frame);
-  return frame.kind === 'beam' ? ofBeam(frame) : ofAxial(frame, which);
+  return 'main' in frame ? ofBeam(frame) : ofAxial(frame, which);
 }
 
 /**

@@ -98,11 +98,7 @@ export const lineOf = (names, frame) =>
 const FAR = 100; // times as large, from which a force of another scene says nothing beside this one
 
 /** @param {Frame} frame */
-const peakOf = (frame) =>
-  frame.kind === 'bodies' ? null : (frame.kind === 'beam' ? frame.main : frame.exact).peakForce;
-
-/** @param {Frame} frame */
-const moves = (frame) => frame.kind === 'beam' && Boolean(frame.mechanism);
+const peakOf = (frame) => (frame.kind === 'bodies' ? null : ('main' in frame ? frame.main : frame.exact).peakForce);
 
 /**
  * Whether two solutions can be laid one upon the other: of one scene, or of two of the same kind and size.
@@ -114,5 +110,5 @@ export function comparable(one, other) {
   if (one.chosen.scene === other.chosen.scene) return true;
   const [force, beside] = [peakOf(one), peakOf(other)];
   const apart = force && beside ? Math.abs(Math.log(force / beside)) : 0;
-  return moves(one) === moves(other) && apart < Math.log(FAR);
+  return apart < Math.log(FAR);
 }

@@ -35,7 +35,7 @@ const strongest = (contacts) =>
 
 /** @param {Frame} frame */
 const contactsOf = (frame) =>
-  frame.kind === 'axial' ? frame.exact.contacts : frame.kind === 'beam' ? frame.contacts : [];
+  frame.kind === 'axial' ? frame.exact.contacts : 'contacts' in frame ? frame.contacts : [];
 
 /** @param {number} ratio */
 const rounded = (ratio) => Number(ratio.toPrecision(2));

@@ -154,7 +154,7 @@ export function verdictOf(now, kept, names, asked = '') {
   if (name === 'law') return ofLaw(now, kept);
   if (name === 'place' && now.kind === 'bodies' && kept.kind === 'bodies') return ofPlace(now, kept);
   const counted = !kindsOf(now, kept).impact && RESOLUTIONS.includes(name);
-  if (now.kind === 'beam' && kept.kind === 'beam') return counted ? ofBeamResolution(now, kept, name) : '';
+  if ('main' in now && 'main' in kept) return counted ? ofBeamResolution(now, kept, name) : '';
   if (now.kind !== 'axial' || kept.kind !== 'axial') return '';
   if (name === 'scene') return ofSupport(now, kept);
   return counted ? ofResolution(now, kept, name) : '';

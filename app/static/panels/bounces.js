@@ -76,7 +76,7 @@ class Bounces extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind === 'bodies' || (frame.kind === 'beam' && Boolean(frame.mechanism));
+    return frame.kind === 'bodies' || frame.kind === 'mechanism';
   }
   /**
    * To drop it from a height is to strike with the speed that the fall gives.

@@ -54,7 +54,7 @@ class Energy extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind === 'bodies' || (frame.kind === 'beam' && Boolean(frame.moving)); // whose chart is at the stage
+    return frame.kind === 'bodies' || ('moving' in frame && Boolean(frame.moving)); // whose chart is at the stage
   }
   /**
    * @param {Shares | null} found

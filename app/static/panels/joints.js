@@ -41,7 +41,7 @@ class Joints extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind !== 'beam' || !frame.mechanism?.joints.some(({ links }) => !links.includes(GROUND));
+    return frame.kind !== 'mechanism' || !frame.mechanism.joints.some(({ links }) => !links.includes(GROUND));
   }
   /**
    * @param {Joint | null} found

@@ -56,7 +56,7 @@ class MassRatios extends Panel {
     super.take();
     const { frame } = this.page;
     const refusal = this.#refusal(frame);
-    this.button.hidden = frame.kind === 'beam';
+    this.button.hidden = 'main' in frame;
     this.button.disabled = this.away;
     this.button.title = refusal || text('ratios.title');
     this.button.ariaPressed = String(this.open && !this.away);

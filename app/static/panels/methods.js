@@ -54,7 +54,7 @@ class Methods {
     const away = frame.kind !== 'axial';
     this.button.ariaPressed = String(this.open);
     this.button.disabled = away;
-    this.button.hidden = frame.kind === 'beam'; // no exact waves to measure by; every method is shown beside modes
+    this.button.hidden = 'main' in frame; // no exact waves to measure by; every method is shown beside modes
     this.button.title = text(away ? 'methods.in-space' : 'methods.title');
     this.root.hidden = !this.open || away;
     if (!this.root.hidden) this.fill();

@@ -51,7 +51,7 @@ class ModeChange extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind !== 'beam' || !frame.mechanism?.links[frame.mechanism.struck].nodes.length;
+    return frame.kind !== 'mechanism' || !frame.mechanism.links[frame.mechanism.struck].nodes.length;
   }
   /** @param {string} name */
   #turn(name) {

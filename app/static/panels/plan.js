@@ -58,9 +58,9 @@ function aboutMap(map, measured) {
  * @param {Plan} found
  */
 function ruleOf(frame, { candidates, chosen, groups }) {
-  const beam = frame.kind === 'beam';
+  const beam = 'main' in frame;
   if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
-  if (beam && frame.mechanism) return ''; // of which no such time is known
+  if (frame.kind === 'mechanism') return ''; // of which no such time is known
   const { contact_time: lasts } = groups;
   if (lasts === undefined) return '';
   const light = candidates.some(({ error, model }) => model.name === RIGID && (error ?? 1) <= chosen.plan_tolerance);

@@ -181,7 +181,7 @@ class Measurement {
   take(frame) {
     const away = frame.kind !== 'axial';
     this.button.disabled = away;
-    this.button.hidden = frame.kind === 'beam';
+    this.button.hidden = 'main' in frame;
     this.button.title = text(away ? 'record.in-space' : 'record.title');
     this.#showOpen();
     this.root.classList.toggle('away', away);

@@ -145,7 +145,7 @@ export class Controls {
     this.#entitle(frame);
     this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
-    const onBeam = frame.kind === 'beam';
+    const onBeam = 'main' in frame;
     const label = this.fields.method.root.querySelector('label');
     if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');
     for (const option of this.method.options) {
@@ -161,8 +161,7 @@ export class Controls {
     const restitution = this.fields.restitution.root.querySelector('label');
     if (restitution) restitution.textContent = predicts(frame) ? text('controls.predicted') : LABELS.restitution.title;
     if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
-    else if (frame.kind === 'beam')
-      this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
+    else if (onBeam) this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
     else this.note.textContent = axialNote(frame);
   }
 }

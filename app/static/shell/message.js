@@ -31,7 +31,19 @@
  * @property {string[]} charts  by name
  * @property {number | null} place  at which the stress is told [m]
  * @property {number | null} until  from the first touch on, what is looked at [s]
+ * @property {Question[]} compare  that can be asked of it by a comparison
+ * @property {Try[]} trials  what can be tried
  */
+/**
+ * Settings: other than what is chosen now, or, `alone`, than the scene has them. All but the second are kept.
+ * @typedef {object} Question
+ * @property {string} question  its key in the catalogue
+ * @property {Partial<Chosen>} first
+ * @property {Partial<Chosen>[]} [between]
+ * @property {Partial<Chosen>} second
+ * @property {boolean} [alone]
+ */
+/** @typedef {[say: string, choice: string, value: number | string]} Try  words of the catalogue, a choice, its value */
 /**
  * A body, or a rod of a chain, a link or a joint.
  * @typedef {object} PartTold
@@ -233,10 +245,12 @@
 
 /** @typedef {import('../beam/message.js').BeamFrame} BeamFrame */
 /** @typedef {import('../beam/message.js').BeamTold} BeamTold */
-/** @typedef {import('../beam/message.js').MechanismTold} MechanismTold */
-/** @typedef {import('../beam/message.js').JointTold} JointTold */
-/** @typedef {import('../beam/message.js').LinkTold} LinkTold */
-/** @typedef {import('../beam/message.js').MovingTold} MovingTold */
+/** @typedef {import('../mechanism/message.js').BendingFrame} BendingFrame */
+/** @typedef {import('../mechanism/message.js').MechanismFrame} MechanismFrame */
+/** @typedef {import('../mechanism/message.js').MechanismTold} MechanismTold */
+/** @typedef {import('../mechanism/message.js').JointTold} JointTold */
+/** @typedef {import('../mechanism/message.js').LinkTold} LinkTold */
+/** @typedef {import('../mechanism/message.js').MovingTold} MovingTold */
 /** @typedef {import('../beam/message.js').Support} Support */
 
 /** @typedef {[number, number, number]} Vector */
@@ -278,7 +292,7 @@
  * @property {Numbers} [slideAside]  and towards who looks
  */
 /** @typedef {Common & SpaceOnly} SpaceFrame */
-/** @typedef {AxialFrame | BeamFrame | SpaceFrame} Frame */
+/** @typedef {AxialFrame | BendingFrame | SpaceFrame} Frame */
 
 /**
  * @param {ArrayBuffer} buffer

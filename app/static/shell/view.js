@@ -4,7 +4,7 @@
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Cycle } from '../axial/charts.js' */
 /** @import { Gauge } from '../axial/gauge.js' */
-/** @import { Reactions } from '../beam/reactions.js' */
+/** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Stack } from './stack.js' */

@@ -13,9 +13,9 @@ from app.messages.schema import MESSAGES, RECORDS, check
 from .own import arrays
 
 STATIC = Path(app.__file__).parent / "static"
-TYPES = "".join((STATIC / folder / "message.js").read_text() for folder in ("shell", "beam"))
+TYPES = "".join((STATIC / folder / "message.js").read_text() for folder in ("shell", "beam", "mechanism"))
 OF_THE_BROWSER = {"record", "shapes"}  # which no message holds
-FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "bodies": "SpaceFrame"}
+FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "mechanism": "MechanismFrame", "bodies": "SpaceFrame"}
 
 
 def typedefs() -> dict[str, dict[str, tuple[str, bool]]]:
@@ -44,7 +44,7 @@ def test_a_message_has_the_same_fields_in_python_and_in_the_browser(kind):
         if "#" not in name
     }
     said["kind"] = (f"'{kind}'", False)
-    if kind == "beam":
+    if kind in ("beam", "mechanism"):
         said["contacts"] = ("Contact[]", False)  # which are made rows when they are read
     types = {name: form for name, form in KNOWN[FRAMES[kind]].items() if name not in OF_THE_BROWSER}
     assert types == said

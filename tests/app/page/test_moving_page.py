@@ -6,7 +6,7 @@ from pytest import approx
 from .test_access_page import findings
 from .test_page import settled
 
-STAGE = "strikewave.page.beam.stage"
+STAGE = "strikewave.page.mechanism.stage"
 TURNED = f"() => {STAGE}.mechanism.placed[0].at(-1)"
 
 
@@ -76,7 +76,7 @@ def test_it_plays_as_it_opens_and_fits_on_a_phone(open_page):
 
 def test_moments_at_joints_and_pivots_have_their_charts(open_page):
     page = open_page("?scene=rotating-bar")
-    chart = "strikewave.page.beam.reactions.chart"
+    chart = "strikewave.page.mechanism.reactions.chart"
     assert page.evaluate(f"() => {chart}.content.series.map(({{ name }}) => name)") == ["ground – bar", "rigid links"]
     page.tab.get_by_role("button", name="moment", exact=True).last.click()
     assert page.evaluate(f"() => {chart}.content.unit") == "N m"
@@ -89,7 +89,7 @@ def test_moments_at_joints_and_pivots_have_their_charts(open_page):
 def test_links_beside_the_struck_one_show_their_waves(open_page):
     page = open_page("?scene=bent-rods")
     coloured = page.evaluate(
-        """() => { const { stage } = strikewave.page.beam, { mechanism } = stage;
+        """() => { const { stage } = strikewave.page.mechanism, { mechanism } = stage;
           strikewave.page.player.go(0.3);
           const ratio = stage.canvas.width / stage.canvas.clientWidth, c = stage.canvas.getContext('2d');
           return [0.3, 0.5, 0.7].map((share) => { const [x, y] = mechanism.along(1, share);
@@ -101,7 +101,7 @@ def test_links_beside_the_struck_one_show_their_waves(open_page):
 def test_no_name_lies_under_the_mass(open_page):
     page = open_page("?scene=bouncing-on-piston", size=(390, 844))
     under, read = page.evaluate(
-        f"""() => {{ const {{ stage }} = strikewave.page.beam, {{ mechanism }} = stage, {{ player }} = strikewave.page;
+        f"""() => {{ const {{ mechanism: {{ stage }}, player }} = strikewave.page, {{ mechanism }} = stage;
           const context = CanvasRenderingContext2D.prototype, {{ fillText }} = context;
           const names = mechanism.told.links.map(({{ name }}) => name), under = new Set(), read = new Set();
           let written = [];
@@ -134,8 +134,8 @@ def test_a_stretch_in_view_is_sampled_for_it_so_that_an_impact_is_seen(open_page
     page.wait("() => strikewave.page.closer.part")
     after = page.evaluate(counts)
     assert before[1] <= 3 and before[2] <= 3 and after[1] > 10 and after[2] > 10 and after[0] > 400
-    page.evaluate("() => strikewave.page.beam.motion.switch.root.querySelector('[data-kind=velocity]').click()")
-    shown = page.evaluate("""() => { const { series } = strikewave.page.beam.motion.chart.content;
+    page.evaluate("() => strikewave.page.mechanism.motion.switch.root.querySelector('[data-kind=velocity]').click()")
+    shown = page.evaluate("""() => { const { series } = strikewave.page.mechanism.motion.chart.content;
       return series.slice(0, 2).map(({ x, y }) => [Array.from(x), Array.from(y)]); }""")
     rates = page.evaluate("() => Array.from(strikewave.page.frame.rates.subarray(8, 12))")
     for body, (time, velocity) in enumerate(shown):

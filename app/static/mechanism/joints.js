@@ -72,26 +72,3 @@ function slide(c, { axis }, x, y) {
     c.stroke();
   }
 }
-
-/**
- * @param {Context} c
- * @param {Point} from
- * @param {Point} way  in pixels
- * @param {string} [colour]
- */
-export function arrow(c, [x, y], [dx, dy], colour = COLORS.halfSpace) {
-  const length = Math.hypot(dx, dy);
-  const [ux, uy] = [dx / length, dy / length];
-  const head = Math.min(7, length);
-  c.strokeStyle = c.fillStyle = colour;
-  c.lineWidth = 2;
-  c.beginPath();
-  c.moveTo(x, y);
-  c.lineTo(x + dx - head * ux, y + dy - head * uy);
-  c.stroke();
-  c.beginPath();
-  c.moveTo(x + dx, y + dy);
-  c.lineTo(x + dx - head * ux - 0.5 * head * uy, y + dy - head * uy + 0.5 * head * ux);
-  c.lineTo(x + dx - head * ux + 0.5 * head * uy, y + dy - head * uy - 0.5 * head * ux);
-  c.fill();
-}

@@ -6,7 +6,7 @@ import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Mechanism } from './mechanism.js';
 
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../shell/message.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const SHOWN_BEND = 0.06; // of the mechanism, that the largest deflection is drawn as
@@ -25,7 +25,7 @@ export class MovingMechanism extends Mechanism {
   /** @type {[Point, Point][]} */ frames = []; // where links would be unbent, in pixels
   /** @type {{ time: number[], x: number[], y: number[] }} */ beside = { time: [], x: [], y: [] };
 
-  /** @param {BeamFrame} frame */
+  /** @param {MechanismFrame} frame */
   constructor(frame) {
     super(frame, 0);
     this.rows = this.bending.map((bending) => (bending ? new Float64Array(bending.places) : null));

@@ -6,7 +6,7 @@ import numpy as np
 
 from solvers.bodies import Mechanism
 
-from .encoding import whole_numbers
+from ..encoding import whole_numbers
 
 PLACES = 31  # along each link
 MOST_AMOUNTS = 7_500  # numbers in all, of which the instants are as many as leave room for

@@ -12,10 +12,10 @@ from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 from solvers.text.notes import Note
 
-from ..choices.request import Request
-from .bending import PLACES, across, instants_for, link_told
-from .encoding import Stretch, over, whole_numbers
-from .mechanism import described, with_rigid_links
+from ...choices.request import Request
+from ..encoding import Stretch, over, whole_numbers
+from .links import PLACES, across, instants_for, link_told
+from .resting import described, with_rigid_links
 
 MS = 1e3  # [ms / s]
 INSTANTS, HISTORY = 601, 301  # of the picture, besides impacts; of reactions and energies

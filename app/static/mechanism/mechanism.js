@@ -2,14 +2,15 @@
 import { letters } from '../charts/canvas.js';
 import { boxOf, indexAt, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
+import { arrow } from '../beam/flown.js';
 import { given } from '../shell/message.js';
 import { bendingOf } from './bending.js';
-import { arrow, drawJoint } from './joints.js';
+import { drawJoint } from './joints.js';
 import { gone, Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
-/** @import { BeamFrame, MechanismTold } from '../shell/message.js' */
+/** @import { MechanismFrame, MechanismTold } from '../shell/message.js' */
 /** @import { Drawn } from '../shell/striker.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */
@@ -43,13 +44,13 @@ export class Mechanism {
   flight = 0; // by how much larger the way of the mass is drawn, if not as all else
 
   /**
-   * @param {BeamFrame} frame
+   * @param {MechanismFrame} frame
    * @param {number} reach  of the impactor while it touches [m]
    */
   constructor(frame, reach) {
     this.frame = frame;
     /** @type {MechanismTold} */
-    this.told = given(frame.mechanism, 'mechanism');
+    this.told = frame.mechanism;
     this.points = given(frame.linkPoints, 'linkPoints');
     this.moves = given(frame.linkMoves, 'linkMoves');
     this.times = given(frame.linkTime, 'linkTime');
