@@ -30,6 +30,7 @@ from .encoding import (
     LARGEST_MASS,
     coded,
     cycle,
+    facts_of,
     force_history,
     over,
     packed,
@@ -91,6 +92,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
+        "rigid": scene.rigid_contact,
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,
@@ -316,6 +318,7 @@ def _figures(solution: Solution) -> dict[str, Any]:
     return {
         "name": solution.method["name"],
         "model": solution.method.get("model"),
+        **facts_of(solution),
         "contacts": [
             [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
             for contact in solution.contacts

@@ -74,6 +74,7 @@ AXIAL: Fields = {
     "lastBall": Field("[time: number, velocity: number] | null", "of a row, parted for good [T, v]"),
     "prediction": Field("{ impactor: number, target: number } | null", "velocities by rigid-body theory [v]"),
     "match": Field("number | null", "restitution that would have matched"),
+    "rigid": Field("boolean", "whether nothing gives way at the contact itself"),
     "damps": Field("boolean", "whether the contact law does"),
     "yields": Field("boolean", "whether the contact law does"),
     "exponent": Field("number", "power of the indentation with which its force begins, 1 where nothing gives way"),
@@ -131,7 +132,7 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     "speed": Field("number", "of the impact [m/s]"),
     "beam": Field("BeamTold"),
     "impactor": STRIKER,
-    "law": Field("{ name: string, damps: boolean, yields: boolean, exponent: number }"),
+    "law": Field("{ name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number }"),
     "main": Field("BeamFigures"),
     "reference": Field("BeamFigures | null", "the same impact by another number of modes"),
     "span": Field(
@@ -253,6 +254,9 @@ MESSAGES = {"axial": AXIAL, "beam": BENDING, "mechanism": MECHANISM, "bodies": B
 FIGURES: Fields = {
     "name": Field("string", "of the method"),
     "model": Field("string | null", "of a method that has several"),
+    "sudden": Field("boolean", "whether the impact takes no time in it"),
+    "waves": Field("boolean", "whether anything rings in it"),
+    "byLaw": Field("boolean", "whether the contact law acts in it"),
     "stillTouching": Field("boolean", "at the end"),
     "final": Field("number | null", "velocity of the impactor [v, or m/s of beams]"),
     "targetFinal": Field("number", "velocity of the target [v, or m/s of beams]"),

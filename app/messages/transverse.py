@@ -23,7 +23,7 @@ from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
-from .encoding import LARGEST_MASS, Stretch, coded, cycle, instants, packed, refusals, whole_numbers
+from .encoding import LARGEST_MASS, Stretch, coded, cycle, facts_of, instants, packed, refusals, whole_numbers
 from .histories import MS, force_told, motion_instants, paths, rates_at, rates_of_contacts
 from .parts import common
 from .solutions import method_options
@@ -101,6 +101,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
             "name": scene.contact.NAME,
             "damps": scene.contact.LOSSY,
             "yields": scene.contact.PLASTIC,
+            "rigid": scene.rigid_contact,
             "exponent": exponent_of(scene.contact),
         },
         "main": _figures(main),
@@ -122,6 +123,7 @@ def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
     return {
         "name": name or solution.method["name"],
         "model": None if name else solution.method.get("model"),
+        **facts_of(solution),
         "modes": None if name else solution.method.get("modes"),
         "joints": solution.reactions,
         "elements": solution.method.get("elements"),

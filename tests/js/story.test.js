@@ -14,7 +14,7 @@ import { seenIn } from '../../app/static/shell/first.js';
 const mechanism = (changed = {}) => ({
   ...{ kind: 'mechanism', speed: 1, impactor: { kind: 'mass' }, rates: [], chosen: {} },
   mechanism: { struck: 0, links: [{ name: 'lower', flexible: false }] },
-  main: { name: 'rigid', contacts: 1, final: 0.263 },
+  main: { name: 'rigid', sudden: true, contacts: 1, final: 0.263 },
   contacts: [[0, 0, 0.368, 0]],
   ...changed,
 });
@@ -48,7 +48,7 @@ test('what is seen promises no bending of links that do not bend', () => {
  * @returns {any}
  */
 const rod = (changed) => ({
-  ...{ chosen: { law: 'rigid' }, duration: 3, stressUnit: 4e7, impactor: { kind: 'mass' }, rods: [{ mirror: 1 }] },
+  ...{ chosen: {}, rigid: true, duration: 3, stressUnit: 4e7, impactor: { kind: 'mass' }, rods: [{ mirror: 1 }] },
   exact: { contacts: [[0, 1.5, 1, 1]], cutOff: [true], left: [0.135] },
   ...changed,
 });
@@ -62,7 +62,7 @@ test('a slow push on a rod is told as one, not as waves', () => {
   const slow = (/** @type {number} */ mirror, /** @type {number} */ end) =>
     eventsOf(
       rod({
-        ...{ chosen: { law: 'linear' }, duration: 30, rods: [{ mirror }] },
+        ...{ rigid: false, duration: 30, rods: [{ mirror }] },
         exact: { contacts: [[0, end, 1, 1]], cutOff: [false], left: [-0.9] },
       }),
     ).map(([, sentence]) => sentence);
@@ -75,13 +75,26 @@ test('a slow push on a rod is told as one, not as waves', () => {
 
 test('the unit of time of an impulse is not called the time of its contact', () => {
   const frame = (/** @type {string} */ name) =>
-    /** @type {any} */ ({ exact: { name }, impactor: {}, rods: [], target: { kind: 'mass' }, trip: 1e-3 });
+    /** @type {any} */ ({
+      exact: { name, sudden: name === 'rigid' },
+      impactor: {},
+      rods: [],
+      target: { kind: 'mass' },
+      trip: 1e-3,
+    });
   assert.match(unitsOf(frame('rigid')), /T = 1\sms: the unit of time of these charts; the impact itself takes none/);
   assert.match(unitsOf(frame('quasi-static')), /about the time of a contact/);
 });
 
 test('of rods that are drawn rigid no waves are told', () => {
-  const other = { name: 'rigid', contacts: [[0, 0, 1, null]], left: [-0.5], cutOff: [false], stillTouching: false };
+  const other = {
+    name: 'rigid',
+    sudden: true,
+    contacts: [[0, 0, 1, null]],
+    left: [-0.5],
+    cutOff: [false],
+    stillTouching: false,
+  };
   const by = (/** @type {string} */ method) =>
     eventsOf(rod({ target: { kind: 'rod' }, other, chosen: { law: 'rigid', method } }));
   assert.match(by('waves')[0][1], /front/);
@@ -93,7 +106,7 @@ test('of rods that are drawn rigid no waves are told', () => {
 
 test('charts of force are promised where there are any', () => {
   /** @type {any} */
-  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, target: {}, rods: [], exact: { name: 'rigid' } };
+  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, target: {}, rods: [], exact: { sudden: true } };
   assert.doesNotMatch(seenIn(pendulum), /force/);
   assert.match(seenIn({ ...pendulum, exact: { name: 'compliant' } }), /force/);
   assert.match(seenIn({ ...pendulum, rods: [{}] }), /waves/);

@@ -183,7 +183,7 @@ export class Force {
   load(frame) {
     const { modalForce, other } = frame;
     this.exact = { x: frame.exactTime, y: frame.exactForce };
-    const impulse = other?.name === 'rigid'; // without a height
+    const impulse = other?.sudden; // without a height
     this.other = impulse ? null : pair(frame.otherTime, frame.otherForce);
     this.raw = null;
     if (modalForce && other) {

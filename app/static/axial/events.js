@@ -82,9 +82,8 @@ const ofGaps = ({ duration, gaps }) =>
  * @param {AxialFrame} frame
  * @returns {Event[]}
  */
-function ofEndMass({ chosen, exact, impactor, rods, target }) {
+function ofEndMass({ exact, impactor, rigid, rods, target }) {
   if (!target.endMass || rods.length !== 1 || target.support !== 'free') return [];
-  const rigid = chosen.law === 'rigid';
   /** @type {Event[]} */
   const found = [[0.5, text('axial.event.end-mass', { rigid })]];
   if (exact.contacts[0][1] > 1 + 1e-9)
@@ -114,9 +113,8 @@ const pulseEvents = (contacts) => [
  * @returns {Event[]}
  */
 function eventsOnOneRod(frame) {
-  const { exact, duration, chosen } = frame;
+  const { exact, duration, rigid } = frame;
   const fixed = frame.rods[0].mirror > 0;
-  const rigid = chosen.law === 'rigid';
   const pressure = pretty(frame.stressUnit / 1e6);
   const said = { striker: frame.impactor.kind, pressure };
   const [[, parts]] = exact.contacts;

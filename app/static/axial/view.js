@@ -83,8 +83,7 @@ export class AxialView {
     this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
     this.whole.hidden = !this.axis.zoomed;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
-    const methods = [frame.exact.name, frame.other?.name ?? 'rigid'];
-    this.force.chart.root.hidden = methods.every((name) => name === 'rigid'); // an impulse without duration
+    this.force.chart.root.hidden = frame.exact.sudden && (frame.other?.sudden ?? true); // impulses without duration
     this.force.load(frame);
     this.displacements.load(frame);
     this.moments.load(frame);

@@ -210,7 +210,7 @@ export class BeamForce {
     if (modalForce) {
       // what modes say is one force for each step; chatter at the shortest kept period says nothing
       const h = 1e3 * given(step, 'step');
-      const window = law.name === 'rigid' ? frame.main.diagnostics.resolved_time : 0;
+      const window = law.rigid ? frame.main.diagnostics.resolved_time : 0;
       this.raw = window ? stairs(modalForce, h) : null;
       this.main = window ? averaged(modalForce, h, 1e3 * window) : stairs(modalForce, h);
       const fine = pair(mainTime, mainForce); // of a stretch, where steps come in groups

@@ -17,7 +17,6 @@ const HOLDERS = {
 };
 const NEAR = 0.2; // of its length from a support
 const HARD = 0.5; // movement of the struck place over that of the contact
-const WAVELESS = ['rigid', 'quasi-static']; // methods without waves
 
 /**
  * A sentence of the beam's catalogue, which takes what strikes and what is struck besides its values.
@@ -86,10 +85,10 @@ const ratesAt = ({ rates }, k, end) =>
 
 /** @param {BendingFrame} frame */
 function firstTouch(frame) {
-  if (WAVELESS.includes(frame.main.name)) return tell('beam.event.touches-waveless', frame);
+  if (!frame.main.waves) return tell('beam.event.touches-waveless', frame);
   const held = holding(frame);
   if (held) return tell('beam.event.touches-held', frame, held);
-  return tell('beam.event.touches', frame, { rigid: frame.law.name === 'rigid' });
+  return tell('beam.event.touches', frame, { rigid: frame.law.rigid });
 }
 
 /**
@@ -154,7 +153,7 @@ function ending(frame) {
  */
 export function reasonsOf(frame) {
   const { main } = frame;
-  const waveless = WAVELESS.includes(main.name);
+  const waveless = !main.waves;
   const held = waveless ? null : holding(frame);
   if (held) return tell('beam.why.held', frame, held);
   if (main.contacts > 1) return tell('beam.why.many', frame);
@@ -167,12 +166,12 @@ export function reasonsOf(frame) {
  */
 export function spanOf(frame) {
   const { beam, main, span } = frame;
-  const held = WAVELESS.includes(main.name) ? null : holding(frame);
+  const held = !main.waves ? null : holding(frame);
   const share = percent(span.apparent > 0 ? span.real / span.apparent : 1);
   const lasts = { apparent: duration(span.apparent), real: duration(span.real), share };
   const said = [];
   if (span.real > 0) said.push(tell(main.contacts > 1 ? 'beam.span.many' : 'beam.span.one', frame, lasts));
-  if (span.half && main.name !== 'rigid' && !held) said.push(ridingOf(frame, span.half));
+  if (span.half && !main.sudden && !held) said.push(ridingOf(frame, span.half));
   if (beam.endMass) said.push(tell('beam.span.end-mass', frame, { mass: figures(beam.endMass) }));
   return said.join(' ');
 }

@@ -12,7 +12,7 @@
  * @property {number} speed
  * @property {BeamTold} beam
  * @property {Striking} impactor
- * @property {{ name: string, damps: boolean, yields: boolean, exponent: number }} law
+ * @property {{ name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number }} law
  * @property {BeamFigures} main
  * @property {BeamFigures | null} reference
  * @property {{ apparent: number, real: number, half: number | null }} span

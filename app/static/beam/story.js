@@ -173,7 +173,7 @@ export class BeamStory {
     this.went.textContent = text('story.energy');
     const { law, main } = this.frame;
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
-    const yields = law.yields && !['balance', 'rigid'].includes(main.name);
+    const yields = law.yields && main.byLaw;
     const inside = split ? ['target_kinetic', 'target_strain'] : ['target_vibration'];
     const names = this.parts();
     if (yields) names.dissipated = names.yielding;

@@ -144,7 +144,7 @@ export class BeamView {
   /** Whether all impacts are impulses without duration, and there is nothing beside that has a force. */
   get withoutForce() {
     const { halfForce, main, reference } = this.frame;
-    return main.name === 'rigid' && !reference && !halfForce;
+    return main.sudden && !reference && !halfForce;
   }
   /** Its histories have become finer. */
   refine() {

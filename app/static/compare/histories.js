@@ -75,7 +75,7 @@ function ofBeam(frame) {
   let force = pair(frame.mainTime, frame.mainForce);
   if (modalForce) {
     const step = given(frame.step, 'step') / trip;
-    const window = (frame.law.name === 'rigid' && frame.main.diagnostics.resolved_time) || 0;
+    const window = (frame.law.rigid && frame.main.diagnostics.resolved_time) || 0;
     force = averaged(modalForce, step, window ? window / trip : step);
   }
   return {

@@ -79,7 +79,7 @@ export function ofResolution(now, kept, name) {
   );
   if (misses.length < 2 || !peakForce) return '';
   misses.sort((a, b) => a.count - b.count);
-  const jumps = now.chosen.law === 'rigid' && now.rods.length > 0;
+  const jumps = now.rigid && now.rods.length > 0;
   const values = { contacts: contacts.length, velocity: signed(final ?? 0), force: engineering(peakForce, 'N') };
   const exact = text('compare.verdict.exact', { ...values, waves: reference === 'waves' });
   const grazing = [now, kept].some((frame) => warnsOfCount(frame));

@@ -42,8 +42,7 @@ export function kindsOf(one, other) {
  */
 const isHow = (name, frames) =>
   HOW.includes(name) ||
-  (name === 'restitution' &&
-    frames.every((frame) => frame.kind === 'axial' && !frame.damps && frame.exact?.name !== 'rigid'));
+  (name === 'restitution' && frames.every((frame) => frame.kind === 'axial' && !frame.damps && !frame.exact?.sudden));
 
 /**
  * In what an impact is not that of its scene, in words; nothing where it is.

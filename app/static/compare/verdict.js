@@ -97,16 +97,19 @@ function ofMass(now, kept, asked) {
   return (first ? both.reverse() : both).filter(Boolean).join(' ');
 }
 
+/** @param {Frame} frame */
+const rigidOf = (frame) => ('law' in frame ? frame.law.rigid : frame.kind === 'axial' && frame.rigid);
+
 /**
  * What another contact law changes.
  * @param {Frame} now
  * @param {Frame} kept
  */
 function ofLaw(now, kept) {
-  const rigid = [now, kept].filter(({ chosen }) => chosen.law === 'rigid').length;
+  const rigid = [now, kept].filter(rigidOf).length;
   const time = pairs(now, kept)('real');
   if (rigid !== 1 || !time || now.kind === 'bodies' || kept.kind === 'bodies') return '';
-  const soft = now.chosen.law === 'rigid' ? time.kept / kept.trip : time.now / now.trip;
+  const soft = rigidOf(now) ? time.kept / kept.trip : time.now / now.trip;
   return text('compare.verdict.law', { trips: pretty(Number(soft.toPrecision(2))), waves: now.kind === 'axial' });
 }
 

@@ -68,7 +68,7 @@ export function mechanismEvents(frame) {
  */
 export function mechanismReasons(frame) {
   const { links } = frame.mechanism;
-  const bends = frame.main.name !== 'rigid' && links.some(({ flexible }) => flexible);
+  const bends = !frame.main.sudden && links.some(({ flexible }) => flexible);
   return tell(!bends ? 'rigid' : frame.main.contacts > 1 ? 'many' : 'one', frame);
 }
 

@@ -45,8 +45,7 @@ class MassRatios extends Panel {
       frame.target.kind === 'rod' &&
       !frame.target.endMass;
     if (!one) return text('ratios.one-rod-only');
-    if (frame.chosen.law !== 'rigid' || !['fixed', 'free'].includes(frame.target.support ?? ''))
-      return text('ratios.rigid-only');
+    if (!frame.rigid || !['fixed', 'free'].includes(frame.target.support ?? '')) return text('ratios.rigid-only');
     return '';
   }
   get away() {

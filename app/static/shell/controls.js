@@ -178,7 +178,7 @@ const inSpaceNote = ({ chosen, friction }) =>
  * @param {Frame} frame
  */
 const predicts = (frame) =>
-  frame.kind === 'axial' && !frame.damps && frame.chosen.method !== 'balance' && frame.exact.name !== 'rigid';
+  frame.kind === 'axial' && !frame.damps && frame.chosen.method !== 'balance' && !frame.exact.sudden;
 
 /**
  * What the restitution does in an impact along an axis.

@@ -17,13 +17,13 @@ const JAMMING = new Set(['friction-jams', 'impact-without-approach', 'slides-on'
  */
 export function seenIn(frame) {
   if (frame.kind === 'mechanism') {
-    if (frame.main.name === 'rigid') return SEEN['rigid-links'];
+    if (frame.main.sudden) return SEEN['rigid-links'];
     const bends = frame.mechanism.links.some(({ flexible }) => flexible) && !frame.moving?.rigid;
     if (frame.moving) return bends ? SEEN.moving : SEEN['moving-rigid'];
     return SEEN.mechanism;
   }
   if (frame.kind !== 'axial') return SEEN[frame.kind];
-  const shown = frame.rods.length ? 'waves' : frame.exact.name === 'rigid' ? 'impulse' : 'force';
+  const shown = frame.rods.length ? 'waves' : frame.exact.sudden ? 'impulse' : 'force';
   if (frame.impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
   if (!frame.rods.length && frame.target.rotation) return SEEN.turning;
   if (!frame.rods.length) return text('first.seen.compact', { shown });

@@ -92,6 +92,9 @@
  * @typedef {object} Figures
  * @property {string} name  of the method
  * @property {string | null} model  of a method that has several
+ * @property {boolean} sudden  whether the impact takes no time in it
+ * @property {boolean} waves  whether anything rings in it
+ * @property {boolean} byLaw  whether the contact law acts in it
  * @property {boolean} stillTouching
  * @property {number | null} final  velocity of the impactor, as a whole
  * @property {number} targetFinal
@@ -204,6 +207,7 @@
  * @property {[time: number, velocity: number] | null} lastBall  of a row, as it has parted for good [T, v]
  * @property {{ impactor: number, target: number } | null} prediction  velocities by rigid-body theory
  * @property {number | null} match  restitution that would have matched
+ * @property {boolean} rigid  whether nothing gives way at the contact itself
  * @property {boolean} damps
  * @property {boolean} yields
  * @property {number} exponent  of the indentation, with which the force of the law begins
