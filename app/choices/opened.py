@@ -87,7 +87,7 @@ def opening_of(scene: str) -> Opening:
 
 
 def _comparison(number: int, given: object) -> Comparison:
-    key = f"view.compare.{number}"
+    key = f"view.compare[{number}]"
     read = table(key, given, Comparison._fields)
     settings = {name: _settings(f"{key}.{name}", read.get(name, {})) for name in ("first", "second")}
     return Comparison(_word(key, read, "question"), **settings, alone=flag(f"{key}.alone", read.get("alone", False)))
@@ -98,7 +98,7 @@ def _settings(key: str, given: object) -> dict[str, Any]:
 
 
 def _trial(number: int, given: object) -> Trial:
-    key = f"view.try.{number}"
+    key = f"view.try[{number}]"
     read = table(key, given, Trial._fields)
     name = choice(f"{key}.choice", read.get("choice"), Choices.CHOSEN)
     return Trial(_word(key, read, "say"), name, _chosen(f"{key}.value", name, read.get("value")))
@@ -123,7 +123,7 @@ def _list(key: str, value: object) -> list[Any]:
 def _names(key: str, value: object, options: Iterable[str] | None = None) -> tuple[str, ...]:
     given = enumerate(_list(key, value), 1)
     return tuple(
-        text(f"{key}.{n}", each) if options is None else choice(f"{key}.{n}", each, options) for n, each in given
+        text(f"{key}[{n}]", each) if options is None else choice(f"{key}[{n}]", each, options) for n, each in given
     )
 
 
