@@ -1,6 +1,6 @@
 """What stands in a message to the browser: every field of its header and every array, with unit and dimensions.
 
-`packed` refuses what is not said here. app/static/shell/message.js says the same as types; a test compares the two.
+`packed` refuses what is not said here. The browser has it as types, in app/static/messages.d.ts: see `declarations`.
 """
 
 import re
@@ -10,14 +10,14 @@ from typing import Any, NamedTuple
 class Field(NamedTuple):
     """One entry of a message or of a record in it."""
 
-    form: str  # dimensions of an array, as in "(instants, places)"; else the type by its name in message.js
+    form: str  # dimensions of an array, as in "(instants, places)"; else the type, in TypeScript
     about: str = ""
     optional: bool = False
 
     @property
     def is_array(self) -> bool:
         """Whether it stands after the header, among the arrays."""
-        return self.form.startswith("(")
+        return self.form.startswith("(") and self.form.endswith(")")
 
 
 Fields = dict[str, Field]
@@ -249,6 +249,7 @@ BODIES: Fields = {
         }
     ),
 }
+FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "mechanism": "MechanismFrame", "bodies": "SpaceFrame"}
 MESSAGES = {"axial": AXIAL, "beam": BENDING, "mechanism": MECHANISM, "bodies": BODIES}  # by kind
 
 FIGURES: Fields = {
@@ -268,7 +269,75 @@ FIGURES: Fields = {
     "diagnostics": Field("Diagnostics"),
     "notes": Field("Note[]"),
 }
+TYPES = {  # by name: form, and what it is
+    "Numbers": ("Float64Array", "an array, the last index fastest"),
+    "Chosen": ("Record<string, number | string>", "a value for every choice"),
+    "Gap": ("[rod: number, closes: number, opens: number]", "before a rod of a chain [T, T]"),
+    "Contact": ("[start: number, end: number, impulse: number, peak: number | null]", ""),
+    "Energies": ("{ initial: number; [part: string]: number }", "[J]; `initial` is what the others are shares of"),
+    "Restitution": ("Record<'newton' | 'poisson' | 'newton_at_contact', number | null>", ""),
+    "Support": (
+        "'joined' | 'cantilever' | 'pinned-pinned' | 'clamped-clamped' | 'free-free' | 'pinned-free'",
+        "of a beam, or of a link of a mechanism",
+    ),
+    "Try": ("[say: string, choice: string, value: number | string]", "words of the catalogue, a choice, its value"),
+    "Vector": ("[number, number, number]", ""),
+    "Moving": ("{ velocity: Vector; spin: Vector }", ""),
+    "FigureTold": ("[name: string, value: number | number[] | null, unit: string]", ""),
+    "BendingFrame": ("BeamFrame | MechanismFrame", "of a beam, or of a link that is shown as one"),
+}
 RECORDS: dict[str, Fields] = {
+    "Diagnostics": {
+        "wall_time": Field("number", "[s]"),
+        "energy_error": Field("number", "as a share"),
+        "estimated_error": Field("number | null"),
+        "resolved_time": Field("number", "the finest that modes can tell [s]", True),
+        "raw_contacts": Field("number", "", True),
+        "balances": Field("number", "of impulse and momentum", True),
+        "energy_drift": Field("number", "the largest, as a share", True),
+        "constraint_error": Field("number", "[m]", True),
+        "steps": Field("number", "", True),
+        "pivot_moment": Field("number", "of a pendulum that bends [N m]", True),
+        "contact_moment": Field("number", "", True),
+    },
+    "JointImpulse": {  # on its second link; of balances what is sudden, and beside it all up to the parting
+        "impulse": Field("[number, number]", "[N s]"),
+        "moment_impulse": Field("number", "[N m s]"),
+        "impulse_to_parting": Field("[number, number]", "[N s]", True),
+        "moment_impulse_to_parting": Field("number", "[N m s]", True),
+    },
+    "MechanismTold": {
+        "links": Field("LinkTold[]", "from their first end to their second"),
+        "joints": Field("JointTold[]"),
+        "struck": Field("number", "which link is"),
+        "at": Field("number", "share of its length"),
+        "contact": Field("[number, number]", "[m]"),
+        "normal": Field("[number, number]", "from impactor to link"),
+        "mass": Field("number", "of all links [kg]"),
+    },
+    "LinkTold": {
+        "name": Field("string"),
+        "flexible": Field("boolean"),
+        "nodes": Field("number[]", "of finite elements, as shares of its length"),
+        "depth": Field("number", "[m]"),
+    },
+    "JointTold": {
+        "kind": Field("string"),
+        "links": Field("[string, string]", "by name; ground"),
+        "link": Field("number", "on which it is drawn"),
+        "share": Field("number", "of its length"),
+        "axis": Field("[number, number] | null", "along which it slides"),
+        "driven": Field("boolean"),
+    },
+    "BodyTold": {
+        "shape": Field("'stop' | 'point' | 'ball' | 'box'"),
+        "mass": Field("number", "[kg]", True),
+        "radius": Field("number", "[m]", True),
+        "sides": Field("Vector", "[m]", True),
+        "axes": Field("Vector[]", "", True),
+        "before": Field("Moving"),
+        "after": Field("Moving"),
+    },
     "Cushion": {
         "name": Field("string"),
         "modulus": Field("number", "E [Pa]"),

@@ -32,7 +32,7 @@ import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
 import { unbroken } from './text/format.js';
 
-/** @import { Chosen, Frame } from './shell/message.js' */
+/** @import { Chosen, Frame } from './messages.js' */
 /** @import { Model } from './shell/model.js' */
 /** @import { Event } from './shell/story.js' */
 /** @import { View } from './shell/view.js' */

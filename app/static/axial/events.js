@@ -3,7 +3,7 @@ import { text } from '../text/catalogue.js';
 import { engineering, figures, pretty, signed } from '../text/format.js';
 import { drawnRigid, toldOf } from './drawn.js';
 
-/** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Contact } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const JUMPS = 6; // of the force in one contact that are told; later ones are small

@@ -6,7 +6,7 @@ import { called } from '../text/words.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { AxialFigures, AxialFrame, Numbers } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Numbers } from '../messages.js' */
 
 const PLACES = /** @type {const} */ (['pivot', 'between', 'contact']);
 

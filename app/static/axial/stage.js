@@ -12,7 +12,7 @@ import { cradle, swing } from './cradle.js';
 import { reachOf } from './reach.js';
 import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
-/** @import { AxialFrame, RodTold } from '../shell/message.js' */
+/** @import { AxialFrame, RodTold } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { Field, What } from './fields.js' */
 

@@ -8,7 +8,7 @@ import { shortly } from '../text/words.js';
 import { toldOf } from './drawn.js';
 import { eventsOf } from './events.js';
 
-/** @import { AxialFigures, AxialFrame, Rotation } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Rotation } from '../messages.js' */
 
 const LISTED = 24; // events
 const CONTACTS = 12; // of each solution, in the table

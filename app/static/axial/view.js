@@ -14,7 +14,7 @@ import { Stage } from './stage.js';
 import { Story } from './story.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 /** @import { Field, What } from './fields.js' */
 
 const LEAST_ROOM = 1e-4; // of the whole impact, about what is looked at closely

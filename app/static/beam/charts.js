@@ -22,7 +22,7 @@ const ENDS = {
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Content, Picture, Series } from '../charts/chart.js' */
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { BeamFigures, BendingFrame } from '../shell/message.js' */
+/** @import { BeamFigures, BendingFrame } from '../messages.js' */
 /** @import { BeamField, What } from './field.js' */
 
 /**

@@ -2,7 +2,7 @@
 import { text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
 
-/** @import { BendingFrame, Support } from '../shell/message.js' */
+/** @import { BendingFrame, Support } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const TOLD = 4; // contacts told one by one

@@ -4,7 +4,7 @@ import { indexAt } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
 
 /** @import { Range } from '../charts/scale.js' */
-/** @import { BendingFrame } from '../shell/message.js' */
+/** @import { BendingFrame } from '../messages.js' */
 
 /** @typedef {'moment' | 'velocity' | 'shear' | 'deflection'} What */
 /** @typedef {Float32Array | Float64Array} Out */

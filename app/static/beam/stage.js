@@ -10,7 +10,7 @@ import { FIELDS } from './field.js';
 import { flown } from './flown.js';
 import { drawSupports } from './supports.js';
 
-/** @import { BendingFrame } from '../shell/message.js' */
+/** @import { BendingFrame } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { BeamField, Out, What } from './field.js' */
 

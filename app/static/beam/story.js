@@ -8,7 +8,7 @@ import { called, METHODS } from '../text/words.js';
 import { beamEvents, reasonsOf, spanOf, tell } from './events.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { BeamFigures, BendingFrame } from '../shell/message.js' */
+/** @import { BeamFigures, BendingFrame } from '../messages.js' */
 
 /** @typedef {[name: string, show: (s: BeamFigures) => string | number]} Row  of the table of figures */
 

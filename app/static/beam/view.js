@@ -14,7 +14,7 @@ import { BeamStory } from './story.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Chart } from '../charts/chart.js' */
-/** @import { BendingFrame } from '../shell/message.js' */
+/** @import { BendingFrame } from '../messages.js' */
 /** @import { Band } from './charts.js' */
 /** @import { BeamField, What } from './field.js' */
 

@@ -5,7 +5,7 @@ import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 
 /** @import { Samples } from './scale.js' */
-/** @import { Contact } from '../shell/message.js' */
+/** @import { Contact } from '../messages.js' */
 
 const SAME = 1e-6; // share of a time by which two are no longer one
 

@@ -7,7 +7,7 @@ import { LETTERS, MOST } from './run.js';
 import { comparable, differing, lineOf, shortOf } from './settings.js';
 import { signOf } from './told.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Compare } from './compare.js' */
 /** @import { Run } from './run.js' */
 

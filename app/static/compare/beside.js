@@ -13,7 +13,7 @@ import { BodiesStage } from '../space/stage.js';
 
 /** @import { Field, What } from '../axial/fields.js' */
 /** @import { BeamField, What as BeamWhat } from '../beam/field.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Run } from './run.js' */
 
 const STAGES = { axial: Stage, beam: BeamStage, mechanism: MechanismStage, bodies: BodiesStage };

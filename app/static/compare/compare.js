@@ -13,7 +13,7 @@ import { Told } from './told.js';
 /** @import { Page } from '../page.js' */
 /** @import { Changes } from '../shell/changes.js' */
 /** @import { Wanted } from '../shell/kept.js' */
-/** @import { Chosen, Frame, Question } from '../shell/message.js' */
+/** @import { Chosen, Frame, Question } from '../messages.js' */
 
 const PATIENCE = 30_000; // ms for a solution of a link
 const REMEMBERED = 16; // runs that undo may bring back as they were; others are solved again

@@ -4,7 +4,7 @@ import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { kindsOf } from './settings.js';
 
-/** @import { AxialFrame, BendingFrame, Energies, Frame, Restitution, SpaceFrame } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Energies, Frame, Restitution, SpaceFrame } from '../messages.js' */
 
 /** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
 /** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */

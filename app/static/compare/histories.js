@@ -3,7 +3,7 @@ import { averaged, pair } from '../charts/scale.js';
 import { given } from '../shell/message.js';
 
 /** @import { Samples } from '../charts/scale.js' */
-/** @import { AxialFrame, BendingFrame, Contact, Frame, Numbers } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Contact, Frame, Numbers } from '../messages.js' */
 
 /**
  * Over time [s]: force [N], displacements [m], velocities [m/s] where they are known, contacts.

@@ -7,7 +7,7 @@ import { comparable, kindsOf } from './settings.js';
 /** @import { Series, Stretches } from '../charts/chart.js' */
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { View } from '../shell/view.js' */
-/** @import { AxialFrame, BendingFrame, Frame } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Frame } from '../messages.js' */
 /** @import { Run } from './run.js' */
 
 /** @typedef {{ force: Series[], moved: Series[], stretches: Stretches[] }} Laid */

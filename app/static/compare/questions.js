@@ -1,6 +1,6 @@
 // Comparisons that are ready made: two settings of this impact, the first of which is kept.
 
-/** @import { Frame, Question } from '../shell/message.js' */
+/** @import { Frame, Question } from '../messages.js' */
 
 const HEAVIER = 4;
 const FASTER = 2;

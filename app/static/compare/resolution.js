@@ -3,7 +3,7 @@ import { between } from '../charts/scale.js';
 import { engineering, percent, signed } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { AxialFigures, AxialFrame, BendingFrame } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, BendingFrame } from '../messages.js' */
 
 /**
  * What is asked of both numbers: error of the last velocity as a share of the impact speed, of impulse and peak force.

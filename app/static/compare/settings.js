@@ -3,7 +3,7 @@ import { wordsOf } from '../shell/body_values.js';
 import { pretty } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 
 /** @type {Set<string | undefined>} */
 const UNITS = new Set(['N/m', 'N/m¹·⁵', 'N', 'm']); // that a value is written with

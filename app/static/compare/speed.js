@@ -2,7 +2,7 @@
 import { pretty } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { Contact, Frame } from '../shell/message.js' */
+/** @import { Contact, Frame } from '../messages.js' */
 
 const NEAR = 0.02; // how far two powers of the speed may lie apart that are one
 

@@ -7,7 +7,7 @@ import { bound, comparedOf, difference, leastSaid, sentences, sideBySide, writte
 import { comparable, differing, lineOf } from './settings.js';
 import { verdictOf } from './verdict.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Letter, Run } from './run.js' */
 
 /**

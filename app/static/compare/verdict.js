@@ -6,7 +6,7 @@ import { ofBeamResolution, ofResolution } from './resolution.js';
 import { kindsOf } from './settings.js';
 import { ofSpeed } from './speed.js';
 
-/** @import { AxialFrame, Frame, SpaceFrame } from '../shell/message.js' */
+/** @import { AxialFrame, Frame, SpaceFrame } from '../messages.js' */
 
 const RESOLUTIONS = ['modes', 'elements'];
 const SAME = 0.02; // share by which two figures differ that are told as one

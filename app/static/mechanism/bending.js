@@ -3,7 +3,7 @@ import { indexAt } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
 
 /** @import { Out, What } from '../beam/field.js' */
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 /** @type {Record<What, string>} */
 const TABLES = { deflection: 'shape', velocity: 'shape', moment: 'moment', shear: 'shear' };

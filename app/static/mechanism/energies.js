@@ -5,7 +5,7 @@ import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 /** @type {Record<string, Series['style']>} */
 const LOOKS = {

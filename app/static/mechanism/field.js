@@ -3,7 +3,7 @@ import { BeamField, fieldOf } from '../beam/field.js';
 import { bendingOf } from './bending.js';
 
 /** @import { Out, What } from '../beam/field.js' */
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 /** Of one that moves on; a rigid link does not bend. */
 class MovingField extends BeamField {

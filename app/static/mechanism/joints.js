@@ -1,7 +1,7 @@
 // The joints of a mechanism on the stage, and arrows of what they bear.
 import { COLORS } from '../charts/styles.js';
 
-/** @import { JointTold } from '../shell/message.js' */
+/** @import { JointTold } from '../messages.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const PIN = 4.5; // pixels

@@ -10,7 +10,7 @@ import { gone, Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
-/** @import { MechanismFrame, MechanismTold } from '../shell/message.js' */
+/** @import { MechanismFrame, MechanismTold } from '../messages.js' */
 /** @import { Drawn } from '../shell/striker.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */

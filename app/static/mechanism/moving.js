@@ -6,7 +6,7 @@ import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Mechanism } from './mechanism.js';
 
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const SHOWN_BEND = 0.06; // of the mechanism, that the largest deflection is drawn as

@@ -5,7 +5,7 @@ import { showEnergy } from '../shell/story.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
 
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const SLOW = 0.1; // s of a solve, from which it is said why

@@ -5,7 +5,7 @@ import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { MechanismFrame, Numbers } from '../shell/message.js' */
+/** @import { MechanismFrame, Numbers } from '../messages.js' */
 /** @import { Run } from '../compare/run.js' */
 
 /** @typedef {'force' | 'moment'} Kind */

@@ -4,7 +4,7 @@ import { heading, scrolled } from '../shell/story.js';
 import { family, text } from '../text/catalogue.js';
 import { duration, engineering, figures, speed } from '../text/format.js';
 
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const LISTED = 4; // contacts that are described one by one

@@ -4,7 +4,7 @@ import { between } from '../charts/scale.js';
 import { Mechanism } from './mechanism.js';
 import { MovingMechanism } from './moving.js';
 
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
 

@@ -8,7 +8,7 @@ import { Joints, mechanismEvents, mechanismReasons } from './resting_story.js';
 
 /** @import { Row } from '../beam/story.js' */
 /** @import { Page } from '../page.js' */
-/** @import { BeamFigures, MechanismFrame } from '../shell/message.js' */
+/** @import { BeamFigures, MechanismFrame } from '../messages.js' */
 
 /** @extends {BeamStory<MechanismFrame>} */
 export class MechanismStory extends BeamStory {

@@ -9,7 +9,7 @@ import { MechanismStage } from './stage.js';
 import { MechanismStory } from './story.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { MechanismFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 /** @extends {BeamView<MechanismFrame>} */
 export class MechanismView extends BeamView {

@@ -6,7 +6,7 @@ import { family, named, said, text } from '../text/catalogue.js';
 import { Study, shown } from './trust.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 /** @import { Words } from './trust.js' */
 

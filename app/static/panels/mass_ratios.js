@@ -6,7 +6,7 @@ import { figures } from '../text/format.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 
 /**
  * @typedef {object} Ratios  columns over the mass ratio, null where there is none; `start_1`, `end_1` ... of contacts

@@ -4,7 +4,7 @@ import { figures } from '../text/format.js';
 import { described, family, leftOut, methodOf, said, text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /**

@@ -6,7 +6,7 @@ import { RegimeMap } from './regime_map.js';
 import { percentField } from './unit_field.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Chosen, Frame } from '../shell/message.js' */
+/** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Note, Parts } from '../text/catalogue.js' */
 /** @import { Regimes } from './regime_map.js' */
 

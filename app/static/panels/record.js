@@ -10,7 +10,7 @@ import { figures, localised, signed } from '../text/format.js';
 import { typed } from '../text/units.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame, Frame } from '../shell/message.js' */
+/** @import { AxialFrame, Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /** @typedef {'strain' | 'stress' | 'force'} Kind */

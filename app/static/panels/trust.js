@@ -6,7 +6,7 @@ import { duration, figures, prefixed, scaled } from '../text/format.js';
 
 /** @import { Band } from '../beam/charts.js' */
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /**

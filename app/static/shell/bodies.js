@@ -7,7 +7,7 @@ import { make } from './dom.js';
 import { commaOf, numberInput, refusalAt } from './number_field.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame, PartTold, ValueTold } from './message.js' */
+/** @import { Frame, PartTold, ValueTold } from '../messages.js' */
 
 const NAMES = family('body.value');
 const DERIVED = family('body.derived');

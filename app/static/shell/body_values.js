@@ -3,7 +3,7 @@ import { family, named, text } from '../text/catalogue.js';
 import { engineering, figures, localised } from '../text/format.js';
 import { factorOf, signsOf, typed } from '../text/units.js';
 
-/** @import { Frame, PartTold } from './message.js' */
+/** @import { Frame, PartTold } from '../messages.js' */
 /** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
 
 const PART = /^(impactor|target(?:\.(?:rods|links|joints)\.\d+)?)\.(.+)$/;

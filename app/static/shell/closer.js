@@ -2,7 +2,7 @@
 import { decode } from './message.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame, BendingFrame, Frame, Numbers } from './message.js' */
+/** @import { AxialFrame, BendingFrame, Frame, Numbers } from '../messages.js' */
 
 const REST = 200; // ms without a zoom, after which it is asked for
 const DIGITS = 9; // of its ends [s]

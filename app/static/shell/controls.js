@@ -5,7 +5,7 @@ import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
 import { Slider } from './slider.js';
 
-/** @import { AxialFrame, Cushion, Frame, SpaceFrame } from './message.js' */
+/** @import { AxialFrame, Cushion, Frame, SpaceFrame } from '../messages.js' */
 /** @import { Spec } from './model.js' */
 
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room

@@ -5,7 +5,7 @@ import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame, Try } from './message.js' */
+/** @import { Frame, Try } from '../messages.js' */
 
 const SEEN = family('first.seen');
 const TRIES = family('first.tries');

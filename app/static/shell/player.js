@@ -5,7 +5,7 @@ import { make } from './dom.js';
 import { PaceMenu } from './pace.js';
 import { times, unitOfTime } from './times.js';
 
-/** @import { AxialFrame, BeamFrame, Frame, MechanismFrame, SpaceFrame } from './message.js' */
+/** @import { AxialFrame, BeamFrame, Frame, MechanismFrame, SpaceFrame } from '../messages.js' */
 /** @import { Event } from './story.js' */
 
 const FULL = 10000; // steps of the time bar

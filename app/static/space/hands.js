@@ -2,7 +2,7 @@
 import { COLORS } from '../charts/styles.js';
 import { add, cross, dot, size, times } from './vectors.js';
 
-/** @import { BodyTold, Vector } from '../shell/message.js' */
+/** @import { BodyTold, Vector } from '../messages.js' */
 /** @import { Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 

@@ -12,7 +12,7 @@ import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
-/** @import { BodyTold, SpaceFrame, Vector } from '../shell/message.js' */
+/** @import { BodyTold, SpaceFrame, Vector } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { Point } from './arrows.js' */
 /** @import { Pose } from './pose.js' */
