@@ -38,8 +38,8 @@ from .encoding import (
     whole_numbers,
 )
 from .parts import common
-from .pendulum import pendulum_told, pivot_moments, striker_arrays, waves_of_force
-from .rotating import axis_moments, bent_shapes, rotation_told, turning_fields, turning_rod, turns
+from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
+from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
 from .solutions import by_modes
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
@@ -78,7 +78,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
             "mass": min(scene.impactor.mass, LARGEST_MASS),
             "radius": getattr(scene.impactor, "radius", None),
         }
-        | pendulum_told(scene.impactor),
+        | pendulum_fields(scene.impactor),
         "target": _target(scene),
         "speed": scene.speed,
         "forceUnit": force_unit,
@@ -213,7 +213,7 @@ def _target(scene: Scene) -> dict[str, Any]:
         "held": target.held,
         "endMass": target.rods[-1].end_mass if target.rods else 0.0,
         **({"row": [ball.radius for ball in target.balls]} if isinstance(target, Balls) else {}),
-    } | rotation_told(target)
+    } | rotation_fields(target)
 
 
 def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, Any]]:

@@ -1,9 +1,11 @@
-"""The types of messages for the browser code, from `schema`: `python -m app.messages.declarations` writes them."""
+"""Types for the browser code, from `schema` and `records`: `python -m app.messages.declarations` writes them."""
 
 import re
 from pathlib import Path
 
-from .schema import FRAMES, MESSAGES, RECORDS, TYPES, Field, Fields
+from .field import Field, Fields
+from .records import RECORDS, TYPES
+from .schema import FRAMES, MESSAGES
 
 OF_THE_BROWSER = {  # by kind: what it keeps with a message
     "axial": {"record": Field("{ time: number[]; force: number[] }", "a measured force laid over the others", True)}

@@ -4,28 +4,10 @@
 """
 
 import re
-from typing import Any, NamedTuple
+from typing import Any
 
-
-class Field(NamedTuple):
-    """One entry of a message or of a record in it."""
-
-    form: str  # dimensions of an array, as in "(instants, places)"; else the type, in TypeScript
-    about: str = ""
-    optional: bool = False
-
-    @property
-    def is_array(self) -> bool:
-        """Whether it stands after the header, among the arrays."""
-        return self.form.startswith("(") and self.form.endswith(")")
-
-
-Fields = dict[str, Field]
-
-
-def _optional(fields: Fields) -> Fields:
-    return {name: field._replace(optional=True) for name, field in fields.items()}
-
+from .field import Field, Fields, optional
+from .records import RECORDS
 
 COMMON: Fields = {
     "kind": Field("string", "of the message: axial, beam, mechanism or bodies"),
@@ -38,13 +20,13 @@ COMMON: Fields = {
     "title": Field("string"),
     "source": Field("string"),
     "note": Field("string"),
-    "parts": Field("PartTold[]", "bodies, and rods, links and joints one by one"),
+    "parts": Field("PartRecord[]", "bodies, and rods, links and joints one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
     "opens": Field("Opens", "what the scene is opened with"),
     "duration": Field("number", "axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s]"),
 }
 HEAD = Field("string", "of saved histories: scene and methods in TOML, table `saved` last")
-CYCLE: Fields = _optional(
+CYCLE: Fields = optional(
     {
         "cycleDepth": Field("(cycle)", "indentation [m]"),
         "cycleLoading": Field("(cycle)", "force of the law, slowly to the depth of this impact [N]"),
@@ -59,9 +41,9 @@ AXIAL: Fields = {
     **CYCLE,
     "head": HEAD,
     "trip": Field("number", "T, the round trip of a wave or the time of a contact [s]"),
-    "rods": Field("RodTold[]", "from left to right; none if no wave runs"),
+    "rods": Field("RodRecord[]", "from left to right; none if no wave runs"),
     "impactor": STRIKER,
-    "target": Field("TargetTold"),
+    "target": Field("TargetRecord"),
     "speed": Field("number", "v, of the impact [m/s]"),
     "forceUnit": Field("number", "Z v [N]"),
     "stressUnit": Field("number", "v sqrt(E rho) [Pa]"),
@@ -90,7 +72,7 @@ AXIAL: Fields = {
     "exactRowForce": Field("(motion, balls)", "force of every contact of a row, from the impactor's on [Z v]", True),
     "exactTime": Field("(exact force)", "at a jump twice [T]"),
     "exactForce": Field("(exact force)", "[Z v]"),
-    **_optional(
+    **optional(
         {
             "f#Time": Field("(wave f#)", "of the wave that the left end of rod # sends; at a jump twice [T]"),
             "f#": Field("(wave f#)", "[Z v]"),
@@ -130,7 +112,7 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     "refused": Field("Note | null", "why the chosen method is not shown"),
     "trip": Field("number", "a unit of time [s]"),
     "speed": Field("number", "of the impact [m/s]"),
-    "beam": Field("BeamTold"),
+    "beam": Field("BeamRecord"),
     "impactor": STRIKER,
     "law": Field("{ name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number }"),
     "main": Field("BeamFigures"),
@@ -146,8 +128,8 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     "impactorRate": Field("(time)", "[m/s]"),
     "struckRate": Field("(time)", "[m/s]"),
     "contacts": Field("(contacts, 4)", "start, end [ms], impulse [N s], peak force [N]; the first of many"),
-    "rates": Field("(told, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
-    **_optional(
+    "rates": Field("(listed, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
+    **optional(
         {
             "wavenumbers": Field("(wavenumbers)", "[1/m]"),
             "lower": Field("(wavenumbers)", "angular frequency [rad/s]"),
@@ -194,9 +176,9 @@ BENDING: Fields = {  # of a beam, or the struck link of a mechanism
 }
 MECHANISM: Fields = {
     **BENDING,
-    "mechanism": Field("MechanismTold", "of which the struck link stands for the beam"),
-    "moving": Field("MovingTold | null", "of one that moves on as far as it goes"),
-    **_optional(
+    "mechanism": Field("MechanismRecord", "of which the struck link stands for the beam"),
+    "moving": Field("MovingRecord | null", "of one that moves on as far as it goes"),
+    **optional(
         {
             "linkPoints": Field("(links, link places, 2)", "as the impact begins; unbent if it moves on [m]"),
             "linkTime": Field("(link instants)", "closer together at first [ms]"),
@@ -226,21 +208,21 @@ BODIES: Fields = {
     "across": Field("Vector", "of the picture, to the right"),
     "up": Field("Vector", "of the picture"),
     "normal": Field("Vector", "of the contact"),
-    "ownFrame": Field("Vector[]", "the normal as the scene has it, and two tangents, from which a tilt is told"),
+    "ownFrame": Field("Vector[]", "the normal as the scene has it, and two tangents, from which a tilt counts"),
     "impulse": Field("number", "its size [N s]"),
     "push": Field("Vector", "the impulse on the target [N s]"),
     "friction": Field("number"),
     "sliding": Field(
         "{ kind: 'slip' | 'stick' | 'reversal', until: number }[]", "of the contact; none without friction [N s]"
     ),
-    "bodies": Field("{ impactor: BodyTold, target: BodyTold }"),
-    "figures": Field("FigureTold[]", "beside the picture: name, number or vector, unit"),
+    "bodies": Field("{ impactor: BodyRecord, target: BodyRecord }"),
+    "figures": Field("FigureRecord[]", "beside the picture: name, number or vector, unit"),
     "notes": Field("Note[]"),
     "impactorPath": Field("(samples, 3)", "of the centre, from the point of impact [m]"),
     "targetPath": Field("(samples, 3)", "[m]"),
     "impactorTurn": Field("(samples, 3, 3)", "from the instant of the impact"),
     "targetTurn": Field("(samples, 3, 3)"),
-    **_optional(
+    **optional(
         {
             "slidePress": Field("(course)", "normal impulse, where there is friction [N s]"),
             "slideParting": Field("(course)", "velocity at which the touching points part [m/s]"),
@@ -251,203 +233,6 @@ BODIES: Fields = {
 }
 FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "mechanism": "MechanismFrame", "bodies": "SpaceFrame"}
 MESSAGES = {"axial": AXIAL, "beam": BENDING, "mechanism": MECHANISM, "bodies": BODIES}  # by kind
-
-FIGURES: Fields = {
-    "name": Field("string", "of the method"),
-    "model": Field("string | null", "of a method that has several"),
-    "sudden": Field("boolean", "whether the impact takes no time in it"),
-    "waves": Field("boolean", "whether anything rings in it"),
-    "byLaw": Field("boolean", "whether the contact law acts in it"),
-    "stillTouching": Field("boolean", "at the end"),
-    "final": Field("number | null", "velocity of the impactor [v, or m/s of beams]"),
-    "targetFinal": Field("number", "velocity of the target [v, or m/s of beams]"),
-    "peakForce": Field("number | null", "[N]"),
-    "peakIndentation": Field("number | null", "[m]"),
-    "residualIndentation": Field("number | null", "[m]"),
-    "restitution": Field("Restitution"),
-    "energy": Field("Energies", "[J]"),
-    "diagnostics": Field("Diagnostics"),
-    "notes": Field("Note[]"),
-}
-TYPES = {  # by name: form, and what it is
-    "Numbers": ("Float64Array", "an array, the last index fastest"),
-    "Chosen": ("Record<string, number | string>", "a value for every choice"),
-    "Gap": ("[rod: number, closes: number, opens: number]", "before a rod of a chain [T, T]"),
-    "Contact": ("[start: number, end: number, impulse: number, peak: number | null]", ""),
-    "Energies": ("{ initial: number; [part: string]: number }", "[J]; `initial` is what the others are shares of"),
-    "Restitution": ("Record<'newton' | 'poisson' | 'newton_at_contact', number | null>", ""),
-    "Support": (
-        "'joined' | 'cantilever' | 'pinned-pinned' | 'clamped-clamped' | 'free-free' | 'pinned-free'",
-        "of a beam, or of a link of a mechanism",
-    ),
-    "Try": ("[say: string, choice: string, value: number | string]", "words of the catalogue, a choice, its value"),
-    "Vector": ("[number, number, number]", ""),
-    "Moving": ("{ velocity: Vector; spin: Vector }", ""),
-    "FigureTold": ("[name: string, value: number | number[] | null, unit: string]", ""),
-    "BendingFrame": ("BeamFrame | MechanismFrame", "of a beam, or of a link that is shown as one"),
-}
-RECORDS: dict[str, Fields] = {
-    "Diagnostics": {
-        "wall_time": Field("number", "[s]"),
-        "energy_error": Field("number", "as a share"),
-        "estimated_error": Field("number | null"),
-        "resolved_time": Field("number", "the finest that modes can tell [s]", True),
-        "raw_contacts": Field("number", "", True),
-        "balances": Field("number", "of impulse and momentum", True),
-        "energy_drift": Field("number", "the largest, as a share", True),
-        "constraint_error": Field("number", "[m]", True),
-        "steps": Field("number", "", True),
-        "pivot_moment": Field("number", "of a pendulum that bends [N m]", True),
-        "contact_moment": Field("number", "", True),
-    },
-    "JointImpulse": {  # on its second link; of balances what is sudden, and beside it all up to the parting
-        "impulse": Field("[number, number]", "[N s]"),
-        "moment_impulse": Field("number", "[N m s]"),
-        "impulse_to_parting": Field("[number, number]", "[N s]", True),
-        "moment_impulse_to_parting": Field("number", "[N m s]", True),
-    },
-    "MechanismTold": {
-        "links": Field("LinkTold[]", "from their first end to their second"),
-        "joints": Field("JointTold[]"),
-        "struck": Field("number", "which link is"),
-        "at": Field("number", "share of its length"),
-        "contact": Field("[number, number]", "[m]"),
-        "normal": Field("[number, number]", "from impactor to link"),
-        "mass": Field("number", "of all links [kg]"),
-    },
-    "LinkTold": {
-        "name": Field("string"),
-        "flexible": Field("boolean"),
-        "nodes": Field("number[]", "of finite elements, as shares of its length"),
-        "depth": Field("number", "[m]"),
-    },
-    "JointTold": {
-        "kind": Field("string"),
-        "links": Field("[string, string]", "by name; ground"),
-        "link": Field("number", "on which it is drawn"),
-        "share": Field("number", "of its length"),
-        "axis": Field("[number, number] | null", "along which it slides"),
-        "driven": Field("boolean"),
-    },
-    "BodyTold": {
-        "shape": Field("'stop' | 'point' | 'ball' | 'box'"),
-        "mass": Field("number", "[kg]", True),
-        "radius": Field("number", "[m]", True),
-        "sides": Field("Vector", "[m]", True),
-        "axes": Field("Vector[]", "", True),
-        "before": Field("Moving"),
-        "after": Field("Moving"),
-    },
-    "Cushion": {
-        "name": Field("string"),
-        "modulus": Field("number", "E [Pa]"),
-        "thickness": Field("number", "h [m]"),
-        "stiffness": Field("number", "k = E A / h [N/m]"),
-    },
-    "AxialFigures": FIGURES
-    | {
-        "contacts": Field("Contact[]", "start, end [T], impulse [N s], peak force [N]"),
-        "cutOff": Field("boolean[]", "whether a wave ended the contact at once"),
-        "left": Field("number[]", "velocity of the impactor after each contact [v]"),
-        "spins": Field("(number | null)[]", "angular velocities of impactor and target, of those on a pivot [rad/s]"),
-    },
-    "BeamFigures": FIGURES
-    | {
-        "modes": Field("number | null"),
-        "elements": Field("number | null"),
-        "contacts": Field("number", "how many"),
-        "impulse": Field("number", "[N s]"),
-        "joints": Field("JointImpulse[] | null", "of a mechanism"),
-    },
-    "MovingTold": {
-        "restitution": Field("number | null", "none: by the contact law"),
-        "rigid": Field("Note | null", "why links that bend are followed as rigid ones"),
-        "cut": Field("boolean", "whether it was to be followed for longer"),
-        "energies": Field("string[]", "names of the parts"),
-        "jolts": Field("number[][]", "size of the impulse at every joint in the first impacts [N s]"),
-    },
-    "Opens": {
-        "charts": Field("string[]", "by name"),
-        "place": Field("number | null", "at which the stress is told [m]"),
-        "until": Field("number | null", "from the first touch on, what is looked at [s]"),
-        "compare": Field("Question[]", "that can be asked of it by a comparison"),
-        "trials": Field("Try[]", "what can be tried: words, choice, value"),
-    },
-    "Question": {
-        "question": Field("string", "its key in the catalogue"),
-        "first": Field("Partial<Chosen>"),
-        "between": Field("Partial<Chosen>[]", optional=True),
-        "second": Field("Partial<Chosen>"),
-        "alone": Field("boolean", "whether other than the scene has them", optional=True),
-    },
-    "PartTold": {
-        "key": Field("string", "of its table: impactor, target, target.rods.2"),
-        "name": Field("string", "of a link or joint; else empty"),
-        "kind": Field("string"),
-        "strikes": Field("boolean", "whether it is the body that strikes"),
-        "values": Field("ValueTold[]", "that can be set"),
-        "derived": Field("[name: string, value: number][]", "what follows from them, SI units"),
-    },
-    "ValueTold": {  # SI units
-        "quantity": Field("string", "the rest of its key: length, material.young"),
-        "value": Field("number | string | null", "as it is; None: not given"),
-        "own": Field("number | string | null", "as the scene has it"),
-        "low": Field("number | null", "that it may be; None of a material"),
-        "high": Field("number | null"),
-    },
-    "RodTold": {
-        "from": Field("number", "from the struck face [m]"),
-        "to": Field("number", "[m]"),
-        "transit": Field("number", "[T]"),
-        "impedance": Field("number", "[Z]"),
-        "drift": Field("number", "velocity before the impact [v]"),
-        "area": Field("number", "over that of the struck rod"),
-        "joint": Field("'bonded' | 'touching' | null", "with the rod before it"),
-        "mirror": Field("-1 | 0 | 1", "what its far end makes of a wave: turns over, sends its own, sends back"),
-    },
-    "Striking": {
-        "kind": Field("string"),
-        "mass": Field("number", "[kg]"),
-        "radius": Field("number | null", "of its face [m]", optional=True),
-        "length": Field("number", "of a pendulum [m]", optional=True),
-        "place": Field("number", "from its pivot to the contact [m]", optional=True),
-        "ownMass": Field("number", "of all of it, where `mass` is what is felt at the contact [kg]", optional=True),
-    },
-    "TargetTold": {
-        "kind": Field("string"),
-        "shape": Field("'ball' | 'block'", "of a compact body"),
-        "radius": Field("number | null", "of its face [m]"),
-        "mass": Field("number", "[kg]"),
-        "length": Field("number", "[m]"),
-        "support": Field("string | null"),
-        "held": Field("boolean"),
-        "endMass": Field("number", "[kg]"),
-        "rotation": Field("Rotation", "of a rod that turns", optional=True),
-        "row": Field("number[]", "radii of a row of balls, from the struck one on [m]", optional=True),
-    },
-    "Rotation": {
-        "at": Field("number", "where it is struck, of its length from the axis"),
-        "speed": Field("number", "[rad/s]"),
-        "critical": Field("number", "speed at which its stretch has no end [rad/s]"),
-        "stretch": Field("number", "of its end, steadily [m]"),
-        "strain": Field("number", "of its root, steadily"),
-        "axial": Field("number[]", "lowest frequencies along it [rad/s]"),
-        "bending": Field("number[]", "and across, in the plane of rotation"),
-        "simplified": Field("(number | null)[]", "the same by (5.56), without the tension; null where unstable"),
-    },
-    "BeamTold": {
-        "length": Field("number", "[m]"),
-        "mass": Field("number", "[kg]"),
-        "support": Field("Support"),
-        "theory": Field("string"),
-        "place": Field("number", "that is struck [m]"),
-        "halfDepth": Field("number", "[m]"),
-        "secondMoment": Field("number", "[m^4]"),
-        "endMass": Field("number", "[kg]"),
-        "held": Field("boolean"),
-        "speedLimit": Field("number", "sqrt(E/rho) [m/s]"),
-    },
-}
 
 
 def check(header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> None:

@@ -24,7 +24,7 @@ from solvers.text.notes import Note
 from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
 from .encoding import LARGEST_MASS, Stretch, coded, cycle, facts_of, instants, packed, refusals, whole_numbers
-from .histories import MS, force_told, motion_instants, paths, rates_at, rates_of_contacts
+from .histories import MS, force_arrays, motion_instants, paths, rates_at, rates_of_contacts
 from .parts import common
 from .solutions import method_options
 
@@ -86,7 +86,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
     arrays |= _contacts(main) | rates_of_contacts(main)
     if beside is not None:
         arrays |= paths(beside, time, "reference")
-        arrays |= force_told(beside, "reference", request.stretch)
+        arrays |= force_arrays(beside, "reference", request.stretch)
     moves = isinstance(main.motion, MovingMotion)
     header = {
         **common(scene, request),
@@ -148,13 +148,13 @@ def _contacts(solution: Solution) -> dict[str, np.ndarray]:
     return {"contacts": np.array(rows)}
 
 
-def fields_told(solution: Solution, stretch: Stretch, places: int) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+def field_arrays(solution: Solution, stretch: Stretch, places: int) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """Header and arrays of the fields along what is struck, sampled at so many places where they are not by modes."""
     motion, beam = solution.known_motion, solution.scene.target
     if isinstance(motion, ModalMotion):
         header, arrays = _modal_fields(motion)
         fine = stretch and motion.steps > FORCE_STEPS and not solution.scene.rigid_contact  # which it gets in groups
-        return header, arrays | (force_told(solution, "main", stretch) if fine else {})
+        return header, arrays | (force_arrays(solution, "main", stretch) if fine else {})
     assert isinstance(motion, Bends)
     time, x = instants(solution.duration, INSTANTS, stretch), np.linspace(0.0, beam.length, places)
     fields = {
@@ -170,7 +170,7 @@ def fields_told(solution: Solution, stretch: Stretch, places: int) -> tuple[dict
         values = field(time, x)
         there = np.abs(values).max(initial=0.0) > ROUNDING * usual.get(name, 0.0)
         arrays[f"field{name}"] = whole_numbers(values if there else np.zeros_like(values))
-    return {"places": places}, {"fieldTime": MS * time, **arrays} | force_told(solution, "main", stretch)
+    return {"places": places}, {"fieldTime": MS * time, **arrays} | force_arrays(solution, "main", stretch)
 
 
 def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -209,7 +209,7 @@ def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.nda
     return header, arrays
 
 
-def slow_told(main: Solution, places: int) -> dict[str, np.ndarray]:
+def slow_arrays(main: Solution, places: int) -> dict[str, np.ndarray]:
     """What the impact is compared with: the law's cycle; if there is one, the quasi-static estimate of the struck place
     [m], and the shape of the beam bent at rest there."""
     scene, estimate = main.scene, METHODS["quasi-static"].read({})

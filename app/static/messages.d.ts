@@ -27,7 +27,7 @@ export type Vector = [number, number, number];
 
 export type Moving = { velocity: Vector; spin: Vector };
 
-export type FigureTold = [name: string, value: number | number[] | null, unit: string];
+export type FigureRecord = [name: string, value: number | number[] | null, unit: string];
 
 /** of a beam, or of a link that is shown as one */
 export type BendingFrame = BeamFrame | MechanismFrame;
@@ -53,9 +53,9 @@ export interface JointImpulse {
   /** [N m s] */ moment_impulse_to_parting?: number;
 }
 
-export interface MechanismTold {
-  /** from their first end to their second */ links: LinkTold[];
-  joints: JointTold[];
+export interface MechanismRecord {
+  /** from their first end to their second */ links: LinkRecord[];
+  joints: JointRecord[];
   /** which link is */ struck: number;
   /** share of its length */ at: number;
   /** [m] */ contact: [number, number];
@@ -63,14 +63,14 @@ export interface MechanismTold {
   /** of all links [kg] */ mass: number;
 }
 
-export interface LinkTold {
+export interface LinkRecord {
   name: string;
   flexible: boolean;
   /** of finite elements, as shares of its length */ nodes: number[];
   /** [m] */ depth: number;
 }
 
-export interface JointTold {
+export interface JointRecord {
   kind: string;
   /** by name; ground */ links: [string, string];
   /** on which it is drawn */ link: number;
@@ -79,7 +79,7 @@ export interface JointTold {
   driven: boolean;
 }
 
-export interface BodyTold {
+export interface BodyRecord {
   shape: 'stop' | 'point' | 'ball' | 'box';
   /** [kg] */ mass?: number;
   /** [m] */ radius?: number;
@@ -141,7 +141,7 @@ export interface BeamFigures {
   /** of a mechanism */ joints: JointImpulse[] | null;
 }
 
-export interface MovingTold {
+export interface MovingRecord {
   /** none: by the contact law */ restitution: number | null;
   /** why links that bend are followed as rigid ones */ rigid: Note | null;
   /** whether it was to be followed for longer */ cut: boolean;
@@ -151,7 +151,7 @@ export interface MovingTold {
 
 export interface Opens {
   /** by name */ charts: string[];
-  /** at which the stress is told [m] */ place: number | null;
+  /** at which the stress is shown [m] */ place: number | null;
   /** from the first touch on, what is looked at [s] */ until: number | null;
   /** that can be asked of it by a comparison */ compare: Question[];
   /** what can be tried: words, choice, value */ trials: Try[];
@@ -165,16 +165,16 @@ export interface Question {
   /** whether other than the scene has them */ alone?: boolean;
 }
 
-export interface PartTold {
+export interface PartRecord {
   /** of its table: impactor, target, target.rods.2 */ key: string;
   /** of a link or joint; else empty */ name: string;
   kind: string;
   /** whether it is the body that strikes */ strikes: boolean;
-  /** that can be set */ values: ValueTold[];
+  /** that can be set */ values: ValueRecord[];
   /** what follows from them, SI units */ derived: [name: string, value: number][];
 }
 
-export interface ValueTold {
+export interface ValueRecord {
   /** the rest of its key: length, material.young */ quantity: string;
   /** as it is; null: not given */ value: number | string | null;
   /** as the scene has it */ own: number | string | null;
@@ -182,7 +182,7 @@ export interface ValueTold {
   high: number | null;
 }
 
-export interface RodTold {
+export interface RodRecord {
   /** from the struck face [m] */ from: number;
   /** [m] */ to: number;
   /** [T] */ transit: number;
@@ -202,7 +202,7 @@ export interface Striking {
   /** of all of it, where `mass` is what is felt at the contact [kg] */ ownMass?: number;
 }
 
-export interface TargetTold {
+export interface TargetRecord {
   kind: string;
   /** of a compact body */ shape: 'ball' | 'block';
   /** of its face [m] */ radius: number | null;
@@ -226,7 +226,7 @@ export interface Rotation {
   /** the same by (5.56), without the tension; null where unstable */ simplified: (number | null)[];
 }
 
-export interface BeamTold {
+export interface BeamRecord {
   /** [m] */ length: number;
   /** [kg] */ mass: number;
   support: Support;
@@ -250,7 +250,7 @@ export interface AxialFrame {
   title: string;
   source: string;
   note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartTold[];
+  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
   /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
@@ -261,9 +261,9 @@ export interface AxialFrame {
   /** (impact) force in it [N] */ blowForce?: Numbers;
   /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
   /** T, the round trip of a wave or the time of a contact [s] */ trip: number;
-  /** from left to right; none if no wave runs */ rods: RodTold[];
+  /** from left to right; none if no wave runs */ rods: RodRecord[];
   impactor: Striking;
-  target: TargetTold;
+  target: TargetRecord;
   /** v, of the impact [m/s] */ speed: number;
   /** Z v [N] */ forceUnit: number;
   /** v sqrt(E rho) [Pa] */ stressUnit: number;
@@ -327,7 +327,7 @@ export interface BeamFrame {
   title: string;
   source: string;
   note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartTold[];
+  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
   /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
@@ -340,7 +340,7 @@ export interface BeamFrame {
   /** why the chosen method is not shown */ refused: Note | null;
   /** a unit of time [s] */ trip: number;
   /** of the impact [m/s] */ speed: number;
-  beam: BeamTold;
+  beam: BeamRecord;
   impactor: Striking;
   law: { name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number };
   main: BeamFigures;
@@ -353,7 +353,7 @@ export interface BeamFrame {
   /** (time) [m/s] */ impactorRate: Numbers;
   /** (time) [m/s] */ struckRate: Numbers;
   /** (contacts, 4) start, end [ms], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
-  /** (told, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
+  /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
   /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
   /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
   /** (kept modes) [rad/s] */ modeFrequencies?: Numbers;
@@ -408,7 +408,7 @@ export interface MechanismFrame {
   title: string;
   source: string;
   note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartTold[];
+  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
   /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
@@ -421,7 +421,7 @@ export interface MechanismFrame {
   /** why the chosen method is not shown */ refused: Note | null;
   /** a unit of time [s] */ trip: number;
   /** of the impact [m/s] */ speed: number;
-  beam: BeamTold;
+  beam: BeamRecord;
   impactor: Striking;
   law: { name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number };
   main: BeamFigures;
@@ -434,7 +434,7 @@ export interface MechanismFrame {
   /** (time) [m/s] */ impactorRate: Numbers;
   /** (time) [m/s] */ struckRate: Numbers;
   /** (contacts, 4) start, end [ms], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
-  /** (told, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
+  /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
   /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
   /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
   /** (kept modes) [rad/s] */ modeFrequencies?: Numbers;
@@ -475,8 +475,8 @@ export interface MechanismFrame {
   /** (instants, places) [m/s] */ fieldVelocity?: Numbers;
   /** (instants, places) [N m] */ fieldMoment?: Numbers;
   /** (instants, places) [N] */ fieldShear?: Numbers;
-  /** of which the struck link stands for the beam */ mechanism: MechanismTold;
-  /** of one that moves on as far as it goes */ moving: MovingTold | null;
+  /** of which the struck link stands for the beam */ mechanism: MechanismRecord;
+  /** of one that moves on as far as it goes */ moving: MovingRecord | null;
   /** (links, link places, 2) as the impact begins; unbent if it moves on [m] */ linkPoints?: Numbers;
   /** (link instants) closer together at first [ms] */ linkTime?: Numbers;
   /** (link instants, links, link places, 2) how far they have come [m] */ linkMoves?: Numbers;
@@ -503,7 +503,7 @@ export interface SpaceFrame {
   title: string;
   source: string;
   note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartTold[];
+  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
   /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
@@ -511,13 +511,13 @@ export interface SpaceFrame {
   /** of the picture, to the right */ across: Vector;
   /** of the picture */ up: Vector;
   /** of the contact */ normal: Vector;
-  /** the normal as the scene has it, and two tangents, from which a tilt is told */ ownFrame: Vector[];
+  /** the normal as the scene has it, and two tangents, from which a tilt counts */ ownFrame: Vector[];
   /** its size [N s] */ impulse: number;
   /** the impulse on the target [N s] */ push: Vector;
   friction: number;
   /** of the contact; none without friction [N s] */ sliding: { kind: 'slip' | 'stick' | 'reversal', until: number }[];
-  bodies: { impactor: BodyTold, target: BodyTold };
-  /** beside the picture: name, number or vector, unit */ figures: FigureTold[];
+  bodies: { impactor: BodyRecord, target: BodyRecord };
+  /** beside the picture: name, number or vector, unit */ figures: FigureRecord[];
   notes: Note[];
   /** (samples, 3) of the centre, from the point of impact [m] */ impactorPath: Numbers;
   /** (samples, 3) [m] */ targetPath: Numbers;

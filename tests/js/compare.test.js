@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { comparedOf, difference, figuresOf, leastSaid, sentences, shareOf } from '../../app/static/compare/figures.js';
 import { questionsOf } from '../../app/static/compare/questions.js';
 import { comparable, differing, kindsOf, lineOf } from '../../app/static/compare/settings.js';
-import { paragraphsOf } from '../../app/static/compare/told.js';
+import { paragraphsOf } from '../../app/static/compare/summary.js';
 import { text } from '../../app/static/text/catalogue.js';
 import { verdictOf } from '../../app/static/compare/verdict.js';
 

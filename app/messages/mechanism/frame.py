@@ -1,4 +1,4 @@
-"""The message for one impact on a link of a mechanism, which is told of as a beam is, and of all links and joints."""
+"""The message for one impact on a link of a mechanism, as of a beam, and with all links and joints."""
 
 from solvers import Solution
 from solvers.bodies import Mechanism
@@ -7,8 +7,8 @@ from solvers.methods.multibody.motion import MovingMotion
 from solvers.text.notes import Note
 
 from ...choices.request import Request
-from ..histories import force_told
-from ..transverse import Answer, chosen_method, fields_told, impact_frame, main_solution, slow_told
+from ..histories import force_arrays
+from ..transverse import Answer, chosen_method, field_arrays, impact_frame, main_solution, slow_arrays
 from .moving import follow, moving_fields
 from .resting import LINK_PLACES, RIGID_LINKS, mechanism_fields, rigid_answer, struck_link
 
@@ -24,13 +24,13 @@ def mechanism_frame(request: Request) -> bytes:
     """The message, beside it the same with rigid links unless a hand moves on."""
     main, reason = mechanism_solution(request)
     beside = None if request.draft else rigid_answer(main)
-    if isinstance(main.motion, MovingMotion):  # turns away from the line along which indentations are told
+    if isinstance(main.motion, MovingMotion):  # turns away from the line of the indentations
         header, arrays = moving_fields(main, request, reason, beside)
-        arrays |= force_told(main, "main", request.stretch)
+        arrays |= force_arrays(main, "main", request.stretch)
         reason = None
     else:
-        header, arrays = fields_told(main, request.stretch, LINK_PLACES)
+        header, arrays = field_arrays(main, request.stretch, LINK_PLACES)
         linkage, moved = mechanism_fields(main, beside, request.stretch)
-        header, arrays = header | linkage, arrays | moved | slow_told(main, header["places"])
+        header, arrays = header | linkage, arrays | moved | slow_arrays(main, header["places"])
     header |= {"kind": "mechanism", "beam": struck_link(main.scene.target.known_as(Mechanism))}
     return impact_frame(request, Answer(main, reason, beside, RIGID_LINKS), header, arrays)

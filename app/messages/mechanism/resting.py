@@ -17,7 +17,7 @@ from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 
 from ..encoding import Stretch, instants, whole_numbers
-from .links import along_normal, instants_for, link_told
+from .links import along_normal, instants_for, link_arrays
 
 RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that of its method
 LINK_PLACES = 31  # of the struck link, beside which there are others
@@ -70,7 +70,7 @@ def _others(motion: MechanismMotion, duration: float, stretch: Stretch) -> dict[
     coordinates, found = motion.coordinates(time), {"bendTime": 1e3 * time}
     for number, fields in bent.items():
         own = slice(offsets[number], offsets[number + 1])
-        found |= link_told(number, coordinates[:, own], fields, ever[:, own])
+        found |= link_arrays(number, coordinates[:, own], fields, ever[:, own])
     return found
 
 

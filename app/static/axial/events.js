@@ -6,8 +6,8 @@ import { drawnRigid, toldOf } from './drawn.js';
 /** @import { AxialFigures, AxialFrame, Contact } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
-const JUMPS = 6; // of the force in one contact that are told; later ones are small
-const GAPS = 4; // times that they close, of which is told
+const JUMPS = 6; // of the force in one contact that are listed; later ones are small
+const GAPS = 4; // times that they close, that are listed
 const SLOW = 4; // T that a contact lasts at least for its rod to follow as a whole
 const STANDS = 5e-4; // of the impact speed; what is slower stands
 

@@ -124,14 +124,14 @@ export class AxialView {
     this.#gaugeStress();
     for (const { chart } of [...this.charts, this.cycle]) if (!chart.root.hidden) chart.draw();
   }
-  /** What is told of one place is worked out while it is seen; the x-t diagram says where that is. */
+  /** What is shown of one place is computed while it is seen; the x-t diagram says where that is. */
   #gaugeStress() {
     const { frame, gauge, spaceTime } = this;
     const seen = Boolean(frame.rods.length) && !this.stack.root.hidden && this.stack.shows('stress');
     if (seen) gauge.follow(this.exactField, frame.other ? this.otherField : null);
     if (frame.rods.length) spaceTime.mark(seen ? gauge.place : null);
   }
-  /** @param {number} place  of which the stress is told [m] */
+  /** @param {number} place  of which the stress is shown [m] */
   gaugeAt(place) {
     this.gauge.asked = place;
     this.draw();

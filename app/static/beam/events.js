@@ -5,7 +5,7 @@ import { duration, figures, length, percent, speed } from '../text/format.js';
 /** @import { BendingFrame, Support } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
-const TOLD = 4; // contacts told one by one
+const LISTED = 4; // contacts, one by one
 /** @type {Record<Support, string[]>} */
 const HOLDERS = {
   joined: [],
@@ -57,15 +57,15 @@ export function beamEvents(frame) {
   const last = contacts.length - 1;
   /** @type {Event[]} */
   const found = [[contacts[0][0], firstTouch(frame)]];
-  contacts.slice(0, TOLD).forEach(([start, end], k) => {
+  contacts.slice(0, LISTED).forEach(([start, end], k) => {
     if (k > 0) found.push([start, meeting(frame, k)]);
-    const parts = k === last || k === TOLD - 1 ? null : parting(frame, k);
+    const parts = k === last || k === LISTED - 1 ? null : parting(frame, k);
     if (parts) found.push([end, parts]);
   });
-  if (last === TOLD) found.push([contacts[TOLD][0], tell('beam.event.caught-up', frame, { number: TOLD + 1 })]);
-  else if (last > TOLD) {
-    const numbers = { first: TOLD + 1, last: main.contacts };
-    found.push([contacts[TOLD][0], tell('beam.event.repeated', frame, numbers)]);
+  if (last === LISTED) found.push([contacts[LISTED][0], tell('beam.event.caught-up', frame, { number: LISTED + 1 })]);
+  else if (last > LISTED) {
+    const numbers = { first: LISTED + 1, last: main.contacts };
+    found.push([contacts[LISTED][0], tell('beam.event.repeated', frame, numbers)]);
   }
   const turn = turningPoint(frame);
   if (turn && turn[0] < contacts[last][1]) found.push(turn);
@@ -74,7 +74,7 @@ export function beamEvents(frame) {
 }
 
 /**
- * Velocities of the impactor and of the struck place as a contact begins or ends, as far as they are told.
+ * Velocities of the impactor and of the struck place as a contact begins or ends, as far as they are known.
  * @param {BendingFrame} frame
  * @param {number} k
  * @param {0 | 1} end
@@ -103,7 +103,7 @@ function meeting(frame, k) {
 }
 
 /**
- * How contact number k ends, where another follows; null where it is not told.
+ * How contact number k ends, where another follows; null where it is not listed.
  * @param {BendingFrame} frame
  * @param {number} k
  */

@@ -197,7 +197,7 @@ export class BeamStory {
    */
   at(t) {
     const { frame } = this;
-    if (!frame) return; // nothing is told yet
+    if (!frame) return; // there is nothing yet
     this.events.at(t);
     const here = frame.contacts.findIndex(([start, end]) => t >= start && t <= end);
     const now = this.sentence(t, here);

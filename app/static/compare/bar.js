@@ -5,7 +5,7 @@ import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
 import { LETTERS, MOST } from './run.js';
 import { comparable, differing, lineOf, shortOf } from './settings.js';
-import { signOf } from './told.js';
+import { signOf } from './summary.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Compare } from './compare.js' */

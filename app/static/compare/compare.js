@@ -8,7 +8,7 @@ import { layOver } from './overlay.js';
 import { Run } from './run.js';
 import { Scales } from './scales.js';
 import { comparable, differing, lineOf } from './settings.js';
-import { Told } from './told.js';
+import { Summary } from './summary.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Changes } from '../shell/changes.js' */
@@ -31,7 +31,7 @@ export class Compare {
     this.page = page;
     this.scales = new Scales();
     this.bar = new Bar(this);
-    this.told = new Told();
+    this.summary = new Summary();
     this.second = new Beside();
     this.tag = make('span', { className: 'tag own', textContent: text('compare.now'), hidden: true });
   }
@@ -127,7 +127,7 @@ export class Compare {
       page.goTo({ ...chosen, ...settings[place] }, (frame) => {
         if (place === settings.length - 1) {
           this.coming = null;
-          if (!frame) this.tell(page.frame); // what is shown with an answer is told anyhow
+          if (!frame) this.tell(page.frame); // what is shown with an answer is said anyhow
           return;
         }
         const run = frame && this.keep();
@@ -209,7 +209,7 @@ export class Compare {
   tell(frame) {
     const coming = this.coming && secondOf(this.coming, frame);
     this.bar.load(frame, coming);
-    this.told.load(frame, this.runs, coming);
+    this.summary.load(frame, this.runs, coming);
   }
   /**
    * Dress the picture beside; where the colours of both end.

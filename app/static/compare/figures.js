@@ -50,11 +50,11 @@ const energies = (energy) => [
  */
 function ofAxial(frame, which) {
   const { exact, other, speed, trip } = frame;
-  const told = (which === 'other' && other) || exact;
-  const { contacts } = told;
+  const solution = (which === 'other' && other) || exact;
+  const { contacts } = solution;
   const [span, touching] = timesOf(contacts);
   return [
-    figure('force', 'force', told.peakForce),
+    figure('force', 'force', solution.peakForce),
     figure('apparent', 'time', contacts.length ? span * trip : null),
     figure('real', 'time', touching * trip),
     figure('contacts', 'count', contacts.length),
@@ -63,10 +63,10 @@ function ofAxial(frame, which) {
       'impulse',
       contacts.reduce((sum, [, , impulse]) => sum + impulse, 0),
     ),
-    figure('rebound', 'velocity', told.final === null ? null : told.final * speed),
-    figure('restitution', 'number', told.restitution.newton),
-    figure('indentation', 'length', told.peakIndentation),
-    ...energies(told.energy),
+    figure('rebound', 'velocity', solution.final === null ? null : solution.final * speed),
+    figure('restitution', 'number', solution.restitution.newton),
+    figure('indentation', 'length', solution.peakIndentation),
+    ...energies(solution.energy),
   ];
 }
 

@@ -39,7 +39,7 @@ function verdict(misses, contacts, what, jumps = false, grazing = false) {
   return text('compare.verdict.enough-for', { what, velocity, impulse, contacts: found, force, grazing, jumps });
 }
 
-/** @param {AxialFigures} told */
+/** @param {AxialFigures} solution */
 const impulseOf = ({ contacts }) => contacts.reduce((sum, [, , impulse]) => sum + impulse, 0);
 
 /**
@@ -93,7 +93,7 @@ export function ofResolution(now, kept, name) {
  * @param {AxialFrame} frame
  */
 const warnsOfCount = ({ exact, other }) =>
-  [exact, other].some((told) => (told?.notes ?? []).some(({ code }) => code === GRAZING));
+  [exact, other].some((each) => (each?.notes ?? []).some(({ code }) => code === GRAZING));
 
 /**
  * Of a beam, which has no exact solution: the larger number judges the smaller.

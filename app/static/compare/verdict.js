@@ -9,7 +9,7 @@ import { ofSpeed } from './speed.js';
 /** @import { AxialFrame, Frame, SpaceFrame } from '../messages.js' */
 
 const RESOLUTIONS = ['modes', 'elements'];
-const SAME = 0.02; // share by which two figures differ that are told as one
+const SAME = 0.02; // share by which two figures differ that count as one
 const RINGS = 1e-3; // share of the energy left in waves that is worth a word
 const RESTITUTION = 'constant'; // the question that asks for it
 const ALIKE = 0.01; // difference of two restitutions that is none

@@ -1,7 +1,7 @@
 // The joints of a mechanism on the stage, and arrows of what they bear.
 import { COLORS } from '../charts/styles.js';
 
-/** @import { JointTold } from '../messages.js' */
+/** @import { JointRecord } from '../messages.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const PIN = 4.5; // pixels
@@ -9,7 +9,7 @@ const GROUND = 'ground';
 
 /**
  * @param {Context} c
- * @param {JointTold} joint
+ * @param {JointRecord} joint
  * @param {Point} place
  */
 export function drawJoint(c, joint, [x, y]) {
@@ -27,7 +27,7 @@ export function drawJoint(c, joint, [x, y]) {
 
 /**
  * @param {Context} c
- * @param {JointTold} joint
+ * @param {JointRecord} joint
  * @param {number} x
  * @param {number} y
  */
@@ -55,7 +55,7 @@ function ground(c, joint, x, y) {
 /**
  * The guide of a sliding joint.
  * @param {Context} c
- * @param {JointTold} joint
+ * @param {JointRecord} joint
  * @param {number} x
  * @param {number} y
  */

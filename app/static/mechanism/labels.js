@@ -59,7 +59,7 @@ export class Labels {
    */
   #places(n, half) {
     const { mechanism } = this;
-    const { struck } = mechanism.told;
+    const { struck } = mechanism.linkage;
     const line = mechanism.placed[n];
     const [[fx, fy], [lx, ly]] = [line[0], line[line.length - 1]];
     const length = Math.hypot(lx - fx, ly - fy) || 1;
@@ -83,9 +83,9 @@ export class Labels {
    * @returns {Box[]}
    */
   #obstacles() {
-    const { told, along } = this.mechanism;
+    const { linkage, along } = this.mechanism;
     /** @type {Box[]} */
-    const found = told.joints.map(({ link, links, share }) => {
+    const found = linkage.joints.map(({ link, links, share }) => {
       const [x, y] = along.call(this.mechanism, link, share);
       const [beside, below] = links.includes('ground') ? GROUND : [PIN, PIN];
       return [x - beside, y - PIN, x + beside, y + below];
@@ -121,7 +121,7 @@ export class Labels {
    */
   draw(c, words) {
     const { mechanism, taken } = this;
-    const { height, told, width } = mechanism;
+    const { height, linkage, width } = mechanism;
     const boxes = [...words, ...this.#obstacles()];
     const [held, ways, lines] = [this.#held(), this.#ways(), this.#lines()];
     /** @type {(box: Box) => number} */
@@ -140,7 +140,7 @@ export class Labels {
     c.lineWidth = 3;
     c.strokeStyle = 'rgba(255,255,255,.85)';
     c.fillStyle = COLORS.faint;
-    told.links.forEach(({ name }, n) => {
+    linkage.links.forEach(({ name }, n) => {
       const half = 0.5 * c.measureText(name).width;
       const places = this.#places(n, half);
       const boxOf = (/** @type {number} */ k) => {

@@ -114,8 +114,8 @@ export function movingShares(root, frame) {
   const energies = given(frame.energies, 'energies');
   const { energies: names } = given(frame.moving, 'moving');
   const last = names.map((name, k) => [OF_COLOURS[name] ?? name, energies[energies.length - names.length + k]]);
-  const told = family('motion.energy');
+  const words = family('motion.energy');
   /** @type {[string, string][]} */
-  const parts = names.map((name) => [OF_COLOURS[name] ?? name, told[name]]);
+  const parts = names.map((name) => [OF_COLOURS[name] ?? name, words[name]]);
   showEnergy(root, { initial: frame.main.energy.initial, ...Object.fromEntries(last) }, parts, true);
 }

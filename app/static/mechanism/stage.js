@@ -42,7 +42,7 @@ export class MechanismStage extends BeamStage {
     mechanism.fit(width, height);
     mechanism.place(t);
     const rows = mechanism.bending.map((bending) => bending?.profile(t, what));
-    rows[mechanism.told.struck] = values;
+    rows[mechanism.linkage.struck] = values;
     const value = (/** @type {number} */ n, /** @type {number} */ share) =>
       rows[n]?.[Math.round(share * (rows[n].length - 1))] ?? 0;
     mechanism.links(c, value, this.usual[what], what === 'moment');

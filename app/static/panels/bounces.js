@@ -101,7 +101,7 @@ class Bounces extends Panel {
    * @param {Found | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.gravity.set(this.page.model.bounce_gravity);
     this.height.set(this.#height());
     this.root.ariaBusy = String(!fresh);

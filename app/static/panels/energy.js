@@ -60,7 +60,7 @@ class Energy extends Panel {
    * @param {Shares | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
     this.said.textContent = found ? endOf(found) : text('energy.idle');
     if (!found || !this.figure || found === this.drawn) return;

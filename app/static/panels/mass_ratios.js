@@ -62,7 +62,7 @@ class MassRatios extends Panel {
     if (!this.root.hidden) this.show();
   }
   /** @param {Ratios | null} found */
-  told(found) {
+  render(found) {
     const support = this.page.frame.kind === 'axial' ? this.page.frame.target.support : null;
     const there = found?.support === support;
     this.root.ariaBusy = String(!there);

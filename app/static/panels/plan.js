@@ -92,7 +92,7 @@ class Needs {
     const asked = make('label', { className: 'part' }, text('plan.asked'), this.question);
     const form = make('div', { className: 'record-form' }, asked, this.tolerance.root);
     const scroll = make('div', { className: 'scroll' }, this.table);
-    const left = make('div', { className: 'plan-told' }, form, this.said, scroll, this.reason);
+    const left = make('div', { className: 'plan-answer' }, form, this.said, scroll, this.reason);
     const sides = make('div', { className: 'sides' }, left, this.map.root);
     const heading = make('h2', { textContent: text('plan.heading') });
     this.root = make('section', { className: 'analysis needs', hidden: true }, heading, sides);

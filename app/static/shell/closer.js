@@ -111,12 +111,12 @@ export class Closer {
     if (!stretch || (wanted && stretch.join(' ') !== wanted)) return false;
     if (!names.every((name) => Object.is(part.chosen[name], frame.chosen[name]))) return false;
     if (this.part === model.closer && this.frame === frame) return true;
-    const told = numbersOf(frame);
-    if (this.frame !== frame) this.whole = { ...told };
+    const arrays = numbersOf(frame);
+    if (this.frame !== frame) this.whole = { ...arrays };
     this.frame = frame;
     this.part = model.closer;
     const [first, last] = stretch;
-    Object.assign(told, this.whole, refined(this.whole, numbersOf(part), [first / frame.trip, last / frame.trip]));
+    Object.assign(arrays, this.whole, refined(this.whole, numbersOf(part), [first / frame.trip, last / frame.trip]));
     view.refine?.();
     return true;
   }

@@ -113,11 +113,11 @@ export class Controls {
    * @param {Frame} frame
    */
   #cushion(frame) {
-    const told = frame.kind === 'axial' ? frame.cushions : [];
-    this.cushions.hidden = !told.length;
+    const cushions = frame.kind === 'axial' ? frame.cushions : [];
+    this.cushions.hidden = !cushions.length;
     const on = (/** @type {Cushion} */ { stiffness: k }) =>
       frame.chosen.law === 'linear' && Math.abs(Number(frame.chosen.linear_stiffness) - k) < 1e-3 * k;
-    const buttons = told.map((cushion) => {
+    const buttons = cushions.map((cushion) => {
       const act = () => {
         const settings = { law: 'linear', linear_stiffness: Number(cushion.stiffness.toPrecision(DIGITS)) };
         for (const [name, value] of Object.entries(settings)) {
@@ -130,7 +130,7 @@ export class Controls {
       button.ariaPressed = String(on(cushion));
       return button;
     });
-    const help = told.filter(on).map((cushion) => text('controls.cushion-about', cushion));
+    const help = cushions.filter(on).map((cushion) => text('controls.cushion-about', cushion));
     this.cushions.replaceChildren(
       make('span', { textContent: text('controls.cushions') }),
       ...buttons,

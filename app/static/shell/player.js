@@ -317,11 +317,11 @@ export class Player {
     const now = this.t + this.start;
     const real = now * this.trip;
     const [factor, unit] = unitOfTime(Math.abs(real));
-    const told = `${signed(real * factor, 1)} ${unit}`;
+    const seconds = `${signed(real * factor, 1)} ${unit}`;
     this.clock.dataset.term = this.inTrips && !times.inSeconds ? 'T' : '';
     const [perTrip, chosen] = times.shown;
-    const trips = times.inSeconds ? '' : ` = ${told}`;
-    this.clock.textContent = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : told;
+    const trips = times.inSeconds ? '' : ` = ${seconds}`;
+    this.clock.textContent = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : seconds;
     this.scrub.ariaValueText = this.clock.textContent;
     this.show(now);
   }

@@ -15,7 +15,7 @@
  * What shows an impact of one kind.
  * @typedef {object} View
  * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
- * @property {Told} story
+ * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
@@ -43,7 +43,7 @@
 
 /**
  * What is said of it.
- * @typedef {object} Told
+ * @typedef {object} Story
  * @property {HTMLElement} root  in words
  * @property {HTMLElement} numbers
  * @property {Events} events

@@ -7,7 +7,8 @@ import pytest
 
 from app.messages.declarations import PLACE, declarations
 from app.messages.encoding import packed
-from app.messages.schema import MESSAGES, RECORDS, check
+from app.messages.records import RECORDS
+from app.messages.schema import MESSAGES, check
 
 from .own import arrays
 

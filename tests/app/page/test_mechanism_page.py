@@ -164,7 +164,7 @@ def test_what_strikes_from_above_keeps_off_the_colours(open_page):
     page = open_page("?scene=table-6.6", size=(390, 844))
     top = """() => {
       const { mechanism } = strikewave.page.mechanism.stage;
-      return mechanism.middleOf(mechanism.told.contact, mechanism.told.normal)[1] - mechanism.wide / 2;
+      return mechanism.middleOf(mechanism.linkage.contact, mechanism.linkage.normal)[1] - mechanism.wide / 2;
     }"""
     assert page.evaluate(top) >= 40
 

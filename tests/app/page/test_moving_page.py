@@ -103,7 +103,7 @@ def test_no_name_lies_under_the_mass(open_page):
     under, read = page.evaluate(
         f"""() => {{ const {{ mechanism: {{ stage }}, player }} = strikewave.page, {{ mechanism }} = stage;
           const context = CanvasRenderingContext2D.prototype, {{ fillText }} = context;
-          const names = mechanism.told.links.map(({{ name }}) => name), under = new Set(), read = new Set();
+          const names = mechanism.linkage.links.map(({{ name }}) => name), under = new Set(), read = new Set();
           let written = [];
           context.fillText = function (text, x, y) {{
             const {{ width }} = this.measureText(text);
