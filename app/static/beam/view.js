@@ -67,9 +67,10 @@ export class BeamView {
     this.motion = new BeamMotion(this.axis, go);
     this.dispersion = new Dispersion();
     this.cycle = new Cycle();
+    this.charts = [this.spaceTime, this.force, this.motion];
     this.axis.watch(() => this.zoomed());
     /** @type {Part[]} */
-    const all = [this.spaceTime, this.force, this.motion, ...Object.values(more), this.cycle, this.dispersion];
+    const all = [...this.charts, ...Object.values(more), this.cycle, this.dispersion];
     this.inView = new InView(all, (part) => this.paint(part));
     const names = family('beam.colour');
     this.colours = segments(
