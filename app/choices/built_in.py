@@ -1,11 +1,13 @@
 """Built-in scenes with other values of their bodies, before all other choices."""
 
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from typing import Any
 
 import param
 
 from solvers import Scene, SceneError
+from solvers.bodies import AnyBody
 
 from .bodies import parts_of, read_values, with_values
 from .choices import SCENES, SOLVED_BY, Choices
@@ -15,6 +17,14 @@ from .choices import SCENES, SOLVED_BY, Choices
 def base_of(name: str, bodies: str = "") -> Scene:
     """Raises ValueError with a sentence for the visitor."""
     return with_values(SCENES[name], read_values(bodies))
+
+
+def struck_body(chosen: Mapping[str, Any]) -> AnyBody | None:
+    """The target of the chosen scene; None where there is no such scene, which the visitor sees where it is solved."""
+    try:
+        return base_of(chosen["scene"], chosen["bodies"]).target
+    except ValueError:
+        return None
 
 
 @cache

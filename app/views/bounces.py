@@ -10,12 +10,10 @@ import param
 
 from solvers import METHODS, Bounces, bounces
 from solvers.accuracy.reference import exact_solution
-from solvers.bodies import Mechanism
 from solvers.bodies.drop import STANDARD_GRAVITY
 from solvers.methods.base import Method, SceneNotSupported, never
 from solvers.provenance import clock
 
-from ..choices.built_in import base_of
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..messages.transverse import method_at_impact
@@ -29,15 +27,6 @@ QUESTIONS = {
         param.Number(default=STANDARD_GRAVITY, bounds=(0.01, 1e3), doc="under which it falls [m/s2]"), "gravity"
     )
 }
-
-
-def one_body_falls(asked: dict[str, Any]) -> tuple | None:
-    """All that was asked, if what is struck is no mechanism, which would move on; else None."""
-    try:
-        target = base_of(asked["scene"], asked["bodies"]).target
-    except ValueError:  # which the visitor sees where it is solved
-        return None
-    return None if isinstance(target, Mechanism) else tuple(asked.items())
 
 
 def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
