@@ -92,9 +92,9 @@ class Scene:
             if normal is None:
                 _check_approach(impactor, target)
             _check_masses(impactor, target)
-        for name, what in (("method", "method-table"), ("view", "a-table")):
+        for name, what in (("method", allowed("method-table")), ("view", allowed("a-table"))):
             if not isinstance(given.get(name, {}), Mapping):
-                raise SceneError(name, given[name], allowed(what))
+                raise SceneError(name, given[name], what)
         return cls(
             impactor,
             target,
@@ -140,7 +140,7 @@ class Scene:
         return self.replace({f"impactor.{key}": value for key, value in self.impactor.of_mass(mass).items()})
 
     def table(self) -> dict[str, Any]:
-        """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
+        """Nested tables that `from_table` reads back into the same scene, with what follows from it; without its view."""
         contact: dict[str, Any] = {"law": self.contact.NAME} | self.contact.table(self.speed)
         for name in {"restitution", "nominal_restitution"} & set(self.given.get("contact", ())):
             del contact["damping"]  # as given: it says more, and stays with the impact when its speed is changed
@@ -159,8 +159,7 @@ class Scene:
             "target": self.target.table(),
             "contact": contact,
         }
-        more = {"method": self.method, "view": self.view}
-        return validation.plain(tables | {name: table for name, table in more.items() if table})
+        return validation.plain(tables | ({"method": self.method} if self.method else {}))
 
     def _dropped(self, impactor: dict[str, Any]) -> dict[str, Any]:
         """The table of the impactor, with the height from which it falls where the scene gives that."""

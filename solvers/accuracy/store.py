@@ -10,7 +10,7 @@ from ..jit.cache import cache_home
 from ..scene import Scene
 
 SHIPPED = Path(__file__).parent / "tradeoffs"
-SAID = ("title", "source", "note", "method", "view")  # parts of a scene that do not change what happens
+SAID = ("title", "source", "note", "method")  # parts of a scene that do not change what happens
 DIGITS = {"wall_time": 4, "first_time": 4, "spread": 4}  # kept of times; of all else FIGURES
 FIGURES = 5
 KEY_FIGURES = 9  # of numbers in a key: what follows from those given may differ in the last bits between machines
