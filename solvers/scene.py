@@ -40,6 +40,8 @@ from .validation import SceneError, allowed
 LARGEST_MASS_RATIO = 1e9  # of target to impactor, and the other way round; beyond it doubles resolve nothing
 LONGEST_NOTE = 600  # characters
 RIGID: Any = Rigid()  # the contact of a scene that says nothing of it
+KEYS = ("title", "source", "note", "impactor", "target", "contact", "method", "view")
+IN_PLACE = {"velocity": ("height", "gravity"), "height": ("velocity",)}  # of what of an impactor a key stands
 IN_SPACE = ("normal", "friction")  # keys of a contact between bodies in space
 
 
@@ -48,7 +50,8 @@ class Scene:
     """An impactor about to touch a target at rest at time zero.
 
     `contact` is a contact law with its constants in SI units; `method` holds the table `[method]` as given, which says
-    how the scene is solved unless the caller says otherwise; `note` says what is seen and what was printed.
+    how the scene is solved unless the caller says otherwise; `view` holds `[view]`, how the page opens it; `note` says
+    what is seen and what was printed.
     """
 
     impactor: AnyBody
@@ -62,6 +65,7 @@ class Scene:
     normal: tuple[float, float, float] | Any = None  # from impactor to target, where they are bodies in space
     note: str = ""
     friction: float | None = None  # of bodies in space: Coulomb's coefficient, where the scene gives one
+    view: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         # What follows from a scene that was read may be seen the other way round: a mechanism strikes a held rod.
@@ -75,8 +79,7 @@ class Scene:
 
         Raises SceneError that names the key, the value and what is allowed.
         """
-        names = ("title", "source", "note", "impactor", "target", "contact", "method")
-        given = validation.table("", validation.plain(given), names)
+        given = validation.table("", validation.plain(given), KEYS)
         target = read_body("target", validation.required("", given, "target", allowed("a-table")))
         usual = target.usual_impactor()
         given = given if usual is None else {"impactor": usual} | dict(given)
@@ -89,9 +92,9 @@ class Scene:
             if normal is None:
                 _check_approach(impactor, target)
             _check_masses(impactor, target)
-        method = given.get("method", {})
-        if not isinstance(method, Mapping):
-            raise SceneError("method", method, allowed("method-table"))
+        for name, what in (("method", allowed("method-table")), ("view", allowed("a-table"))):
+            if not isinstance(given.get(name, {}), Mapping):
+                raise SceneError(name, given[name], what)
         return cls(
             impactor,
             target,
@@ -99,11 +102,12 @@ class Scene:
             _read_joint_laws(impactor, target, given.get("contact", {"law": "rigid"})),
             validation.text("title", given.get("title", "")),
             validation.text("source", given.get("source", "")),
-            dict(method),
+            dict(given.get("method", {})),
             given,
             normal,
             validation.text("note", given.get("note", ""), LONGEST_NOTE),
             friction,
+            dict(given.get("view", {})),
         )
 
     def replace(self, changes: Mapping[str, Any]) -> "Scene":
@@ -121,20 +125,14 @@ class Scene:
             *path, last = key.split(".")
             table: Any = tables
             for name in path:
-                table = (
-                    validation.numbered(table, name, key, value)
-                    if isinstance(table, list)
-                    else table.setdefault(name, {})
-                )
+                table = validation.entry(table, name, key, value)
                 if not isinstance(table, dict | list):
                     raise SceneError(key, value, allowed("no-table", name=name))
             if isinstance(table, list):
                 raise SceneError(key, value, allowed("number-in-list", count=len(table)))
             table[last] = value
-            if path == ["impactor"] and last in ("velocity", "height"):  # one in place of the other
-                table.pop("height" if last == "velocity" else "velocity", None)
-                if last == "velocity":
-                    table.pop("gravity", None)
+            for other in IN_PLACE.get(last, ()) if path == ["impactor"] else ():
+                table.pop(other, None)
         return Scene.from_table(tables)
 
     def with_impactor_mass(self, mass: float) -> "Scene":
@@ -142,7 +140,7 @@ class Scene:
         return self.replace({f"impactor.{key}": value for key, value in self.impactor.of_mass(mass).items()})
 
     def table(self) -> dict[str, Any]:
-        """Nested tables that `from_table` reads back into the same scene, with all that follows from what was given."""
+        """Nested tables that `from_table` reads back into the same scene, with what follows from it; without its view."""
         contact: dict[str, Any] = {"law": self.contact.NAME} | self.contact.table(self.speed)
         for name in {"restitution", "nominal_restitution"} & set(self.given.get("contact", ())):
             del contact["damping"]  # as given: it says more, and stays with the impact when its speed is changed

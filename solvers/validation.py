@@ -151,8 +151,10 @@ def plain(value: Any, levels: int = DEEPEST) -> Any:
     return value
 
 
-def numbered(table: list, name: str, key: str, value: Any) -> Any:
-    """What has this number in a list."""
+def entry(table: dict | list, name: str, key: str, value: Any) -> Any:
+    """What has this name in a table, an empty one if nothing has, or this number in a list."""
+    if isinstance(table, dict):
+        return table.setdefault(name, {})
     if not (name.isdecimal() and 1 <= int(name) <= len(table)):
         raise SceneError(key, value, allowed("number-in-list", count=len(table)))
     return table[int(name) - 1]

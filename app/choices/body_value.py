@@ -6,8 +6,9 @@ from solvers import Bending, Scene
 
 from ..text.catalogues import page
 from .bodies import SAME, Values, parts_of, read_value, read_values, split, title_of_value, written
+from .built_in import base_of, body_keys
 from .choices import SCENES, Choices, accepts, title_of
-from .scene_of import acting_choices, base_of, body_keys, choices_of, chosen_scene
+from .scene_of import acting_choices, choices_of, chosen_scene
 
 DEPTH = ("section.height", "section.radius")  # of a beam
 

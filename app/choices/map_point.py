@@ -9,7 +9,8 @@ from solvers.regimes.plan import law_of
 
 from ..text.catalogues import page
 from .choices import Choices
-from .scene_of import STIFFNESS, acting_choices, chosen_scene
+from .laws import STIFFNESS
+from .scene_of import acting_choices, chosen_scene
 
 SHOWN_DIGITS = 4  # of what the sliders are set to
 STIFFNESS_TOLERANCE = 1e-4  # of a stiffness, in logarithms

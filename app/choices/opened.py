@@ -1,6 +1,37 @@
-"""What a scene is opened with, as it shows what it is named after: charts, and views beside the solution."""
+"""What a scene is opened with, as it shows what it is named after: its table `[view]`, read and refused key by key."""
 
+from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import Any, NamedTuple
+
+from solvers import Scene, SceneError
+from solvers.studies.levels import COUNTED, VALUES
+from solvers.validation import allowed, choice, flag, number, required, table, text
+
+from .choices import SCENES, Choices, accepts, refusal
+
+CHARTS = ("waves", "force", "moments", "moved", "stress", "reactions", "energy", "hodograph", "course")  # over time
+FARTHEST, LONGEST = 1e6, 1e9  # [m], [s]
+MOST = 20  # entries of a list
+LONGEST_WORD = 40  # letters of a key of the catalogue
+
+
+class Comparison(NamedTuple):
+    """A question of the catalogue, and two settings that answer it; `alone`: other than the scene has them, not than
+    what is chosen."""
+
+    question: str
+    first: dict[str, Any]
+    second: dict[str, Any]
+    alone: bool = False
+
+
+class Trial(NamedTuple):
+    """What can be tried: words of the catalogue, and a choice with its value."""
+
+    say: str
+    choice: str
+    value: Any
 
 
 class Opening(NamedTuple):
@@ -12,57 +43,89 @@ class Opening(NamedTuple):
     views: tuple[str, ...] = ()
     varied: str = ""  # what the view of convergence varies, see `solvers.studies.levels`
     by: tuple[float, ...] = ()  # its values
+    comparisons: tuple[Comparison, ...] = ()
+    trials: tuple[Trial, ...] = ()
+
+    @classmethod
+    def of(cls, scene: Scene) -> "Opening":
+        """Of a scene. Raises SceneError that names the key, the value and what is allowed."""
+        given = table("view", scene.view, ("charts", "place", "until", "views", "vary", "compare", "try"))
+        varied = table("view.vary", given.get("vary", {}), (*COUNTED, *VALUES))
+        if len(varied) > 1:
+            raise SceneError("view.vary", dict(varied), allowed("one-varied"))
+        kind = next(iter(varied), "")
+        by = _list(f"view.vary.{kind}", varied.get(kind, []))
+        for value in by:
+            number(f"view.vary.{kind}", value, 0.0, LONGEST)
+        compare, tries = (enumerate(_list(f"view.{name}", given.get(name, [])), 1) for name in ("compare", "try"))
+        return cls(
+            charts=_names("view.charts", given.get("charts", []), CHARTS),
+            place=_number("view.place", given.get("place"), FARTHEST, "m"),
+            until=_number("view.until", given.get("until"), LONGEST, "s"),
+            views=_names("view.views", given.get("views", [])),
+            varied=kind,
+            by=tuple(by),
+            comparisons=tuple(_comparison(n, each) for n, each in compare),
+            trials=tuple(_trial(n, each) for n, each in tries),
+        )
+
+    def table(self) -> dict[str, Any]:
+        """What the browser needs of it."""
+        return {
+            "charts": list(self.charts),
+            "place": self.place,
+            "until": self.until,
+            "compare": [each._asdict() for each in self.comparisons],
+            "trials": [list(each) for each in self.trials],
+        }
 
 
-def _stress(place: float) -> Opening:
-    return Opening(charts=("stress",), place=place)
-
-
-def _convergence(varied: str, *by: float) -> Opening:
-    return Opening(views=("convergence",), varied=varied, by=by)
-
-
-_STEPS = _convergence("step", 58.9e-8, 29.5e-8, 9.82e-8, 5.89e-8)
-_NONE = Opening()
-OPENINGS = {
-    "bouncing-ball": Opening(views=("bounces",)),
-    "bent-rods": Opening(views=("joints",)),
-    "figure-5.23": Opening(views=("stretch",)),
-    "figure-5.24": Opening(views=("stretch",)),
-    "table-6.2": _convergence("elements", 5, 10, 20),
-    "table-6.3": _convergence("restitution", 1.0, 0.7, 0.3, 0.0),
-    "table-6.4": _STEPS,
-    "table-6.5": _STEPS,
-    "table-6.6": _convergence("modes", 5, 8, 12),
-    "table-6.8": _convergence("modes", 5, 9, 13),
-    "figure-6.7": Opening(charts=("moved",)),
-    "figure-6.8": Opening(charts=("moved",)),
-    "figure-6.9": Opening(charts=("reactions",), until=1e-3),
-    "figure-6.10": Opening(charts=("reactions",), until=1e-3),
-    "table-6.9": Opening(views=("mode_change",)),
-    "table-6.10": Opening(views=("mode_change",)),
-    "table-6.11": Opening(views=("mode_change",)),
-    "table-6.12": Opening(views=("mode_change",)),
-    "figure-9.11": Opening(charts=("force",)),
-    "figure-9.12": _stress(1.0),
-    "figure-9.13": _stress(1.0),
-    "figure-9.14": _stress(0.5),
-    "figure-10.2": Opening(charts=("force",)),
-    "figure-10.3": Opening(charts=("moved",)),
-    "figure-10.4": _stress(0.74),
-    "figure-10.5": _stress(0.0),
-    "figure-10.6": _stress(0.74),
-    "figure-10.7": _stress(0.0),
-    "figure-10.10": Opening(charts=("force",)),
-}
-
-
+@cache
 def opening_of(scene: str) -> Opening:
-    """Nothing for most scenes."""
-    return OPENINGS.get(scene, _NONE)
+    """Of a built-in scene; nothing for most, and for another name."""
+    return Opening.of(SCENES[scene]) if scene in SCENES else Opening()
 
 
-def opened_charts(scene: str) -> dict[str, Any]:
-    """Names of charts, where the stress is told [m], and until when time is looked at [s]."""
-    opening = opening_of(scene)
-    return {"charts": list(opening.charts), "place": opening.place, "until": opening.until}
+def _comparison(number: int, given: object) -> Comparison:
+    key = f"view.compare[{number}]"
+    read = table(key, given, Comparison._fields)
+    settings = {name: _settings(f"{key}.{name}", read.get(name, {})) for name in ("first", "second")}
+    return Comparison(_word(key, read, "question"), **settings, alone=flag(f"{key}.alone", read.get("alone", False)))
+
+
+def _settings(key: str, given: object) -> dict[str, Any]:
+    return {name: _chosen(f"{key}.{name}", name, value) for name, value in table(key, given, Choices.CHOSEN).items()}
+
+
+def _trial(number: int, given: object) -> Trial:
+    key = f"view.try[{number}]"
+    read = table(key, given, Trial._fields)
+    name = choice(f"{key}.choice", read.get("choice"), Choices.CHOSEN)
+    return Trial(_word(key, read, "say"), name, _chosen(f"{key}.value", name, read.get("value")))
+
+
+def _chosen(key: str, name: str, value: object) -> Any:
+    if not accepts(name, value):
+        raise SceneError(key, value, refusal(name, value, key=key))
+    return value
+
+
+def _word(key: str, given: Mapping[str, Any], name: str) -> str:
+    return text(f"{key}.{name}", required(key, given, name, allowed("text", longest=LONGEST_WORD)), LONGEST_WORD)
+
+
+def _list(key: str, value: object) -> list[Any]:
+    if not isinstance(value, list) or len(value) > MOST:
+        raise SceneError(key, value, allowed("list-up-to", most=MOST))
+    return value
+
+
+def _names(key: str, value: object, options: Iterable[str] | None = None) -> tuple[str, ...]:
+    given = enumerate(_list(key, value), 1)
+    return tuple(
+        text(f"{key}[{n}]", each) if options is None else choice(f"{key}[{n}]", each, options) for n, each in given
+    )
+
+
+def _number(key: str, value: object, high: float, unit: str) -> float | None:
+    return None if value is None else number(key, value, 0.0, high, unit)

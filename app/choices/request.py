@@ -6,7 +6,8 @@ from typing import Any
 from solvers import Scene
 from solvers.methods.multibody.method import Multibody
 
-from .scene_of import acting_choices, chosen_scene, kind_of, own_choices
+from .kinds import kind_of
+from .scene_of import acting_choices, chosen_scene, own_choices
 
 DRAFT = "draft"  # key, beside the choices, of the share of the resolution that will do while a slider moves
 IN_VIEW = (
@@ -49,8 +50,13 @@ class Request:
 
     @property
     def kind(self) -> str:
-        """Of scene, see `kind_of`."""
-        return kind_of(self.scene)
+        """Of scene, by its name in messages."""
+        return kind_of(self.scene).NAME
+
+    @property
+    def exact(self) -> bool:
+        """Whether an exact solution is shown."""
+        return kind_of(self.scene).EXACT
 
     @property
     def own(self) -> dict[str, Any]:

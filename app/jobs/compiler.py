@@ -29,7 +29,8 @@ from solvers.methods.multibody.method import Multibody
 from ..choices.beam import on_beam
 from ..choices.body_value import with_body_value
 from ..choices.choices import SCENES, START, Choices
-from ..choices.scene_of import kind_of, own_choices
+from ..choices.kinds import kind_of
+from ..choices.scene_of import own_choices
 from ..messages.solve import solve_frame
 from ..views.registry import VIEWS, View
 
@@ -160,7 +161,7 @@ def usual() -> Iterator[Piece]:
 def _pieces(scene: str, views: list[View]) -> Iterator[Piece]:
     """A scene as it says itself, and all that these views make of it."""
     yield solve_frame.__name__, own_choices(scene)
-    yield from _asked(scene, [view for view in views if kind_of(SCENES[scene]) in view.compiled_kinds])
+    yield from _asked(scene, [view for view in views if kind_of(SCENES[scene]).NAME in view.compiled_kinds])
 
 
 def _asked(scene: str, views: list[View]) -> Iterator[Piece]:

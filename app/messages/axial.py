@@ -30,6 +30,7 @@ from .encoding import (
     LARGEST_MASS,
     coded,
     cycle,
+    facts_of,
     force_history,
     over,
     packed,
@@ -37,8 +38,8 @@ from .encoding import (
     whole_numbers,
 )
 from .parts import common
-from .pendulum import pendulum_told, pivot_moments, striker_arrays, waves_of_force
-from .rotating import axis_moments, bent_shapes, rotation_told, turning_fields, turning_rod, turns
+from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
+from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
 from .solutions import by_modes
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
@@ -77,7 +78,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
             "mass": min(scene.impactor.mass, LARGEST_MASS),
             "radius": getattr(scene.impactor, "radius", None),
         }
-        | pendulum_told(scene.impactor),
+        | pendulum_fields(scene.impactor),
         "target": _target(scene),
         "speed": scene.speed,
         "forceUnit": force_unit,
@@ -91,6 +92,7 @@ def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
+        "rigid": scene.rigid_contact,
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,
@@ -211,7 +213,7 @@ def _target(scene: Scene) -> dict[str, Any]:
         "held": target.held,
         "endMass": target.rods[-1].end_mass if target.rods else 0.0,
         **({"row": [ball.radius for ball in target.balls]} if isinstance(target, Balls) else {}),
-    } | rotation_told(target)
+    } | rotation_fields(target)
 
 
 def _rods(scene: Scene, exact: Solution) -> tuple[list[dict[str, Any]], dict[str, Any]]:
@@ -316,6 +318,7 @@ def _figures(solution: Solution) -> dict[str, Any]:
     return {
         "name": solution.method["name"],
         "model": solution.method.get("model"),
+        **facts_of(solution),
         "contacts": [
             [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
             for contact in solution.contacts

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Scene, Solution
+from solvers import Balance, QuasiStatic, RigidImpulse, Scene, Solution
 from solvers.methods.modal.motion import ModalMotion
 from solvers.text.notes import Note
 
@@ -42,6 +42,17 @@ _USUAL = {name: method() for name, method in SOLVED_BY.items()}
 def coded(notes: list[Note]) -> list[dict[str, Any]]:
     """As the browser takes notes, which has the words."""
     return [note.table() for note in notes]
+
+
+def facts_of(solution: Solution) -> dict[str, bool]:
+    """What the method of a solution takes into account."""
+    name = solution.method["name"]
+    sudden = name == RigidImpulse.NAME
+    return {
+        "sudden": sudden,
+        "waves": not sudden and name != QuasiStatic.NAME,
+        "byLaw": not sudden and name != Balance.NAME,
+    }
 
 
 def refusals(scene: Scene) -> dict[str, dict[str, Any] | None]:

@@ -47,7 +47,7 @@ def struck_velocity(solution: Solution, time: np.ndarray, after: bool = True) ->
     return (motion.end_position(before + motion.step) - motion.end_position(before)) / motion.step
 
 
-def force_told(solution: Solution, name: str, stretch: Stretch) -> dict[str, np.ndarray]:
+def force_arrays(solution: Solution, name: str, stretch: Stretch) -> dict[str, np.ndarray]:
     """Contact force [N] over time [ms]; of modes in rigid contact as far as they resolve it."""
     motion = solution.known_motion
     if isinstance(motion, MechanismMotion):  # who looks from elsewhere sees the same force
@@ -88,8 +88,8 @@ def rates_at(solution: Solution, time: np.ndarray, after: bool) -> np.ndarray:
 
 def rates_of_contacts(solution: Solution) -> dict[str, np.ndarray]:
     """Velocity of the impactor and of the struck place just before each contact begins and after it ends [m/s]."""
-    told, both = solution.contacts[:LISTED_RATES], []
-    for after, edges in ((False, [c.start for c in told]), (True, [min(c.end, solution.duration) for c in told])):
+    listed, both = solution.contacts[:LISTED_RATES], []
+    for after, edges in ((False, [c.start for c in listed]), (True, [min(c.end, solution.duration) for c in listed])):
         time = np.array(edges)
         both.append(rates_at(solution, time, after).T)
     return {"rates": np.stack(both, axis=1)}

@@ -14,7 +14,7 @@ from solvers.bodies.pendulum import Pivoted
 
 from ..choices.bodies import parts_of
 from ..choices.choices import SCENES, STRIKING
-from ..choices.opened import opened_charts
+from ..choices.opened import opening_of
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
@@ -32,19 +32,19 @@ def common(scene: Scene, request: Request | None) -> dict[str, Any]:
         "title": scene.title,
         "source": scene.source,
         "note": scene.note,
-        "parts": parts_told(request),
+        "parts": part_records(request),
         "unshown": unshown(scene),
-        "opens": opened_charts(request.chosen["scene"] if request else ""),
+        "opens": opening_of(request.chosen["scene"] if request else "").table(),
     }
 
 
-def parts_told(request: Request | None) -> list[dict[str, Any]]:
-    """Every body, every rod of a chain, every link and joint of a mechanism, as in `schema.RECORDS`."""
+def part_records(request: Request | None) -> list[dict[str, Any]]:
+    """Every body, every rod of a chain, every link and joint of a mechanism, as in `records.RECORDS`."""
     if request is None:
         return []
     name = request.chosen["scene"]
     own, striker = _own_parts(name), "target" if name in STRIKING else "impactor"
-    return [_told(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
+    return [_part_record(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
 
 
 @cache
@@ -53,7 +53,7 @@ def _own_parts(name: str) -> dict[str, Part]:
     return {part.key: part for part in parts_of(SCENES[name])}
 
 
-def _told(part: Part, own: Part, strikes: bool) -> dict[str, Any]:
+def _part_record(part: Part, own: Part, strikes: bool) -> dict[str, Any]:
     values = [
         {
             "quantity": quantity,

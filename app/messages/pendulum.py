@@ -17,7 +17,7 @@ FORCE_POINTS = 600  # of the force whose waves are drawn
 NO_PLACE = 1e-300  # [m]: its pivot, as places in the impactor are negative
 
 
-def pendulum_told(body: AnyBody) -> dict[str, float]:
+def pendulum_fields(body: AnyBody) -> dict[str, float]:
     """Length of the bar, or of one of the same centre, and distances of pivot and contact; nothing of other bodies."""
     if not isinstance(body, Pivoted):
         return {}

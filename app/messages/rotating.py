@@ -56,13 +56,13 @@ def axis_moments(name: str, solution: Solution, time: np.ndarray) -> dict[str, A
     return {f"{name}Moments": whole_numbers(motion.moment(time, places))}
 
 
-def rotation_told(body: AnyBody) -> dict[str, Any]:
+def rotation_fields(body: AnyBody) -> dict[str, Any]:
     """What the rotation does to a rod, along it and across; nothing of other bodies."""
     if not isinstance(body, RotatingRod):
         return {}
     found = body.figures()
     across = {name: found[name]["frequencies"][:LISTED] if name in found else [] for name in ("bending", "simplified")}
-    told = {
+    rotation = {
         "at": body.at,
         "speed": body.speed,
         "critical": body.critical_speed,
@@ -70,4 +70,4 @@ def rotation_told(body: AnyBody) -> dict[str, Any]:
         "strain": body.root_strain,
         "axial": found["axial"]["frequencies"][:LISTED],
     }
-    return {"rotation": told | across}
+    return {"rotation": rotation | across}

@@ -1,34 +1,16 @@
 """What stands in a message to the browser: every field of its header and every array, with unit and dimensions.
 
-`packed` refuses what is not said here. app/static/shell/message.js says the same as types; a test compares the two.
+`packed` refuses what is not said here. The browser has it as types, in app/static/messages.d.ts: see `declarations`.
 """
 
 import re
-from typing import Any, NamedTuple
+from typing import Any
 
-
-class Field(NamedTuple):
-    """One entry of a message or of a record in it."""
-
-    form: str  # dimensions of an array, as in "(instants, places)"; else the type by its name in message.js
-    about: str = ""
-    optional: bool = False
-
-    @property
-    def is_array(self) -> bool:
-        """Whether it stands after the header, among the arrays."""
-        return self.form.startswith("(")
-
-
-Fields = dict[str, Field]
-
-
-def _optional(fields: Fields) -> Fields:
-    return {name: field._replace(optional=True) for name, field in fields.items()}
-
+from .field import Field, Fields, optional
+from .records import RECORDS
 
 COMMON: Fields = {
-    "kind": Field("string", "of the message: axial, beam or bodies"),
+    "kind": Field("string", "of the message: axial, beam, mechanism or bodies"),
     "chosen": Field("Chosen", "a value for every choice; None outside the page"),
     "own": Field("Chosen", "the same, as the page opens the scene"),
     "draft": Field("boolean", "whether it is solved by fewer modes and elements than chosen"),
@@ -38,13 +20,13 @@ COMMON: Fields = {
     "title": Field("string"),
     "source": Field("string"),
     "note": Field("string"),
-    "parts": Field("PartTold[]", "bodies, and rods, links and joints one by one"),
+    "parts": Field("PartRecord[]", "bodies, and rods, links and joints one by one"),
     "unshown": Field("string[]", "keys that the scene sets and that have no control"),
     "opens": Field("Opens", "what the scene is opened with"),
-    "duration": Field("number", "axial [T]; beam [ms]; bodies: on either side of the impact [s]"),
+    "duration": Field("number", "axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s]"),
 }
 HEAD = Field("string", "of saved histories: scene and methods in TOML, table `saved` last")
-CYCLE: Fields = _optional(
+CYCLE: Fields = optional(
     {
         "cycleDepth": Field("(cycle)", "indentation [m]"),
         "cycleLoading": Field("(cycle)", "force of the law, slowly to the depth of this impact [N]"),
@@ -59,9 +41,9 @@ AXIAL: Fields = {
     **CYCLE,
     "head": HEAD,
     "trip": Field("number", "T, the round trip of a wave or the time of a contact [s]"),
-    "rods": Field("RodTold[]", "from left to right; none if no wave runs"),
+    "rods": Field("RodRecord[]", "from left to right; none if no wave runs"),
     "impactor": STRIKER,
-    "target": Field("TargetTold"),
+    "target": Field("TargetRecord"),
     "speed": Field("number", "v, of the impact [m/s]"),
     "forceUnit": Field("number", "Z v [N]"),
     "stressUnit": Field("number", "v sqrt(E rho) [Pa]"),
@@ -74,6 +56,7 @@ AXIAL: Fields = {
     "lastBall": Field("[time: number, velocity: number] | null", "of a row, parted for good [T, v]"),
     "prediction": Field("{ impactor: number, target: number } | null", "velocities by rigid-body theory [v]"),
     "match": Field("number | null", "restitution that would have matched"),
+    "rigid": Field("boolean", "whether nothing gives way at the contact itself"),
     "damps": Field("boolean", "whether the contact law does"),
     "yields": Field("boolean", "whether the contact law does"),
     "exponent": Field("number", "power of the indentation with which its force begins, 1 where nothing gives way"),
@@ -89,7 +72,7 @@ AXIAL: Fields = {
     "exactRowForce": Field("(motion, balls)", "force of every contact of a row, from the impactor's on [Z v]", True),
     "exactTime": Field("(exact force)", "at a jump twice [T]"),
     "exactForce": Field("(exact force)", "[Z v]"),
-    **_optional(
+    **optional(
         {
             "f#Time": Field("(wave f#)", "of the wave that the left end of rod # sends; at a jump twice [T]"),
             "f#": Field("(wave f#)", "[Z v]"),
@@ -122,18 +105,16 @@ AXIAL: Fields = {
         }
     ),
 }
-BEAM: Fields = {
+BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     **COMMON,
     **CYCLE,
     "head": HEAD,
     "refused": Field("Note | null", "why the chosen method is not shown"),
     "trip": Field("number", "a unit of time [s]"),
     "speed": Field("number", "of the impact [m/s]"),
-    "beam": Field("BeamTold"),
-    "mechanism": Field("MechanismTold | null", "of which the struck link stands for the beam"),
-    "moving": Field("MovingTold | null", "of one that moves on as far as it goes"),
+    "beam": Field("BeamRecord"),
     "impactor": STRIKER,
-    "law": Field("{ name: string, damps: boolean, yields: boolean, exponent: number }"),
+    "law": Field("{ name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number }"),
     "main": Field("BeamFigures"),
     "reference": Field("BeamFigures | null", "the same impact by another number of modes"),
     "span": Field(
@@ -147,30 +128,9 @@ BEAM: Fields = {
     "impactorRate": Field("(time)", "[m/s]"),
     "struckRate": Field("(time)", "[m/s]"),
     "contacts": Field("(contacts, 4)", "start, end [ms], impulse [N s], peak force [N]; the first of many"),
-    "rates": Field("(told, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
-    **_optional(
+    "rates": Field("(listed, 2, 2)", "as each contact begins and ends: of impactor and struck place [m/s]"),
+    **optional(
         {
-            "linkPoints": Field(
-                "(links, link places, 2)", "of a mechanism, as the impact begins; unbent if it moves on [m]"
-            ),
-            "linkTime": Field("(link instants)", "closer together at first [ms]"),
-            "linkMoves": Field("(link instants, links, link places, 2)", "how far they have come [m]"),
-            "massPlaces": Field("(link instants, 2)", "of a mechanism that moves on: where the mass is [m]"),
-            "normals": Field("(2, edges)", "as contacts begin and end: time [ms], angle of the normal [rad]"),
-            "bendTime": Field("(bend instants)", "[ms]"),
-            "amountsOf#": Field("(bend instants, shapes of link #)", "of the shapes of link #, each over its largest"),
-            "shapeOf#": Field("(shapes of link #, bend places)", "displacement, moment and shear over their scales"),
-            "shapeScaleOf#": Field("(shapes of link #)", "[m]"),
-            "momentOf#": Field("(shapes of link #, bend places)"),
-            "momentScaleOf#": Field("(shapes of link #)", "[N m]"),
-            "shearOf#": Field("(shapes of link #, bend places)"),
-            "shearScaleOf#": Field("(shapes of link #)", "[N]"),
-            "energyTime": Field("(energy instants)", "[ms]"),
-            "energies": Field("(energy instants, energy parts)", "[J]"),
-            "reactionTime": Field("(reaction instants)", "[ms]"),
-            "reactions": Field("(reaction instants, joints, 3)", "on the second link of each joint [N, N, N m]"),
-            "referenceReactionTime": Field("(reference reaction instants)", "[ms]"),
-            "referenceReactions": Field("(reference reaction instants, joints, 3)", "[N, N, N m]"),
             "wavenumbers": Field("(wavenumbers)", "[1/m]"),
             "lower": Field("(wavenumbers)", "angular frequency [rad/s]"),
             "modeFrequencies": Field("(kept modes)", "[rad/s]"),
@@ -214,27 +174,55 @@ BEAM: Fields = {
         }
     ),
 }
+MECHANISM: Fields = {
+    **BENDING,
+    "mechanism": Field("MechanismRecord", "of which the struck link stands for the beam"),
+    "moving": Field("MovingRecord | null", "of one that moves on as far as it goes"),
+    **optional(
+        {
+            "linkPoints": Field("(links, link places, 2)", "as the impact begins; unbent if it moves on [m]"),
+            "linkTime": Field("(link instants)", "closer together at first [ms]"),
+            "linkMoves": Field("(link instants, links, link places, 2)", "how far they have come [m]"),
+            "massPlaces": Field("(link instants, 2)", "of one that moves on: where the mass is [m]"),
+            "normals": Field("(2, edges)", "as contacts begin and end: time [ms], angle of the normal [rad]"),
+            "bendTime": Field("(bend instants)", "[ms]"),
+            "amountsOf#": Field("(bend instants, shapes of link #)", "of the shapes of link #, each over its largest"),
+            "shapeOf#": Field("(shapes of link #, bend places)", "displacement, moment and shear over their scales"),
+            "shapeScaleOf#": Field("(shapes of link #)", "[m]"),
+            "momentOf#": Field("(shapes of link #, bend places)"),
+            "momentScaleOf#": Field("(shapes of link #)", "[N m]"),
+            "shearOf#": Field("(shapes of link #, bend places)"),
+            "shearScaleOf#": Field("(shapes of link #)", "[N]"),
+            "energyTime": Field("(energy instants)", "[ms]"),
+            "energies": Field("(energy instants, energy parts)", "[J]"),
+            "reactionTime": Field("(reaction instants)", "[ms]"),
+            "reactions": Field("(reaction instants, joints, 3)", "on the second link of each joint [N, N, N m]"),
+            "referenceReactionTime": Field("(reference reaction instants)", "[ms]"),
+            "referenceReactions": Field("(reference reaction instants, joints, 3)", "[N, N, N m]"),
+        }
+    ),
+}
 BODIES: Fields = {
     **COMMON,
     "size": Field("number", "of what is drawn [m]"),
     "across": Field("Vector", "of the picture, to the right"),
     "up": Field("Vector", "of the picture"),
     "normal": Field("Vector", "of the contact"),
-    "ownFrame": Field("Vector[]", "the normal as the scene has it, and two tangents, from which a tilt is told"),
+    "ownFrame": Field("Vector[]", "the normal as the scene has it, and two tangents, from which a tilt counts"),
     "impulse": Field("number", "its size [N s]"),
     "push": Field("Vector", "the impulse on the target [N s]"),
     "friction": Field("number"),
     "sliding": Field(
         "{ kind: 'slip' | 'stick' | 'reversal', until: number }[]", "of the contact; none without friction [N s]"
     ),
-    "bodies": Field("{ impactor: BodyTold, target: BodyTold }"),
-    "figures": Field("FigureTold[]", "beside the picture: name, number or vector, unit"),
+    "bodies": Field("{ impactor: BodyRecord, target: BodyRecord }"),
+    "figures": Field("FigureRecord[]", "beside the picture: name, number or vector, unit"),
     "notes": Field("Note[]"),
     "impactorPath": Field("(samples, 3)", "of the centre, from the point of impact [m]"),
     "targetPath": Field("(samples, 3)", "[m]"),
     "impactorTurn": Field("(samples, 3, 3)", "from the instant of the impact"),
     "targetTurn": Field("(samples, 3, 3)"),
-    **_optional(
+    **optional(
         {
             "slidePress": Field("(course)", "normal impulse, where there is friction [N s]"),
             "slideParting": Field("(course)", "velocity at which the touching points part [m/s]"),
@@ -243,124 +231,8 @@ BODIES: Fields = {
         }
     ),
 }
-MESSAGES = {"axial": AXIAL, "beam": BEAM, "bodies": BODIES}  # by kind
-
-FIGURES: Fields = {
-    "name": Field("string", "of the method"),
-    "model": Field("string | null", "of a method that has several"),
-    "stillTouching": Field("boolean", "at the end"),
-    "final": Field("number | null", "velocity of the impactor [v, or m/s of beams]"),
-    "targetFinal": Field("number", "velocity of the target [v, or m/s of beams]"),
-    "peakForce": Field("number | null", "[N]"),
-    "peakIndentation": Field("number | null", "[m]"),
-    "residualIndentation": Field("number | null", "[m]"),
-    "restitution": Field("Restitution"),
-    "energy": Field("Energies", "[J]"),
-    "diagnostics": Field("Diagnostics"),
-    "notes": Field("Note[]"),
-}
-RECORDS: dict[str, Fields] = {
-    "Cushion": {
-        "name": Field("string"),
-        "modulus": Field("number", "E [Pa]"),
-        "thickness": Field("number", "h [m]"),
-        "stiffness": Field("number", "k = E A / h [N/m]"),
-    },
-    "AxialFigures": FIGURES
-    | {
-        "contacts": Field("Contact[]", "start, end [T], impulse [N s], peak force [N]"),
-        "cutOff": Field("boolean[]", "whether a wave ended the contact at once"),
-        "left": Field("number[]", "velocity of the impactor after each contact [v]"),
-        "spins": Field("(number | null)[]", "angular velocities of impactor and target, of those on a pivot [rad/s]"),
-    },
-    "BeamFigures": FIGURES
-    | {
-        "modes": Field("number | null"),
-        "elements": Field("number | null"),
-        "contacts": Field("number", "how many"),
-        "impulse": Field("number", "[N s]"),
-        "joints": Field("JointImpulse[] | null", "of a mechanism"),
-    },
-    "MovingTold": {
-        "restitution": Field("number | null", "none: by the contact law"),
-        "rigid": Field("Note | null", "why links that bend are followed as rigid ones"),
-        "cut": Field("boolean", "whether it was to be followed for longer"),
-        "energies": Field("string[]", "names of the parts"),
-        "jolts": Field("number[][]", "size of the impulse at every joint in the first impacts [N s]"),
-    },
-    "Opens": {
-        "charts": Field("string[]", "by name"),
-        "place": Field("number | null", "at which the stress is told [m]"),
-        "until": Field("number | null", "from the first touch on, what is looked at [s]"),
-    },
-    "PartTold": {
-        "key": Field("string", "of its table: impactor, target, target.rods.2"),
-        "name": Field("string", "of a link or joint; else empty"),
-        "kind": Field("string"),
-        "strikes": Field("boolean", "whether it is the body that strikes"),
-        "values": Field("ValueTold[]", "that can be set"),
-        "derived": Field("[name: string, value: number][]", "what follows from them, SI units"),
-    },
-    "ValueTold": {  # SI units
-        "quantity": Field("string", "the rest of its key: length, material.young"),
-        "value": Field("number | string | null", "as it is; None: not given"),
-        "own": Field("number | string | null", "as the scene has it"),
-        "low": Field("number | null", "that it may be; None of a material"),
-        "high": Field("number | null"),
-    },
-    "RodTold": {
-        "from": Field("number", "from the struck face [m]"),
-        "to": Field("number", "[m]"),
-        "transit": Field("number", "[T]"),
-        "impedance": Field("number", "[Z]"),
-        "drift": Field("number", "velocity before the impact [v]"),
-        "area": Field("number", "over that of the struck rod"),
-        "joint": Field("'bonded' | 'touching' | null", "with the rod before it"),
-        "mirror": Field("-1 | 0 | 1", "what its far end makes of a wave: turns over, sends its own, sends back"),
-    },
-    "Striking": {
-        "kind": Field("string"),
-        "mass": Field("number", "[kg]"),
-        "radius": Field("number | null", "of its face [m]", optional=True),
-        "length": Field("number", "of a pendulum [m]", optional=True),
-        "place": Field("number", "from its pivot to the contact [m]", optional=True),
-        "ownMass": Field("number", "of all of it, where `mass` is what is felt at the contact [kg]", optional=True),
-    },
-    "TargetTold": {
-        "kind": Field("string"),
-        "shape": Field("'ball' | 'block'", "of a compact body"),
-        "radius": Field("number | null", "of its face [m]"),
-        "mass": Field("number", "[kg]"),
-        "length": Field("number", "[m]"),
-        "support": Field("string | null"),
-        "held": Field("boolean"),
-        "endMass": Field("number", "[kg]"),
-        "rotation": Field("Rotation", "of a rod that turns", optional=True),
-        "row": Field("number[]", "radii of a row of balls, from the struck one on [m]", optional=True),
-    },
-    "Rotation": {
-        "at": Field("number", "where it is struck, of its length from the axis"),
-        "speed": Field("number", "[rad/s]"),
-        "critical": Field("number", "speed at which its stretch has no end [rad/s]"),
-        "stretch": Field("number", "of its end, steadily [m]"),
-        "strain": Field("number", "of its root, steadily"),
-        "axial": Field("number[]", "lowest frequencies along it [rad/s]"),
-        "bending": Field("number[]", "and across, in the plane of rotation"),
-        "simplified": Field("(number | null)[]", "the same by (5.56), without the tension; null where unstable"),
-    },
-    "BeamTold": {
-        "length": Field("number", "[m]"),
-        "mass": Field("number", "[kg]"),
-        "support": Field("Support"),
-        "theory": Field("string"),
-        "place": Field("number", "that is struck [m]"),
-        "halfDepth": Field("number", "[m]"),
-        "secondMoment": Field("number", "[m^4]"),
-        "endMass": Field("number", "[kg]"),
-        "held": Field("boolean"),
-        "speedLimit": Field("number", "sqrt(E/rho) [m/s]"),
-    },
-}
+FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "mechanism": "MechanismFrame", "bodies": "SpaceFrame"}
+MESSAGES = {"axial": AXIAL, "beam": BENDING, "mechanism": MECHANISM, "bodies": BODIES}  # by kind
 
 
 def check(header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> None:

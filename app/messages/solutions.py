@@ -10,8 +10,8 @@ from solvers.methods.multibody.method import Multibody
 from solvers.solution.summary import touching
 
 from ..choices.choices import SOLVED_BY
+from ..choices.kinds import RESTORING, has_frames, own_options, resolutions
 from ..choices.request import Request
-from ..choices.scene_of import RESTORING, has_frames, own_options, resolutions
 
 MAX_FORCE_STEPS = 10_000  # of the modal force, all of which the browser needs to rebuild the modes
 LEAST_STEPS = 1_000  # of a draft, where a scene sets more

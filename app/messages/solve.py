@@ -7,6 +7,7 @@ from solvers import RigidImpulse
 from ..choices.request import Request
 from .axial import pack
 from .beam import beam_frame
+from .mechanism.frame import mechanism_frame
 from .solutions import both
 from .space import bodies_frame
 
@@ -19,4 +20,6 @@ def solve_frame(chosen: dict[str, Any]) -> bytes:
         return bodies_frame(method.solve(request.scene), request)
     if request.kind == "beam":
         return beam_frame(request)
+    if request.kind == "mechanism":
+        return mechanism_frame(request)
     return pack(request, *both(request))

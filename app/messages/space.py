@@ -16,8 +16,8 @@ from solvers.numerics.rigid.friction import sliding_path
 from solvers.numerics.rigid.impulses import principal, strike
 from solvers.numerics.rigid.rotation import rotations
 
+from ..choices.built_in import base_of
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..choices.space import equivalent_box, own_frame
 from .encoding import coded, packed
 from .parts import common

@@ -9,8 +9,8 @@ import param
 
 from ..choices.body_value import with_body_value
 from ..choices.choices import SCENES
+from ..choices.kinds import kind_of
 from ..choices.request import IN_VIEW
-from ..choices.scene_of import kind_of
 from ..jobs.long_run import LongRun
 from ..jobs.runner import Runner
 from ..messages.solve import solve_frame
@@ -116,7 +116,7 @@ class Panels(Questions):
 
     def _shows(self, view: View) -> bool:
         """Whether a view is open, and for this scene."""
-        return getattr(self, view.opener) and kind_of(SCENES[self.scene]) in view.kinds
+        return getattr(self, view.opener) and kind_of(SCENES[self.scene]).NAME in view.kinds
 
     def _want(self, view: View, asked: dict[str, Any], depends_on: Hashable) -> None:
         """Ask, unless the same, as far as it matters, was asked last, or the visitor has a long run answer it."""

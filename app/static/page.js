@@ -4,6 +4,7 @@ import { BeamView } from './beam/view.js';
 import { whenResized } from './charts/canvas.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
+import { MechanismView } from './mechanism/view.js';
 import { Analyses } from './panels/panels.js';
 import { Bodies } from './shell/bodies.js';
 import { Caption } from './shell/caption.js';
@@ -31,7 +32,7 @@ import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
 import { unbroken } from './text/format.js';
 
-/** @import { Chosen, Frame } from './shell/message.js' */
+/** @import { Chosen, Frame } from './messages.js' */
 /** @import { Model } from './shell/model.js' */
 /** @import { Event } from './shell/story.js' */
 /** @import { View } from './shell/view.js' */
@@ -55,7 +56,7 @@ const TOAST = 8000; // ms for which a complaint is shown
 export class Page {
   /** @type {Frame} */ frame; // that is shown
   /** @type {number} */ telling = 0;
-  toldAt = 0;
+  saidAt = 0;
   /** @type {number | undefined} */ hush;
   resumed = false;
   ready = false;
@@ -86,9 +87,10 @@ export class Page {
     this.compare = new Compare(this);
     this.axial = new AxialView(this);
     this.beam = new BeamView(this);
+    this.mechanism = new MechanismView(this);
     this.space = new SpaceView(this);
     /** @type {Record<Frame['kind'], View>} */
-    this.views = { axial: this.axial, beam: this.beam, bodies: this.space };
+    this.views = { axial: this.axial, beam: this.beam, mechanism: this.mechanism, bodies: this.space };
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
     this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });
@@ -164,7 +166,7 @@ export class Page {
     this.layout.strip.replaceChildren(...lent.map((chart) => chart.root));
     if (this.layout.mode === 'phone')
       this.layout.tabs.panel('controls').prepend(this.first.root); // which opens with it
-    else this.told.root.before(this.first.root);
+    else this.story.root.before(this.first.root);
     for (const { stack } of Object.values(this.views)) stack?.arrange();
     requestAnimationFrame(() => this.redraw());
   }
@@ -290,8 +292,8 @@ export class Page {
   turn() {
     this.root.dataset.kind = this.frame.kind;
     for (const view of Object.values(this.views)) view.hide(view !== this.view);
-    this.layout.tabs.panel('story').replaceChildren(this.compare.told.root, this.first.root, this.told.root);
-    this.layout.tabs.panel('numbers').replaceChildren(this.compare.told.numbers, this.told.numbers);
+    this.layout.tabs.panel('story').replaceChildren(this.compare.summary.root, this.first.root, this.story.root);
+    this.layout.tabs.panel('numbers').replaceChildren(this.compare.summary.numbers, this.story.numbers);
     this.place();
   }
   // What the address has opened is gone on with as if it had been opened by hand.
@@ -310,26 +312,26 @@ export class Page {
   tell() {
     clearTimeout(this.telling);
     const write = () => {
-      this.toldAt = performance.now();
+      this.saidAt = performance.now();
       this.telling = 0;
       this.controls.arrange(this.frame);
       this.bodies.load(this.frame);
-      this.told.load(this.frame);
-      this.told.at(this.player.t + this.player.start);
+      this.story.load(this.frame);
+      this.story.at(this.player.t + this.player.start);
       this.first.load(this.frame);
       this.compare.tell(this.frame);
-      for (const root of [this.told.root, this.told.numbers]) this.symbols.mark(root);
+      for (const root of [this.story.root, this.story.numbers]) this.symbols.mark(root);
       this.say();
       this.player.mark();
       this.history.follow();
     };
-    if (!this.toldAt) write();
-    else this.telling = window.setTimeout(write, Math.max(40, this.toldAt + READ - performance.now()));
+    if (!this.saidAt) write();
+    else this.telling = window.setTimeout(write, Math.max(40, this.saidAt + READ - performance.now()));
   }
   get view() {
     return this.views[this.frame.kind];
   }
-  get told() {
+  get story() {
     return this.view.story;
   }
   drawCharts() {
@@ -342,7 +344,7 @@ export class Page {
     this.view.show(t);
     this.compare.show(t);
     if (!this.telling) {
-      this.told.at(t);
+      this.story.at(t);
       this.say();
     }
     this.analyses.show(t);
@@ -350,13 +352,13 @@ export class Page {
   }
   /** Under the bar: what happens at this instant. */
   say() {
-    this.caption.say(this.told.events);
+    this.caption.say(this.story.events);
   }
   /** @returns {Event[]} at the instants at which what they have changed is seen */
   events() {
     if (!this.frame) return [];
     const { after } = this.view;
-    return this.told.events.events.map(([t, sentence]) => [t + after, sentence]);
+    return this.story.events.events.map(([t, sentence]) => [t + after, sentence]);
   }
   /** @returns {[start: number, end: number]} the stretch of time in view */
   range() {

@@ -10,15 +10,13 @@ import param
 
 from solvers import METHODS, Bounces, bounces
 from solvers.accuracy.reference import exact_solution
-from solvers.bodies import Mechanism
 from solvers.bodies.drop import STANDARD_GRAVITY
 from solvers.methods.base import Method, SceneNotSupported, never
 from solvers.provenance import clock
 
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..choices.scene_of import base_of
-from ..messages.beam import method_at_impact
+from ..messages.transverse import method_at_impact
 from ..text.catalogues import page
 
 CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
@@ -29,15 +27,6 @@ QUESTIONS = {
         param.Number(default=STANDARD_GRAVITY, bounds=(0.01, 1e3), doc="under which it falls [m/s2]"), "gravity"
     )
 }
-
-
-def one_body_falls(asked: dict[str, Any]) -> tuple | None:
-    """All that was asked, if what is struck is no mechanism, which would move on; else None."""
-    try:
-        target = base_of(asked["scene"], asked["bodies"]).target
-    except ValueError:  # which the visitor sees where it is solved
-        return None
-    return None if isinstance(target, Mechanism) else tuple(asked.items())
 
 
 def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
@@ -69,7 +58,7 @@ def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -
 
 def method_of(request: Request) -> Method:
     """By which the page shows the impact: the exact one on an axis, the chosen one of a beam."""
-    if request.kind == "beam":
+    if not request.exact:
         return method_at_impact(request).without_estimate()
     options = dict(exact_solution(request.scene, request.restitution).method)
     return METHODS[options.pop("name")].read(options).without_estimate()

@@ -14,8 +14,8 @@ from solvers.studies.levels import GIVEN, RESTITUTIONS, STEPS, VALUES, kinds_of
 from ..choices.opened import opening_of
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..messages.beam import method_at_impact
 from ..messages.solutions import method_options
+from ..messages.transverse import method_at_impact
 from ..text.catalogues import page
 from .figures import blank, hover, legend, source
 
@@ -47,7 +47,7 @@ def convergence_data(asked: dict[str, Any]) -> str:
 
 def _method_of(request: Request) -> Method:
     """The chosen one if it has levels; else modes, as many as are compared."""
-    if request.kind == "beam":
+    if not request.exact:
         method = method_at_impact(request)
         return method if method.NAME in COUNTED else Modal()
     name = request.method_beside

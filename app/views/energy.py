@@ -10,10 +10,10 @@ from solvers import Solution
 from solvers.accuracy.reference import exact_solution
 from solvers.solution.motion import SplitsTarget
 
+from ..choices.kinds import moves_on
 from ..choices.request import Request
-from ..choices.scene_of import moves_on
-from ..messages.beam import main_solution
 from ..messages.histories import MS
+from ..messages.transverse import main_solution
 from ..text.catalogues import page
 from .figures import INK, blank, cursor, hover, legend, source
 
@@ -56,7 +56,7 @@ def energy_shares(chosen: dict[str, Any]) -> dict[str, Any]:
     That of a beam is split into motion and bending, where its method knows both.
     """
     request = Request.of(chosen)
-    beam = request.kind == "beam"
+    beam = not request.exact
     if beam:
         solution, unit = main_solution(request)[0], 1.0 / MS
     else:

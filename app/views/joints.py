@@ -11,8 +11,8 @@ from solvers.bodies import Mechanism
 from solvers.bodies.linkage.links import GROUND
 from solvers.studies.scattering import INCOMING, OUTGOING, joint_scattering
 
+from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..text.catalogues import page
 from .figures import COLOURS, blank, hover, legend, source
 
@@ -23,10 +23,7 @@ BELOW = 0.1  # of the lowest frequency that `impact joints` takes
 
 def of_joined_links(asked: dict[str, Any]) -> Hashable:
     """The scene and what of its bodies is changed, if two of its links are joined; else None."""
-    try:
-        target = base_of(asked["scene"], asked["bodies"]).target
-    except ValueError:  # which the visitor sees where it is solved
-        return None
+    target = struck_body(asked)
     joined = isinstance(target, Mechanism) and any(GROUND not in joint.links for joint in target.joints)
     return (asked["scene"], asked["bodies"]) if joined else None
 

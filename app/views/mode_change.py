@@ -8,8 +8,8 @@ import numpy as np
 
 from solvers.bodies import Mechanism
 
+from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..text.catalogues import page
 
 PARTS = ("along", "across", "turn")  # of each node, in this order
@@ -19,11 +19,8 @@ OF_COORDINATES = ("table-6.9", "table-6.11")  # scenes that are named after thes
 
 def of_struck_nodes(asked: dict[str, Any]) -> Hashable:
     """What decides the projections, if a link is struck on one of its nodes; else None."""
-    try:
-        scene = base_of(asked["scene"], asked["bodies"])
-    except ValueError:  # which the visitor sees where it is solved
-        return None
-    if not isinstance(scene.target, Mechanism) or not scene.target.struck_link.nodes:
+    target = struck_body(asked)
+    if not isinstance(target, Mechanism) or not target.struck_link.nodes:
         return None
     return tuple(asked[name] for name in ("scene", "bodies", "mass_ratio", "speed", "place", "modes"))
 

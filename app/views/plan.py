@@ -15,10 +15,10 @@ from solvers.regimes.models import family_of
 from solvers.regimes.plan import law_of
 
 from ..choices.choices import accepts
+from ..choices.kinds import bends_alone, own_options
 from ..choices.map_point import choices_at
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..choices.scene_of import bends_alone, own_options
 from ..choices.space import in_space
 
 LINKS = re.compile(r"(target|impactor)\.links\.\d+\.modes")

@@ -15,7 +15,7 @@ from .record import record_figure
 from .trust import trust_data, trust_figure
 
 OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links")
-KINDS = frozenset(("axial", "beam", "bodies"))  # of scene, see app.choices.scene_of.kind_of
+KINDS = frozenset(("axial", "beam", "mechanism", "bodies"))  # of scene, see app.choices.kinds
 
 
 def opened_with(scene: str, before: str = "") -> dict[str, Any]:
@@ -105,27 +105,28 @@ class View:
         return {name: each.example if each.leads else each.parameter.default for name, each in works.items()}
 
 
-BEAMS, AXIAL = frozenset(("beam",)), frozenset(("axial",))
+AXIAL, BEAMS, MECHANISMS = (frozenset((name,)) for name in ("axial", "beam", "mechanism"))
+BENDING = BEAMS | MECHANISMS
 VIEWS = (  # in the order in which an address names them
-    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BEAMS, depends_on=of_impacts),
+    View("energy", energy_data, figure=energy_figure, kinds=AXIAL | BENDING, depends_on=of_impacts),
     View("plan", plan.plan_data, {"regimes": plan.regimes_data}, asked=plan.QUESTIONS, address="needs", panel="plan"),
     View("auto", tolerance.auto_data, asked=tolerance.QUESTIONS, address="tolerance", depends_on=any_method,
          stoppable=True),
     View("tradeoff", tradeoff.stored_data, run=tradeoff.tradeoff_data, kernels=tradeoff.tradeoff_kernels,
          figure=tradeoff.tradeoff_figure, asked=tradeoff.QUESTIONS, depends_on=any_method),
-    View("trust", trust_data, figure=trust_figure, kinds=BEAMS, rests=True),
+    View("trust", trust_data, figure=trust_figure, kinds=BENDING, rests=True),
     View("convergence", convergence.convergence_data, figure=convergence.convergence_figure,
-         asked=convergence.QUESTIONS, kinds=AXIAL | BEAMS, rests=True),
+         asked=convergence.QUESTIONS, kinds=AXIAL | BENDING, rests=True),
     View("methods", methods_table, kinds=AXIAL, rests=True, every_law=True),
     View("stability", run=stability.stability_data, kernels=stability.stability_kernels, kept=True,
          figure=stability.stability_figure, asked=stability.QUESTIONS, late=True),
-    View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS,
-         depends_on=bounces.one_body_falls, rests=True, stoppable=True, scenes=("bouncing-ball",)),
-    View("joints", joints.joints_data, figure=joints.joints_figure, kinds=BEAMS, depends_on=joints.of_joined_links,
+    View("bounces", bounces.bounces_data, asked=bounces.QUESTIONS, kinds=AXIAL | BEAMS, rests=True,
+         stoppable=True, scenes=("bouncing-ball",)),
+    View("joints", joints.joints_data, figure=joints.joints_figure, kinds=MECHANISMS, depends_on=joints.of_joined_links,
          scenes=("bent-rods",)),
     View("stretch", stretch.stretch_data, figure=stretch.stretch_figure, kinds=AXIAL,
          depends_on=stretch.of_turning_rods, scenes=("figure-5.24",)),
-    View("mode_change", mode_change.mode_change_data, kinds=BEAMS, depends_on=mode_change.of_struck_nodes,
+    View("mode_change", mode_change.mode_change_data, kinds=MECHANISMS, depends_on=mode_change.of_struck_nodes,
          scenes=("table-6.10",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
     View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file

@@ -9,8 +9,8 @@ import numpy as np
 
 from solvers.bodies import RotatingRod
 
+from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..choices.scene_of import base_of
 from ..text.catalogues import page
 from .figures import COLOURS, PICKED, blank, hover, source
 
@@ -21,10 +21,7 @@ SPEEDS = np.linspace(0.0, 0.8, 49)  # of the critical one, at which the stretch 
 
 def of_turning_rods(asked: dict[str, Any]) -> Hashable:
     """The scene and what of its bodies is changed, if its target turns and is struck along its length; else None."""
-    try:
-        target = base_of(asked["scene"], asked["bodies"]).target
-    except ValueError:  # which the visitor sees where it is solved
-        return None
+    target = struck_body(asked)
     return (asked["scene"], asked["bodies"]) if isinstance(target, RotatingRod) and not target.across else None
 
 

@@ -8,8 +8,8 @@ import numpy as np
 from solvers import ensemble
 
 from ..choices.request import Request
-from ..messages.beam import method_at_impact
 from ..messages.histories import MS
+from ..messages.transverse import method_at_impact
 from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 

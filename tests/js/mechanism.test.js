@@ -1,9 +1,9 @@
 // Mechanisms on the stage: fields of links from amounts of shapes, which side is pressed, links that move on.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Bending } from '../../app/static/beam/bending.js';
-import { Mechanism } from '../../app/static/beam/mechanism.js';
-import { MovingMechanism } from '../../app/static/beam/moving.js';
+import { Bending } from '../../app/static/mechanism/bending.js';
+import { Mechanism } from '../../app/static/mechanism/mechanism.js';
+import { MovingMechanism } from '../../app/static/mechanism/moving.js';
 import { css } from '../../app/static/charts/styles.js';
 
 const LINK = { name: 'bar', flexible: true, nodes: [], depth: 0.01 };

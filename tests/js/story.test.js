@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { eventsOf } from '../../app/static/axial/events.js';
 import { unitsOf } from '../../app/static/axial/story.js';
-import { beamEvents } from '../../app/static/beam/events.js';
+import { mechanismEvents } from '../../app/static/mechanism/resting_story.js';
 import { seenIn } from '../../app/static/shell/first.js';
 
 /**
@@ -12,21 +12,23 @@ import { seenIn } from '../../app/static/shell/first.js';
  * @returns {any}
  */
 const mechanism = (changed = {}) => ({
-  ...{ kind: 'beam', speed: 1, impactor: { kind: 'mass' }, rates: [], chosen: {} },
+  ...{ kind: 'mechanism', speed: 1, impactor: { kind: 'mass' }, rates: [], chosen: {} },
   mechanism: { struck: 0, links: [{ name: 'lower', flexible: false }] },
-  main: { name: 'rigid', contacts: 1, final: 0.263 },
+  main: { name: 'rigid', sudden: true, contacts: 1, final: 0.263 },
   contacts: [[0, 0, 0.368, 0]],
   ...changed,
 });
 
 test('an impulse in no time is one event, which says how large it is', () => {
-  const events = beamEvents(mechanism());
+  const events = mechanismEvents(mechanism());
   assert.equal(events.length, 1);
   assert.match(
     events[0][1],
     /link “lower” meet at 1\sm\/s. One impulse of 368\smN\ss, in no time.*has 0.263\sm\/s along/,
   );
-  const lasting = beamEvents(mechanism({ main: { name: 'modal', contacts: 1, final: 0 }, contacts: [[0, 1, 1, 1]] }));
+  const lasting = mechanismEvents(
+    mechanism({ main: { name: 'modal', contacts: 1, final: 0 }, contacts: [[0, 1, 1, 1]] }),
+  );
   assert.equal(lasting.length, 2);
 });
 
@@ -46,7 +48,7 @@ test('what is seen promises no bending of links that do not bend', () => {
  * @returns {any}
  */
 const rod = (changed) => ({
-  ...{ chosen: { law: 'rigid' }, duration: 3, stressUnit: 4e7, impactor: { kind: 'mass' }, rods: [{ mirror: 1 }] },
+  ...{ chosen: {}, rigid: true, duration: 3, stressUnit: 4e7, impactor: { kind: 'mass' }, rods: [{ mirror: 1 }] },
   exact: { contacts: [[0, 1.5, 1, 1]], cutOff: [true], left: [0.135] },
   ...changed,
 });
@@ -60,7 +62,7 @@ test('a slow push on a rod is told as one, not as waves', () => {
   const slow = (/** @type {number} */ mirror, /** @type {number} */ end) =>
     eventsOf(
       rod({
-        ...{ chosen: { law: 'linear' }, duration: 30, rods: [{ mirror }] },
+        ...{ rigid: false, duration: 30, rods: [{ mirror }] },
         exact: { contacts: [[0, end, 1, 1]], cutOff: [false], left: [-0.9] },
       }),
     ).map(([, sentence]) => sentence);
@@ -73,13 +75,26 @@ test('a slow push on a rod is told as one, not as waves', () => {
 
 test('the unit of time of an impulse is not called the time of its contact', () => {
   const frame = (/** @type {string} */ name) =>
-    /** @type {any} */ ({ exact: { name }, impactor: {}, rods: [], target: { kind: 'mass' }, trip: 1e-3 });
+    /** @type {any} */ ({
+      exact: { name, sudden: name === 'rigid' },
+      impactor: {},
+      rods: [],
+      target: { kind: 'mass' },
+      trip: 1e-3,
+    });
   assert.match(unitsOf(frame('rigid')), /T = 1\sms: the unit of time of these charts; the impact itself takes none/);
   assert.match(unitsOf(frame('quasi-static')), /about the time of a contact/);
 });
 
 test('of rods that are drawn rigid no waves are told', () => {
-  const other = { name: 'rigid', contacts: [[0, 0, 1, null]], left: [-0.5], cutOff: [false], stillTouching: false };
+  const other = {
+    name: 'rigid',
+    sudden: true,
+    contacts: [[0, 0, 1, null]],
+    left: [-0.5],
+    cutOff: [false],
+    stillTouching: false,
+  };
   const by = (/** @type {string} */ method) =>
     eventsOf(rod({ target: { kind: 'rod' }, other, chosen: { law: 'rigid', method } }));
   assert.match(by('waves')[0][1], /front/);
@@ -91,7 +106,7 @@ test('of rods that are drawn rigid no waves are told', () => {
 
 test('charts of force are promised where there are any', () => {
   /** @type {any} */
-  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, target: {}, rods: [], exact: { name: 'rigid' } };
+  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, target: {}, rods: [], exact: { sudden: true } };
   assert.doesNotMatch(seenIn(pendulum), /force/);
   assert.match(seenIn({ ...pendulum, exact: { name: 'compliant' } }), /force/);
   assert.match(seenIn({ ...pendulum, rods: [{}] }), /waves/);

@@ -101,7 +101,7 @@ def test_words_and_tables(key, value, allowed):
 @pytest.mark.parametrize(
     "key, value, keys",
     [
-        ("colour", "red", "title, source, note, impactor, target, contact, method"),
+        ("colour", "red", "title, source, note, impactor, target, contact, method, view"),
         ("impactor.weight", 1.0, "kind, mass, velocity, radius, material"),
         ("target.lenght", 1.0, "kind, length, section, material, support, at, velocity, end_mass, radius"),
         ("target.section.depth", 1.0, "width, height, radius, area, second_moment, shear_coefficient"),

@@ -4,7 +4,7 @@ import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */
 /**

@@ -16,7 +16,7 @@ import { RigidField } from './fields.js';
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Picture, Series } from '../charts/chart.js' */
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { AxialFrame, CycleTold, Numbers } from '../shell/message.js' */
+/** @import { AxialFrame, Numbers } from '../messages.js' */
 /** @import { Field, What } from './fields.js' */
 
 const COLUMNS = 480;
@@ -183,7 +183,7 @@ export class Force {
   load(frame) {
     const { modalForce, other } = frame;
     this.exact = { x: frame.exactTime, y: frame.exactForce };
-    const impulse = other?.name === 'rigid'; // without a height
+    const impulse = other?.sudden; // without a height
     this.other = impulse ? null : pair(frame.otherTime, frame.otherForce);
     this.raw = null;
     if (modalForce && other) {
@@ -264,7 +264,7 @@ export class Cycle {
     });
     this.chart.root.classList.add('cycle');
   }
-  /** @param {CycleTold} frame */
+  /** @param {Pick<AxialFrame, 'cycleDepth' | 'cycleLoading' | 'cycleUnloading' | 'blowDepth' | 'blowForce'>} frame */
   load(frame) {
     this.chart.root.hidden = !frame.cycleDepth;
     if (!frame.cycleDepth) return;

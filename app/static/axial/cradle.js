@@ -8,7 +8,7 @@ import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 
 /** @import { Series } from '../charts/chart.js' */
-/** @import { AxialFrame, Numbers } from '../shell/message.js' */
+/** @import { AxialFrame, Numbers } from '../messages.js' */
 
 const TOP = 12; // pixels of the beam from the edge
 const MIDDLE = 0.45; // of the picture, where balls hang

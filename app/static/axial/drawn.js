@@ -1,6 +1,6 @@
 // Which solution of an impact along an axis the picture shows, and the words with it.
 
-/** @import { AxialFigures, AxialFrame } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame } from '../messages.js' */
 
 /**
  * Whether the pictures show the other method: where bodies have an inside that it can show, or fail to. Bodies that

@@ -3,11 +3,11 @@ import { text } from '../text/catalogue.js';
 import { engineering, figures, pretty, signed } from '../text/format.js';
 import { drawnRigid, toldOf } from './drawn.js';
 
-/** @import { AxialFigures, AxialFrame, Contact } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Contact } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
-const JUMPS = 6; // of the force in one contact that are told; later ones are small
-const GAPS = 4; // times that they close, of which is told
+const JUMPS = 6; // of the force in one contact that are listed; later ones are small
+const GAPS = 4; // times that they close, that are listed
 const SLOW = 4; // T that a contact lasts at least for its rod to follow as a whole
 const STANDS = 5e-4; // of the impact speed; what is slower stands
 
@@ -82,9 +82,8 @@ const ofGaps = ({ duration, gaps }) =>
  * @param {AxialFrame} frame
  * @returns {Event[]}
  */
-function ofEndMass({ chosen, exact, impactor, rods, target }) {
+function ofEndMass({ exact, impactor, rigid, rods, target }) {
   if (!target.endMass || rods.length !== 1 || target.support !== 'free') return [];
-  const rigid = chosen.law === 'rigid';
   /** @type {Event[]} */
   const found = [[0.5, text('axial.event.end-mass', { rigid })]];
   if (exact.contacts[0][1] > 1 + 1e-9)
@@ -114,9 +113,8 @@ const pulseEvents = (contacts) => [
  * @returns {Event[]}
  */
 function eventsOnOneRod(frame) {
-  const { exact, duration, chosen } = frame;
+  const { exact, duration, rigid } = frame;
   const fixed = frame.rods[0].mirror > 0;
-  const rigid = chosen.law === 'rigid';
   const pressure = pretty(frame.stressUnit / 1e6);
   const said = { striker: frame.impactor.kind, pressure };
   const [[, parts]] = exact.contacts;

@@ -3,7 +3,7 @@ import { drawnFromOther } from './drawn.js';
 import { Field, RigidField, SampledField, WaveField } from './fields.js';
 import { ModalField } from './modal_field.js';
 
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 
 /** @param {AxialFrame} frame */
 export function exactFieldOf(frame) {

@@ -5,7 +5,7 @@ import { given, arrayOf } from '../shell/message.js';
 import { Mirrored, Wave } from './wave.js';
 
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { AxialFrame, Numbers } from '../shell/message.js' */
+/** @import { AxialFrame, Numbers } from '../messages.js' */
 
 const SAMPLES = 2000; // of a stress over time, by waves
 

@@ -12,7 +12,7 @@ import { exactFieldOf, otherFieldOf } from './field_of.js';
 /** @import { Page } from '../page.js' */
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 /** @import { Field } from './fields.js' */
 
 const MILLIMETRES = 1000; // in a metre

@@ -3,7 +3,7 @@ import { attachedModes } from './attached_modes.js';
 import { given } from '../shell/message.js';
 import { evenly, Field } from './fields.js';
 
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 /** @import { Range } from '../charts/scale.js' */
 /** @import { What } from './fields.js' */
 

@@ -6,7 +6,7 @@ import { called } from '../text/words.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { AxialFigures, AxialFrame, Numbers } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Numbers } from '../messages.js' */
 
 const PLACES = /** @type {const} */ (['pivot', 'between', 'contact']);
 
@@ -31,11 +31,11 @@ export class Moments {
       PLACES.forEach((where, k) => {
         const style = styles[where];
         if (!style) return;
-        const told = text('axial.chart.moment', { where, turns: Boolean(target.rotation), method: called(of) });
-        series.push({ x, y: moments.filter((_, i) => i % PLACES.length === k), name: told, style });
+        const name = text('axial.chart.moment', { where, turns: Boolean(target.rotation), method: called(of) });
+        series.push({ x, y: moments.filter((_, i) => i % PLACES.length === k), name, style });
       });
     };
-    const besides = otherMoments && other; // half way: of one solution, so that lines can be told apart
+    const besides = otherMoments && other; // half way: of one solution, so that lines differ
     if (exactMoments) {
       add(exactMoments, exact, { pivot: 'exact', contact: 'struck', ...(!besides && { between: 'halfSpace' }) });
     }

@@ -2,7 +2,7 @@
 import { COLORS } from '../charts/styles.js';
 import { axis } from './bodies.js';
 
-/** @import { AxialFrame, Numbers } from '../shell/message.js' */
+/** @import { AxialFrame, Numbers } from '../messages.js' */
 
 const THICK = 15; // of the bar [px]
 const TOP = 22; // of the pivot, from the edge of the picture [px]

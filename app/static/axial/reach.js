@@ -1,6 +1,6 @@
 // How far what is drawn moves, so that it stays in the picture.
 
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 /** @import { Field } from './fields.js' */
 
 const INSTANTS = 200; // at which bodies are looked at

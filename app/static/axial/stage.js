@@ -12,7 +12,7 @@ import { cradle, swing } from './cradle.js';
 import { reachOf } from './reach.js';
 import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
-/** @import { AxialFrame, RodTold } from '../shell/message.js' */
+/** @import { AxialFrame, RodRecord } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { Field, What } from './fields.js' */
 
@@ -322,7 +322,7 @@ export class Stage {
   }
   /**
    * First and last slice of a rod, a hair inside: at a joint that has opened the field jumps.
-   * @param {RodTold} rod
+   * @param {RodRecord} rod
    */
   #slices({ from, to }) {
     const inside = (to - from) * 1e-6;

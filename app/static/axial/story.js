@@ -8,7 +8,7 @@ import { shortly } from '../text/words.js';
 import { toldOf } from './drawn.js';
 import { eventsOf } from './events.js';
 
-/** @import { AxialFigures, AxialFrame, Rotation } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, Rotation } from '../messages.js' */
 
 const LISTED = 24; // events
 const CONTACTS = 12; // of each solution, in the table
@@ -55,7 +55,7 @@ function turning({ speed, critical, stretch, strain, axial, bending, simplified 
  */
 export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
   const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
-  const rigid = exact.name === 'rigid' ? 'impulse' : 'contact';
+  const rigid = exact.sudden ? 'impulse' : 'contact';
   const bent = target.rotation ? 'turning' : rigid;
   const alone = exactBar ? 'pendulum' : bent;
   const single = target.support === 'anechoic' ? 'endless' : 'one';
@@ -100,7 +100,7 @@ export class Story {
     this.contacts();
     this.answers();
     const asks = text('axial.one-number', { waves: frame.rods.length > 0 });
-    this.asks.textContent = frame.exact.name === 'rigid' ? text('axial.one-impulse') : asks;
+    this.asks.textContent = frame.exact.sudden ? text('axial.one-impulse') : asks;
     this.match.replaceChildren(...this.#match());
     showEnergy(this.energy, toldOf(frame).energy, frame.rods.length ? ENERGIES : WITHOUT_WAVES);
     this.warn();

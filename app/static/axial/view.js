@@ -14,7 +14,7 @@ import { Stage } from './stage.js';
 import { Story } from './story.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame } from '../shell/message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 /** @import { Field, What } from './fields.js' */
 
 const LEAST_ROOM = 1e-4; // of the whole impact, about what is looked at closely
@@ -83,8 +83,7 @@ export class AxialView {
     this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
     this.whole.hidden = !this.axis.zoomed;
     this.spaceTime.chart.root.hidden = !frame.rods.length;
-    const methods = [frame.exact.name, frame.other?.name ?? 'rigid'];
-    this.force.chart.root.hidden = methods.every((name) => name === 'rigid'); // an impulse without duration
+    this.force.chart.root.hidden = frame.exact.sudden && (frame.other?.sudden ?? true); // impulses without duration
     this.force.load(frame);
     this.displacements.load(frame);
     this.moments.load(frame);
@@ -125,14 +124,14 @@ export class AxialView {
     this.#gaugeStress();
     for (const { chart } of [...this.charts, this.cycle]) if (!chart.root.hidden) chart.draw();
   }
-  /** What is told of one place is worked out while it is seen; the x-t diagram says where that is. */
+  /** What is shown of one place is computed while it is seen; the x-t diagram says where that is. */
   #gaugeStress() {
     const { frame, gauge, spaceTime } = this;
     const seen = Boolean(frame.rods.length) && !this.stack.root.hidden && this.stack.shows('stress');
     if (seen) gauge.follow(this.exactField, frame.other ? this.otherField : null);
     if (frame.rods.length) spaceTime.mark(seen ? gauge.place : null);
   }
-  /** @param {number} place  of which the stress is told [m] */
+  /** @param {number} place  of which the stress is shown [m] */
   gaugeAt(place) {
     this.gauge.asked = place;
     this.draw();

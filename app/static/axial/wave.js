@@ -1,6 +1,6 @@
 // Waves that run through a rod, as the picture reads them.
 
-/** @import { Numbers } from '../shell/message.js' */
+/** @import { Numbers } from '../messages.js' */
 
 const CELLS = 8192; // of the time that is shown
 

@@ -22,7 +22,7 @@ const ENDS = {
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Content, Picture, Series } from '../charts/chart.js' */
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { BeamFigures, BeamFrame } from '../shell/message.js' */
+/** @import { BeamFigures, BendingFrame } from '../messages.js' */
 /** @import { BeamField, What } from './field.js' */
 
 /**
@@ -46,7 +46,7 @@ const XT = {
 };
 
 export class BeamSpaceTime {
-  /** @type {BeamFrame} */ frame;
+  /** @type {BendingFrame} */ frame;
   /** @type {BeamField} */ field;
   /** @type {What} */ what;
   /** @type {Content} */ content = { series: [] };
@@ -65,7 +65,7 @@ export class BeamSpaceTime {
     this.chart = new Chart({ ...XT, axis, xUnit: 'ms', y: [1, 0], go });
   }
   /**
-   * @param {BeamFrame} frame
+   * @param {BendingFrame} frame
    * @param {BeamField} field
    * @param {What} what
    */
@@ -167,7 +167,7 @@ const bandOf = (time, { low, high, lowest, highest }) => ({
 });
 
 export class BeamForce {
-  /** @type {BeamFrame} */ frame;
+  /** @type {BendingFrame} */ frame;
   /** @type {Samples} */ main;
   /** @type {Samples | null} */ raw = null; // of modes, where the force is averaged
   /** @type {Band | null} */ band = null;
@@ -202,7 +202,7 @@ export class BeamForce {
     this.chart.value.before(this.half);
     this.peak = new Peak(this.chart.head, duration);
   }
-  /** @param {BeamFrame} frame */
+  /** @param {BendingFrame} frame */
   load(frame) {
     this.frame = frame;
     const { law, mainForce, mainTime, modalForce, step } = frame;
@@ -210,7 +210,7 @@ export class BeamForce {
     if (modalForce) {
       // what modes say is one force for each step; chatter at the shortest kept period says nothing
       const h = 1e3 * given(step, 'step');
-      const window = law.name === 'rigid' ? frame.main.diagnostics.resolved_time : 0;
+      const window = law.rigid ? frame.main.diagnostics.resolved_time : 0;
       this.raw = window ? stairs(modalForce, h) : null;
       this.main = window ? averaged(modalForce, h, 1e3 * window) : stairs(modalForce, h);
       const fine = pair(mainTime, mainForce); // of a stretch, where steps come in groups
@@ -272,7 +272,7 @@ const toCompare = (reference, far = false) =>
 
 // Impactor and struck place: where they are, or how fast they go.
 export class BeamMotion {
-  /** @type {BeamFrame} */ frame;
+  /** @type {BendingFrame} */ frame;
   /** @type {Band | null} */ band = null;
   /** @type {Kind} */ kind = 'displacement';
 
@@ -294,7 +294,7 @@ export class BeamMotion {
     this.switch.root.classList.add('small');
     this.chart.value.before(this.switch.root);
   }
-  /** @param {BeamFrame} frame */
+  /** @param {BendingFrame} frame */
   load(frame) {
     this.frame = frame;
     this.#show();
@@ -351,10 +351,10 @@ export class Dispersion {
     });
     this.chart.root.classList.add('square');
   }
-  /** @param {BeamFrame} frame */
+  /** @param {BendingFrame} frame */
   load(frame) {
     const { wavenumbers: x, lower, upper, beam, modeFrequencies, modeWavenumbers } = frame;
-    this.chart.root.hidden = !x; // of a mechanism there is no one curve
+    this.chart.root.hidden = !x; // else there is no one curve
     if (!x || !lower || !modeFrequencies || !modeWavenumbers) return;
     const factor = 0.5 / Math.PI;
     const far = x[x.length - 1];

@@ -1,13 +1,11 @@
 // What happens in an impact on a beam, one event after the other, and why.
 import { text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
-import { mechanismEvents, mechanismReasons } from './mechanism_story.js';
-import { keptOf, movingEvents, movingReasons } from './moving_story.js';
 
-/** @import { BeamFrame, Support } from '../shell/message.js' */
+/** @import { BendingFrame, Support } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
-const TOLD = 4; // contacts told one by one
+const LISTED = 4; // contacts, one by one
 /** @type {Record<Support, string[]>} */
 const HOLDERS = {
   joined: [],
@@ -19,12 +17,11 @@ const HOLDERS = {
 };
 const NEAR = 0.2; // of its length from a support
 const HARD = 0.5; // movement of the struck place over that of the contact
-const WAVELESS = ['rigid', 'quasi-static']; // methods without waves
 
 /**
  * A sentence of the beam's catalogue, which takes what strikes and what is struck besides its values.
  * @param {string} code
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {Record<string, any>} [values]
  */
 export const tell = (code, frame, values = {}) => {
@@ -35,7 +32,7 @@ export const tell = (code, frame, values = {}) => {
 
 /**
  * The support next to the struck place, where that is so near that the contact gives way and not the beam; else null.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 function holding({ beam, contacts, main, time, struckPath }) {
   const [first, last] = HOLDERS[beam.support];
@@ -52,25 +49,23 @@ function holding({ beam, contacts, main, time, struckPath }) {
 
 /**
  * The events of the impact, in the order of time [ms].
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @returns {Event[]}
  */
 export function beamEvents(frame) {
-  if (frame.moving) return movingEvents(frame);
-  if (frame.mechanism) return mechanismEvents(frame);
   const { contacts, main } = frame;
   const last = contacts.length - 1;
   /** @type {Event[]} */
   const found = [[contacts[0][0], firstTouch(frame)]];
-  contacts.slice(0, TOLD).forEach(([start, end], k) => {
+  contacts.slice(0, LISTED).forEach(([start, end], k) => {
     if (k > 0) found.push([start, meeting(frame, k)]);
-    const parts = k === last || k === TOLD - 1 ? null : parting(frame, k);
+    const parts = k === last || k === LISTED - 1 ? null : parting(frame, k);
     if (parts) found.push([end, parts]);
   });
-  if (last === TOLD) found.push([contacts[TOLD][0], tell('beam.event.caught-up', frame, { number: TOLD + 1 })]);
-  else if (last > TOLD) {
-    const numbers = { first: TOLD + 1, last: main.contacts };
-    found.push([contacts[TOLD][0], tell('beam.event.repeated', frame, numbers)]);
+  if (last === LISTED) found.push([contacts[LISTED][0], tell('beam.event.caught-up', frame, { number: LISTED + 1 })]);
+  else if (last > LISTED) {
+    const numbers = { first: LISTED + 1, last: main.contacts };
+    found.push([contacts[LISTED][0], tell('beam.event.repeated', frame, numbers)]);
   }
   const turn = turningPoint(frame);
   if (turn && turn[0] < contacts[last][1]) found.push(turn);
@@ -79,8 +74,8 @@ export function beamEvents(frame) {
 }
 
 /**
- * Velocities of the impactor and of the struck place as a contact begins or ends, as far as they are told.
- * @param {BeamFrame} frame
+ * Velocities of the impactor and of the struck place as a contact begins or ends, as far as they are known.
+ * @param {BendingFrame} frame
  * @param {number} k
  * @param {0 | 1} end
  * @returns {[impactor: number, struck: number] | null}
@@ -88,17 +83,17 @@ export function beamEvents(frame) {
 const ratesAt = ({ rates }, k, end) =>
   4 * k + 3 < rates.length ? [rates[4 * k + 2 * end], rates[4 * k + 2 * end + 1]] : null;
 
-/** @param {BeamFrame} frame */
+/** @param {BendingFrame} frame */
 function firstTouch(frame) {
-  if (WAVELESS.includes(frame.main.name)) return tell('beam.event.touches-waveless', frame);
+  if (!frame.main.waves) return tell('beam.event.touches-waveless', frame);
   const held = holding(frame);
   if (held) return tell('beam.event.touches-held', frame, held);
-  return tell('beam.event.touches', frame, { rigid: frame.law.name === 'rigid' });
+  return tell('beam.event.touches', frame, { rigid: frame.law.rigid });
 }
 
 /**
  * How contact number k begins.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} k
  */
 function meeting(frame, k) {
@@ -108,8 +103,8 @@ function meeting(frame, k) {
 }
 
 /**
- * How contact number k ends, where another follows; null where it is not told.
- * @param {BeamFrame} frame
+ * How contact number k ends, where another follows; null where it is not listed.
+ * @param {BendingFrame} frame
  * @param {number} k
  */
 function parting(frame, k) {
@@ -129,7 +124,7 @@ function parting(frame, k) {
 
 /**
  * The impactor stands still for the first time.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @returns {Event | null}
  */
 function turningPoint(frame) {
@@ -142,7 +137,7 @@ function turningPoint(frame) {
 
 /**
  * How the last contact ends.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 function ending(frame) {
   const { contacts, main } = frame;
@@ -154,13 +149,11 @@ function ending(frame) {
 
 /**
  * Why so many contacts, or why only one.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 export function reasonsOf(frame) {
   const { main } = frame;
-  if (frame.moving) return movingReasons(frame);
-  if (frame.mechanism) return mechanismReasons(frame);
-  const waveless = WAVELESS.includes(main.name);
+  const waveless = !main.waves;
   const held = waveless ? null : holding(frame);
   if (held) return tell('beam.why.held', frame, held);
   if (main.contacts > 1) return tell('beam.why.many', frame);
@@ -169,24 +162,23 @@ export function reasonsOf(frame) {
 
 /**
  * How long the whole takes, and how that compares with the beam.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  */
 export function spanOf(frame) {
-  if (frame.moving) return keptOf(frame);
   const { beam, main, span } = frame;
-  const held = WAVELESS.includes(main.name) ? null : holding(frame);
+  const held = !main.waves ? null : holding(frame);
   const share = percent(span.apparent > 0 ? span.real / span.apparent : 1);
   const lasts = { apparent: duration(span.apparent), real: duration(span.real), share };
   const said = [];
   if (span.real > 0) said.push(tell(main.contacts > 1 ? 'beam.span.many' : 'beam.span.one', frame, lasts));
-  if (span.half && main.name !== 'rigid' && !held) said.push(ridingOf(frame, span.half));
+  if (span.half && !main.sudden && !held) said.push(ridingOf(frame, span.half));
   if (beam.endMass) said.push(tell('beam.span.end-mass', frame, { mass: figures(beam.endMass) }));
   return said.join(' ');
 }
 
 /**
  * The impact against half a period of the beam with the impactor on it [ms].
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} half
  */
 function ridingOf(frame, half) {

@@ -2,10 +2,9 @@
 // Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
 import { indexAt } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
-import { bendingOf } from './bending.js';
 
 /** @import { Range } from '../charts/scale.js' */
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { BendingFrame } from '../messages.js' */
 
 /** @typedef {'moment' | 'velocity' | 'shear' | 'deflection'} What */
 /** @typedef {Float32Array | Float64Array} Out */
@@ -50,7 +49,7 @@ export class BeamField {
   usual = forEach(() => NOTHING); // where the colours end
 
   /**
-   * @param {BeamFrame} frame
+   * @param {BendingFrame} frame
    * @param {string} room  in which its numbers are
    */
   constructor(frame, room) {
@@ -134,7 +133,7 @@ export class ModalBeamField extends BeamField {
   saved = 0; // rows of displacements, rates and the two of the whole, one every `stride` steps
 
   /**
-   * @param {BeamFrame} frame
+   * @param {BendingFrame} frame
    * @param {string} room
    */
   constructor(frame, room) {
@@ -292,7 +291,7 @@ export class ModalBeamField extends BeamField {
 /** Fields sampled by the server, for methods whose fields cannot be rebuilt here; closer together at first. */
 export class SampledBeamField extends BeamField {
   /**
-   * @param {BeamFrame} frame
+   * @param {BendingFrame} frame
    * @param {string} room
    */
   constructor(frame, room) {
@@ -322,35 +321,10 @@ export class SampledBeamField extends BeamField {
   }
 }
 
-/** The struck link of a mechanism that moves on; of a rigid one nothing bends. */
-export class MovingField extends BeamField {
-  /**
-   * @param {BeamFrame} frame
-   * @param {string} room
-   */
-  constructor(frame, room) {
-    super(frame, room);
-    const { struck } = given(frame.mechanism, 'mechanism');
-    this.bending = bendingOf(frame)[struck];
-    this.survey();
-  }
-  /**
-   * @param {number} t
-   * @param {What} what
-   * @param {Out} [out]
-   * @param {number} [first]
-   * @param {number} [every]
-   */
-  profile(t, what, out = new Float64Array(this.places), first = 0, every = 1) {
-    return this.bending ? this.bending.profile(t, what, out, first, every) : out.fill(0);
-  }
-}
-
 /**
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {string} [room]  of a field that is shown beside another
  */
 export function fieldOf(frame, room = '') {
-  if (frame.moving) return new MovingField(frame, room);
   return frame.modalForce ? new ModalBeamField(frame, room) : new SampledBeamField(frame, room);
 }

@@ -7,12 +7,10 @@ import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
-import { flown } from './labels.js';
-import { Mechanism } from './mechanism.js';
-import { MovingMechanism } from './moving.js';
+import { flown } from './flown.js';
 import { drawSupports } from './supports.js';
 
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { BendingFrame } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { BeamField, Out, What } from './field.js' */
 
@@ -25,16 +23,17 @@ const ENDS = {
   deflection: WAYS,
 }; // of the scale of colours
 const SMALL = letters(11);
-const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
 const LEAST_FOR_DIAGRAMS = [180, 140]; // pixels of height, below which their words would lie on each other; if narrow
 
+/** @template {BendingFrame} [Shown=BendingFrame] */
 export class BeamStage {
-  /** @type {BeamFrame} */ frame;
+  /** @type {Shown} */ frame;
   /** @type {BeamField} */ field;
   /** @type {What} */ what;
   /** @type {Out} */ values; // of what the colours show, at the instant drawn
   /** @type {Out} */ moved;
   reach = 1; // the largest deflection [m]
+  reaching = 'reach'; // name of what can be shared with another picture
   usual = { moment: 1, velocity: 1, shear: 1, deflection: 1 }; // ends of the colours
   factor = 1; // by which movement would be exaggerated if there were room
   scales = { shear: 1, moment: 1 }; // values at the ends of the diagrams
@@ -50,14 +49,13 @@ export class BeamStage {
   thick = 0;
   hit = { x: 0, y: 0, size: 0, flew: false }; // where the impactor touches; whether it has left the picture
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
-  /** @type {Mechanism | null} */ mechanism = null; // of which the beam is a link
 
   constructor() {
     this.canvas = make('canvas', { role: 'img', ariaLabel: text('beam.stage.about') });
     this.root = make('section', { className: 'stage beam' }, this.canvas);
   }
   /**
-   * @param {BeamFrame} frame
+   * @param {Shown} frame
    * @param {BeamField} field
    * @param {What} what
    */
@@ -65,43 +63,49 @@ export class BeamStage {
     this.frame = frame;
     this.field = field;
     this.what = what;
-    const lasting = frame.contacts.at(-1)?.[1] ?? frame.duration; // the impactor counts until it has gone
-    let reach = field.largest.deflection;
-    for (let k = 0; k < frame.time.length; k++)
-      if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
-    this.mechanism = frame.moving ? new MovingMechanism(frame) : frame.mechanism ? new Mechanism(frame, reach) : null;
-    this.reach = this.mechanism?.reach ?? reach;
-    this.#magnify();
+    this.reach = this.furthest();
+    this.magnify();
     this.usual = { ...field.usual };
     // of both signs alike, so that the zero line stays
     this.scales = { shear: field.usual.shear * 1.25, moment: field.largest.moment * 1.2 };
     this.stressUnit = frame.beam.halfDepth / frame.beam.secondMoment / 1e6;
   }
+  /** The largest deflection, and movement of the impactor until it has gone [m]. */
+  furthest() {
+    const { field, frame } = this;
+    const lasting = frame.contacts.at(-1)?.[1] ?? frame.duration;
+    let reach = field.largest.deflection;
+    for (let k = 0; k < frame.time.length; k++)
+      if (frame.time[k] <= lasting || lasting === 0) reach = Math.max(reach, Math.abs(frame.impactorPath[k]));
+    return reach;
+  }
   /** Movement [m], diagrams and ends of the colours [SI] that fill the picture. */
   ranges() {
-    const { mechanism, reach, scales, usual } = this;
+    const { reach, reaching, scales, usual } = this;
     return {
-      [mechanism?.shown ?? 'reach']: reach,
+      [reaching]: reach,
       ...scales,
       ...Object.fromEntries(Object.entries(usual).map(([key, end]) => [`usual ${key}`, end])),
     };
   }
   /** @param {Record<string, number>} ranges  in place of its own */
   adopt(ranges) {
-    this.reach = ranges[this.mechanism?.shown ?? 'reach'] ?? this.reach;
+    this.reach = ranges[this.reaching] ?? this.reach;
     for (const name of /** @type {const} */ (['shear', 'moment']))
       this.scales[name] = ranges[name] ?? this.scales[name];
     for (const name of FIELDS) this.usual[name] = ranges[`usual ${name}`] ?? this.usual[name];
-    this.#magnify();
+    this.magnify();
   }
-  #magnify() {
-    this.mechanism?.magnify(this.reach);
+  magnify() {
     this.factor = roundBelow((0.13 * this.frame.beam.length) / this.reach);
   }
   /** Whether there are forces within the beam to draw, and room for them. */
   get diagrams() {
-    if (this.field.lengthwise) return false;
-    return this.mechanism ? this.mechanism.bends && !this.narrow : !this.low;
+    return !this.field.lengthwise && !this.low;
+  }
+  /** Whether they stand beside the picture, not below it. */
+  get beside() {
+    return false;
   }
   /** @param {number} t */
   draw(t) {
@@ -115,9 +119,9 @@ export class BeamStage {
     this.narrow = narrow;
     this.low = height < LEAST_FOR_DIAGRAMS[Number(narrow)];
     const margin = narrow ? 30 : 64;
-    const beside = this.mechanism && !narrow; // the diagrams, as a mechanism is about as high as wide
-    const room = beside && this.diagrams ? 0.54 * width : width;
-    const top = this.mechanism || !this.diagrams ? height : 0.56 * height;
+    const { beside, diagrams: within } = this;
+    const room = beside && within ? 0.54 * width : width;
+    const top = within ? this.above(height) : height;
     this.left = beside ? room + margin : margin;
     this.long = width - this.left - (beside ? 20 : margin);
     this.middle = 0.62 * top;
@@ -125,41 +129,33 @@ export class BeamStage {
     this.thick = Math.min(Math.max(((2 * frame.beam.halfDepth) / frame.beam.length) * this.long, 5), 0.1 * top);
     this.values = this.field.profile(t, this.what);
     this.moved = this.field.profile(t, 'deflection');
-    if (this.mechanism) this.#linkage(c, this.mechanism, t, room, top);
-    else {
-      this.grid(c, 0, height);
-      this.impactor(c, t);
-      this.beam(c);
-      this.prediction(c, t);
-      this.supports(c);
-      this.touch(c, t);
-      this.hold(c);
-    }
+    this.picture(c, t, room, top, height);
     this.words(c, top);
-    if (this.diagrams) diagrams(c, this, t, beside ? 48 : top, beside ? height - 52 : height - top);
+    if (within) diagrams(c, this, t, beside ? 48 : top, beside ? height - 52 : height - top);
   }
   /**
-   * The mechanism of which the beam is a link, and what strikes it.
-   * @param {CanvasRenderingContext2D} c
-   * @param {Mechanism} mechanism
-   * @param {number} t
-   * @param {number} width
+   * How high the picture is, of a height that it shares with the diagrams.
    * @param {number} height
    */
-  #linkage(c, mechanism, t, width, height) {
-    const { frame, values, what } = this;
-    mechanism.fit(width, height);
-    mechanism.place(t);
-    const rows = mechanism.bending.map((bending) => bending?.profile(t, what));
-    rows[mechanism.told.struck] = values;
-    const value = (/** @type {number} */ n, /** @type {number} */ share) =>
-      rows[n]?.[Math.round(share * (rows[n].length - 1))] ?? 0;
-    mechanism.links(c, value, this.usual[what], what === 'moment');
-    mechanism.joints(c);
-    mechanism.striker(c, t, between(frame.time, frame.impactorPath, t), this.touching(t));
-    mechanism.reactions(c, t);
-    mechanism.words(c, 12, 36, width < LEAST_FOR_REACTIONS);
-    this.striker?.draw(c, mechanism.held);
+  above(height) {
+    return 0.56 * height;
+  }
+  /**
+   * What bends, and what strikes it.
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   * @param {number} _width
+   * @param {number} _height
+   * @param {number} whole  height of the stage
+   */
+  picture(c, t, _width, _height, whole) {
+    this.grid(c, 0, whole);
+    this.impactor(c, t);
+    this.beam(c);
+    this.prediction(c, t);
+    this.supports(c);
+    this.touch(c, t);
+    this.hold(c);
   }
   /** @param {number} j */
   px(j) {
@@ -327,20 +323,31 @@ export class BeamStage {
     c.font = letters(12);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
-    const times = figures((this.scale * frame.beam.length) / this.long, 2);
-    const words = this.mechanism?.scaleWords ?? text('stage.movement', { times });
+    const words = this.scaleWords;
     c.fillText(words, 12, 18);
     const end = 12 + c.measureText(words).width;
     if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
-    if (this.mechanism?.bends ?? true) this.#colours(c, end);
+    if (this.coloured) this.#colours(c, end);
+  }
+  /** Whether anything has the colours of a field. */
+  get coloured() {
+    return true;
+  }
+  /** By how much movement is drawn larger. */
+  get scaleWords() {
+    return text('stage.movement', { times: figures((this.scale * this.frame.beam.length) / this.long, 2) });
+  }
+  /** Whether it is struck at the right, where the scale of colours would be. */
+  get right() {
+    const { beam } = this.frame;
+    return beam.place > 0.6 * beam.length;
   }
   /**
-   * Whether what strikes a mechanism is where the scale of colours is.
-   * @param {number} x  of its left end
+   * How far down the scale of colours is.
+   * @param {number} _x  of its left end
    */
-  #covered(x) {
-    const held = this.mechanism?.held;
-    return Boolean(this.narrow && held && held.x + held.width / 2 > x - 4 && held.y - held.height / 2 < 34);
+  coloursAt(_x) {
+    return 22;
   }
   /**
    * The scale of colours, away from the impactor, which flies back over the struck place.
@@ -348,13 +355,13 @@ export class BeamStage {
    * @param {number} end  of what is written at the left
    */
   #colours(c, end) {
-    const { frame, narrow, what, width } = this;
+    const { narrow, what, width } = this;
     const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
-    const right = !this.mechanism && frame.beam.place > 0.6 * frame.beam.length; // is where it strikes
+    const { right } = this;
     const room = right ? this.struck - 0.5 * this.hit.size - 6 - beside : width - end - 28;
     const bar = Math.min((narrow ? 90 : 130) * larger, room);
     const x = right ? beside : width - bar - 14;
-    const y = this.mechanism && this.#covered(x) ? this.mechanism.height - 14 : 22;
+    const y = this.coloursAt(x);
     const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
     const largest = this.usual[what] * unit;
     const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];

@@ -6,11 +6,11 @@ import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
 import { called, METHODS } from '../text/words.js';
 import { beamEvents, reasonsOf, spanOf, tell } from './events.js';
-import { Joints } from './mechanism_story.js';
-import { impactTable, movingNow, movingShares } from './moving_story.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { BeamFigures, BeamFrame } from '../shell/message.js' */
+/** @import { BeamFigures, BendingFrame } from '../messages.js' */
+
+/** @typedef {[name: string, show: (s: BeamFigures) => string | number]} Row  of the table of figures */
 
 const LISTED = 16; // contacts in the table
 /** @param {number | null | undefined} value */
@@ -20,8 +20,9 @@ const micro = (value) => (value === null ? text('beam.table.none') : figures(val
 /** @param {number} t */
 const when = (t) => (t ? duration(t) : '0');
 
+/** @template {BendingFrame} [Shown=BendingFrame] */
 export class BeamStory {
-  /** @type {BeamFrame} */ frame;
+  /** @type {Shown} */ frame;
 
   /** @param {Page} page */
   constructor(page) {
@@ -42,27 +43,29 @@ export class BeamStory {
     this.went = heading();
     this.root.append(this.went, this.energy);
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
-    this.joints = new Joints();
-    this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside);
-    this.numbers.append(this.joints.root, this.source);
+    this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside, this.source);
   }
-  /** @param {BeamFrame} frame */
+  /** @param {Shown} frame */
   load(frame) {
     this.frame = frame;
-    const { contacts } = frame.main;
-    this.events.load(beamEvents(frame));
-    this.whyHeading.textContent = frame.moving ? text('motion.title') : text('beam.why.title', { contacts });
-    this.why.textContent = reasonsOf(frame);
-    this.span.textContent = spanOf(frame);
+    this.narrate();
     this.warnings.load(this.#notes());
     this.contactTable();
-    this.joints.load(frame);
     this.figures();
     this.shares();
     const { keptModes = 0, drawnModes = 0, source, title } = frame;
     const words = [text('beam.note.source', { title, source: source || 'none' }), noteOf(frame)];
     if (keptModes > drawnModes) words.push(text('beam.note.drawn', { drawn: drawnModes, kept: keptModes }));
     this.source.textContent = words.filter(Boolean).join(' ');
+  }
+  /** Its events, and why there are so many contacts. */
+  narrate() {
+    const { frame } = this;
+    const { contacts } = frame.main;
+    this.events.load(beamEvents(frame));
+    this.whyHeading.textContent = text('beam.why.title', { contacts });
+    this.why.textContent = reasonsOf(frame);
+    this.span.textContent = spanOf(frame);
   }
   // Notes of both solutions, and where they differ.
   #notes() {
@@ -82,10 +85,6 @@ export class BeamStory {
     return [...notes, ...known, ...own.map((note) => text('beam.note.to-compare', { method, note }))];
   }
   contactTable() {
-    if (this.frame.moving) {
-      impactTable(this.table, this.frame, (t) => this.page.player.seek(t));
-      return;
-    }
     this.table.classList.remove('wraps');
     const { contacts, duration: whole, main } = this.frame;
     const [factor, prefix] = prefixed(main.peakForce ?? 0);
@@ -100,59 +99,87 @@ export class BeamStory {
     this.table.replaceChildren(contactHead(['', 'ms', 'ms', 'N s', `${prefix}N`]), make('tbody', {}, ...rows));
   }
   figures() {
-    const { beam, main, moving, reference, span } = this.frame;
+    const { main, reference } = this.frame;
     const both = reference ? [main, reference] : [main];
-    const [factor, prefix] = prefixed(main.peakForce ?? 0);
-    /** @type {[name: string, show: (s: BeamFigures) => string | number][]} */
-    const rows = [
-      ['contacts', (s) => s.contacts],
-      [moving ? 'impactor-at-end' : 'impactor', (s) => given(s.final)],
-    ];
-    if (both.some(({ diagnostics }) => diagnostics.balances !== undefined))
-      rows.splice(1, 0, [
-        'balances',
-        ({ diagnostics: { balances } }) => (balances === undefined ? '–' : String(balances)),
-      ]);
-    if (!beam.held) rows.push([moving ? 'target-at-end' : 'target', (s) => given(s.targetFinal)]);
-    if (main.restitution.newton === null)
-      rows.push(['restitution-at-contact', (s) => given(s.restitution.newton_at_contact)]);
-    else rows.push(['restitution', (s) => given(s.restitution.newton)]);
-    rows.push(['impulse', (s) => given(s.impulse)]);
-    if (!moving)
-      rows.push(
-        ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
-        ['indentation', (s) => micro(s.peakIndentation)],
-      );
-    if (both.some((s) => s.residualIndentation)) rows.push(['dent', (s) => micro(s.residualIndentation)]);
-    if (!moving)
-      rows.push(
-        ['apparent', (s) => (s === main ? figures(span.apparent) : '')],
-        ['real', (s) => (s === main ? figures(span.real) : '')],
-      );
-    rows.push(
-      ['unaccounted', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)],
-      ['solved', (s) => figures(s.diagnostics.wall_time * 1e3)],
-    );
-    const about = this.frame.mechanism ? 'beam.note.beside-rigid' : 'beam.note.beside';
-    this.beside.textContent = reference ? text(about, { method: called(reference) }) : '';
-    const unit = `${prefix}N`;
-    const lines = rows.map(([name, show]) => rowOf([text(`beam.row.${name}`, { unit }), ...both.map(show)]));
+    const unit = `${prefixed(main.peakForce ?? 0)[1]}N`;
+    this.beside.textContent = reference ? text(this.about, { method: called(reference) }) : '';
+    const lines = this.rows(both).map(([name, show]) => rowOf([text(`beam.row.${name}`, { unit }), ...both.map(show)]));
     this.answers.replaceChildren(headOf(['', ...both.map(called)]), make('tbody', {}, ...lines));
   }
+  /** Code of what is said of the solution beside it. */
+  get about() {
+    return 'beam.note.beside';
+  }
+  /**
+   * The table of figures: the impact as a whole, its contacts, how well it is solved.
+   * @param {BeamFigures[]} both
+   * @returns {Row[]}
+   */
+  rows(both) {
+    const { beam, main, span } = this.frame;
+    const [factor] = prefixed(main.peakForce ?? 0);
+    return [
+      ...this.leaving(both, beam.held ? ['impactor'] : ['impactor', 'target']),
+      ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
+      ['indentation', (s) => micro(s.peakIndentation)],
+      ...this.dents(both),
+      ['apparent', (s) => (s === main ? figures(span.apparent) : '')],
+      ['real', (s) => (s === main ? figures(span.real) : '')],
+      ...this.solved(),
+    ];
+  }
+  /**
+   * Contacts, what the bodies do at the end, and by what impulse.
+   * @param {BeamFigures[]} both
+   * @param {string[]} names  of the rows of the velocities
+   * @returns {Row[]}
+   */
+  leaving(both, [impactor, target]) {
+    /** @type {Row[]} */
+    const balances = both.some(({ diagnostics }) => diagnostics.balances !== undefined)
+      ? [['balances', ({ diagnostics }) => diagnostics.balances ?? '–']]
+      : [];
+    /** @type {Row[]} */
+    const struck = target ? [[target, (s) => given(s.targetFinal)]] : [];
+    /** @type {Row} */
+    const restitution =
+      this.frame.main.restitution.newton === null
+        ? ['restitution-at-contact', (s) => given(s.restitution.newton_at_contact)]
+        : ['restitution', (s) => given(s.restitution.newton)];
+    return [
+      ['contacts', (s) => s.contacts],
+      ...balances,
+      [impactor, (s) => given(s.final)],
+      ...struck,
+      restitution,
+      ['impulse', (s) => given(s.impulse)],
+    ];
+  }
+  /**
+   * @param {BeamFigures[]} both
+   * @returns {Row[]}
+   */
+  dents(both) {
+    return both.some((s) => s.residualIndentation) ? [['dent', (s) => micro(s.residualIndentation)]] : [];
+  }
+  /** @returns {Row[]} */
+  solved() {
+    return [
+      ['unaccounted', (s) => Math.abs(s.diagnostics.energy_error).toExponential(0)],
+      ['solved', (s) => figures(s.diagnostics.wall_time * 1e3)],
+    ];
+  }
   shares() {
-    const { duration: whole, moving } = this.frame;
-    this.went.textContent = moving ? text('motion.went', { time: duration(whole) }) : text('story.energy');
-    if (moving) {
-      movingShares(this.energy, this.frame);
-      return;
-    }
-    const { law, main, mechanism } = this.frame;
+    this.went.textContent = text('story.energy');
+    const { law, main } = this.frame;
     const split = 'target_kinetic' in main.energy && 'target_strain' in main.energy;
-    const yields = law.yields && !['balance', 'rigid'].includes(main.name);
+    const yields = law.yields && main.byLaw;
     const inside = split ? ['target_kinetic', 'target_strain'] : ['target_vibration'];
-    const names = { ...family('beam.energy'), ...(mechanism ? family('beam.mechanism.energy') : {}) };
+    const names = this.parts();
     if (yields) names.dissipated = names.yielding;
-    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated', ...(mechanism ? ['drives'] : [])];
+    const parts = ['impactor', 'target_rigid', ...inside, 'local', 'dissipated', 'drives'].filter(
+      (part) => names[part],
+    );
     showEnergy(
       this.energy,
       main.energy,
@@ -160,16 +187,20 @@ export class BeamStory {
       Boolean(main.energy.drives),
     );
   }
+  /** @returns {Record<string, string>} names of the parts of the energy */
+  parts() {
+    return { ...family('beam.energy') };
+  }
   /**
    * Mark the latest event at the instant t, and say what goes on.
    * @param {number} t
    */
   at(t) {
     const { frame } = this;
-    if (!frame) return; // nothing is told yet
+    if (!frame) return; // there is nothing yet
     this.events.at(t);
     const here = frame.contacts.findIndex(([start, end]) => t >= start && t <= end);
-    const now = this.#now(t, here);
+    const now = this.sentence(t, here);
     const { played, playing } = this.page.player;
     this.now.textContent = played || playing ? now : `${now} ${text('beam.now.play')}`;
     this.now.classList.toggle('touching', here >= 0);
@@ -178,16 +209,31 @@ export class BeamStory {
    * @param {number} t
    * @param {number} here  the contact that lasts, if any
    */
-  #now(t, here) {
-    const { contacts, impactorRate, main, struckRate, time } = this.frame;
-    const [own, ahead] = [between(time, impactorRate, t), between(time, struckRate, t)];
-    const values = { contacts: main.contacts, own: speed(own), ahead: speed(ahead) };
-    if (this.frame.moving) return movingNow(this.frame, t, values);
+  sentence(t, here) {
+    const { contacts } = this.frame;
+    const [own, ahead] = this.rates(t);
+    const values = this.values(t);
     if (here >= 0) return tell('beam.now.touching', this.frame, { ...values, number: here + 1 });
     const before = contacts.findLastIndex(([, end]) => end < t);
     if (before === contacts.length - 1) return tell('beam.now.parted', this.frame, values);
     const away = own < 0 ? 'apart' : 'ahead';
     const next = ahead > own ? away : own < 0 ? 'struck' : 'striker';
     return tell('beam.now.apart', this.frame, { ...values, number: before + 1, next });
+  }
+  /**
+   * Velocity of the impactor and of the struck place.
+   * @param {number} t
+   */
+  rates(t) {
+    const { impactorRate, struckRate, time } = this.frame;
+    return [between(time, impactorRate, t), between(time, struckRate, t)];
+  }
+  /**
+   * The same in words, and how many contacts there are.
+   * @param {number} t
+   */
+  values(t) {
+    const [own, ahead] = this.rates(t);
+    return { contacts: this.frame.main.contacts, own: speed(own), ahead: speed(ahead) };
   }
 }

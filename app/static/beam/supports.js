@@ -1,6 +1,6 @@
 // The supports of a beam on the stage.
 
-/** @import { Support } from '../shell/message.js' */
+/** @import { Support } from '../messages.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {(c: Context, x: number, y: number, thick: number, way: number) => void} Draw  way: 1 on the right */

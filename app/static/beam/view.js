@@ -8,20 +8,31 @@ import { Stack } from '../shell/stack.js';
 import { family, text } from '../text/catalogue.js';
 import { called } from '../text/words.js';
 import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
-import { Energies } from './energies.js';
 import { fieldOf, FIELDS } from './field.js';
-import { Reactions } from './reactions.js';
 import { BeamStage } from './stage.js';
 import { BeamStory } from './story.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { Chart } from '../charts/chart.js' */
+/** @import { BendingFrame } from '../messages.js' */
 /** @import { Band } from './charts.js' */
 /** @import { BeamField, What } from './field.js' */
 
 /**
  * What has a chart.
- * @typedef {BeamSpaceTime | BeamForce | BeamMotion | Reactions | Energies | Dispersion | Cycle} Part
+ * @typedef {object} Part
+ * @property {Chart} chart
+ * @property {(band: Band | null) => void} draw
+ * @property {(t: number) => void} [cursor]
+ */
+/**
+ * What shows one kind of it.
+ * @typedef {object} Parts
+ * @property {string} name  by which it is kept what is folded
+ * @property {BeamStage} stage
+ * @property {BeamStory} story
+ * @property {Axis} axis  of time
+ * @property {Record<string, Part>} more  charts over time, by name
  */
 
 const SLOW_SECONDS = 16;
@@ -29,41 +40,38 @@ const SLOW_CONTACTS = 4;
 const OF_BENDING = ['moment', 'shear'];
 const LEAST_ROOM = 1e-5; // of the whole impact, about what is looked at closely
 
-/**
- * Whether all impacts are impulses without duration, and there is nothing beside that has a force.
- * @param {BeamFrame} frame
- */
-const withoutForce = ({ halfForce, main, moving, reference }) =>
-  moving ? moving.restitution !== null : main.name === 'rigid' && !reference && !halfForce;
-
+/** @template {BendingFrame} [Shown=BendingFrame] */
 export class BeamView {
   /** @type {What} */ what = 'moment'; // that the colours show
   usual = 'moment';
   whats = FIELDS;
   after = 1e-6;
-  /** @type {BeamFrame} */ frame;
+  /** @type {Shown} */ frame;
   /** @type {BeamField} */ field;
   /** @type {Band | null} */ band = null; // of an ensemble, behind the curves
 
-  /** @param {Page} page */
-  constructor(page) {
-    this.page = page;
-    this.axis = new Axis();
+  /**
+   * @param {Page} page
+   * @param {Parts} [parts]
+   */
+  constructor(page, parts) {
+    const own = { name: 'beam', stage: new BeamStage(), story: new BeamStory(page), axis: new Axis(), more: {} };
+    const { name, stage, story, axis, more } = parts ?? own;
     const go = (/** @type {number} */ t) => page.player.seek(t);
-    this.stage = new BeamStage();
+    this.page = page;
+    this.stage = stage;
+    this.story = story;
+    this.axis = axis;
     this.spaceTime = new BeamSpaceTime(this.axis, go, (what, end) => page.compare.scales.end(what, end));
     this.force = new BeamForce(this.axis, go);
     this.motion = new BeamMotion(this.axis, go);
     this.dispersion = new Dispersion();
     this.cycle = new Cycle();
-    this.reactions = new Reactions(this.axis, go);
-    this.energies = new Energies(this.axis, go);
     this.charts = [this.spaceTime, this.force, this.motion];
     this.axis.watch(() => this.zoomed());
     /** @type {Part[]} */
-    const parts = [...this.charts, this.reactions, this.energies, this.cycle, this.dispersion];
-    this.inView = new InView(parts, (part) => this.paint(part));
-    this.story = new BeamStory(page);
+    const all = [...this.charts, ...Object.values(more), this.cycle, this.dispersion];
+    this.inView = new InView(all, (part) => this.paint(part));
     const names = family('beam.colour');
     this.colours = segments(
       text('stage.colour-shows'),
@@ -77,9 +85,10 @@ export class BeamView {
     this.slow.title = text('beam.view.slow-about');
     this.slow.onclick = () => this.slowly();
     this.spaceTime.chart.title.after(this.colours.root);
-    const [waves, force, moved] = this.charts.map(({ chart }) => chart);
-    const [reactions, energy] = [this.reactions.chart, this.energies.chart];
-    this.stack = new Stack('beam', { waves, force, reactions, energy, moved }, () => page.redraw());
+    const { chart: force } = this.force;
+    const beside = Object.fromEntries(Object.entries(more).map(([key, { chart }]) => [key, chart]));
+    const charts = { waves: this.spaceTime.chart, force, ...beside, moved: this.motion.chart };
+    this.stack = new Stack(name, charts, () => page.redraw());
     this.strip = force;
     this.buttons = [this.slow, this.whole];
     this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
@@ -97,41 +106,50 @@ export class BeamView {
   hide(hidden) {
     for (const part of [this.stage.root, this.stack.root, ...this.buttons]) part.hidden = hidden;
   }
-  /** @param {BeamFrame} frame */
+  /** @param {Shown} frame */
   load(frame) {
     this.frame = frame;
-    this.field = fieldOf(frame);
     const { chosen, opens } = frame;
     this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
     this.#offer();
-    this.force.load(frame);
-    this.motion.load(frame);
+    this.take();
     this.cycle.load(frame);
-    this.reactions.load(frame);
-    this.energies.load(frame);
-    const { chart: force } = this.force;
-    force.root.hidden = withoutForce(frame);
-    const first = [force, this.reactions.chart, this.motion.chart].find(({ root }) => !root.hidden);
-    const { mechanism } = frame;
-    this.spaceTime.chart.root.hidden = Boolean(mechanism && !mechanism.links[mechanism.struck].flexible);
-    this.stack.lead(frame.chosen.scene, frame.opens.charts);
-    this.strip = this.stack.leader ?? first ?? force; // is seen on a phone, whatever else is
     this.dispersion.load(frame);
-    const { lengthwise } = this.field;
-    this.spaceTime.chart.title.textContent = text(
-      lengthwise && mechanism ? 'beam.chart.waves-along' : 'beam.chart.waves',
-    );
+    this.stack.lead(frame.chosen.scene, frame.opens.charts);
+    const usual = this.usualStrip.find(({ root }) => !root.hidden);
+    this.strip = this.stack.leader ?? usual ?? this.force.chart; // is seen on a phone, whatever else is
     for (const button of this.colours.root.children)
-      if (button instanceof HTMLElement) button.hidden = !this.#shows(button.dataset.kind ?? '');
+      if (button instanceof HTMLElement) button.hidden = !this.shows(button.dataset.kind ?? '');
     this.dress();
     this.draw();
   }
+  /** Fields and histories of what is shown. */
+  take() {
+    const { frame } = this;
+    this.field = this.fieldsOf(frame);
+    this.force.load(frame);
+    this.motion.load(frame);
+    this.force.chart.root.hidden = this.withoutForce;
+  }
+  /**
+   * @param {Shown} frame
+   * @returns {BeamField}
+   */
+  fieldsOf(frame) {
+    return fieldOf(frame);
+  }
+  /** Charts of which a phone always shows the first that there is. */
+  get usualStrip() {
+    return [this.force.chart, this.motion.chart];
+  }
+  /** Whether all impacts are impulses without duration, and there is nothing beside that has a force. */
+  get withoutForce() {
+    const { halfForce, main, reference } = this.frame;
+    return main.sudden && !reference && !halfForce;
+  }
   /** Its histories have become finer. */
   refine() {
-    const { frame } = this;
-    this.field = fieldOf(frame);
-    for (const part of [this.force, this.motion, this.reactions, this.energies]) part.load(frame);
-    this.force.chart.root.hidden = withoutForce(frame);
+    this.take();
     this.dress();
     this.draw();
     this.show(this.page.player.t);
@@ -140,13 +158,12 @@ export class BeamView {
    * Whether there is anything of it to be seen in this impact.
    * @param {string} what
    */
-  #shows(what) {
-    if (this.frame.moving) return what !== 'velocity'; // far from any line along which it could be told
+  shows(what) {
     return !this.field.lengthwise || !OF_BENDING.includes(what);
   }
   /** What the colours show of this impact. */
   get shown() {
-    return this.#shows(this.what) ? this.what : this.frame.moving ? 'moment' : 'velocity';
+    return this.shows(this.what) ? this.what : 'velocity';
   }
   dress() {
     const { shown } = this;
@@ -177,9 +194,8 @@ export class BeamView {
    */
   point(part, t) {
     const { time, impactorPath, struckPath, cycleDepth } = this.frame;
-    if (!(part instanceof Cycle)) {
-      if (!(part instanceof Dispersion)) part.cursor(t);
-    } else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t));
+    if (!(part instanceof Cycle)) part.cursor?.(t);
+    else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t));
   }
   /** A phone has no room for both buttons beside the caption. */
   #offer() {

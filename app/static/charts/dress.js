@@ -54,5 +54,5 @@ const LEGEND = {
   margin: 4,
   spacing: 8, // of columns, and of rows
   label_height: 12,
-  glyph_height: 17, // or marks are too small to be told apart
+  glyph_height: 17, // or marks are too small to tell apart
 };

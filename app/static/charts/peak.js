@@ -5,7 +5,7 @@ import { text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 
 /** @import { Samples } from './scale.js' */
-/** @import { Contact } from '../shell/message.js' */
+/** @import { Contact } from '../messages.js' */
 
 const SAME = 1e-6; // share of a time by which two are no longer one
 
@@ -33,11 +33,11 @@ export function timesOf(contacts) {
 
 /**
  * What is to be said: the peak [N], and times in the unit of the chart.
- * @typedef {{ force: number, at: number, span: number, touching: number, open: boolean }} Told
+ * @typedef {{ force: number, at: number, span: number, touching: number, open: boolean }} Shown
  */
 
 export class Peak {
-  /** @type {Told | null} */ told = null;
+  /** @type {Shown | null} */ shown = null;
 
   /**
    * @param {HTMLElement} head  of the chart, below which it stands
@@ -49,16 +49,16 @@ export class Peak {
     head.after(this.root);
     times.watch(() => this.#write());
   }
-  /** @param {Told | null} told  nothing of an impulse without duration */
-  load(told) {
-    this.told = told;
+  /** @param {Shown | null} shown  nothing of an impulse without duration */
+  load(shown) {
+    this.shown = shown;
     this.#write();
   }
   #write() {
-    const { root, told, written } = this;
-    root.hidden = !told;
-    if (!told) return;
-    const { at, force, open, span, touching } = told;
+    const { root, shown, written } = this;
+    root.hidden = !shown;
+    if (!shown) return;
+    const { at, force, open, span, touching } = shown;
     const parts = [text('chart.peak', { force: engineering(force, 'N', 4), time: written(at) })];
     if (touching > 0) parts.push(text('chart.contact-time', { time: written(touching), open }));
     root.replaceChildren(parts.join(' · '));

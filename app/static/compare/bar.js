@@ -5,9 +5,9 @@ import { text } from '../text/catalogue.js';
 import { questionsOf } from './questions.js';
 import { LETTERS, MOST } from './run.js';
 import { comparable, differing, lineOf, shortOf } from './settings.js';
-import { signOf } from './told.js';
+import { signOf } from './summary.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Compare } from './compare.js' */
 /** @import { Run } from './run.js' */
 
@@ -72,7 +72,7 @@ export class Bar {
     const { compare } = this;
     const { frame } = compare.page;
     const asks = questionsOf(frame).map((question) =>
-      this.#item(text(`compare.question.${question.key}`), () => compare.ask(question)),
+      this.#item(text(`compare.question.${question.question}`), () => compare.ask(question)),
     );
     const heading = make('span', { className: 'menu-title', textContent: text('compare.ready') });
     this.menu.replaceChildren(...(asks.length ? [heading, ...asks, make('hr')] : []));

@@ -4,6 +4,8 @@ import { unitOf } from '../axial/fields.js';
 import { Stage } from '../axial/stage.js';
 import { fieldOf as fieldOfBeam, FIELDS } from '../beam/field.js';
 import { BeamStage } from '../beam/stage.js';
+import { linkField } from '../mechanism/field.js';
+import { MechanismStage } from '../mechanism/stage.js';
 import { KEPT } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
@@ -11,9 +13,10 @@ import { BodiesStage } from '../space/stage.js';
 
 /** @import { Field, What } from '../axial/fields.js' */
 /** @import { BeamField, What as BeamWhat } from '../beam/field.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Run } from './run.js' */
 
+const STAGES = { axial: Stage, beam: BeamStage, mechanism: MechanismStage, bodies: BodiesStage };
 const SHOWN = /** @type {const} */ (['stress', 'velocity']);
 
 export class Beside {
@@ -33,9 +36,10 @@ export class Beside {
     this.stage = this.#rods = this.#beam = null;
     if (!run) return;
     const { frame, letter } = run;
-    this.stage = frame.kind === 'axial' ? new Stage() : frame.kind === 'beam' ? new BeamStage() : new BodiesStage();
+    this.stage = new STAGES[frame.kind]();
     if (frame.kind === 'axial') this.#rods = fieldOfRods(frame);
     if (frame.kind === 'beam') this.#beam = fieldOfBeam(frame, 'beside');
+    if (frame.kind === 'mechanism') this.#beam = linkField(frame, 'beside');
     this.root.append(this.stage.root);
     this.tag.textContent = text('compare.tag', { name: letter });
     this.tag.style.background = KEPT[letter];
@@ -60,7 +64,7 @@ export class Beside {
       const shown = SHOWN.find((name) => name === what) ?? 'stress';
       const own = end || this.end(shown);
       stage.load(frame, this.#rods, shown, own / unitOf(frame, shown));
-    } else if (frame.kind === 'beam' && stage instanceof BeamStage && this.#beam)
+    } else if ('main' in frame && stage instanceof BeamStage && this.#beam)
       stage.load(frame, this.#beam, FIELDS.find((name) => name === what) ?? 'moment');
     else if (frame.kind === 'bodies' && stage instanceof BodiesStage) stage.load(frame);
   }

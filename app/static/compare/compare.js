@@ -8,13 +8,12 @@ import { layOver } from './overlay.js';
 import { Run } from './run.js';
 import { Scales } from './scales.js';
 import { comparable, differing, lineOf } from './settings.js';
-import { Told } from './told.js';
+import { Summary } from './summary.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Changes } from '../shell/changes.js' */
 /** @import { Wanted } from '../shell/kept.js' */
-/** @import { Chosen, Frame } from '../shell/message.js' */
-/** @import { Question } from './questions.js' */
+/** @import { Chosen, Frame, Question } from '../messages.js' */
 
 const PATIENCE = 30_000; // ms for a solution of a link
 const REMEMBERED = 16; // runs that undo may bring back as they were; others are solved again
@@ -32,7 +31,7 @@ export class Compare {
     this.page = page;
     this.scales = new Scales();
     this.bar = new Bar(this);
-    this.told = new Told();
+    this.summary = new Summary();
     this.second = new Beside();
     this.tag = make('span', { className: 'tag own', textContent: text('compare.now'), hidden: true });
   }
@@ -120,7 +119,7 @@ export class Compare {
    * @param {Question} question
    */
   ask(question) {
-    const { alone, between = [], first, key, second } = question;
+    const { alone, between = [], first, question: key, second } = question;
     const { page } = this;
     const chosen = alone ? {} : page.frame.chosen;
     const settings = [first, ...between, second];
@@ -128,7 +127,7 @@ export class Compare {
       page.goTo({ ...chosen, ...settings[place] }, (frame) => {
         if (place === settings.length - 1) {
           this.coming = null;
-          if (!frame) this.tell(page.frame); // what is shown with an answer is told anyhow
+          if (!frame) this.tell(page.frame); // what is shown with an answer is said anyhow
           return;
         }
         const run = frame && this.keep();
@@ -210,7 +209,7 @@ export class Compare {
   tell(frame) {
     const coming = this.coming && secondOf(this.coming, frame);
     this.bar.load(frame, coming);
-    this.told.load(frame, this.runs, coming);
+    this.summary.load(frame, this.runs, coming);
   }
   /**
    * Dress the picture beside; where the colours of both end.

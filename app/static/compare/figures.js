@@ -4,7 +4,7 @@ import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { kindsOf } from './settings.js';
 
-/** @import { AxialFrame, BeamFrame, Energies, Frame, Restitution, SpaceFrame } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Energies, Frame, Restitution, SpaceFrame } from '../messages.js' */
 
 /** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
 /** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
@@ -50,11 +50,11 @@ const energies = (energy) => [
  */
 function ofAxial(frame, which) {
   const { exact, other, speed, trip } = frame;
-  const told = (which === 'other' && other) || exact;
-  const { contacts } = told;
+  const solution = (which === 'other' && other) || exact;
+  const { contacts } = solution;
   const [span, touching] = timesOf(contacts);
   return [
-    figure('force', 'force', told.peakForce),
+    figure('force', 'force', solution.peakForce),
     figure('apparent', 'time', contacts.length ? span * trip : null),
     figure('real', 'time', touching * trip),
     figure('contacts', 'count', contacts.length),
@@ -63,10 +63,10 @@ function ofAxial(frame, which) {
       'impulse',
       contacts.reduce((sum, [, , impulse]) => sum + impulse, 0),
     ),
-    figure('rebound', 'velocity', told.final === null ? null : told.final * speed),
-    figure('restitution', 'number', told.restitution.newton),
-    figure('indentation', 'length', told.peakIndentation),
-    ...energies(told.energy),
+    figure('rebound', 'velocity', solution.final === null ? null : solution.final * speed),
+    figure('restitution', 'number', solution.restitution.newton),
+    figure('indentation', 'length', solution.peakIndentation),
+    ...energies(solution.energy),
   ];
 }
 
@@ -78,7 +78,7 @@ const restitutionOf = ({ newton, newton_at_contact: points }) => [
   newton === null ? figure('restitution-at-contact', 'number', points) : figure('restitution', 'number', newton),
 ];
 
-/** @param {BeamFrame} frame */
+/** @param {BendingFrame} frame */
 function ofBeam({ main, span }) {
   return [
     figure('force', 'force', main.peakForce),
@@ -112,7 +112,7 @@ const ofSpace = ({ figures }) =>
  */
 export function figuresOf(frame, which) {
   if (frame.kind === 'bodies') return ofSpace(frame);
-  return frame.kind === 'beam' ? ofBeam(frame) : ofAxial(frame, which);
+  return 'main' in frame ? ofBeam(frame) : ofAxial(frame, which);
 }
 
 /**

@@ -3,7 +3,7 @@ import { averaged, pair } from '../charts/scale.js';
 import { given } from '../shell/message.js';
 
 /** @import { Samples } from '../charts/scale.js' */
-/** @import { AxialFrame, BeamFrame, Contact, Frame, Numbers } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Contact, Frame, Numbers } from '../messages.js' */
 
 /**
  * Over time [s]: force [N], displacements [m], velocities [m/s] where they are known, contacts.
@@ -66,7 +66,7 @@ function ofAxial(frame, which) {
 }
 
 /**
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @returns {Histories}
  */
 function ofBeam(frame) {
@@ -75,7 +75,7 @@ function ofBeam(frame) {
   let force = pair(frame.mainTime, frame.mainForce);
   if (modalForce) {
     const step = given(frame.step, 'step') / trip;
-    const window = (frame.law.name === 'rigid' && frame.main.diagnostics.resolved_time) || 0;
+    const window = (frame.law.rigid && frame.main.diagnostics.resolved_time) || 0;
     force = averaged(modalForce, step, window ? window / trip : step);
   }
   return {
@@ -96,5 +96,5 @@ function ofBeam(frame) {
  */
 export function historiesOf(frame, which) {
   if (frame.kind === 'bodies') return null;
-  return frame.kind === 'beam' ? ofBeam(frame) : ofAxial(frame, which);
+  return 'main' in frame ? ofBeam(frame) : ofAxial(frame, which);
 }

@@ -7,7 +7,7 @@ import { comparable, kindsOf } from './settings.js';
 /** @import { Series, Stretches } from '../charts/chart.js' */
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { View } from '../shell/view.js' */
-/** @import { AxialFrame, BeamFrame, Frame } from '../shell/message.js' */
+/** @import { AxialFrame, BendingFrame, Frame } from '../messages.js' */
 /** @import { Run } from './run.js' */
 
 /** @typedef {{ force: Series[], moved: Series[], stretches: Stretches[] }} Laid */
@@ -63,7 +63,7 @@ function toldOf(now, run) {
 }
 
 /**
- * @param {AxialFrame | BeamFrame} now
+ * @param {AxialFrame | BendingFrame} now
  * @param {Run[]} runs
  * @returns {Laid}
  */
@@ -115,7 +115,7 @@ export function layOver(view, now, all) {
   );
   view.reactions?.keep(runs);
   if (view.gauge) view.gauge.kept = runs.flatMap((run) => toldOf(now, run));
-  view.dispersion?.chart.lay(now.kind === 'beam' ? runs.flatMap((run) => dispersionOf(run)) : []);
+  view.dispersion?.chart.lay('main' in now ? runs.flatMap((run) => dispersionOf(run)) : []);
 }
 
 /**
@@ -123,7 +123,7 @@ export function layOver(view, now, all) {
  * @returns {Series[]}
  */
 function dispersionOf({ frame, letter }) {
-  if (frame.kind !== 'beam' || !frame.wavenumbers || !frame.lower) return [];
+  if (!('main' in frame) || !frame.wavenumbers || !frame.lower) return [];
   return [
     { x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, name: letter, style: `kept${letter}` },
   ];

@@ -1,24 +1,10 @@
 // Comparisons that are ready made: two settings of this impact, the first of which is kept.
 
-/** @import { Chosen, Frame } from '../shell/message.js' */
-
-/**
- * Settings: other than what is chosen now, or, `alone`, than the scene has them. All but the second are kept.
- * @typedef {object} Question
- * @property {string} key
- * @property {Partial<Chosen>} first
- * @property {Partial<Chosen>[]} [between]
- * @property {Partial<Chosen>} second
- * @property {boolean} [alone]
- */
+/** @import { Frame, Question } from '../messages.js' */
 
 const HEAVIER = 4;
 const FASTER = 2;
-const RODS = ['fixed-rod', 'free-rod'];
-const PENDULUMS = ['figure-9.2', 'figure-9.11']; // rigid, and one that bends
-const TURNING_BARS = ['figure-6.9', 'figure-6.10']; // of 8 and of 12 modes across
 const CLAMPED = [5, 10, 30]; // modes of a rod in a frame that is fixed to its struck end
-const IN_SPACE = 'note-rod'; // a rod that turns as it is struck on its end
 
 /**
  * Those that can be asked of this impact, the most telling first.
@@ -45,26 +31,19 @@ export function questionsOf(frame) {
   /** @type {Question[]} */
   const found = all
     .filter(([, name, first, second]) => acting.includes(name) && first !== second)
-    .map(([key, name, first, second]) => ({ key, first: { [name]: first }, second: { [name]: second } }));
+    .map(([key, name, first, second]) => ({ question: key, first: { [name]: first }, second: { [name]: second } }));
   const { own } = frame;
   if (acting.includes('shapes'))
-    found.unshift({ key: 'shapes', first: { shapes: 'pinned-free' }, second: { shapes: 'clamped-free' } });
+    found.unshift({ question: 'shapes', first: { shapes: 'pinned-free' }, second: { shapes: 'clamped-free' } });
   if (acting.includes('floating_frame') && own.floating_frame === 'attached')
-    found.unshift({ key: 'frame', first: { floating_frame: 'mean-axis' }, second: { floating_frame: 'attached' } });
+    found.unshift({
+      question: 'frame',
+      first: { floating_frame: 'mean-axis' },
+      second: { floating_frame: 'attached' },
+    });
   if (acting.includes('floating_frame') && chosen.floating_frame === 'attached') {
     const [first, middle, second] = CLAMPED.map((modes) => ({ modes }));
-    found.unshift({ key: 'clamped', first, between: [middle], second });
+    found.unshift({ question: 'clamped', first, between: [middle], second });
   }
-  if (TURNING_BARS.includes(String(chosen.scene)))
-    found.unshift({ key: 'across', first: { modes: 8 }, second: { modes: 12 } });
-  if (PENDULUMS.includes(String(chosen.scene))) {
-    const [first, second] = PENDULUMS.map((scene) => ({ scene }));
-    found.unshift({ key: 'bends', first, second, alone: true });
-  }
-  if (RODS.includes(String(chosen.scene)))
-    found.push(
-      { key: 'support', first: { scene: RODS[0] }, second: { scene: RODS[1] } },
-      { key: 'quarter', first: { scene: IN_SPACE, place: 0.5 }, second: { scene: IN_SPACE, place: 1 }, alone: true },
-    );
-  return found;
+  return [...found, ...frame.opens.compare];
 }

@@ -3,7 +3,7 @@ import { between } from '../charts/scale.js';
 import { engineering, percent, signed } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { AxialFigures, AxialFrame, BeamFrame } from '../shell/message.js' */
+/** @import { AxialFigures, AxialFrame, BendingFrame } from '../messages.js' */
 
 /**
  * What is asked of both numbers: error of the last velocity as a share of the impact speed, of impulse and peak force.
@@ -39,7 +39,7 @@ function verdict(misses, contacts, what, jumps = false, grazing = false) {
   return text('compare.verdict.enough-for', { what, velocity, impulse, contacts: found, force, grazing, jumps });
 }
 
-/** @param {AxialFigures} told */
+/** @param {AxialFigures} solution */
 const impulseOf = ({ contacts }) => contacts.reduce((sum, [, , impulse]) => sum + impulse, 0);
 
 /**
@@ -79,7 +79,7 @@ export function ofResolution(now, kept, name) {
   );
   if (misses.length < 2 || !peakForce) return '';
   misses.sort((a, b) => a.count - b.count);
-  const jumps = now.chosen.law === 'rigid' && now.rods.length > 0;
+  const jumps = now.rigid && now.rods.length > 0;
   const values = { contacts: contacts.length, velocity: signed(final ?? 0), force: engineering(peakForce, 'N') };
   const exact = text('compare.verdict.exact', { ...values, waves: reference === 'waves' });
   const grazing = [now, kept].some((frame) => warnsOfCount(frame));
@@ -93,12 +93,12 @@ export function ofResolution(now, kept, name) {
  * @param {AxialFrame} frame
  */
 const warnsOfCount = ({ exact, other }) =>
-  [exact, other].some((told) => (told?.notes ?? []).some(({ code }) => code === GRAZING));
+  [exact, other].some((each) => (each?.notes ?? []).some(({ code }) => code === GRAZING));
 
 /**
  * Of a beam, which has no exact solution: the larger number judges the smaller.
- * @param {BeamFrame} now
- * @param {BeamFrame} kept
+ * @param {BendingFrame} now
+ * @param {BendingFrame} kept
  * @param {string} name
  */
 export function ofBeamResolution(now, kept, name) {
@@ -114,7 +114,7 @@ export function ofBeamResolution(now, kept, name) {
     contacts: coarse.main.contacts,
   };
   const alike = miss.velocity <= ENOUGH && miss.force <= ENOUGH && miss.contacts === contacts;
-  const judged = text('compare.verdict.judged', { high, contacts, what: name, alone: !now.mechanism });
+  const judged = text('compare.verdict.judged', { high, contacts, what: name, alone: now.kind === 'beam' });
   const why = alike && name === 'modes' ? [slowerThan(coarse, low)].filter(Boolean) : [];
   const at = percent(instantOf(coarse, fine) / now.speed);
   const instants = alike ? [text('compare.verdict.instants', { at })] : [];
@@ -123,7 +123,7 @@ export function ofBeamResolution(now, kept, name) {
 
 /**
  * Why so few modes are enough: their fastest swings several times while a contact lasts.
- * @param {BeamFrame} frame
+ * @param {BendingFrame} frame
  * @param {number} modes
  */
 function slowerThan({ contacts, modeFrequencies }, modes) {
@@ -138,8 +138,8 @@ function slowerThan({ contacts, modeFrequencies }, modes) {
 
 /**
  * How far the velocities of the struck place lie apart at most, at one instant [m/s].
- * @param {BeamFrame} one
- * @param {BeamFrame} other  of about the same duration
+ * @param {BendingFrame} one
+ * @param {BendingFrame} other  of about the same duration
  */
 function instantOf(one, other) {
   const last = other.time[other.time.length - 1];

@@ -2,7 +2,7 @@
 import { decode } from '../shell/message.js';
 import { historiesOf } from './histories.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Histories } from './histories.js' */
 
 export const MOST = 4;

@@ -2,7 +2,7 @@
 
 /** @import { Range } from '../charts/scale.js' */
 /** @import { View } from '../shell/view.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 
 /** @typedef {Record<string, number>} Ranges  of a picture, SI units; the larger, the more it shows */
 /** @typedef {{ ranges: () => Ranges, adopt: (ranges: Ranges) => void }} Scaled */

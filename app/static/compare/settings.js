@@ -3,7 +3,7 @@ import { wordsOf } from '../shell/body_values.js';
 import { pretty } from '../text/format.js';
 import { LABELS } from '../text/words.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 
 /** @type {Set<string | undefined>} */
 const UNITS = new Set(['N/m', 'N/m¹·⁵', 'N', 'm']); // that a value is written with
@@ -42,8 +42,7 @@ export function kindsOf(one, other) {
  */
 const isHow = (name, frames) =>
   HOW.includes(name) ||
-  (name === 'restitution' &&
-    frames.every((frame) => frame.kind === 'axial' && !frame.damps && frame.exact?.name !== 'rigid'));
+  (name === 'restitution' && frames.every((frame) => frame.kind === 'axial' && !frame.damps && !frame.exact?.sudden));
 
 /**
  * In what an impact is not that of its scene, in words; nothing where it is.
@@ -98,11 +97,7 @@ export const lineOf = (names, frame) =>
 const FAR = 100; // times as large, from which a force of another scene says nothing beside this one
 
 /** @param {Frame} frame */
-const peakOf = (frame) =>
-  frame.kind === 'bodies' ? null : (frame.kind === 'beam' ? frame.main : frame.exact).peakForce;
-
-/** @param {Frame} frame */
-const moves = (frame) => frame.kind === 'beam' && Boolean(frame.mechanism);
+const peakOf = (frame) => (frame.kind === 'bodies' ? null : ('main' in frame ? frame.main : frame.exact).peakForce);
 
 /**
  * Whether two solutions can be laid one upon the other: of one scene, or of two of the same kind and size.
@@ -114,5 +109,5 @@ export function comparable(one, other) {
   if (one.chosen.scene === other.chosen.scene) return true;
   const [force, beside] = [peakOf(one), peakOf(other)];
   const apart = force && beside ? Math.abs(Math.log(force / beside)) : 0;
-  return moves(one) === moves(other) && apart < Math.log(FAR);
+  return apart < Math.log(FAR);
 }

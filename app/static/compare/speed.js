@@ -2,7 +2,7 @@
 import { pretty } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 
-/** @import { Contact, Frame } from '../shell/message.js' */
+/** @import { Contact, Frame } from '../messages.js' */
 
 const NEAR = 0.02; // how far two powers of the speed may lie apart that are one
 
@@ -35,7 +35,7 @@ const strongest = (contacts) =>
 
 /** @param {Frame} frame */
 const contactsOf = (frame) =>
-  frame.kind === 'axial' ? frame.exact.contacts : frame.kind === 'beam' ? frame.contacts : [];
+  frame.kind === 'axial' ? frame.exact.contacts : 'contacts' in frame ? frame.contacts : [];
 
 /** @param {number} ratio */
 const rounded = (ratio) => Number(ratio.toPrecision(2));

@@ -6,10 +6,10 @@ import { ofBeamResolution, ofResolution } from './resolution.js';
 import { kindsOf } from './settings.js';
 import { ofSpeed } from './speed.js';
 
-/** @import { AxialFrame, Frame, SpaceFrame } from '../shell/message.js' */
+/** @import { AxialFrame, Frame, SpaceFrame } from '../messages.js' */
 
 const RESOLUTIONS = ['modes', 'elements'];
-const SAME = 0.02; // share by which two figures differ that are told as one
+const SAME = 0.02; // share by which two figures differ that count as one
 const RINGS = 1e-3; // share of the energy left in waves that is worth a word
 const RESTITUTION = 'constant'; // the question that asks for it
 const ALIKE = 0.01; // difference of two restitutions that is none
@@ -97,16 +97,19 @@ function ofMass(now, kept, asked) {
   return (first ? both.reverse() : both).filter(Boolean).join(' ');
 }
 
+/** @param {Frame} frame */
+const rigidOf = (frame) => ('law' in frame ? frame.law.rigid : frame.kind === 'axial' && frame.rigid);
+
 /**
  * What another contact law changes.
  * @param {Frame} now
  * @param {Frame} kept
  */
 function ofLaw(now, kept) {
-  const rigid = [now, kept].filter(({ chosen }) => chosen.law === 'rigid').length;
+  const rigid = [now, kept].filter(rigidOf).length;
   const time = pairs(now, kept)('real');
   if (rigid !== 1 || !time || now.kind === 'bodies' || kept.kind === 'bodies') return '';
-  const soft = now.chosen.law === 'rigid' ? time.kept / kept.trip : time.now / now.trip;
+  const soft = rigidOf(now) ? time.kept / kept.trip : time.now / now.trip;
   return text('compare.verdict.law', { trips: pretty(Number(soft.toPrecision(2))), waves: now.kind === 'axial' });
 }
 
@@ -154,7 +157,7 @@ export function verdictOf(now, kept, names, asked = '') {
   if (name === 'law') return ofLaw(now, kept);
   if (name === 'place' && now.kind === 'bodies' && kept.kind === 'bodies') return ofPlace(now, kept);
   const counted = !kindsOf(now, kept).impact && RESOLUTIONS.includes(name);
-  if (now.kind === 'beam' && kept.kind === 'beam') return counted ? ofBeamResolution(now, kept, name) : '';
+  if ('main' in now && 'main' in kept) return counted ? ofBeamResolution(now, kept, name) : '';
   if (now.kind !== 'axial' || kept.kind !== 'axial') return '';
   if (name === 'scene') return ofSupport(now, kept);
   return counted ? ofResolution(now, kept, name) : '';

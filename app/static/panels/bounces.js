@@ -76,7 +76,7 @@ class Bounces extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind === 'bodies' || (frame.kind === 'beam' && Boolean(frame.mechanism));
+    return frame.kind === 'bodies' || frame.kind === 'mechanism';
   }
   /**
    * To drop it from a height is to strike with the speed that the fall gives.
@@ -101,7 +101,7 @@ class Bounces extends Panel {
    * @param {Found | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.gravity.set(this.page.model.bounce_gravity);
     this.height.set(this.#height());
     this.root.ariaBusy = String(!fresh);

@@ -6,7 +6,7 @@ import { family, named, said, text } from '../text/catalogue.js';
 import { Study, shown } from './trust.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 /** @import { Words } from './trust.js' */
 
@@ -28,7 +28,7 @@ const SCALED = ['s', 'm', 'N', 'Pa']; // units that values have prefixes of
 const KINDS = ['modes', 'elements', 'step', 'restitution'];
 const MICRO = 1e6; // of the steps in the figure
 const DIAMETER = 8; // pixels of a marker
-const LEAST = 1e-8; // share of a value that can be told from none
+const LEAST = 1e-8; // share of a value that is more than none
 const SETTLING = new Set(['same-for-all', 'converges', 'vanishes', 'settled', 'contacts-settle']); // have a limit
 const STUDIED = [
   'final_velocity',

@@ -54,13 +54,13 @@ class Energy extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind === 'bodies' || (frame.kind === 'beam' && Boolean(frame.moving)); // whose chart is at the stage
+    return frame.kind === 'bodies' || ('moving' in frame && Boolean(frame.moving)); // whose chart is at the stage
   }
   /**
    * @param {Shares | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
     this.said.textContent = found ? endOf(found) : text('energy.idle');
     if (!found || !this.figure || found === this.drawn) return;

@@ -41,19 +41,19 @@ class Joints extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind !== 'beam' || !frame.mechanism?.joints.some(({ links }) => !links.includes(GROUND));
+    return frame.kind !== 'mechanism' || !frame.mechanism.joints.some(({ links }) => !links.includes(GROUND));
   }
   /**
    * @param {Joint | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
     if (!found) this.said.textContent = text('joints.idle');
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
     this.figure.root.hidden = Boolean(found.error);
-    this.said.textContent = found.error ?? text('joints.said', this.#told(found));
+    this.said.textContent = found.error ?? text('joints.said', this.#sentence(found));
     if (found.error) return;
     const { frequency } = found;
     const shares = INCOMING.flatMap((name) =>
@@ -64,7 +64,7 @@ class Joints extends Panel {
     for (const name of INCOMING) this.figure.range(`joints-${name}-y`, [0, TOP]);
   }
   /** @param {Joint} found */
-  #told({ bend, kind, links, axial }) {
+  #sentence({ bend, kind, links, axial }) {
     const [first, second] = links;
     const turned = Math.abs(axial.transmitted_bending[0]);
     return { first, second, kind, bend: Math.abs(bend), turned };

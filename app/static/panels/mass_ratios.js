@@ -6,7 +6,7 @@ import { figures } from '../text/format.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 
 /**
  * @typedef {object} Ratios  columns over the mass ratio, null where there is none; `start_1`, `end_1` ... of contacts
@@ -45,8 +45,7 @@ class MassRatios extends Panel {
       frame.target.kind === 'rod' &&
       !frame.target.endMass;
     if (!one) return text('ratios.one-rod-only');
-    if (frame.chosen.law !== 'rigid' || !['fixed', 'free'].includes(frame.target.support ?? ''))
-      return text('ratios.rigid-only');
+    if (!frame.rigid || !['fixed', 'free'].includes(frame.target.support ?? '')) return text('ratios.rigid-only');
     return '';
   }
   get away() {
@@ -56,14 +55,14 @@ class MassRatios extends Panel {
     super.take();
     const { frame } = this.page;
     const refusal = this.#refusal(frame);
-    this.button.hidden = frame.kind === 'beam';
+    this.button.hidden = 'main' in frame;
     this.button.disabled = this.away;
     this.button.title = refusal || text('ratios.title');
     this.button.ariaPressed = String(this.open && !this.away);
     if (!this.root.hidden) this.show();
   }
   /** @param {Ratios | null} found */
-  told(found) {
+  render(found) {
     const support = this.page.frame.kind === 'axial' ? this.page.frame.target.support : null;
     const there = found?.support === support;
     this.root.ariaBusy = String(!there);

@@ -4,7 +4,7 @@ import { figures } from '../text/format.js';
 import { described, family, leftOut, methodOf, said, text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /**
@@ -54,7 +54,7 @@ class Methods {
     const away = frame.kind !== 'axial';
     this.button.ariaPressed = String(this.open);
     this.button.disabled = away;
-    this.button.hidden = frame.kind === 'beam'; // no exact waves to measure by; every method is shown beside modes
+    this.button.hidden = 'main' in frame; // no exact waves to measure by; every method is shown beside modes
     this.button.title = text(away ? 'methods.in-space' : 'methods.title');
     this.root.hidden = !this.open || away;
     if (!this.root.hidden) this.fill();

@@ -51,7 +51,7 @@ class ModeChange extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return frame.kind !== 'beam' || !frame.mechanism?.links[frame.mechanism.struck].nodes.length;
+    return frame.kind !== 'mechanism' || !frame.mechanism.links[frame.mechanism.struck].nodes.length;
   }
   /** @param {string} name */
   #turn(name) {
@@ -62,12 +62,12 @@ class ModeChange extends Panel {
    * @param {Change | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
     this.result.hidden = !found || Boolean(found.error);
     if (!found) this.said.textContent = text('mode_change.idle');
     if (!found) return;
-    this.said.textContent = found.error ?? this.#told(found);
+    this.said.textContent = found.error ?? this.#sentence(found);
     if (found.error) return;
     if (found.chosen.scene !== this.scene) this.what = found.first;
     this.scene = found.chosen.scene;
@@ -100,7 +100,7 @@ class ModeChange extends Panel {
     return row;
   }
   /** @param {Change} found */
-  #told({ lost, modes, nodes, speed, struck, velocities }) {
+  #sentence({ lost, modes, nodes, speed, struck, velocities }) {
     const at = (/** @type {string} */ by) => figures(Math.abs(velocities[by].across[struck - 1]), 4);
     return text('mode_change.said', {
       ...{ all: 3 * nodes.length, modes, struck, place: figures(nodes[struck - 1], 4), speed: figures(speed, 3) },

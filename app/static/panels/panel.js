@@ -80,7 +80,7 @@ export class Panel {
     );
   }
   fill() {
-    if (!this.root.hidden && this.page.frame) this.told(this.answer, this.fresh(this.answer));
+    if (!this.root.hidden && this.page.frame) this.render(this.answer, this.fresh(this.answer));
   }
   /** After it was opened or closed. */
   opened() {}
@@ -89,7 +89,7 @@ export class Panel {
    * @param {any} _found
    * @param {boolean} _fresh
    */
-  told(_found, _fresh) {}
+  render(_found, _fresh) {}
   /** @param {number} _t  the instant of the clock */
   show(_t) {}
   draw() {}

@@ -5,7 +5,7 @@ import { framed } from './frame.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Layout } from '../shell/layout.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 
 /**
  * @typedef {object} View  what a button opens

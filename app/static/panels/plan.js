@@ -6,7 +6,7 @@ import { RegimeMap } from './regime_map.js';
 import { percentField } from './unit_field.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Chosen, Frame } from '../shell/message.js' */
+/** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Note, Parts } from '../text/catalogue.js' */
 /** @import { Regimes } from './regime_map.js' */
 
@@ -58,9 +58,9 @@ function aboutMap(map, measured) {
  * @param {Plan} found
  */
 function ruleOf(frame, { candidates, chosen, groups }) {
-  const beam = frame.kind === 'beam';
+  const beam = 'main' in frame;
   if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
-  if (beam && frame.mechanism) return ''; // of which no such time is known
+  if (frame.kind === 'mechanism') return ''; // of which no such time is known
   const { contact_time: lasts } = groups;
   if (lasts === undefined) return '';
   const light = candidates.some(({ error, model }) => model.name === RIGID && (error ?? 1) <= chosen.plan_tolerance);
@@ -92,7 +92,7 @@ class Needs {
     const asked = make('label', { className: 'part' }, text('plan.asked'), this.question);
     const form = make('div', { className: 'record-form' }, asked, this.tolerance.root);
     const scroll = make('div', { className: 'scroll' }, this.table);
-    const left = make('div', { className: 'plan-told' }, form, this.said, scroll, this.reason);
+    const left = make('div', { className: 'plan-answer' }, form, this.said, scroll, this.reason);
     const sides = make('div', { className: 'sides' }, left, this.map.root);
     const heading = make('h2', { textContent: text('plan.heading') });
     this.root = make('section', { className: 'analysis needs', hidden: true }, heading, sides);

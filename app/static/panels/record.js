@@ -10,7 +10,7 @@ import { figures, localised, signed } from '../text/format.js';
 import { typed } from '../text/units.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame, Frame } from '../shell/message.js' */
+/** @import { AxialFrame, Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /** @typedef {'strain' | 'stress' | 'force'} Kind */
@@ -181,7 +181,7 @@ class Measurement {
   take(frame) {
     const away = frame.kind !== 'axial';
     this.button.disabled = away;
-    this.button.hidden = frame.kind === 'beam';
+    this.button.hidden = 'main' in frame;
     this.button.title = text(away ? 'record.in-space' : 'record.title');
     this.#showOpen();
     this.root.classList.toggle('away', away);

@@ -372,7 +372,7 @@ export class RegimeMap {
     const start = map.time[0] === 0 ? 1 : 0;
     const errors = this.errors(map, rankOf(map.ratio, ratio), start + rankOf(map.time.slice(start), time));
     const missed = errors.map((error) => (error === null ? '–' : share(error)));
-    const told = map.models.map((name, k) => `${MODELS[name]} ${missed[k]}`);
-    return text('map.at', { ratio: figures(ratio, 2), time: figures(time, 2), errors: told.join(', ') });
+    const listed = map.models.map((name, k) => `${MODELS[name]} ${missed[k]}`);
+    return text('map.at', { ratio: figures(ratio, 2), time: figures(time, 2), errors: listed.join(', ') });
   }
 }

@@ -83,7 +83,7 @@ class Stability extends Panel {
     this.fill();
   }
   /** @param {Maps | null} found */
-  told(found) {
+  render(found) {
     const { model, frame } = this.page;
     this.axis.value = model.stability_axis;
     const running = model.stability_running;

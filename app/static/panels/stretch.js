@@ -46,13 +46,13 @@ class Turning extends Panel {
    * @param {Stretch | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
     if (!found) this.said.textContent = text('stretch.idle');
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
     this.figure.root.hidden = Boolean(found.error);
-    this.said.textContent = found.error ?? this.#told(found);
+    this.said.textContent = found.error ?? this.#sentence(found);
     if (found.error) return;
     const { place, moved, speed, end, own } = found;
     this.figure.fill('along', { place, moved });
@@ -64,7 +64,7 @@ class Turning extends Panel {
     this.figure.range('stretch-speed-y', [0, ROOM * Math.max(end[end.length - 1], own[1])]);
   }
   /** @param {Stretch} found */
-  #told({ own: [speed, end], critical, half, root }) {
+  #sentence({ own: [speed, end], critical, half, root }) {
     return text('stretch.said', {
       ...{ speed: figures(speed, 4), share: figures((100 * speed) / critical, 3), critical: figures(critical, 4) },
       ...{ stretch: figures(end, 4), half: half.toFixed(4), root: figures(root, 3) },

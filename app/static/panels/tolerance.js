@@ -119,7 +119,7 @@ class Tolerance extends Panel {
    * @param {Found | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     const { model } = this.page;
     this.quantity.value = model.auto_quantity;
     this.within.value = model.auto_within;

@@ -50,8 +50,8 @@ import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
 const [USUAL, BEST] = [8, 12]; // pixels of a marker
 const PICKED = '#c81e4a';
 const NEAR = 24; // pixels from a point that is meant
-const LEAST = 1e-12; // error that can be told from none
-const LEFT = 200; // times below the least error that is told, at most
+const LEAST = 1e-12; // error that is more than none
+const LEFT = 200; // times below the least error that is shown, at most
 /** @type {Record<string, number>} */
 const ARROWS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
@@ -195,7 +195,7 @@ class TradeOff extends Panel {
    * @param {Table | null} found
    * @param {boolean} fresh
    */
-  told(found, fresh) {
+  render(found, fresh) {
     const running = this.page.model.tradeoff_running;
     const points = found?.points ?? [];
     this.root.ariaBusy = String(!fresh && !running);
@@ -228,13 +228,13 @@ class TradeOff extends Panel {
     this.kinds.show(quantity);
     const sizeOf = (/** @type {Row} */ row) => Math.abs(row.errors[quantity] ?? NaN);
     const floor = Math.max(found.reference.uncertainty?.[quantity] ?? 0, LEAST);
-    const told = found.points.map(sizeOf).filter((error) => error > 10 * floor);
-    const least = Math.max(floor / 2, Math.min(...told, 1) / LEFT); // what is nearer by far lies at the lower edge
+    const known = found.points.map(sizeOf).filter((error) => error > 10 * floor);
+    const least = Math.max(floor / 2, Math.min(...known, 1) / LEFT); // what is nearer by far lies at the lower edge
     this.points = found.points
       .filter((row) => Number.isFinite(sizeOf(row)))
       .map((row) => ({ ...row, time: 1e3 * row.wall_time, size: 100 * Math.max(sizeOf(row), least) }))
       .sort((a, b) => a.time - b.time);
-    const unknown = 100 * Math.max(floor, 2 * least); // below the uncertainty of the truth nothing can be told
+    const unknown = 100 * Math.max(floor, 2 * least); // below the uncertainty of the truth nothing is known
     const times = this.points.map((p) => p.time);
     const sizes = this.points.map((p) => p.size);
     figure.range('tradeoff-x', [0.6 * Math.min(...times, 1), 1.7 * Math.max(...times, 10)]);
@@ -344,7 +344,7 @@ class TradeOff extends Panel {
   /** Whether the error is that of a peak which modes only draw as a ripple. */
   #ripples() {
     const { frame } = this.page;
-    const jumps = frame.kind === 'axial' && frame.rods.length > 0 && frame.chosen.law === 'rigid';
+    const jumps = frame.kind === 'axial' && frame.rods.length > 0 && frame.rigid;
     return jumps && this.quantity === 'peak-force';
   }
   /**

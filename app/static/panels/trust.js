@@ -6,7 +6,7 @@ import { duration, figures, prefixed, scaled } from '../text/format.js';
 
 /** @import { Band } from '../beam/charts.js' */
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 /**
@@ -98,8 +98,8 @@ export class Study {
    * Whether there is nothing to be said of this scene.
    * @param {Frame} frame
    */
-  away({ kind }) {
-    return kind !== 'beam';
+  away(frame) {
+    return !('main' in frame);
   }
   /** @param {Frame} frame */
   take(frame) {
@@ -180,7 +180,7 @@ class Trust extends Study {
   }
   /** @param {Ensemble | null} found */
   drawn(found) {
-    this.page.beam.band = found;
+    for (const view of [this.page.beam, this.page.mechanism]) view.band = found;
     if (!found || !this.figure || !this.changed) return;
     /** @type {Record<string, number[]>} */
     const columns = { time: found.time };

@@ -4,7 +4,7 @@ import { entriesOf } from './body_values.js';
 import { keptText } from './kept.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from './message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Model } from './model.js' */
 
 const PLAIN = { '%2C': ',', '%3A': ':', '%3B': ';' }; // what a query need not encode

@@ -7,7 +7,7 @@ import { make } from './dom.js';
 import { commaOf, numberInput, refusalAt } from './number_field.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame, PartTold, ValueTold } from './message.js' */
+/** @import { Frame, PartRecord, ValueRecord } from '../messages.js' */
 
 const NAMES = family('body.value');
 const DERIVED = family('body.derived');
@@ -23,14 +23,14 @@ let made = 0;
  * A field for one value.
  * @typedef {object} Field
  * @property {HTMLElement} root
- * @property {(told: ValueTold) => void} show
+ * @property {(told: ValueRecord) => void} show
  * @property {(sentence: string) => void} complain  at the field; an empty sentence when all is well
  */
 
 export class Bodies {
   made = ''; // for which bodies the fields are
   /** @type {Map<string, Field>} */ fields = new Map(); // by key
-  /** @type {Map<string, (part: PartTold) => void>} */ heads = new Map();
+  /** @type {Map<string, (part: PartRecord) => void>} */ heads = new Map();
   /** @type {Map<string, string | number | undefined>} */ waiting = new Map(); // by key: the value to be asked for
   tries = 0; // of the value that is asked for
   /** @type {number | undefined} */ patience;
@@ -56,7 +56,7 @@ export class Bodies {
     this.made = kind;
     for (const part of parts) {
       this.heads.get(part.key)?.(part);
-      for (const told of part.values) this.fields.get(`${part.key}.${told.quantity}`)?.show(told);
+      for (const value of part.values) this.fields.get(`${part.key}.${value.quantity}`)?.show(value);
     }
   }
   /**
@@ -92,7 +92,7 @@ export class Bodies {
     this.tries += 1;
     if (this.tries < MAX_TRIES && !this.waiting.has(asked)) this.waiting = new Map([[asked, value], ...this.waiting]);
     this.asked = '';
-    page.model.body_value = ''; // of which the page is told, as of any change
+    page.model.body_value = ''; // which the page hears of, as of any change
     this.#ask();
   }
   /** Keys and values that have no answer yet. */
@@ -113,7 +113,7 @@ export class Bodies {
     this.patience = window.setTimeout(() => this.#again(), PATIENCE * 2 ** this.tries);
     model.body_value = value === undefined ? key : `${key}=${value}`;
   }
-  /** @param {PartTold[]} parts */
+  /** @param {PartRecord[]} parts */
   #make(parts) {
     this.fields.clear();
     this.heads.clear();
@@ -121,8 +121,8 @@ export class Bodies {
     typeset(this.list);
   }
   /**
-   * @param {PartTold} part
-   * @param {PartTold[]} parts  all of them
+   * @param {PartRecord} part
+   * @param {PartRecord[]} parts  all of them
    */
   #part({ derived: follows, key, kind, strikes, values }, parts) {
     const [first, group = first] = key.split('.');
@@ -136,9 +136,10 @@ export class Bodies {
     const reset = make('button', { type: 'button', className: 'when', textContent: text('bodies.reset'), title });
     reset.ariaLabel = title;
     reset.onclick = () => this.set(key);
-    const fields = values.map((told) => {
-      const whole = `${key}.${told.quantity}`;
-      const field = told.quantity === 'material' ? this.#material(whole, name) : this.#number(whole, told, name, parts);
+    const fields = values.map((value) => {
+      const whole = `${key}.${value.quantity}`;
+      const field =
+        value.quantity === 'material' ? this.#material(whole, name) : this.#number(whole, value, name, parts);
       this.fields.set(whole, field);
       return field.root;
     });
@@ -184,9 +185,9 @@ export class Bodies {
   }
   /**
    * @param {string} key
-   * @param {ValueTold} told
+   * @param {ValueRecord} told
    * @param {string} body
-   * @param {PartTold[]} parts  all bodies
+   * @param {PartRecord[]} parts  all bodies
    * @returns {Field}
    */
   #number(key, { quantity, own, low, high }, body, parts) {
@@ -286,7 +287,7 @@ function rowOf(label, input, ...more) {
  * @typedef {{ at: (share: number) => number, share: (value: number) => number }} Scale
  * @param {string} quantity
  * @param {number} own
- * @param {PartTold[]} parts  all bodies
+ * @param {PartRecord[]} parts  all bodies
  * @returns {Scale | null}
  */
 function scaleOf(quantity, own, parts) {
@@ -337,7 +338,7 @@ const same = (a, b) =>
 
 /**
  * What is said of a body where its fields are folded: material, size and mass.
- * @param {PartTold} part
+ * @param {PartRecord} part
  */
 function factsOf({ derived, values }) {
   /** @type {Record<string, number | string | null>} */

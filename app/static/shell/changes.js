@@ -1,7 +1,7 @@
 // What is chosen, on its way to the server: one change at a time, the next when the last is answered, and then only the
 // newest of each. Whole sets of settings are gone to: the scene first, which brings its own values, then the rest.
 
-/** @import { Chosen, Frame } from './message.js' */
+/** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Model } from './model.js' */
 
 const PATIENCE = 2500; // ms without an answer, after which the next change is sent all the same

@@ -2,7 +2,7 @@
 import { decode } from './message.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { AxialFrame, BeamFrame, Frame, Numbers } from './message.js' */
+/** @import { AxialFrame, BendingFrame, Frame, Numbers } from '../messages.js' */
 
 const REST = 200; // ms without a zoom, after which it is asked for
 const DIGITS = 9; // of its ends [s]
@@ -106,17 +106,17 @@ export class Closer {
   #take(wanted) {
     const { frame, model, names, view } = this.page;
     if (!model.closer?.byteLength || !frame || frame.kind === 'bodies') return false;
-    const part = /** @type {AxialFrame | BeamFrame} */ (decode(model.closer));
+    const part = /** @type {AxialFrame | BendingFrame} */ (decode(model.closer));
     const { stretch } = part;
     if (!stretch || (wanted && stretch.join(' ') !== wanted)) return false;
     if (!names.every((name) => Object.is(part.chosen[name], frame.chosen[name]))) return false;
     if (this.part === model.closer && this.frame === frame) return true;
-    const told = numbersOf(frame);
-    if (this.frame !== frame) this.whole = { ...told };
+    const arrays = numbersOf(frame);
+    if (this.frame !== frame) this.whole = { ...arrays };
     this.frame = frame;
     this.part = model.closer;
     const [first, last] = stretch;
-    Object.assign(told, this.whole, refined(this.whole, numbersOf(part), [first / frame.trip, last / frame.trip]));
+    Object.assign(arrays, this.whole, refined(this.whole, numbersOf(part), [first / frame.trip, last / frame.trip]));
     view.refine?.();
     return true;
   }

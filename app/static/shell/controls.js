@@ -5,7 +5,7 @@ import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
 import { Slider } from './slider.js';
 
-/** @import { AxialFrame, Cushion, Frame, SpaceFrame } from './message.js' */
+/** @import { AxialFrame, Cushion, Frame, SpaceFrame } from '../messages.js' */
 /** @import { Spec } from './model.js' */
 
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
@@ -113,11 +113,11 @@ export class Controls {
    * @param {Frame} frame
    */
   #cushion(frame) {
-    const told = frame.kind === 'axial' ? frame.cushions : [];
-    this.cushions.hidden = !told.length;
+    const cushions = frame.kind === 'axial' ? frame.cushions : [];
+    this.cushions.hidden = !cushions.length;
     const on = (/** @type {Cushion} */ { stiffness: k }) =>
       frame.chosen.law === 'linear' && Math.abs(Number(frame.chosen.linear_stiffness) - k) < 1e-3 * k;
-    const buttons = told.map((cushion) => {
+    const buttons = cushions.map((cushion) => {
       const act = () => {
         const settings = { law: 'linear', linear_stiffness: Number(cushion.stiffness.toPrecision(DIGITS)) };
         for (const [name, value] of Object.entries(settings)) {
@@ -130,7 +130,7 @@ export class Controls {
       button.ariaPressed = String(on(cushion));
       return button;
     });
-    const help = told.filter(on).map((cushion) => text('controls.cushion-about', cushion));
+    const help = cushions.filter(on).map((cushion) => text('controls.cushion-about', cushion));
     this.cushions.replaceChildren(
       make('span', { textContent: text('controls.cushions') }),
       ...buttons,
@@ -145,7 +145,7 @@ export class Controls {
     this.#entitle(frame);
     this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
-    const onBeam = frame.kind === 'beam';
+    const onBeam = 'main' in frame;
     const label = this.fields.method.root.querySelector('label');
     if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');
     for (const option of this.method.options) {
@@ -161,8 +161,7 @@ export class Controls {
     const restitution = this.fields.restitution.root.querySelector('label');
     if (restitution) restitution.textContent = predicts(frame) ? text('controls.predicted') : LABELS.restitution.title;
     if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
-    else if (frame.kind === 'beam')
-      this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
+    else if (onBeam) this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
     else this.note.textContent = axialNote(frame);
   }
 }
@@ -179,7 +178,7 @@ const inSpaceNote = ({ chosen, friction }) =>
  * @param {Frame} frame
  */
 const predicts = (frame) =>
-  frame.kind === 'axial' && !frame.damps && frame.chosen.method !== 'balance' && frame.exact.name !== 'rigid';
+  frame.kind === 'axial' && !frame.damps && frame.chosen.method !== 'balance' && !frame.exact.sudden;
 
 /**
  * What the restitution does in an impact along an axis.

@@ -5,27 +5,25 @@ import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from './message.js' */
+/** @import { Frame, Try } from '../messages.js' */
 
 const SEEN = family('first.seen');
 const TRIES = family('first.tries');
 const JAMMING = new Set(['friction-jams', 'impact-without-approach', 'slides-on']); // notes of Painlevé's paradox
-
-/** @typedef {[text: string, choice: string, value: number | string]} Try */
 
 /**
  * What this impact shows.
  * @param {Frame} frame
  */
 export function seenIn(frame) {
-  if (frame.kind === 'beam' && frame.mechanism) {
-    if (frame.main.name === 'rigid') return SEEN['rigid-links'];
+  if (frame.kind === 'mechanism') {
+    if (frame.main.sudden) return SEEN['rigid-links'];
     const bends = frame.mechanism.links.some(({ flexible }) => flexible) && !frame.moving?.rigid;
     if (frame.moving) return bends ? SEEN.moving : SEEN['moving-rigid'];
     return SEEN.mechanism;
   }
   if (frame.kind !== 'axial') return SEEN[frame.kind];
-  const shown = frame.rods.length ? 'waves' : frame.exact.name === 'rigid' ? 'impulse' : 'force';
+  const shown = frame.rods.length ? 'waves' : frame.exact.sudden ? 'impulse' : 'force';
   if (frame.impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
   if (!frame.rods.length && frame.target.rotation) return SEEN.turning;
   if (!frame.rods.length) return text('first.seen.compact', { shown });
@@ -39,20 +37,19 @@ export function seenIn(frame) {
  */
 export function triesOf(frame) {
   const { chosen, kind, acting, refusals } = frame;
-  const far = chosen.scene === 'free-rod' ? 'fixed' : 'free';
   /** @type {Try[]} */
   const all = [
     [TRIES.faster, 'speed', 2 * Number(chosen.speed)],
     [TRIES.heavier, 'mass_ratio', Number(chosen.mass_ratio) / 4],
   ];
-  if (kind === 'beam') all.unshift([TRIES.middle, 'place', 0.5], [TRIES.few, 'modes', 5]);
-  if (kind === 'beam' && !refusals.multibody)
+  if ('main' in frame) all.unshift([TRIES.middle, 'place', 0.5], [TRIES.few, 'modes', 5]);
+  if (kind === 'mechanism' && !refusals.multibody)
     all.unshift([TRIES.rigid, 'motion_links', 'rigid'], [TRIES.moves, 'method', 'multibody']);
   if (kind === 'bodies') all.push([TRIES.elastic, 'restitution', 1]);
   // it jams by where it is hit: in the centre nothing of that is left
   if (frame.kind === 'bodies' && !frame.notes.some(({ code }) => JAMMING.has(code)))
     all.push([TRIES.centre, 'place', 0.5]);
-  if (['fixed-rod', 'free-rod'].includes(String(chosen.scene))) all.push([TRIES[far], 'scene', `${far}-rod`]);
+  all.push(...frame.opens.trials.map(([say, choice, value]) => /** @type {Try} */ ([TRIES[say], choice, value])));
   if (kind === 'axial') all.push([TRIES.losing, 'law', 'hunt-crossley'], [TRIES.softer, 'law', 'hertz']);
   const acts = (/** @type {string} */ name) => name === 'scene' || acting.includes(name);
   const more = (/** @type {string} */ name, /** @type {number | string} */ value) =>

@@ -9,7 +9,7 @@ import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Wanted } from './kept.js' */
-/** @import { Chosen } from './message.js' */
+/** @import { Chosen } from '../messages.js' */
 
 const PAUSE = 700; // ms without a change, after which the next is a step of its own
 const REST = 250; // ms after which the address follows what is seen

@@ -3,7 +3,7 @@ import { LETTERS } from '../compare/run.js';
 import { entriesOf, isBodyKey, textOf } from './body_values.js';
 
 /** @import { Letter, Run } from '../compare/run.js' */
-/** @import { Chosen, Frame } from './message.js' */
+/** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Spec } from './model.js' */
 
 const BODY_VALUE = /^[\w.+-]{1,30}$/; // the server knows which can be

@@ -5,7 +5,7 @@ import { make } from './dom.js';
 import { PaceMenu } from './pace.js';
 import { times, unitOfTime } from './times.js';
 
-/** @import { AxialFrame, BeamFrame, Frame, SpaceFrame } from './message.js' */
+/** @import { AxialFrame, BeamFrame, Frame, MechanismFrame, SpaceFrame } from '../messages.js' */
 /** @import { Event } from './story.js' */
 
 const FULL = 10000; // steps of the time bar
@@ -32,11 +32,13 @@ const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
  * What the clock needs of a message.
  * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen'>
  *   | Pick<SpaceFrame, 'kind' | 'duration' | 'chosen'>
- *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts' | 'moving'>} Clocked
+ *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts'>
+ *   | Pick<MechanismFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts' | 'moving'>} Clocked
  */
 
-/** @param {Pick<BeamFrame, 'duration' | 'moving'>} frame  of a beam or a mechanism: seconds that it plays */
-const secondsOf = ({ duration, moving }) => (moving ? Math.max(SECONDS_PER_MOTION, duration / 1e3) : SECONDS_PER_BEAM);
+/** @param {Clocked} frame  of what bends: seconds that it plays */
+const secondsOf = (frame) =>
+  'moving' in frame && frame.moving ? Math.max(SECONDS_PER_MOTION, frame.duration / 1e3) : SECONDS_PER_BEAM;
 
 /**
  * What the clock asks of the page. Times as those that `show` is given.
@@ -141,12 +143,12 @@ export class Player {
     // long impacts play in about half a minute; on a beam, where no wave comes back as it went, all of them in less
     this.inTrips = frame.kind === 'axial';
     this.perSecond =
-      frame.kind === 'beam' ? this.duration / secondsOf(frame) : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
+      'contacts' in frame ? this.duration / secondsOf(frame) : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
     this.usual = this.perSecond;
     this.until = Infinity;
     if (first) this.t = Math.min(0.36, 0.4 * this.duration);
     if (frame.kind === 'bodies' && this.was !== 'bodies') this.t = 1.7; // after the impact
-    if (frame.kind === 'beam' && this.was !== 'beam') this.t = opening(frame);
+    if ('contacts' in frame && this.was !== frame.kind) this.t = opening(frame);
     if (this.playing && this.scene !== frame.chosen.scene) this.t = 0;
     this.was = frame.kind;
     this.scene = String(frame.chosen.scene);
@@ -315,11 +317,11 @@ export class Player {
     const now = this.t + this.start;
     const real = now * this.trip;
     const [factor, unit] = unitOfTime(Math.abs(real));
-    const told = `${signed(real * factor, 1)} ${unit}`;
+    const seconds = `${signed(real * factor, 1)} ${unit}`;
     this.clock.dataset.term = this.inTrips && !times.inSeconds ? 'T' : '';
     const [perTrip, chosen] = times.shown;
-    const trips = times.inSeconds ? '' : ` = ${told}`;
-    this.clock.textContent = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : told;
+    const trips = times.inSeconds ? '' : ` = ${seconds}`;
+    this.clock.textContent = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : seconds;
     this.scrub.ariaValueText = this.clock.textContent;
     this.show(now);
   }

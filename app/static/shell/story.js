@@ -4,7 +4,7 @@ import { text } from '../text/catalogue.js';
 import { changesOf } from '../compare/settings.js';
 import { columnHead, make } from './dom.js';
 
-/** @import { Energies, Frame } from './message.js' */
+/** @import { Energies, Frame } from '../messages.js' */
 
 /** @typedef {[t: number, sentence: string]} Event */
 

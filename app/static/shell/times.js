@@ -2,7 +2,7 @@
 import { figures } from '../text/format.js';
 import { keep, kept } from './store.js';
 
-/** @import { AxialFrame } from './message.js' */
+/** @import { AxialFrame } from '../messages.js' */
 
 export const TRIPS = 'T'; // the unit of an axis that is written as is chosen here
 const NAME = 'seconds';

@@ -4,7 +4,7 @@
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Cycle } from '../axial/charts.js' */
 /** @import { Gauge } from '../axial/gauge.js' */
-/** @import { Reactions } from '../beam/reactions.js' */
+/** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Stack } from './stack.js' */
@@ -15,7 +15,7 @@
  * What shows an impact of one kind.
  * @typedef {object} View
  * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
- * @property {Told} story
+ * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
@@ -43,7 +43,7 @@
 
 /**
  * What is said of it.
- * @typedef {object} Told
+ * @typedef {object} Story
  * @property {HTMLElement} root  in words
  * @property {HTMLElement} numbers
  * @property {Events} events

@@ -1,6 +1,6 @@
 // Faces and corners of a box, by the numbers of its axes.
 
-/** @import { Vector } from '../shell/message.js' */
+/** @import { Vector } from '../messages.js' */
 
 export const EDGES = [
   [0, 1, 2],

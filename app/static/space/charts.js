@@ -4,7 +4,7 @@ import { sizeOf } from '../charts/canvas.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Series } from '../charts/chart.js' */
-/** @import { Numbers, SpaceFrame } from '../shell/message.js' */
+/** @import { Numbers, SpaceFrame } from '../messages.js' */
 
 const ROOM = 1.15; // about what is drawn
 const EDGES = [62, 34]; // pixels that a chart takes for its ticks, across and upward

@@ -2,7 +2,7 @@
 import { COLORS } from '../charts/styles.js';
 import { add, cross, dot, size, times } from './vectors.js';
 
-/** @import { BodyTold, Vector } from '../shell/message.js' */
+/** @import { BodyRecord, Vector } from '../messages.js' */
 /** @import { Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 
@@ -33,7 +33,7 @@ export function turnedBy(across, up, [about, above]) {
 
 /**
  * The longest side of what is struck: its direction, towards the positive axis, and length; null for what has none.
- * @param {{ impactor: BodyTold, target: BodyTold }} bodies
+ * @param {{ impactor: BodyRecord, target: BodyRecord }} bodies
  * @returns {[axis: Vector, length: number] | null}
  */
 export function longestSide({ impactor, target }) {

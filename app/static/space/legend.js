@@ -8,7 +8,7 @@ import { arrow, head, label, measure } from './arrows.js';
 import { AXES } from './box.js';
 import { add, dot, size, times } from './vectors.js';
 
-/** @import { SpaceFrame, Vector } from '../shell/message.js' */
+/** @import { SpaceFrame, Vector } from '../messages.js' */
 /** @import { Box, Context, Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 

@@ -1,7 +1,7 @@
 // Where a body is and how it is turned at an instant.
 import { add, dot, times, triple } from './vectors.js';
 
-/** @import { Numbers, Vector } from '../shell/message.js' */
+/** @import { Numbers, Vector } from '../messages.js' */
 
 /** @typedef {{ centre: Vector, turned: (v: Vector) => Vector }} Pose */
 

@@ -12,7 +12,7 @@ import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
-/** @import { BodyTold, SpaceFrame, Vector } from '../shell/message.js' */
+/** @import { BodyRecord, SpaceFrame, Vector } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { Point } from './arrows.js' */
 /** @import { Pose } from './pose.js' */
@@ -245,7 +245,7 @@ export class BodiesStage {
    * The faces that look this way; a rod, which has one side only, as a thick line.
    * @param {Context} c
    * @param {Which} name
-   * @param {BodyTold} body
+   * @param {BodyRecord} body
    * @param {Pose} pose
    */
   boxed(c, name, { axes = AXES, sides = [0, 0, 0] }, { centre, turned }) {
@@ -293,7 +293,7 @@ export class BodiesStage {
   /**
    * A ball with three painted circles, of each the half that looks this way.
    * @param {Context} c
-   * @param {BodyTold} body
+   * @param {BodyRecord} body
    * @param {Pose} pose
    * @param {number} x
    * @param {number} y

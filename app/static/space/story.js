@@ -8,7 +8,7 @@ import { dot } from './vectors.js';
 const BODIES = ['impactor', 'target'];
 const ALIKE = 1e-9; // difference of two masses that are one
 
-/** @import { SpaceFrame } from '../shell/message.js' */
+/** @import { SpaceFrame } from '../messages.js' */
 
 /** @param {number | number[] | null} value */
 function written(value) {

@@ -1,6 +1,6 @@
 // Vectors in space.
 
-/** @import { Vector } from '../shell/message.js' */
+/** @import { Vector } from '../messages.js' */
 
 /**
  * @param {Vector} a

@@ -8,7 +8,7 @@ import { BodiesStage } from './stage.js';
 import { SpaceStory } from './story.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { SpaceFrame } from '../shell/message.js' */
+/** @import { SpaceFrame } from '../messages.js' */
 
 export class SpaceView {
   after = 0;

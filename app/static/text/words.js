@@ -11,16 +11,11 @@ export const shortly = ({ name, model }) => methodOf(name, model ?? '', '-short'
  * @param {Called} solution
  */
 export const called = ({ name, modes, elements, model }) =>
-  modes && name in COUNTED.modes
+  modes && 'modes' in family(`method.${name}`)
     ? text(`method.${name}.modes`, { modes })
-    : elements && name in COUNTED.elements
+    : elements && 'elements' in family(`method.${name}`)
       ? text(`method.${name}.elements`, { elements })
       : methodOf(name, model ?? '');
-
-const COUNTED = {
-  modes: { modal: true, 'mode-switch': true, 'fe-modal': true },
-  elements: { 'fe-nodal': true },
-};
 
 /**
  * What a choice is called, its unit, and what its options are called.

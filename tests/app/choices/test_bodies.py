@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 import solvers
 from app.choices.bodies import LONGEST, RANGES, parts_of, read_values, split, with_values, written
 from app.choices.body_value import with_body_value
+from app.choices.built_in import body_keys
 from app.choices.choices import SCENES, accepts, refusal
-from app.choices.scene_of import acting_choices, body_keys, chosen_scene, own_choices
+from app.choices.scene_of import acting_choices, chosen_scene, own_choices
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
 from app.page.address import from_address

@@ -6,9 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.choices.built_in import keyed
 from app.choices.choices import Choices, accepts, refusal
 from app.choices.request import Request
-from app.choices.scene_of import acting_choices, choices_of, chosen_scene, keyed, own_choices
+from app.choices.scene_of import acting_choices, choices_of, chosen_scene, own_choices
 from app.messages.solutions import beside
 from app.page.address import from_address
 from app.page.picker import scene_groups

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import solvers
 from app.choices.choices import Choices
-from app.choices.opened import opened_charts
+from app.choices.opened import opening_of
 from app.choices.scene_of import choices_of, chosen_scene, own_choices
 from app.messages.axial import rigid_prediction
 from app.messages.encoding import read_header
@@ -127,7 +127,7 @@ def test_figure_10_3_tells_how_far_the_rod_has_come_as_a_whole():
     assert speeds == pytest.approx(0.1525, abs=1e-4)
     rests = (time > 0.4) & (time < 0.9)
     assert np.ptp(found["otherEnd"][rests]) < 0.02 * expected[-1] < np.ptp(found["exactWhole"][rests])
-    assert opened_charts("figure-10.3")["charts"] == ["moved"]
+    assert opening_of("figure-10.3").charts == ("moved",)
     assert "exactWhole" not in arrays(solve_frame(own_choices("fixed-rod")))
 
 

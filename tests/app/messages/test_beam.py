@@ -12,10 +12,10 @@ import solvers
 from app.choices.choices import Choices
 from app.choices.request import Request
 from app.choices.scene_of import choices_of, chosen_scene
-from app.messages.beam import PLACES, chosen_method
 from app.messages.encoding import instants, read_header
 from app.messages.histories import MS, struck_velocity
 from app.messages.solve import solve_frame
+from app.messages.transverse import PLACES, chosen_method
 from app.page.picker import scene_groups
 from app.views.convergence import convergence_data
 from app.views.trust import trust_data

@@ -7,10 +7,10 @@ from pytest import approx
 import solvers
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
-from app.messages.beam import main_solution
 from app.messages.encoding import read_header
 from app.messages.histories import extremes
-from app.messages.mechanism import rigid_answer
+from app.messages.mechanism.frame import mechanism_solution
+from app.messages.mechanism.resting import rigid_answer
 from app.messages.solve import solve_frame
 from tests.catalog import SCENES
 
@@ -34,7 +34,7 @@ def test_links_that_are_held_still_in_their_directions_are_not_shown_until_they_
 def bent_rods():
     """The message of an impact on the first of two links that bend, and its solution."""
     chosen = own_choices("bent-rods")
-    return arrays(solve_frame(chosen)), main_solution(Request.of(chosen))[0]
+    return arrays(solve_frame(chosen)), mechanism_solution(Request.of(chosen))[0]
 
 
 def test_a_force_keeps_what_is_least_and_most_in_every_stretch():

@@ -7,10 +7,11 @@ from pytest import approx
 import solvers
 from app.choices.request import DRAFT, Request
 from app.choices.scene_of import acting_choices, own_choices
-from app.messages import moving
-from app.messages.beam import main_solution, method_at_impact
 from app.messages.encoding import read_header
+from app.messages.mechanism import moving
+from app.messages.mechanism.frame import mechanism_solution
 from app.messages.solve import solve_frame
+from app.messages.transverse import method_at_impact
 from solvers.bodies import Mechanism
 
 from .own import arrays
@@ -29,7 +30,7 @@ class Told:
     def __init__(self, choices: dict):
         message = solve_frame(choices)
         self.size, self.header, self.arrays = len(message), read_header(message), arrays(message)
-        self.solution = main_solution(Request.of(choices))[0]
+        self.solution = mechanism_solution(Request.of(choices))[0]
 
     @property
     def ends(self) -> np.ndarray:

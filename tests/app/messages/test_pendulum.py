@@ -7,7 +7,7 @@ from pytest import approx
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
 from app.messages.encoding import read_header
-from app.messages.pendulum import pendulum_told, striker_arrays, waves_of_force
+from app.messages.pendulum import pendulum_fields, striker_arrays, waves_of_force
 from app.messages.solve import solve_frame
 from solvers.accuracy.reference import exact_solution
 
@@ -53,7 +53,7 @@ def test_the_bar_bends_where_it_strikes(bent):
     assert arrays["exactBar"][0][:, 0] == approx(np.zeros(101), abs=1e-15)
     whole = bent.motion.impactor_position(time)
     assert np.abs(arrays["exactMass"] - whole).max() > 1e-5
-    assert pendulum_told(bent.scene.target) == {}
+    assert pendulum_fields(bent.scene.target) == {}
 
 
 def test_modes_of_a_pendulum_on_a_stop_are_chosen():

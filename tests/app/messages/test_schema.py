@@ -1,58 +1,29 @@
-"""What messages hold, said in Python and written as types of the browser code; what is not as said is not packed."""
+"""What messages hold, said in Python, and as types of the browser code; what is not as said is not packed."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-import app
+from app.messages.declarations import PLACE, declarations
 from app.messages.encoding import packed
-from app.messages.schema import MESSAGES, RECORDS, check
+from app.messages.records import RECORDS
+from app.messages.schema import MESSAGES, check
 
 from .own import arrays
 
-STATIC = Path(app.__file__).parent / "static"
-TYPES = "".join((STATIC / folder / "message.js").read_text() for folder in ("shell", "beam"))
-OF_THE_BROWSER = {"record", "shapes"}  # which no message holds
-FRAMES = {"axial": "AxialFrame", "beam": "BeamFrame", "bodies": "SpaceFrame"}
+
+def test_the_types_of_the_browser_are_those_of_the_schema():
+    """Else: `python -m app.messages.declarations`."""
+    assert PLACE.read_text(encoding="utf-8") == declarations()
 
 
-def typedefs() -> dict[str, dict[str, tuple[str, bool]]]:
-    """Properties of every record of message.js: its type, and whether it is optional."""
-    found = {}
-    for name, lines in re.findall(r"@typedef \{object\} (\w+)(.*?)\*/", TYPES, re.DOTALL):
-        properties = re.findall(r"@property \{(.*?)\} (\[?)(\w+)\]?(?:  .*)?$", lines, re.MULTILINE)
-        found[name] = {key: (form, bool(bracket)) for form, bracket, key in properties}
-    for parts, name in re.findall(r"@typedef \{(\w[^{}]* & [^{}]*)\} (\w+)", TYPES):
-        found[name] = {}
-        for part in parts.split(" & "):
-            inner = re.fullmatch(r"Partial<(\w+)>", part)
-            more = found[inner[1] if inner else part]
-            found[name] |= {key: (form, True) for key, (form, _) in more.items()} if inner else more
-    return found
-
-
-KNOWN = typedefs()
-
-
-@pytest.mark.parametrize("kind", MESSAGES)
-def test_a_message_has_the_same_fields_in_python_and_in_the_browser(kind):
-    said = {
-        name: ("Numbers" if field.is_array else field.form, field.optional)
-        for name, field in MESSAGES[kind].items()
-        if "#" not in name
-    }
-    said["kind"] = (f"'{kind}'", False)
-    if kind == "beam":
-        said["contacts"] = ("Contact[]", False)  # which are made rows when they are read
-    types = {name: form for name, form in KNOWN[FRAMES[kind]].items() if name not in OF_THE_BROWSER}
-    assert types == said
-
-
-@pytest.mark.parametrize("name", RECORDS)
-def test_a_record_has_the_same_fields_in_python_and_in_the_browser(name):
-    assert KNOWN[name] == {key: (field.form, field.optional) for key, field in RECORDS[name].items()}
+def test_every_type_that_a_field_names_is_declared():
+    text = declarations()
+    known = set(re.findall(r"export (?:type|interface) (\w+)", text)) | {"Note", "Record", "Partial", "Float"}
+    for fields in (*MESSAGES.values(), *RECORDS.values()):
+        for name, each in fields.items():
+            assert each.is_array or set(re.findall(r"\b[A-Z]\w+", each.form)) <= known, name
 
 
 MESSAGE = {key: None for key, field in MESSAGES["bodies"].items() if not field.is_array} | {"kind": "bodies"}

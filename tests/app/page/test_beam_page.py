@@ -5,8 +5,8 @@ import pytest
 from playwright.sync_api import expect
 
 from app.choices.request import Request
-from app.messages.beam import chosen_method
 from app.messages.histories import MS
+from app.messages.transverse import chosen_method
 
 from .test_page import check_slider, settled
 
@@ -36,8 +36,9 @@ def test_a_beam_is_drawn_and_its_story_shown(open_page):
     assert page.tab.locator("section.stage:visible").count() == 1
     page.wait(ALL_DRAWN)
     page.wait(
-        """() => [strikewave.page.beam.stage.canvas, ...strikewave.page.beam.charts.map(({ chart }) => chart.below),
-             strikewave.page.beam.cycle.chart.below, strikewave.page.beam.dispersion.chart.below].map((canvas) => {
+        """() => [strikewave.page.beam.stage.canvas,
+             ...['spaceTime', 'force', 'motion', 'cycle', 'dispersion'].map(
+               (part) => strikewave.page.beam[part].chart.below)].map((canvas) => {
           const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
           return new Set(new Uint32Array(data.buffer)).size;
         }).every((colours) => colours > 20)"""

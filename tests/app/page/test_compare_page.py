@@ -82,7 +82,7 @@ def test_what_is_being_solved_for_a_question_is_not_called_the_same(open_page):
         """() => {
           const { compare } = strikewave.page;
           compare.ask({ key: 'law', first: { law: 'rigid' }, second: { law: 'hertz' } });
-          return [compare.told.root.textContent, compare.bar.row.textContent];
+          return [compare.summary.root.textContent, compare.bar.row.textContent];
         }"""
     )
     for words in said:

@@ -5,7 +5,7 @@ import pytest
 from playwright.sync_api import expect
 
 import solvers
-from app.choices.opened import opened_charts
+from app.choices.opened import opening_of
 from app.choices.request import Request
 from app.choices.scene_of import own_choices
 from app.messages.solutions import beside
@@ -17,7 +17,7 @@ STACK = "() => strikewave.page.view.stack.shows('stress')"
 CURVES = """() => strikewave.page.view.gauge.chart.content.series.map(({ x, y, factor }) =>
   [[...x].map((t) => t * strikewave.page.frame.trip), [...y].map((value) => value * factor)])"""
 TITLE = "Stress at a place"
-OPENED = [name for name in solvers.scene_names() if opened_charts(name)["charts"] == ["stress"]]
+OPENED = [name for name in solvers.scene_names() if opening_of(name).charts == ("stress",)]
 
 
 def test_seven_figures_tell_it():
@@ -43,7 +43,7 @@ def test_a_figure_is_opened_on_its_place_and_tells_what_the_solvers_do(open_page
     assert page.evaluate(STACK)
     request = Request.of(own_choices(name))
     exact = exact_solution(request.scene, request.restitution)
-    place = np.array([opened_charts(name)["place"]])
+    place = np.array([opening_of(name).place])
     found = page.evaluate(CURVES)
     assert len(found) == 2
     for solution, (time, stress) in zip((exact, beside(request, exact)), found, strict=True):

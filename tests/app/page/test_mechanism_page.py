@@ -8,7 +8,7 @@ from .test_page import settled
 
 LONG = 60_000
 INK = """() => {
-  const { canvas } = strikewave.page.beam.stage;
+  const { canvas } = strikewave.page.mechanism.stage;
   const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
   return new Set(new Uint32Array(data.buffer)).size;
 }"""
@@ -65,7 +65,7 @@ def test_a_run_of_another_kind_of_impact_is_kept_and_not_compared(open_page):
 def test_links_move_as_the_library_says(open_page):
     page = open_page("?scene=four-bar")
     moved = page.evaluate(
-        """() => { const { page } = strikewave, { stage } = page.beam; page.player.go(2);
+        """() => { const { page } = strikewave, { stage } = page.mechanism; page.player.go(2);
           const read = () => stage.mechanism.placed[2].at(-1);
           const later = read(); page.player.go(0); const first = read();
           return (later[0] - first[0]) / stage.mechanism.scale / stage.mechanism.factor; }"""
@@ -136,7 +136,7 @@ def test_a_scene_that_is_picked_opens_what_it_is_named_after_and_shuts_it_again(
 def test_a_joint_that_bears_nothing_has_no_arrow(open_page):
     """Struck at its centre of percussion: 1e-16 N s is rounding."""
     page = open_page("?scene=compound-pendulum")
-    assert page.evaluate("() => strikewave.page.beam.stage.mechanism.largest") == 0
+    assert page.evaluate("() => strikewave.page.mechanism.stage.mechanism.largest") == 0
 
 
 def test_sudden_reactions_stand_beside_all_that_the_joints_give(open_page):
@@ -163,8 +163,8 @@ def test_what_strikes_from_above_keeps_off_the_colours(open_page):
     """On a phone, where they are beside each other; 44 pixels are theirs."""
     page = open_page("?scene=table-6.6", size=(390, 844))
     top = """() => {
-      const { mechanism } = strikewave.page.beam.stage;
-      return mechanism.middleOf(mechanism.told.contact, mechanism.told.normal)[1] - mechanism.wide / 2;
+      const { mechanism } = strikewave.page.mechanism.stage;
+      return mechanism.middleOf(mechanism.linkage.contact, mechanism.linkage.normal)[1] - mechanism.wide / 2;
     }"""
     assert page.evaluate(top) >= 40
 

@@ -6,7 +6,7 @@ from pytest import approx
 from .test_access_page import findings
 from .test_page import settled
 
-STAGE = "strikewave.page.beam.stage"
+STAGE = "strikewave.page.mechanism.stage"
 TURNED = f"() => {STAGE}.mechanism.placed[0].at(-1)"
 
 
@@ -24,8 +24,8 @@ def test_the_links_go_far_on_the_stage_by_the_clock_of_the_page(open_page):
     assert page.evaluate("() => strikewave.page.player.t") == approx(second, rel=1e-4)
     assert page.evaluate(TURNED) != first
     gap = page.evaluate(
-        f"""() => {{ const {{ mechanism }} = {STAGE}, {{ held, placed, told }} = mechanism;
-          const face = placed[told.struck][0][1] - 0.5 * mechanism.thick(told.struck);
+        f"""() => {{ const {{ mechanism }} = {STAGE}, {{ held, placed, linkage }} = mechanism;
+          const face = placed[linkage.struck][0][1] - 0.5 * mechanism.thick(linkage.struck);
           return face - held.y - held.height / 2; }}"""
     )
     assert abs(gap) < 3  # pixels between mass and piston as they meet
@@ -44,9 +44,9 @@ def test_a_link_that_bends_is_drawn_bent_larger_and_the_mass_meets_it_there(open
     shown = page.evaluate(f"() => ({{ factor: {STAGE}.mechanism.factor, words: {STAGE}.mechanism.scaleWords }})")
     assert shown["factor"] > 1 and f"bending drawn × {shown['factor']:g}" in shown["words"]
     apart = page.evaluate(
-        f"""() => {{ const {{ mechanism }} = {STAGE}, {{ held, placed, told }} = mechanism;
-          const [x, y] = placed[told.struck].at(-1);
-          return Math.hypot(held.x - x, held.y - y) - (held.width + mechanism.thick(told.struck)) / 2 - 1; }}"""
+        f"""() => {{ const {{ mechanism }} = {STAGE}, {{ held, placed, linkage }} = mechanism;
+          const [x, y] = placed[linkage.struck].at(-1);
+          return Math.hypot(held.x - x, held.y - y) - (held.width + mechanism.thick(linkage.struck)) / 2 - 1; }}"""
     )
     assert abs(apart) < 3  # pixels, of a bar that is struck at its tip
     expect(page.tab.get_by_role("button", name="velocity", exact=True)).to_be_hidden()
@@ -54,8 +54,8 @@ def test_a_link_that_bends_is_drawn_bent_larger_and_the_mass_meets_it_there(open
     said = page.tab.get_by_text("The solve took")
     for seconds in (0.05, 0.25):  # as it may take for longer
         page.evaluate(
-            """took => { const { frame, beam } = strikewave.page; frame.main.diagnostics.wall_time = took;
-            beam.story.load(frame); }""",
+            """took => { const { frame, mechanism } = strikewave.page; frame.main.diagnostics.wall_time = took;
+            mechanism.story.load(frame); }""",
             seconds,
         )
         expect(said).to_have_count(int(seconds > 0.1))
@@ -76,7 +76,7 @@ def test_it_plays_as_it_opens_and_fits_on_a_phone(open_page):
 
 def test_moments_at_joints_and_pivots_have_their_charts(open_page):
     page = open_page("?scene=rotating-bar")
-    chart = "strikewave.page.beam.reactions.chart"
+    chart = "strikewave.page.mechanism.reactions.chart"
     assert page.evaluate(f"() => {chart}.content.series.map(({{ name }}) => name)") == ["ground – bar", "rigid links"]
     page.tab.get_by_role("button", name="moment", exact=True).last.click()
     assert page.evaluate(f"() => {chart}.content.unit") == "N m"
@@ -89,7 +89,7 @@ def test_moments_at_joints_and_pivots_have_their_charts(open_page):
 def test_links_beside_the_struck_one_show_their_waves(open_page):
     page = open_page("?scene=bent-rods")
     coloured = page.evaluate(
-        """() => { const { stage } = strikewave.page.beam, { mechanism } = stage;
+        """() => { const { stage } = strikewave.page.mechanism, { mechanism } = stage;
           strikewave.page.player.go(0.3);
           const ratio = stage.canvas.width / stage.canvas.clientWidth, c = stage.canvas.getContext('2d');
           return [0.3, 0.5, 0.7].map((share) => { const [x, y] = mechanism.along(1, share);
@@ -101,9 +101,9 @@ def test_links_beside_the_struck_one_show_their_waves(open_page):
 def test_no_name_lies_under_the_mass(open_page):
     page = open_page("?scene=bouncing-on-piston", size=(390, 844))
     under, read = page.evaluate(
-        f"""() => {{ const {{ stage }} = strikewave.page.beam, {{ mechanism }} = stage, {{ player }} = strikewave.page;
+        f"""() => {{ const {{ mechanism: {{ stage }}, player }} = strikewave.page, {{ mechanism }} = stage;
           const context = CanvasRenderingContext2D.prototype, {{ fillText }} = context;
-          const names = mechanism.told.links.map(({{ name }}) => name), under = new Set(), read = new Set();
+          const names = mechanism.linkage.links.map(({{ name }}) => name), under = new Set(), read = new Set();
           let written = [];
           context.fillText = function (text, x, y) {{
             const {{ width }} = this.measureText(text);
@@ -126,7 +126,7 @@ def test_no_name_lies_under_the_mass(open_page):
 def test_a_stretch_in_view_is_sampled_for_it_so_that_an_impact_is_seen(open_page):
     page = open_page("?scene=four-bar-moves")
     impact = page.evaluate("() => strikewave.page.frame.contacts[2][0]")
-    counts = """() => { const { frame, beam: { axis: { view: [low, high] } } } = strikewave.page;
+    counts = """() => { const { frame, mechanism: { axis: { view: [low, high] } } } = strikewave.page;
       const within = (time) => Array.from(time).filter((t) => t >= low && t <= high).length;
       return ['time', 'reactionTime', 'energyTime'].map((name) => within(frame[name])); }"""
     page.evaluate(f"() => strikewave.page.zoom({impact - 1}, {impact + 1})")
@@ -134,8 +134,8 @@ def test_a_stretch_in_view_is_sampled_for_it_so_that_an_impact_is_seen(open_page
     page.wait("() => strikewave.page.closer.part")
     after = page.evaluate(counts)
     assert before[1] <= 3 and before[2] <= 3 and after[1] > 10 and after[2] > 10 and after[0] > 400
-    page.evaluate("() => strikewave.page.beam.motion.switch.root.querySelector('[data-kind=velocity]').click()")
-    shown = page.evaluate("""() => { const { series } = strikewave.page.beam.motion.chart.content;
+    page.evaluate("() => strikewave.page.mechanism.motion.switch.root.querySelector('[data-kind=velocity]').click()")
+    shown = page.evaluate("""() => { const { series } = strikewave.page.mechanism.motion.chart.content;
       return series.slice(0, 2).map(({ x, y }) => [Array.from(x), Array.from(y)]); }""")
     rates = page.evaluate("() => Array.from(strikewave.page.frame.rates.subarray(8, 12))")
     for body, (time, velocity) in enumerate(shown):

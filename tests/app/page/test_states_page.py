@@ -51,8 +51,8 @@ def test_a_caption_is_read_whole_beside_the_way_back_from_a_zoom(open_page):
     assert caption.bounding_box()["width"] > 200
     sizes = page.evaluate(
         """() => {
-          const { caption, player, told } = strikewave.page;
-          return told.events.events.map(([t]) => {
+          const { caption, player, story } = strikewave.page;
+          return story.events.events.map(([t]) => {
             player.go(t);
             const { fontSize, lineHeight } = getComputedStyle(caption.root);
             return `${fontSize}/${lineHeight}`;

@@ -6,7 +6,7 @@ import pytest
 from app.choices.choices import Choices
 from app.choices.request import Request
 from app.choices.scene_of import choices_of
-from app.messages.beam import main_solution
+from app.messages.transverse import main_solution
 from app.views.energy import COLOURS, energy_shares, of_impacts
 from solvers import LAWS
 

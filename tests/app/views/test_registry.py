@@ -8,7 +8,8 @@ import panel
 import pytest
 
 from app.choices.choices import SCENES, Choices
-from app.choices.scene_of import choices_of, kind_of
+from app.choices.kinds import kind_of
+from app.choices.scene_of import choices_of
 from app.jobs.compiler import usual
 from app.page.lab import Lab
 from app.views.bounces import bounces_data
@@ -82,7 +83,7 @@ def test_every_view_can_answer_and_what_runs_long_says_what_it_needs():
 
 
 def test_every_kind_of_scene_is_one_that_views_name():
-    assert {kind_of(scene) for scene in SCENES.values()} == KINDS
+    assert {kind_of(scene).NAME for scene in SCENES.values()} == KINDS
 
 
 # --- what is asked, and when ------------------------------------------------------------------------------------------
@@ -142,7 +143,7 @@ def test_an_open_view_is_asked_once_about_the_same(page):
 def test_a_view_is_asked_about_scenes_of_its_kind_only(page):
     page.param.update(trust_shown=True, methods_shown=True, energy_shown=True)
     assert (len(wishes(page, "trust")), len(wishes(page, "methods")), len(wishes(page, "energy"))) == (0, 1, 1)
-    choose(page, next(name for name, scene in SCENES.items() if kind_of(scene) == "beam"))
+    choose(page, next(name for name, scene in SCENES.items() if kind_of(scene).NAME == "beam"))
     assert (len(wishes(page, "trust")), len(wishes(page, "methods")), len(wishes(page, "energy"))) == (1, 1, 2)
     choose(page, "brick-off-centre")
     assert (len(wishes(page, "trust")), len(wishes(page, "methods")), len(wishes(page, "energy"))) == (1, 1, 2)

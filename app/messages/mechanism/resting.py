@@ -1,4 +1,4 @@
-"""What the browser draws of a mechanism besides its struck link, which stands for the beam in app/messages/beam.py.
+"""What the browser draws of a mechanism in the impact, besides its struck link, which stands for a beam.
 
 Links are drawn where they are as the impact begins, and by how much their points have moved since.
 """
@@ -16,10 +16,11 @@ from solvers.methods.mechanisms import MechanismMotion
 from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 
-from .bending import along_normal, instants_for, link_told
-from .encoding import Stretch, instants, whole_numbers
+from ..encoding import Stretch, instants, whole_numbers
+from .links import along_normal, instants_for, link_arrays
 
 RIGID_LINKS = "rigid-links"  # name of the solution beside, where it is not that of its method
+LINK_PLACES = 31  # of the struck link, beside which there are others
 PARTS = 10  # straight pieces of a link that bends
 INSTANTS = 75
 REACTIONS = 200  # instants
@@ -27,18 +28,12 @@ REACTIONS_OF_ONE = 800  # where there is one joint alone, and balances shake all
 AMOUNTS_BESIDE = 4_000  # numbers that tell of links beside the struck one
 
 
-def mechanism_of(scene: Scene) -> Mechanism | None:
-    """What is struck, if that is one."""
-    return scene.target if isinstance(scene.target, Mechanism) else None
-
-
 def mechanism_fields(
     solution: Solution, rigid: Solution | None, stretch: Stretch
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Header and arrays; without any, if it is none. `rigid`: the same with rigid links, if there is that."""
+    """Header and arrays. `rigid`: the same with rigid links, if there is that."""
     motion = solution.known_motion
-    if not isinstance(motion, MechanismMotion):
-        return {"mechanism": None, "moving": None}, {}
+    assert isinstance(motion, MechanismMotion)
     time = instants(solution.duration, INSTANTS)
     links = motion.link_points(time, PARTS)
     places = np.stack([links[name] for name in motion.names], axis=1)  # (instants, links, places, 2)
@@ -75,7 +70,7 @@ def _others(motion: MechanismMotion, duration: float, stretch: Stretch) -> dict[
     coordinates, found = motion.coordinates(time), {"bendTime": 1e3 * time}
     for number, fields in bent.items():
         own = slice(offsets[number], offsets[number + 1])
-        found |= link_told(number, coordinates[:, own], fields, ever[:, own])
+        found |= link_arrays(number, coordinates[:, own], fields, ever[:, own])
     return found
 
 
@@ -139,8 +134,7 @@ def struck_link(mechanism: Mechanism) -> dict[str, Any]:
 
 def rigid_answer(solution: Solution) -> Solution | None:
     """The same impact on the same mechanism with rigid links, if any of them bends."""
-    mechanism = mechanism_of(solution.scene)
-    if mechanism is None or not mechanism.flexible:
+    if not solution.scene.target.known_as(Mechanism).flexible:
         return None
     scene = with_rigid_links(solution.scene)
     if isinstance(solution.motion, MovingMotion):

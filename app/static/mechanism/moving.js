@@ -6,7 +6,7 @@ import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Mechanism } from './mechanism.js';
 
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const SHOWN_BEND = 0.06; // of the mechanism, that the largest deflection is drawn as
@@ -25,7 +25,7 @@ export class MovingMechanism extends Mechanism {
   /** @type {[Point, Point][]} */ frames = []; // where links would be unbent, in pixels
   /** @type {{ time: number[], x: number[], y: number[] }} */ beside = { time: [], x: [], y: [] };
 
-  /** @param {BeamFrame} frame */
+  /** @param {MechanismFrame} frame */
   constructor(frame) {
     super(frame, 0);
     this.rows = this.bending.map((bending) => (bending ? new Float64Array(bending.places) : null));
@@ -67,7 +67,7 @@ export class MovingMechanism extends Mechanism {
   }
   /** By how much the mass is drawn elsewhere, so that it meets the link where that is drawn. */
   #meet() {
-    const { at, struck } = this.told;
+    const { at, struck } = this.linkage;
     const normals = given(this.frame.normals, 'normals');
     const time = Array.from(normals.subarray(0, normals.length / 2));
     const off = time.map((t) => {
@@ -86,9 +86,9 @@ export class MovingMechanism extends Mechanism {
    * @returns {[Point, Point]}
    */
   ends(n, t) {
-    const { moves, points, told } = this;
+    const { moves, points, linkage } = this;
     const [k, part] = this.instant(t);
-    const all = 4 * told.links.length;
+    const all = 4 * linkage.links.length;
     const value = (/** @type {number} */ i) =>
       points[i] + moves[(k - 1) * all + i] * (1 - part) + moves[k * all + i] * part;
     const i = 4 * n;
@@ -99,7 +99,7 @@ export class MovingMechanism extends Mechanism {
   }
   /** @param {number} t */
   place(t) {
-    this.placed = this.told.links.map((_, n) => {
+    this.placed = this.linkage.links.map((_, n) => {
       const [[a, b], [x, y]] = this.ends(n, t);
       const row = this.rows[n];
       this.frames[n] = [this.pixel(a, b), this.pixel(x, y)];

@@ -12,10 +12,10 @@ from solvers.methods.multibody.method import Multibody
 from solvers.methods.multibody.motion import MovingMotion
 from solvers.text.notes import Note
 
-from ..choices.request import Request
-from .bending import PLACES, across, instants_for, link_told
-from .encoding import Stretch, over, whole_numbers
-from .mechanism import described, with_rigid_links
+from ...choices.request import Request
+from ..encoding import Stretch, over, whole_numbers
+from .links import PLACES, across, instants_for, link_arrays
+from .resting import described, with_rigid_links
 
 MS = 1e3  # [ms / s]
 INSTANTS, HISTORY = 601, 301  # of the picture, besides impacts; of reactions and energies
@@ -29,8 +29,8 @@ MOST_CONTACT_STEPS = {False: 20_000, True: 10_000}  # of links that are rigid, a
 # 3 to 5 us each.
 DRAFT_STEPS, DRAFT_SHARE = 1_000, 0.2
 LEAST_CONTACT_STEPS = 25  # of its shortest contact
-IMPACTS = 100  # told one by one
-JOLTS = 8  # of these, the first of which it is told what every joint gets
+IMPACTS = 100  # one by one
+JOLTS = 8  # of these, the first of which it is said what every joint gets
 
 
 def follow(request: Request, method: Multibody) -> tuple[Solution, Note | None]:
@@ -89,14 +89,14 @@ def moving_fields(
         arrays |= _reactions(reference.motion, "reference", request.stretch)
     asked = request.chosen["motion_seconds"]
     cut = asked > solution.duration * (1.0 + 1e-9) and not any(note.code == "cut-short" for note in solution.notes)
-    told = {
+    moving = {
         "restitution": solution.method["restitution"] if solution.scene.rigid_contact else None,
         "rigid": rigid and rigid.table(),
         "cut": cut,
         "energies": names,
         "jolts": _jolts(motion, solution),
     }
-    return {"places": PLACES, "mechanism": described(mechanism), "moving": told}, arrays
+    return {"places": PLACES, "mechanism": described(mechanism), "moving": moving}, arrays
 
 
 def _instants(motion: MovingMotion) -> int:
@@ -121,7 +121,7 @@ def _bends(motion: MovingMotion, time: np.ndarray, stretch: Stretch) -> dict[str
     for number, fields in bent.items():
         first, angle = int(offsets[number]) + 3, now[:, int(offsets[number]) + 2]
         own = slice(first, first + len(fields.shape))
-        found |= link_told(number, coordinates[:, own], fields, now[:, own])
+        found |= link_arrays(number, coordinates[:, own], fields, now[:, own])
         left = np.stack((-np.sin(angle), np.cos(angle)), axis=1)
         beside[:, number] = (now[:, own] @ fields.shape[:, [0, -1]])[:, :, None] * left[:, None]
     return found | {"beside": beside}
@@ -160,8 +160,11 @@ def _energies(motion: MovingMotion, scene: Scene, stretch: Stretch) -> tuple[lis
     ever = _parts(motion, scene, _amid_steps(motion.time, None).mean(axis=1))
     names = [name for name, values in ever.items() if np.abs(values).max() > 0.0]
     time = _amid_steps(motion.time, stretch).mean(axis=1)
-    told = _parts(motion, scene, time) if stretch else ever
-    return names, {"energyTime": MS * time, "energies": whole_numbers(np.stack([told[name] for name in names], axis=1))}
+    parts = _parts(motion, scene, time) if stretch else ever
+    return names, {
+        "energyTime": MS * time,
+        "energies": whole_numbers(np.stack([parts[name] for name in names], axis=1)),
+    }
 
 
 def _parts(motion: MovingMotion, scene: Scene, time: np.ndarray) -> dict[str, np.ndarray]:

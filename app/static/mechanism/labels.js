@@ -2,9 +2,7 @@
 // where a mass is that has left the picture.
 import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
-import { text } from '../text/catalogue.js';
-import { figures, scaled } from '../text/format.js';
-import { arrow } from './joints.js';
+import { ARROW, arrow, awayOf } from '../beam/flown.js';
 
 /** @import { Context, Mechanism, Point } from './mechanism.js' */
 
@@ -17,8 +15,6 @@ const ROOM = 3; // pixels between words and what is drawn
 const PIN = 7; // pixels about a joint
 const GROUND = [16, 24]; // pixels beside and below one on the ground
 const [EDGE, TOP] = [10, 48]; // pixels, as near to the edges as which the way to a mass is drawn
-const ARROW = 20;
-const FLOWN = 26; // below the words at the upper edge
 const PIECES = 8; // of a link that bends, as far as words are concerned
 
 /**
@@ -63,7 +59,7 @@ export class Labels {
    */
   #places(n, half) {
     const { mechanism } = this;
-    const { struck } = mechanism.told;
+    const { struck } = mechanism.linkage;
     const line = mechanism.placed[n];
     const [[fx, fy], [lx, ly]] = [line[0], line[line.length - 1]];
     const length = Math.hypot(lx - fx, ly - fy) || 1;
@@ -87,9 +83,9 @@ export class Labels {
    * @returns {Box[]}
    */
   #obstacles() {
-    const { told, along } = this.mechanism;
+    const { linkage, along } = this.mechanism;
     /** @type {Box[]} */
-    const found = told.joints.map(({ link, links, share }) => {
+    const found = linkage.joints.map(({ link, links, share }) => {
       const [x, y] = along.call(this.mechanism, link, share);
       const [beside, below] = links.includes('ground') ? GROUND : [PIN, PIN];
       return [x - beside, y - PIN, x + beside, y + below];
@@ -125,7 +121,7 @@ export class Labels {
    */
   draw(c, words) {
     const { mechanism, taken } = this;
-    const { height, told, width } = mechanism;
+    const { height, linkage, width } = mechanism;
     const boxes = [...words, ...this.#obstacles()];
     const [held, ways, lines] = [this.#held(), this.#ways(), this.#lines()];
     /** @type {(box: Box) => number} */
@@ -144,7 +140,7 @@ export class Labels {
     c.lineWidth = 3;
     c.strokeStyle = 'rgba(255,255,255,.85)';
     c.fillStyle = COLORS.faint;
-    told.links.forEach(({ name }, n) => {
+    linkage.links.forEach(({ name }, n) => {
       const half = 0.5 * c.measureText(name).width;
       const places = this.#places(n, half);
       const boxOf = (/** @type {number} */ k) => {
@@ -163,33 +159,6 @@ export class Labels {
       c.fillText(name, x, y);
     });
   }
-}
-
-/**
- * @param {string} striker
- * @param {number} distance  beyond the edge of the picture [m]
- */
-function awayOf(striker, distance) {
-  const [times, unit] = scaled(distance, 'm');
-  return text('motion.gone', { striker, away: `${figures(distance * times, 2)} ${unit}` });
-}
-
-/**
- * The way up to what has struck a beam and left the picture, and how far beyond it is.
- * @param {Context} c
- * @param {string} striker
- * @param {Point} place  of its face
- * @param {number} scale  pixels in a metre
- */
-export function flown(c, striker, [x, y], scale) {
-  arrow(c, [x, FLOWN + ARROW], [0, -ARROW], COLORS.edge);
-  if (y >= 0) return; // just so
-  const said = awayOf(striker, -y / scale);
-  c.font = letters(11);
-  c.fillStyle = COLORS.faint;
-  c.textBaseline = 'middle';
-  c.textAlign = 'right';
-  c.fillText(said, x - 8, FLOWN + 0.6 * ARROW);
 }
 
 /**

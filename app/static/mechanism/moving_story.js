@@ -5,7 +5,7 @@ import { showEnergy } from '../shell/story.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
 
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const SLOW = 0.1; // s of a solve, from which it is said why
@@ -15,11 +15,11 @@ const OF_COLOURS = { links: 'target_rigid' }; // parts that have the colour of a
 /**
  * A sentence on it, with its values.
  * @param {string} code
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @param {Record<string, any>} [values]
  */
 function tell(code, frame, values = {}) {
-  const { links, struck } = given(frame.mechanism, 'mechanism');
+  const { links, struck } = frame.mechanism;
   return text(`motion.${code}`, {
     ...{ striker: frame.impactor.kind, link: links[struck].name, contacts: frame.main.contacts },
     ...{ time: duration(frame.duration), ...values },
@@ -28,7 +28,7 @@ function tell(code, frame, values = {}) {
 
 /**
  * Every impact, as far as they are told one by one.
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @returns {Event[]}
  */
 export const movingEvents = (frame) =>
@@ -37,13 +37,13 @@ export const movingEvents = (frame) =>
     tell('event', frame, { number: k + 1, impulse: figures(impulse, 4), approach: speed(frame.speed) }),
   ]);
 
-/** @param {BeamFrame} frame  whether contacts last, by a law */
+/** @param {MechanismFrame} frame  whether contacts last, by a law */
 const byLaw = ({ moving }) => moving?.restitution === null;
 
-/** @param {BeamFrame} frame  whether any link does */
-const bends = (frame) => given(frame.mechanism, 'mechanism').links.some(({ flexible }) => flexible);
+/** @param {MechanismFrame} frame  whether any link does */
+const bends = (frame) => frame.mechanism.links.some(({ flexible }) => flexible);
 
-/** @param {BeamFrame} frame */
+/** @param {MechanismFrame} frame */
 export const movingReasons = (frame) =>
   tell('why', frame, {
     law: byLaw(frame),
@@ -52,14 +52,14 @@ export const movingReasons = (frame) =>
 
 /**
  * How well it is followed, and for how long.
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  */
 export function keptOf(frame) {
   const { cut, restitution, rigid } = given(frame.moving, 'moving');
   const { constraint_error: gap, energy_drift: drift, estimated_error: error, steps } = frame.main.diagnostics;
   const { wall_time: took } = frame.main.diagnostics;
   const law = { law: byLaw(frame), restitution: restitution ?? 1 };
-  const joined = given(frame.mechanism, 'mechanism').joints.length > 0;
+  const joined = frame.mechanism.joints.length > 0;
   const words = [tell('impacts', frame, law), text('motion.kept', { drift, gap, joined })];
   if (rigid) words.push(text('motion.rigid', { why: said(rigid) }));
   if (took > SLOW) words.push(text('motion.slow', { took, steps, bends: bends(frame) }));
@@ -70,7 +70,7 @@ export function keptOf(frame) {
 
 /**
  * What goes on at an instant.
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @param {number} t
  * @param {{ own: string, ahead: string }} values  velocities along the first normal
  */
@@ -84,11 +84,11 @@ export const movingNow = (frame, t, values) =>
 /**
  * Every impact with what the joints get of it.
  * @param {HTMLElement} table
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @param {(t: number) => void} go
  */
 export function impactTable(table, frame, go) {
-  const { joints } = given(frame.mechanism, 'mechanism');
+  const { joints } = frame.mechanism;
   const { jolts } = given(frame.moving, 'moving');
   const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`));
   const names = joints.map(({ links }) => text('motion.column.joint', { joint: links.join(' – ') }));
@@ -108,14 +108,14 @@ export function impactTable(table, frame, go) {
 /**
  * Where the energy is in the end.
  * @param {HTMLElement} root
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  */
 export function movingShares(root, frame) {
   const energies = given(frame.energies, 'energies');
   const { energies: names } = given(frame.moving, 'moving');
   const last = names.map((name, k) => [OF_COLOURS[name] ?? name, energies[energies.length - names.length + k]]);
-  const told = family('motion.energy');
+  const words = family('motion.energy');
   /** @type {[string, string][]} */
-  const parts = names.map((name) => [OF_COLOURS[name] ?? name, told[name]]);
+  const parts = names.map((name) => [OF_COLOURS[name] ?? name, words[name]]);
   showEnergy(root, { initial: frame.main.energy.initial, ...Object.fromEntries(last) }, parts, true);
 }

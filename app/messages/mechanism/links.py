@@ -6,7 +6,7 @@ import numpy as np
 
 from solvers.bodies import Mechanism
 
-from .encoding import whole_numbers
+from ..encoding import whole_numbers
 
 PLACES = 31  # along each link
 MOST_AMOUNTS = 7_500  # numbers in all, of which the instants are as many as leave room for
@@ -27,11 +27,11 @@ def places_along(mechanism: Mechanism, number: int) -> np.ndarray:
 
 
 def instants_for(shapes: int, most: int = MOST_AMOUNTS) -> int:
-    """At how many instants links of so many shapes are told of."""
+    """The number of instants for links of so many shapes."""
     return int(min(MOST_INSTANTS, most / max(shapes, 1)))
 
 
-def link_told(number: int, amounts: np.ndarray, fields: Fields, ever: np.ndarray) -> dict[str, Any]:
+def link_arrays(number: int, amounts: np.ndarray, fields: Fields, ever: np.ndarray) -> dict[str, Any]:
     """Amounts (instants, shapes) and fields of a link, each shape over what it is at most of what it `ever` is."""
     most = np.maximum(np.abs(ever).max(axis=0, initial=0.0), 1e-300)
     found: dict[str, Any] = {f"amountsOf{number}": whole_numbers(amounts / most)}

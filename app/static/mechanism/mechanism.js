@@ -2,14 +2,15 @@
 import { letters } from '../charts/canvas.js';
 import { boxOf, indexAt, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
+import { arrow } from '../beam/flown.js';
 import { given } from '../shell/message.js';
 import { bendingOf } from './bending.js';
-import { arrow, drawJoint } from './joints.js';
+import { drawJoint } from './joints.js';
 import { gone, Labels } from './labels.js';
 import { text } from '../text/catalogue.js';
 import { figures, prefixed } from '../text/format.js';
 
-/** @import { BeamFrame, MechanismTold } from '../shell/message.js' */
+/** @import { MechanismFrame, MechanismRecord } from '../messages.js' */
 /** @import { Drawn } from '../shell/striker.js' */
 
 /** @typedef {CanvasRenderingContext2D} Context */
@@ -43,13 +44,13 @@ export class Mechanism {
   flight = 0; // by how much larger the way of the mass is drawn, if not as all else
 
   /**
-   * @param {BeamFrame} frame
+   * @param {MechanismFrame} frame
    * @param {number} reach  of the impactor while it touches [m]
    */
   constructor(frame, reach) {
     this.frame = frame;
-    /** @type {MechanismTold} */
-    this.told = given(frame.mechanism, 'mechanism');
+    /** @type {MechanismRecord} */
+    this.linkage = frame.mechanism;
     this.points = given(frame.linkPoints, 'linkPoints');
     this.moves = given(frame.linkMoves, 'linkMoves');
     this.times = given(frame.linkTime, 'linkTime');
@@ -96,7 +97,7 @@ export class Mechanism {
   }
   /** Off the words and colours above, if what strikes comes from there, as far as there is room below. */
   #lower() {
-    const { contact, normal } = this.told;
+    const { contact, normal } = this.linkage;
     const above = this.middleOf(contact, normal)[1] - this.wide / 2;
     const below = this.height - FOOT - this.pixel(0, this.box[2])[1];
     this.center[1] += Math.max(0, Math.min(HEAD - above, below));
@@ -120,12 +121,12 @@ export class Mechanism {
   }
   /** @param {number} t */
   place(t) {
-    const { factor, moves, places, points, told } = this;
+    const { factor, moves, places, points, linkage } = this;
     const [k, part] = this.instant(t);
-    const all = 2 * places * told.links.length;
+    const all = 2 * places * linkage.links.length;
     const moved = (/** @type {number} */ i) =>
       points[i] + factor * (moves[(k - 1) * all + i] * (1 - part) + moves[k * all + i] * part);
-    this.placed = told.links.map((_link, n) =>
+    this.placed = linkage.links.map((_link, n) =>
       Array.from({ length: places }, (_, j) => this.pixel(...this.#pair(moved, 2 * (n * places + j)))),
     );
   }
@@ -152,7 +153,7 @@ export class Mechanism {
   }
   /** The direction of the impact on the canvas. @returns {Point} */
   get way() {
-    const [x, y] = this.told.normal;
+    const [x, y] = this.linkage.normal;
     return [x, -y];
   }
   /** What is drawn larger than it is. */
@@ -161,7 +162,7 @@ export class Mechanism {
   }
   /** Whether there are moments in the struck link. */
   get bends() {
-    return this.told.links[this.told.struck].flexible;
+    return this.linkage.links[this.linkage.struck].flexible;
   }
   /**
    * What strikes it, where it has come to.
@@ -171,8 +172,8 @@ export class Mechanism {
    * @param {boolean} touching
    */
   striker(c, _t, moved, touching) {
-    const [nx, ny] = this.told.normal;
-    const [x, y] = this.told.contact;
+    const [nx, ny] = this.linkage.normal;
+    const [x, y] = this.linkage.contact;
     this.striking(c, [x + this.factor * moved * nx, y + this.factor * moved * ny], [nx, ny], touching);
   }
   /**
@@ -208,7 +209,7 @@ export class Mechanism {
   }
   /** How large what strikes is drawn [px]. */
   get wide() {
-    return Math.min(Math.max(36 * (this.frame.impactor.mass / this.told.mass) ** (1 / 6), 18), 48);
+    return Math.min(Math.max(36 * (this.frame.impactor.mass / this.linkage.mass) ** (1 / 6), 18), 48);
   }
   /**
    * Where the middle of what strikes is drawn.
@@ -217,13 +218,13 @@ export class Mechanism {
    * @returns {Point}
    */
   middleOf(place, [nx, ny]) {
-    const aside = 0.5 * (this.thick(this.told.struck) + this.wide) + 1;
+    const aside = 0.5 * (this.thick(this.linkage.struck) + this.wide) + 1;
     const [x, y] = this.pixel(...place);
     return [x - aside * nx, y + aside * ny];
   }
   /** @param {number} n */
   thick(n) {
-    return Math.min(Math.max(this.told.links[n].depth * this.scale, 6), 16);
+    return Math.min(Math.max(this.linkage.links[n].depth * this.scale, 6), 16);
   }
   /**
    * @param {Context} c
@@ -241,8 +242,8 @@ export class Mechanism {
       c.strokeStyle = '#c3ccd5';
       c.lineWidth = this.thick(n);
       this.#path(c, line);
-      const told = n === this.told.struck || this.bending[n];
-      if (told && this.told.links[n].flexible)
+      const known = n === this.linkage.struck || this.bending[n];
+      if (known && this.linkage.links[n].flexible)
         this.#coloured(c, line, this.thick(n), (share) => value(n, share), end, fibres);
     });
     c.lineCap = 'butt';
@@ -256,7 +257,7 @@ export class Mechanism {
     c.fillStyle = '#ffffff';
     c.strokeStyle = '#1c2733';
     c.lineWidth = 1;
-    this.told.links.forEach(({ nodes }, n) => {
+    this.linkage.links.forEach(({ nodes }, n) => {
       for (const share of nodes) {
         c.beginPath();
         c.arc(...this.along(n, share), NODE, 0, 7);
@@ -303,7 +304,7 @@ export class Mechanism {
   }
   /** @param {Context} c */
   joints(c) {
-    for (const joint of this.told.joints) drawJoint(c, joint, this.along(joint.link, joint.share));
+    for (const joint of this.linkage.joints) drawJoint(c, joint, this.along(joint.link, joint.share));
   }
   /**
    * What each joint does to its second link, as an arrow, at the instant that is placed.
@@ -313,7 +314,7 @@ export class Mechanism {
   reactions(c, t) {
     if (!this.largest) return;
     const found = this.#reactionsAt(t);
-    this.told.joints.forEach((joint, n) => {
+    this.linkage.joints.forEach((joint, n) => {
       const [fx, fy] = found[n].map((part) => (part / this.largest) * LONGEST_ARROW);
       if (Math.hypot(fx, fy) >= LEAST_ARROW) arrow(c, this.along(joint.link, joint.share), [fx, -fy]);
     });
@@ -325,7 +326,7 @@ export class Mechanism {
    */
   #reactionsAt(t) {
     const { main, reactionTime, reactions } = this.frame;
-    const { joints } = this.told;
+    const { joints } = this.linkage;
     if (this.sudden || !reactionTime || !reactions)
       return joints.map((_, n) => (t > 0 ? (main.joints?.[n].impulse ?? [0, 0]) : [0, 0]));
     let k = 0;

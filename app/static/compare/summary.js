@@ -7,7 +7,7 @@ import { bound, comparedOf, difference, leastSaid, sentences, sideBySide, writte
 import { comparable, differing, lineOf } from './settings.js';
 import { verdictOf } from './verdict.js';
 
-/** @import { Frame } from '../shell/message.js' */
+/** @import { Frame } from '../messages.js' */
 /** @import { Letter, Run } from './run.js' */
 
 /**
@@ -82,7 +82,7 @@ function paragraphOf(now, { asked, frame, letter }, coming) {
   };
 }
 
-/** @param {Paragraph} told */
+/** @param {Paragraph} paragraph */
 function paragraph({ letters, head, help, teaches, lines = [] }) {
   const root = make('div', { className: 'against' }, make('p', {}, ...letters.map(signOf), head));
   if (help) root.append(make('p', { className: 'help', textContent: help }));
@@ -91,7 +91,7 @@ function paragraph({ letters, head, help, teaches, lines = [] }) {
   return root;
 }
 
-export class Told {
+export class Summary {
   constructor() {
     this.list = make('div');
     this.root = make(

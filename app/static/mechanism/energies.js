@@ -5,7 +5,7 @@ import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 /** @type {Record<string, Series['style']>} */
 const LOOKS = {
@@ -29,7 +29,7 @@ export class Energies {
     const [title, about] = [text('motion.chart.energy'), text('motion.chart.energy-about')];
     this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'J', pad: [0.06, 0.1], go });
   }
-  /** @param {BeamFrame} frame */
+  /** @param {MechanismFrame} frame */
   load({ contacts, energies, energyTime: x, moving }) {
     this.chart.root.hidden = !moving;
     if (!moving || !x) return;

@@ -5,7 +5,7 @@ import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
-/** @import { BeamFrame, Numbers } from '../shell/message.js' */
+/** @import { MechanismFrame, Numbers } from '../messages.js' */
 /** @import { Run } from '../compare/run.js' */
 
 /** @typedef {'force' | 'moment'} Kind */
@@ -40,7 +40,7 @@ const some = (values) => values.some((value) => value !== 0);
 
 export class Reactions {
   /** @type {Kind} */ kind = 'force';
-  /** @type {BeamFrame} */ frame;
+  /** @type {MechanismFrame} */ frame;
   /** @type {Run[]} */ kept = [];
 
   /**
@@ -60,13 +60,13 @@ export class Reactions {
     this.switch.root.classList.add('small');
     this.chart.value.before(this.switch.root);
   }
-  /** @param {BeamFrame} frame */
+  /** @param {MechanismFrame} frame */
   load(frame) {
     this.frame = frame;
     const { mechanism, reactions } = frame;
-    const there = Boolean(mechanism && reactions && some(reactions)); // else all is over at once
+    const there = Boolean(reactions && some(reactions)); // else all is over at once
     this.chart.root.hidden = !there;
-    if (!mechanism || !reactions || !there) return;
+    if (!reactions || !there) return;
     const turns = valuesOf(reactions, mechanism.joints.length, 'moment').some(some);
     this.switch.root.hidden = !turns; // pins that nothing drives bear no moment
     if (!turns) this.kind = 'force';
@@ -75,7 +75,7 @@ export class Reactions {
   #show() {
     const { frame, kind } = this;
     const { contacts, mechanism, reactionTime, reactions, referenceReactions, referenceReactionTime } = frame;
-    if (!mechanism || !reactions || !reactionTime) return;
+    if (!reactions || !reactionTime) return;
     this.switch.show(kind);
     /** @type {Series[]} */
     const series = [];
@@ -95,7 +95,7 @@ export class Reactions {
   /** @param {Run[]} runs  of which the same is shown */
   keep(runs) {
     this.kept = runs;
-    if (this.frame?.mechanism && !this.chart.root.hidden) this.#show();
+    if (this.frame && !this.chart.root.hidden) this.#show();
   }
   /**
    * The same of a kept run, of as many joints.
@@ -103,8 +103,8 @@ export class Reactions {
    * @returns {Series[]}
    */
   #laid({ frame, letter }) {
-    const joints = this.frame.mechanism?.joints.length ?? 0;
-    if (frame.kind !== 'beam' || frame.mechanism?.joints.length !== joints) return [];
+    const joints = this.frame.mechanism.joints.length;
+    if (frame.kind !== 'mechanism' || frame.mechanism.joints.length !== joints) return [];
     const { reactionTime: x, reactions } = frame;
     if (!x || !reactions) return [];
     const borne = valuesOf(reactions, joints, this.kind).filter(some).slice(0, JOINTS);

@@ -3,9 +3,8 @@ import { headOf, make, rowOf } from '../shell/dom.js';
 import { heading, scrolled } from '../shell/story.js';
 import { family, text } from '../text/catalogue.js';
 import { duration, engineering, figures, speed } from '../text/format.js';
-import { given } from '../shell/message.js';
 
-/** @import { BeamFrame } from '../shell/message.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const LISTED = 4; // contacts that are described one by one
@@ -13,17 +12,17 @@ const LISTED = 4; // contacts that are described one by one
 /**
  * A sentence on a mechanism, with its values.
  * @param {string} code
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @param {Record<string, any>} [values]
  */
 function tell(code, frame, values = {}) {
-  const { links, struck } = given(frame.mechanism, 'mechanism');
+  const { links, struck } = frame.mechanism;
   return text(`beam.mechanism.${code}`, { striker: frame.impactor.kind, link: links[struck].name, ...values });
 }
 
 /**
  * Velocities along the normal as a contact begins or ends, as far as they are known.
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @param {number} k
  * @param {0 | 1} end
  */
@@ -34,12 +33,12 @@ function ratesAt({ rates }, k, end) {
 
 /**
  * The events of the impact, in the order of time [ms].
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @returns {Event[]}
  */
 export function mechanismEvents(frame) {
   const { contacts, main, speed: approach } = frame;
-  const { links, struck } = given(frame.mechanism, 'mechanism');
+  const { links, struck } = frame.mechanism;
   const last = contacts.length - 1;
   const bends = links[struck].flexible;
   const leaves = speed(main.final ?? 0);
@@ -65,11 +64,11 @@ export function mechanismEvents(frame) {
 
 /**
  * Why so many contacts, or why only one.
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  */
 export function mechanismReasons(frame) {
-  const { links } = given(frame.mechanism, 'mechanism');
-  const bends = frame.main.name !== 'rigid' && links.some(({ flexible }) => flexible);
+  const { links } = frame.mechanism;
+  const bends = !frame.main.sudden && links.some(({ flexible }) => flexible);
   return tell(!bends ? 'rigid' : frame.main.contacts > 1 ? 'many' : 'one', frame);
 }
 
@@ -79,10 +78,10 @@ export class Joints {
     this.table = make('table', { className: 'figures' });
     this.root = make('div', { hidden: true }, heading(text('beam.mechanism.joints')), scrolled(this.table));
   }
-  /** @param {BeamFrame} frame */
+  /** @param {MechanismFrame} frame */
   load({ main, mechanism }) {
-    this.root.hidden = !mechanism || !main.joints?.length;
-    if (!mechanism || !main.joints) return;
+    this.root.hidden = !main.joints?.length;
+    if (!main.joints) return;
     const columns = family('beam.mechanism.column');
     const rows = main.joints.flatMap((joint, n) => {
       const name = mechanism.joints[n].links.join(' – ');

@@ -2,8 +2,8 @@
 import { indexAt } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
 
-/** @import { BeamFrame } from '../shell/message.js' */
-/** @import { Out, What } from './field.js' */
+/** @import { Out, What } from '../beam/field.js' */
+/** @import { MechanismFrame } from '../messages.js' */
 
 /** @type {Record<What, string>} */
 const TABLES = { deflection: 'shape', velocity: 'shape', moment: 'moment', shear: 'shear' };
@@ -16,7 +16,7 @@ const SURVEYED = 150; // instants at which the largest deflection is looked for
 
 export class Bending {
   /**
-   * @param {BeamFrame} frame
+   * @param {MechanismFrame} frame
    * @param {number} link  its number
    */
   constructor(frame, link) {
@@ -68,8 +68,8 @@ export class Bending {
 
 /**
  * Links that bend, by their number; of others nothing.
- * @param {BeamFrame} frame
+ * @param {MechanismFrame} frame
  * @returns {(Bending | null)[]}
  */
 export const bendingOf = (frame) =>
-  given(frame.mechanism, 'mechanism').links.map((_, n) => (frame.shapes[`shapeOf${n}`] ? new Bending(frame, n) : null));
+  frame.mechanism.links.map((_, n) => (frame.shapes[`shapeOf${n}`] ? new Bending(frame, n) : null));

@@ -1,7 +1,7 @@
 // The joints of a mechanism on the stage, and arrows of what they bear.
 import { COLORS } from '../charts/styles.js';
 
-/** @import { JointTold } from '../shell/message.js' */
+/** @import { JointRecord } from '../messages.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const PIN = 4.5; // pixels
@@ -9,7 +9,7 @@ const GROUND = 'ground';
 
 /**
  * @param {Context} c
- * @param {JointTold} joint
+ * @param {JointRecord} joint
  * @param {Point} place
  */
 export function drawJoint(c, joint, [x, y]) {
@@ -27,7 +27,7 @@ export function drawJoint(c, joint, [x, y]) {
 
 /**
  * @param {Context} c
- * @param {JointTold} joint
+ * @param {JointRecord} joint
  * @param {number} x
  * @param {number} y
  */
@@ -55,7 +55,7 @@ function ground(c, joint, x, y) {
 /**
  * The guide of a sliding joint.
  * @param {Context} c
- * @param {JointTold} joint
+ * @param {JointRecord} joint
  * @param {number} x
  * @param {number} y
  */
@@ -71,27 +71,4 @@ function slide(c, { axis }, x, y) {
     c.lineTo(x + 26 * dx - side * dy, y + 26 * dy + side * dx);
     c.stroke();
   }
-}
-
-/**
- * @param {Context} c
- * @param {Point} from
- * @param {Point} way  in pixels
- * @param {string} [colour]
- */
-export function arrow(c, [x, y], [dx, dy], colour = COLORS.halfSpace) {
-  const length = Math.hypot(dx, dy);
-  const [ux, uy] = [dx / length, dy / length];
-  const head = Math.min(7, length);
-  c.strokeStyle = c.fillStyle = colour;
-  c.lineWidth = 2;
-  c.beginPath();
-  c.moveTo(x, y);
-  c.lineTo(x + dx - head * ux, y + dy - head * uy);
-  c.stroke();
-  c.beginPath();
-  c.moveTo(x + dx, y + dy);
-  c.lineTo(x + dx - head * ux - 0.5 * head * uy, y + dy - head * uy + 0.5 * head * ux);
-  c.lineTo(x + dx - head * ux + 0.5 * head * uy, y + dy - head * uy - 0.5 * head * ux);
-  c.fill();
 }

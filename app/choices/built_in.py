@@ -1,0 +1,66 @@
+"""Built-in scenes with other values of their bodies, before all other choices."""
+
+from collections.abc import Mapping
+from functools import cache, lru_cache
+from typing import Any
+
+import param
+
+from solvers import Scene, SceneError
+from solvers.bodies import AnyBody
+
+from .bodies import parts_of, read_values, with_values
+from .choices import SCENES, SOLVED_BY, Choices
+
+
+@lru_cache(maxsize=512)
+def base_of(name: str, bodies: str = "") -> Scene:
+    """Raises ValueError with a sentence for the visitor."""
+    return with_values(SCENES[name], read_values(bodies))
+
+
+def struck_body(chosen: Mapping[str, Any]) -> AnyBody | None:
+    """The target of the chosen scene; None where there is no such scene, which the visitor sees where it is solved."""
+    try:
+        return base_of(chosen["scene"], chosen["bodies"]).target
+    except ValueError:
+        return None
+
+
+@cache
+def body_keys(name: str) -> tuple[str, ...]:
+    """All values of its bodies that can be set in a built-in scene."""
+    return tuple(f"{part.key}.{quantity}" for part in parts_of(SCENES[name]) for quantity in part.quantities)
+
+
+@lru_cache(maxsize=1024)
+def keyed(name: str, bodies: str) -> dict[str, Any]:
+    """The choices that are a value in the table of one of a scene's bodies, and this value."""
+    scene, found = base_of(name, bodies), {}
+    for choice, key in Choices.KEYS.items():
+        body, _, quantity = key.partition(".")
+        if quantity in getattr(scene, body).KEYS and _takes(scene, key, _extreme(choice)):
+            found[choice] = getattr(getattr(scene, body), quantity)
+    return found
+
+
+@lru_cache(maxsize=512)
+def able_methods(name: str, bodies: str) -> frozenset[str]:
+    """Those that can solve it."""
+    scene = base_of(name, bodies)
+    return frozenset(method for method, kind in SOLVED_BY.items() if kind().refusal(scene) is None)
+
+
+def _extreme(choice: str) -> Any:
+    """The last value that a choice can have."""
+    parameter = Choices.param[choice]
+    return parameter.objects[-1] if isinstance(parameter, param.Selector) else parameter.bounds[1]
+
+
+def _takes(scene: Scene, key: str, value: Any) -> bool:
+    """Whether a scene may have this value: some keys are only for some supports."""
+    try:
+        scene.replace({key: value})
+    except SceneError:
+        return False
+    return True

@@ -1,0 +1,1 @@
+"""What the browser needs of an impact on a mechanism, which stands still meanwhile or moves on."""

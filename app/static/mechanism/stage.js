@@ -1,0 +1,70 @@
+// The stage of a struck mechanism: all of its links, and beside them the diagrams of the struck one.
+import { BeamStage } from '../beam/stage.js';
+import { between } from '../charts/scale.js';
+import { Mechanism } from './mechanism.js';
+import { MovingMechanism } from './moving.js';
+
+/** @import { MechanismFrame } from '../messages.js' */
+
+const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
+
+/** @extends {BeamStage<MechanismFrame>} */
+export class MechanismStage extends BeamStage {
+  /** @type {Mechanism} */ mechanism;
+  furthest() {
+    const { frame } = this;
+    this.mechanism = frame.moving ? new MovingMechanism(frame) : new Mechanism(frame, super.furthest());
+    this.reaching = this.mechanism.shown;
+    return this.mechanism.reach;
+  }
+  magnify() {
+    super.magnify();
+    this.mechanism.magnify(this.reach);
+  }
+  get diagrams() {
+    return !this.field.lengthwise && this.mechanism.bends && !this.narrow;
+  }
+  get beside() {
+    return !this.narrow; // a mechanism is about as high as wide
+  }
+  /** @param {number} height */
+  above(height) {
+    return height;
+  }
+  /**
+   * @param {CanvasRenderingContext2D} c
+   * @param {number} t
+   * @param {number} width
+   * @param {number} height
+   */
+  picture(c, t, width, height) {
+    const { frame, mechanism, values, what } = this;
+    mechanism.fit(width, height);
+    mechanism.place(t);
+    const rows = mechanism.bending.map((bending) => bending?.profile(t, what));
+    rows[mechanism.linkage.struck] = values;
+    const value = (/** @type {number} */ n, /** @type {number} */ share) =>
+      rows[n]?.[Math.round(share * (rows[n].length - 1))] ?? 0;
+    mechanism.links(c, value, this.usual[what], what === 'moment');
+    mechanism.joints(c);
+    mechanism.striker(c, t, between(frame.time, frame.impactorPath, t), this.touching(t));
+    mechanism.reactions(c, t);
+    mechanism.words(c, 12, 36, width < LEAST_FOR_REACTIONS);
+    this.striker?.draw(c, mechanism.held);
+  }
+  get coloured() {
+    return this.mechanism.bends;
+  }
+  get scaleWords() {
+    return this.mechanism.scaleWords;
+  }
+  get right() {
+    return false; // the impactor flies where it will
+  }
+  /** @param {number} x */
+  coloursAt(x) {
+    const { held, height } = this.mechanism;
+    const covered = this.narrow && held && held.x + held.width / 2 > x - 4 && held.y - held.height / 2 < 34;
+    return covered ? height - 14 : super.coloursAt(x);
+  }
+}

@@ -1,0 +1,57 @@
+// Everything that is shown of an impact on a mechanism: what is of a beam, of its struck link, and of all joints.
+import { BeamView } from '../beam/view.js';
+import { Axis } from '../charts/axis.js';
+import { text } from '../text/catalogue.js';
+import { Energies } from './energies.js';
+import { linkField } from './field.js';
+import { Reactions } from './reactions.js';
+import { MechanismStage } from './stage.js';
+import { MechanismStory } from './story.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { MechanismFrame } from '../messages.js' */
+
+/** @extends {BeamView<MechanismFrame>} */
+export class MechanismView extends BeamView {
+  /** @param {Page} page */
+  constructor(page) {
+    const axis = new Axis();
+    const go = (/** @type {number} */ t) => page.player.seek(t);
+    const [reactions, energies] = [new Reactions(axis, go), new Energies(axis, go)];
+    const own = { name: 'mechanism', stage: new MechanismStage(), story: new MechanismStory(page), axis };
+    super(page, { ...own, more: { reactions, energy: energies } });
+    this.reactions = reactions;
+    this.energies = energies;
+  }
+  take() {
+    super.take();
+    const { frame } = this;
+    this.reactions.load(frame);
+    this.energies.load(frame);
+    const { links, struck } = frame.mechanism;
+    const { root, title } = this.spaceTime.chart;
+    root.hidden = !links[struck].flexible;
+    title.textContent = text(this.field.lengthwise ? 'beam.chart.waves-along' : 'beam.chart.waves');
+  }
+  /** @param {MechanismFrame} frame */
+  fieldsOf(frame) {
+    return linkField(frame);
+  }
+  get usualStrip() {
+    const [force, moved] = super.usualStrip;
+    return [force, this.reactions.chart, moved];
+  }
+  get withoutForce() {
+    const { moving } = this.frame;
+    return moving ? moving.restitution !== null : super.withoutForce;
+  }
+  /** @param {string} what */
+  shows(what) {
+    // far from any line along which a velocity could be told
+    return this.frame.moving ? what !== 'velocity' : super.shows(what);
+  }
+  get shown() {
+    if (!this.frame.moving) return super.shown;
+    return this.shows(this.what) ? this.what : 'moment';
+  }
+}
