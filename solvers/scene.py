@@ -140,7 +140,7 @@ class Scene:
         return self.replace({f"impactor.{key}": value for key, value in self.impactor.of_mass(mass).items()})
 
     def table(self) -> dict[str, Any]:
-        """Nested tables that `from_table` reads back into the same scene, with what follows from it; without its view."""
+        """Nested tables that `from_table` reads back into the same scene, with what follows; without its view."""
         contact: dict[str, Any] = {"law": self.contact.NAME} | self.contact.table(self.speed)
         for name in {"restitution", "nominal_restitution"} & set(self.given.get("contact", ())):
             del contact["damping"]  # as given: it says more, and stays with the impact when its speed is changed
