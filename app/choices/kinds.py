@@ -1,5 +1,6 @@
 """Kinds of scene, as the page draws them: which choices each has, which of them act, and the scene they describe."""
 
+from abc import ABC, abstractmethod
 from dataclasses import fields
 from typing import Any, ClassVar
 
@@ -26,7 +27,7 @@ OPTIONS = ("restitution", "modes", "elements")  # of methods, that are choices
 Values = dict[str, Any]
 
 
-class Kind:
+class Kind(ABC):
     """What all kinds have. `base`: the built-in scene with the chosen values of its bodies."""
 
     NAME: ClassVar[str]  # in messages
@@ -40,13 +41,13 @@ class Kind:
         options = {option: method[option] for option in OPTIONS if option in method}
         return {"speed": base.speed, "method": usual} | options
 
+    @abstractmethod
     def acting(self, base: Scene, chosen: Values) -> list[str]:
         """The choices that change anything, besides scene and bodies."""
-        raise NotImplementedError
 
+    @abstractmethod
     def described(self, base: Scene, chosen: Values, own: Values) -> Scene:
         """The scene with these choices; `own`: those that it is opened with. Raises SceneError where there is none."""
-        raise NotImplementedError
 
 
 class InSpace(Kind):

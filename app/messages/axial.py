@@ -30,7 +30,7 @@ from .encoding import (
     LARGEST_MASS,
     coded,
     cycle,
-    facts_of,
+    figures_of,
     force_history,
     over,
     packed,
@@ -318,12 +318,11 @@ def _figures(solution: Solution) -> dict[str, Any]:
     return {
         "name": solution.method["name"],
         "model": solution.method.get("model"),
-        **facts_of(solution),
+        **figures_of(solution),
         "contacts": [
             [contact.start / trip, contact.end / trip, contact.impulse, contact.peak_force]
             for contact in solution.contacts
         ],
-        "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
         "cutOff": [_cut_off(solution, contact) for contact in solution.contacts],
         "left": []
         if solution.impactor_velocity is None
@@ -334,13 +333,6 @@ def _figures(solution: Solution) -> dict[str, Any]:
         "final": None if solution.impactor_velocity is None else solution.impactor_velocity / speed,
         "targetFinal": solution.target_velocity / speed,
         "spins": [swings[body].spin if body in swings else None for body in ("impactor", "target")],
-        "peakForce": solution.peak_force,
-        "peakIndentation": solution.peak_indentation,
-        "residualIndentation": solution.residual_indentation,
-        "restitution": solution.restitution,
-        "energy": solution.energy,
-        "diagnostics": solution.diagnostics,
-        "notes": coded(solution.notes),
     }
 
 

@@ -4,11 +4,15 @@ import re
 from pathlib import Path
 
 from .field import Field, Fields
-from .records import RECORDS, TYPES
-from .schema import FRAMES, MESSAGES
+from .records import FIGURES, RECORDS, TYPES
+from .schema import BENDING, COMMON, FRAMES, MESSAGES
 
 OF_THE_BROWSER = {  # by kind: what it keeps with a message
     "axial": {"record": Field("{ time: number[]; force: number[] }", "a measured force laid over the others", True)}
+}
+SHARED = {  # by several kinds of message; each says which it is
+    name: {key: field for key, field in fields.items() if key != "kind"}
+    for name, fields in (("Common", COMMON), ("Bending", BENDING), ("Figures", FIGURES))
 }
 PLACE = Path(__file__).parents[1] / "static" / "messages.d.ts"
 HEAD = """// Messages of the server as types, from app/messages/schema.py: `python -m app.messages.declarations`.
@@ -21,6 +25,7 @@ def declarations() -> str:
     parts = [HEAD]
     parts += [f"{_comment(about)}export type {name} = {form};\n" for name, (form, about) in TYPES.items()]
     parts += [_interface(name, fields) for name, fields in RECORDS.items()]
+    parts += [_interface(name, fields) for name, fields in SHARED.items()]
     for kind, fields in MESSAGES.items():
         own = {"kind": Field(f"'{kind}'"), "shapes": Field("Record<string, number[]>", "of the arrays, by name")}
         parts.append(_interface(FRAMES[kind], fields | own | OF_THE_BROWSER.get(kind, {})))
@@ -29,8 +34,13 @@ def declarations() -> str:
 
 
 def _interface(name: str, fields: Fields) -> str:
-    lines = [f"  {_line(key, field)}\n" for key, field in fields.items() if "#" not in key]
-    return f"export interface {name} {{\n{''.join(lines)}}}\n"
+    """What it shares with others, the largest part that is one, stands there."""
+    parts = [part for part, common in SHARED.items() if part != name and common.items() < fields.items()]
+    parts = sorted(parts, key=lambda part: len(SHARED[part]))[-1:]
+    known = SHARED[parts[0]] if parts else {}
+    lines = [f"  {_line(key, field)}\n" for key, field in fields.items() if "#" not in key and key not in known]
+    extends = f" extends {parts[0]}" if parts else ""
+    return f"export interface {name}{extends} {{\n{''.join(lines)}}}\n"
 
 
 def _line(key: str, field: Field) -> str:

@@ -44,14 +44,22 @@ def coded(notes: list[Note]) -> list[dict[str, Any]]:
     return [note.table() for note in notes]
 
 
-def facts_of(solution: Solution) -> dict[str, bool]:
-    """What the method of a solution takes into account."""
+def figures_of(solution: Solution) -> dict[str, Any]:
+    """What every solution says of itself, whatever its units, and what its method takes into account."""
     name = solution.method["name"]
     sudden = name == RigidImpulse.NAME
     return {
         "sudden": sudden,
         "waves": not sudden and name != QuasiStatic.NAME,
         "byLaw": not sudden and name != Balance.NAME,
+        "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
+        "peakForce": solution.peak_force,
+        "peakIndentation": solution.peak_indentation,
+        "residualIndentation": solution.residual_indentation,
+        "restitution": solution.restitution,
+        "energy": solution.energy,
+        "diagnostics": solution.diagnostics,
+        "notes": coded(solution.notes),
     }
 
 

@@ -23,7 +23,7 @@ from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
-from .encoding import LARGEST_MASS, Stretch, coded, cycle, facts_of, instants, packed, refusals, whole_numbers
+from .encoding import LARGEST_MASS, Stretch, cycle, figures_of, instants, packed, refusals, whole_numbers
 from .histories import MS, force_arrays, motion_instants, paths, rates_at, rates_of_contacts
 from .parts import common
 from .solutions import method_options
@@ -123,22 +123,14 @@ def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
     return {
         "name": name or solution.method["name"],
         "model": None if name else solution.method.get("model"),
-        **facts_of(solution),
+        **figures_of(solution),
         "modes": None if name else solution.method.get("modes"),
         "joints": solution.reactions,
         "elements": solution.method.get("elements"),
         "contacts": len(solution.contacts),
-        "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
         "final": solution.impactor_velocity,
         "targetFinal": solution.target_velocity,
         "impulse": solution.impulse,
-        "peakForce": solution.peak_force,
-        "peakIndentation": solution.peak_indentation,
-        "residualIndentation": solution.residual_indentation,
-        "restitution": solution.restitution,
-        "energy": solution.energy,
-        "diagnostics": solution.diagnostics,
-        "notes": coded(solution.notes),
     }
 
 

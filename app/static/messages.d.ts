@@ -96,44 +96,14 @@ export interface Cushion {
   /** k = E A / h [N/m] */ stiffness: number;
 }
 
-export interface AxialFigures {
-  /** of the method */ name: string;
-  /** of a method that has several */ model: string | null;
-  /** whether the impact takes no time in it */ sudden: boolean;
-  /** whether anything rings in it */ waves: boolean;
-  /** whether the contact law acts in it */ byLaw: boolean;
-  /** at the end */ stillTouching: boolean;
-  /** velocity of the impactor [v, or m/s of beams] */ final: number | null;
-  /** velocity of the target [v, or m/s of beams] */ targetFinal: number;
-  /** [N] */ peakForce: number | null;
-  /** [m] */ peakIndentation: number | null;
-  /** [m] */ residualIndentation: number | null;
-  restitution: Restitution;
-  /** [J] */ energy: Energies;
-  diagnostics: Diagnostics;
-  notes: Note[];
+export interface AxialFigures extends Figures {
   /** start, end [T], impulse [N s], peak force [N] */ contacts: Contact[];
   /** whether a wave ended the contact at once */ cutOff: boolean[];
   /** velocity of the impactor after each contact [v] */ left: number[];
   /** angular velocities of impactor and target, of those on a pivot [rad/s] */ spins: (number | null)[];
 }
 
-export interface BeamFigures {
-  /** of the method */ name: string;
-  /** of a method that has several */ model: string | null;
-  /** whether the impact takes no time in it */ sudden: boolean;
-  /** whether anything rings in it */ waves: boolean;
-  /** whether the contact law acts in it */ byLaw: boolean;
-  /** at the end */ stillTouching: boolean;
-  /** velocity of the impactor [v, or m/s of beams] */ final: number | null;
-  /** velocity of the target [v, or m/s of beams] */ targetFinal: number;
-  /** [N] */ peakForce: number | null;
-  /** [m] */ peakIndentation: number | null;
-  /** [m] */ residualIndentation: number | null;
-  restitution: Restitution;
-  /** [J] */ energy: Energies;
-  diagnostics: Diagnostics;
-  notes: Note[];
+export interface BeamFigures extends Figures {
   modes: number | null;
   elements: number | null;
   /** how many */ contacts: number;
@@ -239,8 +209,7 @@ export interface BeamRecord {
   /** sqrt(E/rho) [m/s] */ speedLimit: number;
 }
 
-export interface AxialFrame {
-  kind: 'axial';
+export interface Common {
   /** a value for every choice; null outside the page */ chosen: Chosen;
   /** the same, as the page opens the scene */ own: Chosen;
   /** whether it is solved by fewer modes and elements than chosen */ draft: boolean;
@@ -254,6 +223,94 @@ export interface AxialFrame {
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
   /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
+}
+
+export interface Bending extends Common {
+  /** (cycle) indentation [m] */ cycleDepth?: Numbers;
+  /** (cycle) force of the law, slowly to the depth of this impact [N] */ cycleLoading?: Numbers;
+  /** (cycle) and back [N] */ cycleUnloading?: Numbers;
+  /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
+  /** (impact) force in it [N] */ blowForce?: Numbers;
+  /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
+  /** why the chosen method is not shown */ refused: Note | null;
+  /** a unit of time [s] */ trip: number;
+  /** of the impact [m/s] */ speed: number;
+  beam: BeamRecord;
+  impactor: Striking;
+  law: { name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number };
+  main: BeamFigures;
+  /** the same impact by another number of modes */ reference: BeamFigures | null;
+  /** first touch to last parting, in contact, half a period with the impactor on the beam [ms] */ span: { apparent: number, real: number, half: number | null };
+  /** along the beam, of every field */ places: number;
+  /** (time) [ms] */ time: Numbers;
+  /** (time) [m] */ impactorPath: Numbers;
+  /** (time) [m] */ struckPath: Numbers;
+  /** (time) [m/s] */ impactorRate: Numbers;
+  /** (time) [m/s] */ struckRate: Numbers;
+  /** (contacts, 4) start, end [ms], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
+  /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
+  /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
+  /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
+  /** (kept modes) [rad/s] */ modeFrequencies?: Numbers;
+  /** (kept modes) [1/m] */ modeWavenumbers?: Numbers;
+  /** (wavenumbers) of the shear branch [rad/s] */ upper?: Numbers;
+  /** (time) [m] */ referenceImpactorPath?: Numbers;
+  /** (time) [m] */ referenceStruckPath?: Numbers;
+  /** (reference) [ms] */ referenceTime?: Numbers;
+  /** (reference) [N] */ referenceForce?: Numbers;
+  /** (main) of methods without modes [ms] */ mainTime?: Numbers;
+  /** (main) [N] */ mainForce?: Numbers;
+  /** (static) of the quasi-static estimate [ms] */ staticTime?: Numbers;
+  /** (static) of the struck place [m] */ staticPath?: Numbers;
+  /** (places) of the beam bent at rest, 1 at the struck place */ staticShape?: Numbers;
+  /** (half) of the same impact on a half-space [ms] */ halfTime?: Numbers;
+  /** (half) [N] */ halfForce?: Numbers;
+  /** (steps) one for each step [N] */ modalForce?: Numbers;
+  /** (drawnModes) [rad/s] */ modalFrequencies?: Numbers;
+  /** (drawnModes) mass-normalised [kg^-1/2] */ modalAtContact?: Numbers;
+  /** (drawnModes, places) deflection over its scale */ shapeRows?: Numbers;
+  /** (drawnModes) [kg^-1/2] */ shapeScale?: Numbers;
+  /** (drawnModes, places) bending moment over its scale */ momentRows?: Numbers;
+  /** (drawnModes) [N m/(m kg^1/2)] */ momentScale?: Numbers;
+  /** (drawnModes, places) shear force over its scale */ shearRows?: Numbers;
+  /** (drawnModes) [N/(m kg^1/2)] */ shearScale?: Numbers;
+  /** (places) of the modes left out, for a force of 1 N [N m] */ momentBeside?: Numbers;
+  /** (places) [N] */ shearBeside?: Numbers;
+  /** (places) movement of the beam as a whole, 1 at the struck place */ rigidShape?: Numbers;
+  /** of the modal force [s] */ step?: number;
+  /** over which the modes left out follow the force [s] */ smoothing?: number;
+  /** of critical */ damping?: number;
+  /** felt at the struck place; null if the beam is held [kg] */ rigidMass?: number | null;
+  /** of the beam as a whole before the impact [m/s] */ drift?: number;
+  drawnModes?: number;
+  keptModes?: number;
+  /** (instants) of methods without modes, closer together at first [ms] */ fieldTime?: Numbers;
+  /** (instants, places) [m] */ fieldDeflection?: Numbers;
+  /** (instants, places) [m/s] */ fieldVelocity?: Numbers;
+  /** (instants, places) [N m] */ fieldMoment?: Numbers;
+  /** (instants, places) [N] */ fieldShear?: Numbers;
+}
+
+export interface Figures {
+  /** of the method */ name: string;
+  /** of a method that has several */ model: string | null;
+  /** whether the impact takes no time in it */ sudden: boolean;
+  /** whether anything rings in it */ waves: boolean;
+  /** whether the contact law acts in it */ byLaw: boolean;
+  /** at the end */ stillTouching: boolean;
+  /** velocity of the impactor [v, or m/s of beams] */ final: number | null;
+  /** velocity of the target [v, or m/s of beams] */ targetFinal: number;
+  /** [N] */ peakForce: number | null;
+  /** [m] */ peakIndentation: number | null;
+  /** [m] */ residualIndentation: number | null;
+  restitution: Restitution;
+  /** [J] */ energy: Energies;
+  diagnostics: Diagnostics;
+  notes: Note[];
+}
+
+export interface AxialFrame extends Common {
+  kind: 'axial';
   /** (cycle) indentation [m] */ cycleDepth?: Numbers;
   /** (cycle) force of the law, slowly to the depth of this impact [N] */ cycleLoading?: Numbers;
   /** (cycle) and back [N] */ cycleUnloading?: Numbers;
@@ -316,165 +373,13 @@ export interface AxialFrame {
   /** a measured force laid over the others */ record?: { time: number[]; force: number[] };
 }
 
-export interface BeamFrame {
+export interface BeamFrame extends Bending {
   kind: 'beam';
-  /** a value for every choice; null outside the page */ chosen: Chosen;
-  /** the same, as the page opens the scene */ own: Chosen;
-  /** whether it is solved by fewer modes and elements than chosen */ draft: boolean;
-  /** of time that histories are of [s]; null: all of it */ stretch: [start: number, end: number] | null;
-  /** choices that act on this scene */ acting: string[];
-  /** by method: why it cannot solve the scene, or null */ refusals: Record<string, Note | null>;
-  title: string;
-  source: string;
-  note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
-  /** keys that the scene sets and that have no control */ unshown: string[];
-  /** what the scene is opened with */ opens: Opens;
-  /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
-  /** (cycle) indentation [m] */ cycleDepth?: Numbers;
-  /** (cycle) force of the law, slowly to the depth of this impact [N] */ cycleLoading?: Numbers;
-  /** (cycle) and back [N] */ cycleUnloading?: Numbers;
-  /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
-  /** (impact) force in it [N] */ blowForce?: Numbers;
-  /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
-  /** why the chosen method is not shown */ refused: Note | null;
-  /** a unit of time [s] */ trip: number;
-  /** of the impact [m/s] */ speed: number;
-  beam: BeamRecord;
-  impactor: Striking;
-  law: { name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number };
-  main: BeamFigures;
-  /** the same impact by another number of modes */ reference: BeamFigures | null;
-  /** first touch to last parting, in contact, half a period with the impactor on the beam [ms] */ span: { apparent: number, real: number, half: number | null };
-  /** along the beam, of every field */ places: number;
-  /** (time) [ms] */ time: Numbers;
-  /** (time) [m] */ impactorPath: Numbers;
-  /** (time) [m] */ struckPath: Numbers;
-  /** (time) [m/s] */ impactorRate: Numbers;
-  /** (time) [m/s] */ struckRate: Numbers;
-  /** (contacts, 4) start, end [ms], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
-  /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
-  /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
-  /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
-  /** (kept modes) [rad/s] */ modeFrequencies?: Numbers;
-  /** (kept modes) [1/m] */ modeWavenumbers?: Numbers;
-  /** (wavenumbers) of the shear branch [rad/s] */ upper?: Numbers;
-  /** (time) [m] */ referenceImpactorPath?: Numbers;
-  /** (time) [m] */ referenceStruckPath?: Numbers;
-  /** (reference) [ms] */ referenceTime?: Numbers;
-  /** (reference) [N] */ referenceForce?: Numbers;
-  /** (main) of methods without modes [ms] */ mainTime?: Numbers;
-  /** (main) [N] */ mainForce?: Numbers;
-  /** (static) of the quasi-static estimate [ms] */ staticTime?: Numbers;
-  /** (static) of the struck place [m] */ staticPath?: Numbers;
-  /** (places) of the beam bent at rest, 1 at the struck place */ staticShape?: Numbers;
-  /** (half) of the same impact on a half-space [ms] */ halfTime?: Numbers;
-  /** (half) [N] */ halfForce?: Numbers;
-  /** (steps) one for each step [N] */ modalForce?: Numbers;
-  /** (drawnModes) [rad/s] */ modalFrequencies?: Numbers;
-  /** (drawnModes) mass-normalised [kg^-1/2] */ modalAtContact?: Numbers;
-  /** (drawnModes, places) deflection over its scale */ shapeRows?: Numbers;
-  /** (drawnModes) [kg^-1/2] */ shapeScale?: Numbers;
-  /** (drawnModes, places) bending moment over its scale */ momentRows?: Numbers;
-  /** (drawnModes) [N m/(m kg^1/2)] */ momentScale?: Numbers;
-  /** (drawnModes, places) shear force over its scale */ shearRows?: Numbers;
-  /** (drawnModes) [N/(m kg^1/2)] */ shearScale?: Numbers;
-  /** (places) of the modes left out, for a force of 1 N [N m] */ momentBeside?: Numbers;
-  /** (places) [N] */ shearBeside?: Numbers;
-  /** (places) movement of the beam as a whole, 1 at the struck place */ rigidShape?: Numbers;
-  /** of the modal force [s] */ step?: number;
-  /** over which the modes left out follow the force [s] */ smoothing?: number;
-  /** of critical */ damping?: number;
-  /** felt at the struck place; null if the beam is held [kg] */ rigidMass?: number | null;
-  /** of the beam as a whole before the impact [m/s] */ drift?: number;
-  drawnModes?: number;
-  keptModes?: number;
-  /** (instants) of methods without modes, closer together at first [ms] */ fieldTime?: Numbers;
-  /** (instants, places) [m] */ fieldDeflection?: Numbers;
-  /** (instants, places) [m/s] */ fieldVelocity?: Numbers;
-  /** (instants, places) [N m] */ fieldMoment?: Numbers;
-  /** (instants, places) [N] */ fieldShear?: Numbers;
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }
 
-export interface MechanismFrame {
+export interface MechanismFrame extends Bending {
   kind: 'mechanism';
-  /** a value for every choice; null outside the page */ chosen: Chosen;
-  /** the same, as the page opens the scene */ own: Chosen;
-  /** whether it is solved by fewer modes and elements than chosen */ draft: boolean;
-  /** of time that histories are of [s]; null: all of it */ stretch: [start: number, end: number] | null;
-  /** choices that act on this scene */ acting: string[];
-  /** by method: why it cannot solve the scene, or null */ refusals: Record<string, Note | null>;
-  title: string;
-  source: string;
-  note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
-  /** keys that the scene sets and that have no control */ unshown: string[];
-  /** what the scene is opened with */ opens: Opens;
-  /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
-  /** (cycle) indentation [m] */ cycleDepth?: Numbers;
-  /** (cycle) force of the law, slowly to the depth of this impact [N] */ cycleLoading?: Numbers;
-  /** (cycle) and back [N] */ cycleUnloading?: Numbers;
-  /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
-  /** (impact) force in it [N] */ blowForce?: Numbers;
-  /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
-  /** why the chosen method is not shown */ refused: Note | null;
-  /** a unit of time [s] */ trip: number;
-  /** of the impact [m/s] */ speed: number;
-  beam: BeamRecord;
-  impactor: Striking;
-  law: { name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number };
-  main: BeamFigures;
-  /** the same impact by another number of modes */ reference: BeamFigures | null;
-  /** first touch to last parting, in contact, half a period with the impactor on the beam [ms] */ span: { apparent: number, real: number, half: number | null };
-  /** along the beam, of every field */ places: number;
-  /** (time) [ms] */ time: Numbers;
-  /** (time) [m] */ impactorPath: Numbers;
-  /** (time) [m] */ struckPath: Numbers;
-  /** (time) [m/s] */ impactorRate: Numbers;
-  /** (time) [m/s] */ struckRate: Numbers;
-  /** (contacts, 4) start, end [ms], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
-  /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
-  /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
-  /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
-  /** (kept modes) [rad/s] */ modeFrequencies?: Numbers;
-  /** (kept modes) [1/m] */ modeWavenumbers?: Numbers;
-  /** (wavenumbers) of the shear branch [rad/s] */ upper?: Numbers;
-  /** (time) [m] */ referenceImpactorPath?: Numbers;
-  /** (time) [m] */ referenceStruckPath?: Numbers;
-  /** (reference) [ms] */ referenceTime?: Numbers;
-  /** (reference) [N] */ referenceForce?: Numbers;
-  /** (main) of methods without modes [ms] */ mainTime?: Numbers;
-  /** (main) [N] */ mainForce?: Numbers;
-  /** (static) of the quasi-static estimate [ms] */ staticTime?: Numbers;
-  /** (static) of the struck place [m] */ staticPath?: Numbers;
-  /** (places) of the beam bent at rest, 1 at the struck place */ staticShape?: Numbers;
-  /** (half) of the same impact on a half-space [ms] */ halfTime?: Numbers;
-  /** (half) [N] */ halfForce?: Numbers;
-  /** (steps) one for each step [N] */ modalForce?: Numbers;
-  /** (drawnModes) [rad/s] */ modalFrequencies?: Numbers;
-  /** (drawnModes) mass-normalised [kg^-1/2] */ modalAtContact?: Numbers;
-  /** (drawnModes, places) deflection over its scale */ shapeRows?: Numbers;
-  /** (drawnModes) [kg^-1/2] */ shapeScale?: Numbers;
-  /** (drawnModes, places) bending moment over its scale */ momentRows?: Numbers;
-  /** (drawnModes) [N m/(m kg^1/2)] */ momentScale?: Numbers;
-  /** (drawnModes, places) shear force over its scale */ shearRows?: Numbers;
-  /** (drawnModes) [N/(m kg^1/2)] */ shearScale?: Numbers;
-  /** (places) of the modes left out, for a force of 1 N [N m] */ momentBeside?: Numbers;
-  /** (places) [N] */ shearBeside?: Numbers;
-  /** (places) movement of the beam as a whole, 1 at the struck place */ rigidShape?: Numbers;
-  /** of the modal force [s] */ step?: number;
-  /** over which the modes left out follow the force [s] */ smoothing?: number;
-  /** of critical */ damping?: number;
-  /** felt at the struck place; null if the beam is held [kg] */ rigidMass?: number | null;
-  /** of the beam as a whole before the impact [m/s] */ drift?: number;
-  drawnModes?: number;
-  keptModes?: number;
-  /** (instants) of methods without modes, closer together at first [ms] */ fieldTime?: Numbers;
-  /** (instants, places) [m] */ fieldDeflection?: Numbers;
-  /** (instants, places) [m/s] */ fieldVelocity?: Numbers;
-  /** (instants, places) [N m] */ fieldMoment?: Numbers;
-  /** (instants, places) [N] */ fieldShear?: Numbers;
   /** of which the struck link stands for the beam */ mechanism: MechanismRecord;
   /** of one that moves on as far as it goes */ moving: MovingRecord | null;
   /** (links, link places, 2) as the impact begins; unbent if it moves on [m] */ linkPoints?: Numbers;
@@ -492,21 +397,8 @@ export interface MechanismFrame {
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }
 
-export interface SpaceFrame {
+export interface SpaceFrame extends Common {
   kind: 'bodies';
-  /** a value for every choice; null outside the page */ chosen: Chosen;
-  /** the same, as the page opens the scene */ own: Chosen;
-  /** whether it is solved by fewer modes and elements than chosen */ draft: boolean;
-  /** of time that histories are of [s]; null: all of it */ stretch: [start: number, end: number] | null;
-  /** choices that act on this scene */ acting: string[];
-  /** by method: why it cannot solve the scene, or null */ refusals: Record<string, Note | null>;
-  title: string;
-  source: string;
-  note: string;
-  /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
-  /** keys that the scene sets and that have no control */ unshown: string[];
-  /** what the scene is opened with */ opens: Opens;
-  /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
   /** of what is drawn [m] */ size: number;
   /** of the picture, to the right */ across: Vector;
   /** of the picture */ up: Vector;
