@@ -3,11 +3,13 @@
 from functools import lru_cache
 from typing import Any
 
-from solvers import Scene
+from solvers import Scene, SceneError
 
 from .built_in import base_of, body_keys, keyed
-from .choices import Choices, accepts
+from .choices import Choices, accepts, title_of
 from .kinds import kind_of
+
+SET_BY = {"target.at": "place", "target.struck.at": "place"}  # by key of scene files: the choice, which the page names
 
 
 def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
@@ -30,7 +32,11 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
 def chosen_scene(chosen: dict[str, Any]) -> Scene:
     """The scene that these choices describe. Raises ValueError with a sentence for the visitor if there is none."""
     base = base_of(chosen["scene"], chosen["bodies"])
-    return kind_of(base).described(base, chosen, choices_of(chosen["scene"], chosen["bodies"]))
+    try:
+        return kind_of(base).described(base, chosen, choices_of(chosen["scene"], chosen["bodies"]))
+    except SceneError as refused:
+        control = title_of(SET_BY[refused.key]) if refused.key in SET_BY else refused.key
+        raise SceneError(control, refused.value, refused.reason, refused.of) from None
 
 
 @lru_cache(maxsize=1024)

@@ -99,7 +99,7 @@ def test_whatever_is_chosen_of_a_beam_is_answered_or_refused_with_a_sentence(**c
     try:
         message = solve_frame(chosen)
     except SceneError as refusal:
-        assert refusal.key == "target.at"
+        assert refusal.key == "Struck at"
         return
     assert len(message) <= 100_000
     for name, values in arrays(message).items():

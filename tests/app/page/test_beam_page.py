@@ -208,7 +208,7 @@ def test_a_phone_shows_all_of_it(open_page, query):
 def test_an_address_that_cannot_be_struck_shows_the_scene_and_says_why(open_page):
     page = open_page(SCENE + "&place=0")
     assert page.header("chosen")["place"] == 1.0
-    expect(page.tab.locator(".toast")).to_contain_text("target.at")
+    expect(page.tab.locator(".toast")).to_contain_text("Struck at: got 0.0; allowed: a fraction of the length")
 
 
 def test_the_data_of_a_beam_can_be_saved(open_page, tmp_path):
@@ -235,7 +235,7 @@ def test_choices_that_cannot_be_solved_are_set_back(open_page):
     place = page.tab.get_by_label("Struck at, exact value")
     place.fill("0")
     place.press("Enter")
-    expect(page.tab.locator(".field-place .wrong")).to_contain_text("elsewhere it is held")
+    expect(page.tab.locator(".field-place .wrong")).to_contain_text("Struck at: got 0.0; allowed: a fraction")
     expect(page.tab.locator(".toast:visible")).to_have_count(0)
     expect(place).to_have_value("1")
     page.answered(lambda: page.tab.get_by_label("Theory", exact=True).select_option("timoshenko"))
