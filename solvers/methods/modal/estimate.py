@@ -98,8 +98,9 @@ def _missed_by_springs(motion: ModalMotion, modes: int, begun: Callable[[int, fl
         return None
     if asked > PERIODS_OF_SPRINGS * MOST_MODES:
         return 1.0
+    more = min(max(asked, 3 * modes), MOST_MODES)  # of hardly more modes the difference says little
     velocity = float(motion.impactor_velocity(np.array([end]))[0])
-    difference = abs(velocity - begun(min(asked, MOST_MODES), end)) / scene.speed
+    difference = abs(velocity - begun(more, end)) / scene.speed
     return SCATTER * difference / (1.0 - PERIODS_OF_SPRINGS**-2.0)
 
 
