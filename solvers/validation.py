@@ -19,19 +19,34 @@ class SceneError(ValueError):
     """
 
     def __init__(self, key: str, value: object, reason: str | Note, of: str = ""):
+        super().__init__()
         self.key, self.value, self.of = key, value, of
         self.reason = reason if isinstance(reason, Note) else allowed("other", allowed=reason)
-        super().__init__(f"{self.named}: got {shown(value)}; allowed: {self.reason}")
+
+    def __str__(self) -> str:
+        return str(self.note)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _again, (type(self), self.__dict__)
 
     @property
-    def named(self) -> str:
-        """The key, with the name of what it belongs to."""
-        return f"{self.key} of '{self.of}'" if self.of else self.key
+    def note(self) -> Note:
+        """The same as a note."""
+        key = f"{self.key} of '{self.of}'" if self.of else self.key
+        values = {"key": key, "value": shown(self.value), "allowed": self.reason.table()}
+        return Note("refusals.value", Severity.REFUSAL, **values)
 
     @property
     def allowed(self) -> str:
         """What is allowed, in words."""
         return str(self.reason)
+
+
+def _again(kind: type[SceneError], state: dict[str, Any]) -> SceneError:
+    """One that comes from another process."""
+    error = kind.__new__(kind)
+    error.__dict__.update(state)
+    return error
 
 
 def shown(value: object) -> str:
@@ -41,12 +56,6 @@ def shown(value: object) -> str:
     except (ValueError, RecursionError):  # an endless whole number, tables within tables without end
         text = f"a {type(value).__name__} too long to show"
     return text if len(text) <= 60 else text[:57] + "..."
-
-
-def refused(error: SceneError) -> Note:
-    """The same as a note."""
-    values = {"key": error.named, "value": shown(error.value), "allowed": error.reason.table()}
-    return Note("refusals.value", Severity.REFUSAL, **values)
 
 
 @contextmanager

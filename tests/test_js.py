@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from app.text.catalogues import script
+from app.text.catalogues import SOURCE, script
 
 ROOT = Path(__file__).parents[1]
 TEXTS = ROOT / "build/texts.mjs"  # what a page loads before its modules
@@ -27,7 +27,7 @@ CHECKS = {
 @pytest.mark.parametrize("check", CHECKS)
 def test_browser_code(check):
     TEXTS.parent.mkdir(exist_ok=True)
-    TEXTS.write_text(script(), encoding="utf-8")
+    TEXTS.write_text(script(SOURCE), encoding="utf-8")
     found = subprocess.run(CHECKS[check], cwd=ROOT, capture_output=True, text=True, timeout=300)
     assert found.returncode == 0, found.stdout + found.stderr
 

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from app.text.catalogues import script
+from app.text.catalogues import SOURCE, script
 
 from .patterns import ROOT, hostile, of_javascript, of_python
 
@@ -72,8 +72,8 @@ def test_a_cubic_pattern_would_be_found():
 def test_no_pattern_of_the_page_takes_long():
     texts = ROOT / "build/texts.mjs"
     texts.parent.mkdir(exist_ok=True)
-    texts.write_text(script(), encoding="utf-8")
-    patterns = [(*each, hostile(each[1])) for each in of_javascript()]
+    texts.write_text(script(SOURCE), encoding="utf-8")
+    patterns = [(*each, hostile(each[1])) for each in of_javascript(SOURCE)]
     assert len(patterns) > 20
     given = json.dumps({"patterns": patterns, "lengths": LENGTHS, "most": MOST, "slowest": SLOWEST})
     call = ["node", "--input-type=module", "--eval", FEED]

@@ -16,7 +16,7 @@ from solvers import Scene, SceneError
 from solvers.bodies import MATERIALS, AnyBody, Mechanism, read_material
 from solvers.bodies.pendulum import Pivoted
 
-from ..text.catalogues import page
+from ..text.refusals import Refused, code_or, note
 from .mechanism import PLACED, mechanism_parts, move, on_mechanism
 from .part import QUANTITIES, RANGES, Part, in_table
 
@@ -60,22 +60,22 @@ def is_key(key: str) -> bool:
 def split(key: str) -> tuple[str, str]:
     """Part and quantity. Raises ValueError, with a sentence for the visitor, where no body could have such a key."""
     if not is_key(key):
-        raise ValueError(page().text("refused.body-key", key=_repeated(key)))
+        raise Refused("refused.body-key", key=_repeated(key))
     part, quantity = _KEY.fullmatch(key).groups()  # type: ignore[union-attr]
     return part, quantity
 
 
 def _repeated(text: str) -> str:
-    return repr(text) if _HARMLESS.fullmatch(text) else page().text("refused.some-text")
+    return repr(text) if _HARMLESS.fullmatch(text) else "refused.some-text"
 
 
-def title_of_value(key: str) -> str:
-    """What the page calls it."""
+def title_of_value(key: str) -> dict[str, Any]:
+    """What the page calls it, as a note."""
     part, quantity = split(key)
     body, *place = part.split(".")
     kind, number = place or ("none", "")
-    name = page().text(f"body.value.{quantity}")
-    return page().text("refused.body-value", name=name, body=body, kind=kind, number=number)
+    name = f"body.value.{quantity}"
+    return note("refused.body-value", name=name, body=body, kind=kind, number=number).table()
 
 
 def read_value(key: str, text: str) -> float | str:
@@ -84,20 +84,20 @@ def read_value(key: str, text: str) -> float | str:
     said = {"control": title_of_value(key), "value": _repeated(text)}
     if quantity == "material":
         if text not in MATERIALS:
-            raise ValueError(page().text("refused.choice", **said, options=list(MATERIALS)))
+            raise Refused("refused.choice", **said, options=list(MATERIALS))
         return text
     low, high = RANGES[quantity]
     value = float(text) if _NUMBER.fullmatch(text) else math.nan
     if not low <= value <= high:
-        unit = page().texts.get(f"body.unit.{quantity}", "none")
-        raise ValueError(page().text("refused.number", **said, whole=False, low=low, high=high, unit=unit))
+        unit = code_or(f"body.unit.{quantity}", "none")
+        raise Refused("refused.number", **said, whole=False, low=low, high=high, unit=unit)
     return value
 
 
 def read_values(text: str) -> Values:
     """All changed values. Raises ValueError with a sentence for the visitor."""
     if len(text) > LONGEST:
-        raise ValueError(page().text("refused.body-values", longest=LONGEST))
+        raise Refused("refused.body-values", longest=LONGEST)
     found: Values = {}
     for each in text.split():
         key, _, value = each.partition("=")
@@ -132,7 +132,7 @@ def with_values(base: Scene, values: Values) -> Scene:
     for key, value in sorted(values.items()):  # a material first, then what of it is otherwise
         name, quantity = split(key)
         if name not in known or quantity not in known[name].quantities:
-            raise ValueError(page().text("refused.no-such-value", value=title_of_value(key)))
+            raise Refused("refused.no-such-value", value=title_of_value(key))
         body, *place = name.split(".")
         if place and on_mechanism(base) and quantity in PLACED and isinstance(value, float):
             move(tables[body], known[name].key, quantity, value)
@@ -152,7 +152,7 @@ def _linkage(table: dict[str, Any]) -> Mechanism:
     try:
         return Mechanism.read("target", table)
     except SceneError as refusal:
-        raise ValueError(page().text("refused.linkage", allowed=refusal.allowed)) from None
+        raise Refused("refused.linkage", allowed=refusal.reason.table()) from None
 
 
 def _set(table: dict[str, Any], quantity: str, value: Any) -> None:

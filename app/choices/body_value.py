@@ -4,7 +4,7 @@ from typing import Any
 
 from solvers import Bending, Scene
 
-from ..text.catalogues import page
+from ..text.refusals import Refused
 from .bodies import SAME, Values, parts_of, read_value, read_values, split, title_of_value, written
 from .built_in import base_of, body_keys
 from .choices import SCENES, Choices, accepts, title_of
@@ -24,7 +24,7 @@ def with_body_value(asked: dict[str, Any]) -> dict[str, Any]:
     scene = chosen["scene"]
     keys = [key] if key in body_keys(scene) else [each for each in body_keys(scene) if each.startswith(f"{key}.")]
     if not keys or (text and keys != [key]):
-        raise ValueError(page().text("refused.no-such-value", value=title_of_value(key)))
+        raise Refused("refused.no-such-value", value=title_of_value(key))
     wanted: dict[str, Any] = {}
     for each in sorted(
         keys, key=lambda each: _slider_of(chosen, each) is not None
@@ -93,6 +93,5 @@ def _snapped(name: str, value: float, own: dict[str, Any]) -> float:
         return own[name]
     if not accepts(name, value):
         low, high = Choices.param[name].bounds
-        said = {"control": title_of(name), "value": value, "low": low, "high": high}
-        raise ValueError(page().text("refused.slider-beyond", **said))
+        raise Refused("refused.slider-beyond", control=title_of(name), value=value, low=low, high=high)
     return float(f"{value:.12g}")

@@ -14,7 +14,7 @@ from solvers.methods.modal.method import FRAMES
 from solvers.methods.multibody.method import Multibody
 from solvers.validation import shown
 
-from ..text.catalogues import page
+from ..text.refusals import Refused, code_or, reason_of
 from .bodies import BodyValues, read_values
 
 _LOADED = {name: solvers.load(name) for name in solvers.scene_names()}
@@ -83,35 +83,33 @@ def accepts(name: str, value: object) -> bool:
     return True
 
 
-def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> str:
-    """One sentence for who uses the page: the control, the value and what is allowed; `key` where it has no title."""
+def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> Refused:
+    """For who uses the page: the control, the value and what is allowed; `key` where it has no title."""
     parameter, said = of.param[name], {"control": title_of(name, key), "value": shown(value)}
     if name == "scene":
-        return page().text("refused.scene", **said, count=len(SCENES))
+        return Refused("refused.scene", **said, count=len(SCENES))
     if isinstance(parameter, param.Selector):
-        names = page().family(f"name.{name}")
-        return page().text("refused.choice", **said, options=[names.get(each, each) for each in parameter.objects])
+        options = [code_or(f"name.{name}.{each}", each) for each in parameter.objects]
+        return Refused("refused.choice", **said, options=options)
     if isinstance(parameter, param.Boolean):
-        return page().text("refused.switch", **said)
+        return Refused("refused.switch", **said)
     if isinstance(parameter, BodyValues) and isinstance(value, str):
-        return page().text("refused.bodies", control=said["control"], why=_wrong_in(value))
+        return Refused("refused.bodies", control=said["control"], why=_wrong_in(value))
     if isinstance(parameter, param.String):
-        return page().text("refused.text", **said)
+        return Refused("refused.text", **said)
     low, high = parameter.bounds
-    unit = page().texts.get(f"unit.{name}", "none")
-    whole = isinstance(parameter, param.Integer)
-    return page().text("refused.number", **said, whole=whole, low=low, high=high, unit=unit)
+    unit, whole = code_or(f"unit.{name}", "none"), isinstance(parameter, param.Integer)
+    return Refused("refused.number", **said, whole=whole, low=low, high=high, unit=unit)
 
 
-def _wrong_in(text: str) -> str:
+def _wrong_in(text: str) -> Any:
     try:
         read_values(text)
-    except ValueError as refused:
-        return str(refused)
+    except ValueError as refusal:
+        return reason_of(refusal)
     return ""
 
 
 def title_of(name: str, key: str | None = None) -> str:
-    """What the page calls a choice or a question."""
-    texts = page().texts
-    return texts.get(f"control.{name}") or texts.get(f"question.{name}") or key or name
+    """Code of what the page calls a choice or a question."""
+    return code_or(f"control.{name}", code_or(f"question.{name}", key or name))

@@ -3,11 +3,12 @@
 import math
 from typing import Any
 
-from solvers import LAWS, Scene, SceneError
+from solvers import LAWS, Scene
 from solvers.regimes.models import contact_duration, family_of
 from solvers.regimes.plan import law_of
+from solvers.validation import shown
 
-from ..text.catalogues import page
+from ..text.refusals import Refused
 from .choices import Choices
 from .laws import STIFFNESS
 from .scene_of import acting_choices, chosen_scene
@@ -20,14 +21,14 @@ def choices_at(asked: dict[str, Any]) -> dict[str, Any]:
     """The choices that change for the scene to lie at `map_point`, or as near to it as the sliders reach.
 
     `map_point`: contact time of two rigid bodies over the time unit of the map, 0 for a rigid contact, and mass ratio,
-    as "0.3 2.5". A rigid contact gets the law of the map. Raises SceneError for another text, and for scenes that lie
+    as "0.3 2.5". A rigid contact gets the law of the map. Raises ValueError for another text, and for scenes that lie
     on no map.
     """
     time, ratio = _read(asked["map_point"])
     chosen = {name: asked[name] for name in Choices.CHOSEN}
     scene = chosen_scene(chosen)
     if family_of(scene) is None:
-        raise SceneError("map_point", asked["map_point"], page().text("wanted.on-a-map"))
+        raise _refused(asked["map_point"], "wanted.on-a-map")
     wanted = {}
     if "mass_ratio" in acting_choices(chosen):
         wanted["mass_ratio"] = _within("mass_ratio", ratio)
@@ -44,8 +45,12 @@ def _read(text: str) -> tuple[float, float]:
     except ValueError:
         time = ratio = math.nan
     if not (0.0 <= time < math.inf and 0.0 < ratio < math.inf):
-        raise SceneError("map_point", text, page().text("wanted.map-point"))
+        raise _refused(text, "wanted.map-point")
     return time, ratio
+
+
+def _refused(text: str, allowed: str) -> Refused:
+    return Refused("refusals.value", key="question.map_point", value=shown(text), allowed=allowed)
 
 
 def _stiffness(chosen: dict[str, Any], name: str, duration: float) -> float:

@@ -106,7 +106,7 @@ def _trial(number: int, given: object) -> Trial:
 
 def _chosen(key: str, name: str, value: object) -> Any:
     if not accepts(name, value):
-        raise SceneError(key, value, refusal(name, value, key=key))
+        raise SceneError(key, value, str(refusal(name, value, key=key)))
     return value
 
 

@@ -4,7 +4,9 @@ from functools import lru_cache
 from typing import Any
 
 from solvers import Scene, SceneError
+from solvers.validation import shown
 
+from ..text.refusals import Refused
 from .built_in import base_of, body_keys, keyed
 from .choices import Choices, accepts, title_of
 from .kinds import kind_of
@@ -34,9 +36,11 @@ def chosen_scene(chosen: dict[str, Any]) -> Scene:
     base = base_of(chosen["scene"], chosen["bodies"])
     try:
         return kind_of(base).described(base, chosen, choices_of(chosen["scene"], chosen["bodies"]))
-    except SceneError as refused:
-        control = title_of(SET_BY[refused.key]) if refused.key in SET_BY else refused.key
-        raise SceneError(control, refused.value, refused.reason, refused.of) from None
+    except SceneError as refusal:
+        if refusal.key not in SET_BY:
+            raise
+        given = {"value": shown(refusal.value), "allowed": refusal.reason.table()}
+        raise Refused("refusals.value", key=title_of(SET_BY[refusal.key]), **given) from None
 
 
 @lru_cache(maxsize=1024)

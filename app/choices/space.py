@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from solvers import Body, Scene, SceneError
+from solvers import Body, Scene
 from solvers.numerics.rigid.impulses import NULL_MOMENT, principal
+from solvers.validation import shown
 
-from ..text.catalogues import page
+from ..text.refusals import Refused
 
 
 def has_length(scene: Scene) -> bool:
@@ -23,12 +24,12 @@ def struck_place(scene: Scene) -> float:
 def struck_at(scene: Scene, place: float) -> Scene:
     """The scene with its rod, or the longest side of its body, struck at another place from 0 to 1 along it.
 
-    The end at 1 is the one that lies towards the positive coordinate axis. Raises SceneError for a place out of range,
+    The end at 1 is the one that lies towards the positive coordinate axis. Raises ValueError for a place out of range,
     and for point masses, which have no length.
     """
     name, body = _struck(scene)
     if not isinstance(place, (int, float)) or not 0.0 <= place <= 1.0:
-        raise SceneError("place", place, page().text("wanted.place"))
+        raise Refused("refusals.value", key="control.place", value=shown(place), allowed="wanted.place")
     axis, length = _longest_side(body)
     centre = np.array(body.centre)
     centre += ((0.5 - place) * length - centre @ axis) * axis
@@ -58,7 +59,7 @@ def _struck(scene: Scene) -> tuple[str, Body]:
         body = getattr(scene, name)
         if isinstance(body, Body) and not body.is_point:
             return name, body
-    raise SceneError("target.inertia", None, page().text("wanted.inertia"))
+    raise Refused("refusals.value", key="target.inertia", value="nothing", allowed="wanted.inertia")
 
 
 def _longest_side(body: Body) -> tuple[np.ndarray, float]:

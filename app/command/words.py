@@ -2,19 +2,19 @@
 
 from typing import Any
 
-from ..text.catalogues import command
+from ..text.catalogues import command, spoken
 
 
 def text(code: str, /, **values: Any) -> str:
     """A sentence, or a name."""
-    return command().text(code, **values)
+    return command(spoken()).text(code, **values)
 
 
 def named(family: str, key: str) -> str:
     """What a key of a result is called; the key itself in words where it has no name."""
-    return command().texts.get(f"{family}.{key}", key.replace("_", " "))
+    return command(spoken()).texts.get(f"{family}.{key}", key.replace("_", " "))
 
 
 def family(code: str) -> dict[str, str]:
     """All names below a code, such as the heads of a table."""
-    return command().family(code)
+    return command(spoken()).family(code)

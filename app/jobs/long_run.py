@@ -8,11 +8,11 @@ from typing import Any
 
 from solvers.jit.compiling import NotCompiled
 
-from ..text.catalogues import page
+from ..text.refusals import note, reason_of
 from .answers import KEPT
 from .compiler import COMPILER
 from .loops import of_loop
-from .runner import COMPILING, settled
+from .runner import settled
 from .workers import LONG, QUICK, Job, Lost, Workers
 
 MAX_RUN_SECONDS = 60.0  # of computing; what a measurement or a map sets itself is less
@@ -73,11 +73,11 @@ class LongRun:
                 else:
                     await self._compiled(asked)
                     await self._run(asked)
-        except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            await settled(self._refuse(str(refusal)))
+        except ValueError as refusal:  # what cannot be: for the visitor
+            await settled(self._refuse(reason_of(refusal)))
         except Exception as error:
             log.error("a long run failed: %r", asked, exc_info=not isinstance(error, Lost))
-            await settled(self._refuse(page().text("serving.not-worked-out")))
+            await settled(self._refuse(note("serving.not-worked-out").table()))
         finally:
             self._busy, self._job = False, None
             await settled(ended())
@@ -86,11 +86,11 @@ class LongRun:
         try:
             await self._do(self._kernels, asked, level=QUICK)
         except NotCompiled:
-            await settled(self._wait(COMPILING))
+            await settled(self._wait(note("serving.compiling").table()))
             try:
                 await COMPILER.ready(self._kernels.__name__, asked)
             finally:
-                await settled(self._wait(""))
+                await settled(self._wait(None))
 
     async def _run(self, asked: Any) -> None:
         parts: asyncio.Queue = asyncio.Queue()

@@ -9,13 +9,12 @@ from typing import Any
 
 from solvers.jit.compiling import NotCompiled, compiled_only
 
-from ..text.catalogues import page
+from ..text.refusals import note, reason_of
 from .answers import Answers
 from .compiler import COMPILER
 from .loops import of_loop
 from .workers import MAX_SECONDS, QUICK, Lost, level_after
 
-COMPILING = page().text("serving.compiling")
 LONG_AFTER = 1.0  # s after which the visitor is informed that it takes long
 MIN_RUN_SECONDS = 1.0  # s after which a newer request ends one under way; sooner, and no drag would be answered
 END_WITHIN = 3.0  # s in which work that is to end with what it has must do so
@@ -36,9 +35,9 @@ async def settled(result: Any) -> None:
 
 
 class Runner:
-    """Has `work(choices)` done by the workers and hands the newest result to `publish`, or a sentence to `refuse`.
+    """Has `work(choices)` done by the workers and hands the newest result to `publish`, or a note to `refuse`.
 
-    `wait` gets a sentence why an answer takes longer, and an empty one when that is over: what is not compiled yet
+    `wait` gets a note why an answer takes longer, and None when that is over: what is not compiled yet
     is compiled in another process first. `rest` [s]: how long choices must stand before they are asked about.
     Work that is `stoppable` also takes `cancelled`, and ends with what it has when that is set.
     """
@@ -48,7 +47,7 @@ class Runner:
         work: Callable,
         publish: Callable,
         refuse: Callable,
-        wait: Callable = lambda sentence: None,
+        wait: Callable = lambda note: None,
         *,
         visitor: Hashable = None,
         seconds: float = MAX_SECONDS,
@@ -103,11 +102,11 @@ class Runner:
         self._stopped = False
         try:
             result = await self._solved(self.current)
-        except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            await settled(self._refuse(str(refusal)))
+        except ValueError as refusal:  # what cannot be: for the visitor
+            await settled(self._refuse(reason_of(refusal)))
         except Exception as error:
             log.error("a solve failed: %r", self.current, exc_info=not isinstance(error, Lost))
-            await settled(self._refuse(page().text("serving.not-solved")))
+            await settled(self._refuse(note("serving.not-solved").table()))
         else:
             if result is not None:
                 await settled(self._publish(result))
@@ -117,7 +116,7 @@ class Runner:
         try:
             return await self._done(choices)
         except NotCompiled:
-            await settled(self._wait(COMPILING))
+            await settled(self._wait(note("serving.compiling").table()))
         try:
             compiled = asyncio.ensure_future(COMPILER.ready(self._work.__name__, choices))
             newer = asyncio.ensure_future(self._newer.wait())
@@ -131,7 +130,7 @@ class Runner:
             except NotCompiled:  # the other process could not, or could not keep it
                 return await self._done(choices, compiled=False)
         finally:
-            await settled(self._wait(""))
+            await settled(self._wait(None))
 
     async def _done(self, choices: Any, compiled: bool = True) -> Any:
         start = self._start or of_loop(Answers).start
@@ -151,14 +150,14 @@ class Runner:
                     job.answer.cancel()
                 if not informed and compiled and now - asked > LONG_AFTER and not job.answer.done():
                     informed = True
-                    await settled(self._wait(page().text("serving.longer", seconds=self._seconds)))
+                    await settled(self._wait(note("serving.longer", seconds=self._seconds).table()))
             if job.answer.cancelled():
                 return None
             result = job.answer.result()
         finally:
             job.answer.cancel()
             if informed:
-                await settled(self._wait(""))
+                await settled(self._wait(None))
         self._level, self.computed = level_after(job.computed, job.level), job.computed
         return result
 

@@ -12,6 +12,8 @@ from typing import Any, NamedTuple
 
 from solvers.jit.compiling import NotCompiled, compiled_only
 
+from ..text.refusals import reason_of
+
 SOONER = 500  # of 1000, than the server is a worker ended where memory runs out
 DONE, PART, REFUSED, FAILED, NOT_COMPILED = "done", "part", "refused", "failed", "not compiled"
 log = logging.getLogger("strikewave")
@@ -29,7 +31,7 @@ class Task(NamedTuple):
 
 
 def serve(connection: Connection) -> None:
-    """Do each task that comes, and answer it by a pair: what happened, and the result or a sentence.
+    """Do each task that comes, and answer it by a pair: what happened, and the result or a note.
 
     A task that takes more than its `seconds` ends the process by SIGPROF, which is all the answer that the server gets.
     """
@@ -64,8 +66,8 @@ def _answer(task: Task, connection: Connection) -> tuple[str, Any]:
             return DONE, task.work(*task.arguments, *more)
     except NotCompiled as missing:
         return NOT_COMPILED, str(missing)
-    except ValueError as refusal:  # SceneError: the sentence is for the visitor
-        return REFUSED, str(refusal)
+    except ValueError as refusal:  # what cannot be: for the visitor
+        return REFUSED, reason_of(refusal)
     except Exception:
         log.exception("%s failed: %r", task.work.__qualname__, task.arguments)
         return FAILED, task.work.__qualname__

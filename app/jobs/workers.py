@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from solvers.jit.compiling import NotCompiled
 
-from ..text.catalogues import page
+from ..text.refusals import Refused, raised_again
 from .fair import Shares
 from .processes import Process
 from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task
@@ -56,11 +56,11 @@ LEVELS = (
 )
 
 
-class GivenUp(ValueError):
-    """Work took more computing time than it may; the sentence is for the visitor."""
+class GivenUp(Refused):
+    """Work took more computing time than it may."""
 
     def __init__(self, seconds: float):
-        super().__init__(page().text("serving.given-up", seconds=seconds))
+        super().__init__("serving.given-up", seconds=seconds)
 
 
 class Lost(RuntimeError):
@@ -355,7 +355,7 @@ def _settle(job: Job, kind: str, value: Any) -> None:
     if kind == DONE:
         job.answer.set_result(value)
     else:
-        job.answer.set_exception({REFUSED: ValueError, NOT_COMPILED: NotCompiled}.get(kind, Lost)(value))
+        job.answer.set_exception({REFUSED: raised_again, NOT_COMPILED: NotCompiled}.get(kind, Lost)(value))
 
 
 def _keep(task: asyncio.Task) -> None:

@@ -12,7 +12,7 @@ from ..choices.bodies import is_key
 from ..choices.body_value import with_body_value
 from ..choices.choices import Choices, accepts, refusal
 from ..choices.scene_of import choices_of
-from ..text.catalogues import page
+from ..text.refusals import Refused
 from ..views.registry import VIEWS, opened_with
 from .questions import Questions, accepted
 
@@ -32,13 +32,13 @@ FORMER = {"seconds": "motion_seconds", "links": "motion_links"}  # keys of older
 FORMER_PANELS = {"motion": {"method": "multibody"}}  # what is a choice since
 
 
-def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
-    """Choices from the query of an address: what can be used, and a sentence for each that cannot.
+def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[ValueError]]:
+    """Choices from the query of an address: what can be used, and a refusal for each that cannot.
 
     A scene in the address brings its own values; the others then change them.
     """
     kept: dict[str, Any] = {}
-    refused = []
+    refused: list[ValueError] = []
     arguments = _as_now(arguments)
     for name in (name for name in Choices.CHOSEN if name in arguments or name == "bodies"):
         if name == "bodies":  # whose values have keys of their own
@@ -66,15 +66,16 @@ def _as_now(arguments: dict[str, list[bytes]]) -> dict[str, list[bytes]]:
     return meant | {FORMER.get(key, key): value for key, value in arguments.items()}
 
 
-def _bodies_in(arguments: dict[str, list[bytes]], kept: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
+def _bodies_in(arguments: dict[str, list[bytes]], kept: dict[str, Any]) -> tuple[dict[str, Any], list[ValueError]]:
     """Values of bodies, by keys of scene files in SI units, as choices of the scene that is `kept`; and refusals."""
-    found, refused = dict(kept), []
+    found: dict[str, Any] = dict(kept)
+    refused: list[ValueError] = []
     for key in filter(is_key, arguments):
         asked = Choices(**found).chosen() | {"body_value": f"{key}={text_of(arguments[key])}"}
         try:
             found |= with_body_value(asked)
-        except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            refused.append(str(refusal))
+        except ValueError as refusal:
+            refused.append(refusal)
     return found, refused
 
 
@@ -101,25 +102,25 @@ def shown_of(text: str, value: object) -> object:
 
 
 def chosen_in(arguments: dict[str, list[bytes]]) -> dict[str, Any]:
-    """The choices in a query. Raises ValueError with a sentence for each that cannot be."""
+    """The choices in a query. Raises ValueError for the first that cannot be."""
     choices, refused = from_address(arguments)
     if refused:
-        raise ValueError(" ".join(refused))
+        raise refused[0]
     return Choices(**choices).chosen()
 
 
-def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[str]]:
-    """Open panels and their questions from the query of an address: what can be used, and a sentence for each that
+def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], list[ValueError]]:
+    """Open panels and their questions from the query of an address: what can be used, and a refusal for each that
     cannot. A budget goes before a tolerance. Without a word of panels those that the scene is opened with."""
     named = "scene" in arguments and "panel" not in arguments
     kept: dict[str, Any] = opened_with(text_of(arguments["scene"])) if named else {}
-    refused = []
+    refused: list[ValueError] = []
     for name in filter(None, text_of(arguments["panel"]).split(",") if "panel" in arguments else ()):
         if name in PANELS:
             kept[PANELS[name]] = True
         elif name not in FORMER_PANELS:
             said = {"value": shown(shown_of(name, name)), "options": list(PANELS)}
-            refused.append(page().text("refused.panel", **said))
+            refused.append(Refused("refused.panel", **said))
     for key, (name, _, question) in _QUESTIONS.items():
         if key not in arguments:
             continue

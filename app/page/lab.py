@@ -1,6 +1,7 @@
 """The laboratory: the one component of the page. Python holds the choices and solves; the browser draws and plays."""
 
 import hashlib
+import json
 import time
 from collections.abc import Callable
 from contextlib import contextmanager
@@ -25,6 +26,7 @@ from ..jobs.runner import Runner
 from ..jobs.turns import Turnstile
 from ..messages.solve import solve_frame
 from ..text.catalogues import LANGUAGES, script
+from ..text.refusals import reason_of
 from ..views.registry import opened_with
 from .address import ASKED, PANELS, from_address, opened_from_address
 from .begin import begin
@@ -55,9 +57,9 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     """
 
     frame = param.Bytes(default=b"", doc="answer to the choices, see app.messages.axial")
-    refused = param.String(default="", doc="why the last change was not taken")
-    waiting = param.String(default="", doc="why the answer takes longer, or nothing")
-    disconnected = param.String(default="", doc="why this page is about to be disconnected")
+    refused = param.String(default="", doc="why the last changes were not taken: notes, in JSON")
+    waiting = param.String(default="", doc="why the answer takes longer: a note, in JSON, or nothing")
+    disconnected = param.String(default="", doc="code of why this page is about to be disconnected")
     spec = param.Dict(default={}, doc="bounds and options of every choice, for the controls")
     shared = param.Dict(default={}, doc="what the address says beside the choices, see app.page.address")
 
@@ -69,7 +71,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         place = {"sizing_mode": "stretch_width", "height": HEIGHT, "margin": 0}
         super().__init__(spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, **(place | own | choices))
         self._sent = frozenset(self._linked_properties)
-        self._waits: dict[str, str] = {}  # by what is waited for: why it takes longer
+        self._waits: dict[str, Any] = {}  # by what is waited for: a note why it takes longer
         waiting = partial(self._report, self._wait, solve_frame.__name__)
         context = pn.state.curdoc.session_context if pn.state.curdoc else None
         self.visitor = context.id if context else None
@@ -143,10 +145,11 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         elif self.visitor is not None:
             pn.state.onload(partial(self._runner.want, self.chosen()))
 
-    def _wait(self, name: str, sentence: str) -> None:
-        """Show the visitor why an answer takes longer; an empty sentence when it has come."""
-        self._waits[name] = sentence
-        self.waiting = next(filter(None, self._waits.values()), "")
+    def _wait(self, name: str, note: dict[str, Any] | None) -> None:
+        """Show the visitor why an answer takes longer; None when it has come."""
+        self._waits[name] = note
+        found = next(filter(None, self._waits.values()), None)
+        self.waiting = json.dumps(found) if found else ""
 
     def _changed(self, *events: param.parameterized.Event) -> None:
         if self._quiet:
@@ -188,8 +191,8 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     async def _take(self, message: bytes) -> None:
         await self._report(self._show, self._current, message)
 
-    async def _fail(self, sentence: str) -> None:
-        await self._report(self._set_back, self._current, sentence)
+    async def _fail(self, reason: dict[str, Any]) -> None:
+        await self._report(self._set_back, self._current, reason)
 
     @property
     def _current(self) -> dict[str, Any]:
@@ -202,17 +205,17 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         self.frame = message
         self.ask_panels()
 
-    def _set_back(self, failed: dict[str, Any], sentence: str) -> None:
+    def _set_back(self, failed: dict[str, Any], reason: dict[str, Any]) -> None:
         """Choices that cannot be solved together are not left standing beside the picture of others."""
         if self._answered and self.chosen() == failed:
             with self._silence():
                 self.param.update(**self._answered)
-        self._refuse(sentence)
+        self._refuse(reason)
 
-    def _refuse(self, sentence: str) -> None:
+    def _refuse(self, *reasons: dict[str, Any]) -> None:
         self.answered = time.monotonic()
         self.refused = ""
-        self.refused = sentence
+        self.refused = json.dumps(reasons)
         before = self.chosen()
         if self.frame or before | choices_of(self.scene) == before:
             return
@@ -245,7 +248,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
             if accepts(name, value) if name in self.CHOSEN else accepted(name, value):
                 self._set(name, value)
             else:
-                self._refuse(refusal(name, value, type(self)))
+                self._refuse(reason_of(refusal(name, value, type(self))))
                 with self._silence():
                     self.param.trigger(name)
 
@@ -306,6 +309,6 @@ def create() -> "Lab":
         document.config.notify_connection_status = False
         document.template_variables["dist_url"] = LOCAL_DIST  # else styles are fetched from another host
         _LABS[document] = lab
-    if sentences := [*refused, *refused_too, *filter(None, [lab.refused])]:
-        lab.refused = "\n".join(sentences)  # which the browser shows one after the other
+    if reasons := [*map(reason_of, (*refused, *refused_too)), *json.loads(lab.refused or "[]")]:
+        lab.refused = json.dumps(reasons)  # which the browser shows one after the other
     return lab

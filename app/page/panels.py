@@ -29,8 +29,8 @@ class Panels(Questions):
     scene: str
     chosen: Callable[[], dict[str, Any]]
     visitor: str | None
-    _refuse: Callable[[str], None]
-    _wait: Callable[[str, str], None]
+    _refuse: Callable[[dict[str, Any]], None]
+    _wait: Callable[[str, dict[str, Any] | None], None]
     _report: Callable[..., Coroutine]
     choose: Callable[[dict[str, Any]], None]
 
@@ -141,10 +141,10 @@ class Panels(Questions):
         if not self._pending[view.name]:  # nor was anything asked since
             setattr(self, view.running, False)
 
-    def _refuse_view(self, view: View, sentence: str) -> None:
+    def _refuse_view(self, view: View, reason: dict[str, Any]) -> None:
         """What was not answered may be asked again."""
         self._asked.pop(view.name, None)
-        self._refuse(sentence)
+        self._refuse(reason)
 
     def _go_to(self, name: str, event: param.parameterized.Event) -> None:
         """Have the sliders follow what is asked; the browser sends the next when this question is cleared."""

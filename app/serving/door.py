@@ -18,12 +18,11 @@ from ..choices.bodies import is_key
 from ..choices.choices import Choices
 from ..jobs.fair import Shares
 from ..page.address import ASKED, FORMER, LONGEST_TEXT
-from ..text.catalogues import page
 from .limits import ADDRESS_SESSIONS, IDLE_SECONDS, MAX_BARRED, MAX_SESSIONS
 
 TOKEN_SECONDS = 12 * 3600  # for which a page may come back with the session it was given
 KNOWN = {*Choices.CHOSEN, *ASKED, *FORMER, "panel"}  # keys of an address; others never reach a session
-FULL = page().text("serving.full")
+FULL = "serving.full"
 
 
 class Door:
@@ -54,21 +53,21 @@ class Door:
         return len(self._live) >= MAX_SESSIONS and self._first_to_go(address) is None
 
     def refuses(self, token: str | None, address: str) -> str | None:
-        """Why this token opens no socket, or None. Who comes back needs room too: else there is no end of sessions."""
+        """Code of why this token opens no socket, or None. Who comes back needs room too: else sessions had no end."""
         session = self._session_in(token)
         if session is None:
-            return page().text("serving.out-of-date")
+            return "serving.out-of-date"
         if session in self._barred:
-            return page().text("serving.barred")
+            return "serving.barred"
         if session in self._live:
-            return page().text("serving.open-already")
+            return "serving.open-already"
         return FULL if self.full(address) else None
 
     def enter(self, socket: Any) -> None:
         """Count a socket, which knows its `session_id` and `address`; if there is no room otherwise, another goes."""
         if len(self._live) >= MAX_SESSIONS and (first := self._first_to_go(socket.address)) is not None:
             self.leave(first)
-            first.turn_out(page().text("serving.idle"), flood=False)
+            first.turn_out("serving.idle", flood=False)
         self._live[socket.session_id] = socket
 
     def leave(self, socket: Any) -> None:

@@ -18,7 +18,7 @@ from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
-from ..text.catalogues import LANGUAGE, LANGUAGES, page, script
+from ..text.catalogues import LANGUAGES, SOURCE, language_for, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle
@@ -57,8 +57,10 @@ def documentation() -> str:
 
 
 @cache
-def shell(first: bool = True) -> str:
-    """The page, but for its session; with a still of the scene if it is the first one, which the first call solves."""
+def shell(first: bool, language: str) -> str:
+    """The page in a language, but for its session; with a still of the scene if it is the first one, which the first
+    call solves.
+    """
     links = [
         (kind, name)
         for kind, ending in (('preload" as="style', ".css"), ("modulepreload", ".js"))
@@ -73,11 +75,11 @@ def shell(first: bool = True) -> str:
     ]
     text = (Path(__file__).parent / "page.html").read_text(encoding="utf-8")
     for mark, code in (("TITLE", "document.title"), ("ABOUT", "document.about"), ("NO-SCRIPT", "document.no-script")):
-        text = text.replace(mark, escape(page().texts[code]))
-    text = text.replace("VERSION", VERSION).replace("LANGUAGE", LANGUAGE)
+        text = text.replace(mark, escape(page(language).texts[code]))
+    text = text.replace("VERSION", VERSION).replace("LANGUAGE", language)
     text = text.replace("PRELOADS", "\n    ".join(preloads)).replace("SCRIPTS", "\n    ".join(scripts))
     return text.replace("STYLE", (STATIC / "shell/page.css").read_text("utf-8")).replace(
-        "STILL", first_still() if first else bare_frame()
+        "STILL", first_still(page(language)) if first else bare_frame()
     )
 
 
@@ -89,6 +91,7 @@ class Page(RequestHandler):
         self._door, self._address = settings["door"], settings["addresses"].of(self.request)
 
     async def get(self) -> None:
+        language = language_for(self.request.headers.get("Accept-Language", ""))
         self.set_header("Cache-Control", "no-store")  # each page has a session of its own
         turnstile, visitor = of_loop(Turnstile), Stranger(PAGES, self._address)
         busy = turnstile.waiting_of(visitor) >= MAX_PAGES_OF_ONE
@@ -98,11 +101,12 @@ class Page(RequestHandler):
         if busy or self._door.full(self._address):
             self.set_status(503)
             self.set_header("Retry-After", "20")
-            self.write(f'<!DOCTYPE html><title>Strikewave</title><meta http-equiv="refresh" content="20"><p>{FULL}</p>')
+            head = '<!DOCTYPE html><title>Strikewave</title><meta http-equiv="refresh" content="20">'
+            self.write(f"{head}<p>{page(language).text(FULL)}</p>")
             return
         session = {"token": self._door.issue(self.request.query_arguments), "documentation": documentation()}
         first = not self.request.query_arguments
-        self.write(shell(first).replace("SESSION", escape(json.dumps(session), quote=False)))
+        self.write(shell(first, language).replace("SESSION", escape(json.dumps(session), quote=False)))
 
     head = get  # of which no body is sent
 
@@ -110,7 +114,7 @@ class Page(RequestHandler):
 @cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
-    return bundle(STATIC, ENTRY, f"text/{LANGUAGE}.js").encode() if file == STATIC / ENTRY else file.read_bytes()
+    return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode() if file == STATIC / ENTRY else file.read_bytes()
 
 
 @cache
@@ -180,20 +184,20 @@ class Texts(RequestHandler):
 class Figure(RequestHandler):
     """What the figure of a view looks like; a browser keeps it, and asks whether it is still the same."""
 
-    def get(self, name: str) -> None:
-        if name not in FIGURES:
+    def get(self, language: str, name: str) -> None:
+        if name not in FIGURES or language not in LANGUAGES:
             raise HTTPError(404)
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Content-Type", "application/json")
-        self.write(figure_text(name))
+        self.write(figure_text(name, language))
 
     head = get
 
 
 @cache
-def figure_text(name: str) -> str:
+def figure_text(name: str, language: str) -> str:
     """The figure of a view as JSON, drawn once: it takes a tenth of a second, and is the same for all."""
-    return drawn(FIGURES[name])
+    return drawn(FIGURES[name], page(language))
 
 
 class Alive(RequestHandler):

@@ -15,7 +15,7 @@ from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.processes import prepare
 from ..jobs.workers import Workers
-from ..text.catalogues import command
+from ..text.catalogues import LANGUAGES, command, spoken
 from . import connections
 from .addresses import Addresses, Network
 
@@ -36,7 +36,7 @@ def serve(port: int, address: str, origins: list[str], proxies: list[Network], s
     connections.bound(server._http, most)
     server.start()
     host = "localhost" if address in ("0.0.0.0", "127.0.0.1") else address
-    print(command().text("run.page-at", address=f"http://{host}:{port}"), flush=True)
+    print(command(spoken()).text("run.page-at", address=f"http://{host}:{port}"), flush=True)
     server.io_loop.add_callback(calibrate_machine)
     signal.signal(signal.SIGTERM, lambda *_: server.io_loop.add_callback_from_signal(server.io_loop.stop))
     with contextlib.suppress(KeyboardInterrupt):
@@ -84,7 +84,8 @@ def build(
     install.install()
     draw_figures()
     _first_answer()
-    shell()
+    for language in LANGUAGES:
+        shell(True, language)
     pack()
     secret = secrets.token_bytes(32)
     if sockets is not None:
@@ -138,7 +139,7 @@ def _first_answer() -> None:
     try:
         at_once(solve_frame, first)
     except NotCompiled:
-        print(command().text("run.first-page"), flush=True)
+        print(command(spoken()).text("run.first-page"), flush=True)
         with contextlib.suppress(OSError):  # kernels of another machine, or another Numba: the usual ones are made anew
             all_compiled().unlink()
         with contextlib.suppress(TimeoutError):
@@ -152,5 +153,6 @@ def draw_figures() -> None:
     from ..views.registry import FIGURES
     from .pages import figure_text
 
-    for name in FIGURES:
-        figure_text(name)
+    for language in LANGUAGES:
+        for name in FIGURES:
+            figure_text(name, language)

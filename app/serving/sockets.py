@@ -22,7 +22,6 @@ from ..jobs.loops import of_loop
 from ..jobs.turns import Rate, Turnstile
 from ..jobs.workers import Workers
 from ..page.lab import Lab, lab_of
-from ..text.catalogues import page
 from . import guard
 from .addresses import host_of
 from .haste import Haste
@@ -46,7 +45,7 @@ SESSIONS = "sessions"  # what strangers ask for who open a socket
 SOCKET_SECONDS = 0.002  # of the event loop that this takes, also of who leaves before it is his turn
 CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
 LIMIT = 1008  # code of a socket that is closed because of what came over it
-TOO_MANY = page().text("serving.too-much")
+TOO_MANY = "serving.too-much"
 CHOSEN = frozenset(Choices.CHOSEN)
 log = logging.getLogger("strikewave")
 
@@ -91,11 +90,11 @@ class Socket(WSHandler):
         self._refused = self._pulls = 0
         self._out = False
         self.address = self.application.settings["addresses"].of(self.request)
-        reason = page().text("serving.protocol")
+        reason: str | None = "serving.protocol"
         if self.selected_subprotocol == "bokeh":
             reason = self._door.refuses(self._token, self.address)
         if reason is not None or self._token is None:
-            self._end(reason or page().text("serving.protocol"))
+            self._end(reason or "serving.protocol")
             return
         self.session_id = get_session_id(self._token)
         self._door.enter(self)
@@ -140,7 +139,7 @@ class Socket(WSHandler):
             await self._take(fragment)
         except Exception as error:  # nobody above could do anything about it
             log.error("a message could not be taken: %r", error)
-            self.turn_out(page().text("serving.unreadable"))
+            self.turn_out("serving.unreadable")
 
     async def _receive(self, fragment: str | bytes) -> Message | None:
         """A whole message, if this completes one. A page sends no buffers, which Bokeh would keep without bound;
@@ -151,7 +150,7 @@ class Socket(WSHandler):
             message = await receiver.consume(fragment)
             if isinstance(message.header["msgid"], str) if message else receiver._partial is None:
                 return message
-        self.turn_out(page().text("serving.unreadable"), flood=False)
+        self.turn_out("serving.unreadable", flood=False)
         return None
 
     async def _take(self, fragment: str | bytes) -> None:
@@ -318,8 +317,8 @@ class Socket(WSHandler):
             reply.content["text"] = "refused"
         await self.send_message(reply)
 
-    def turn_out(self, sentence: str, flood: bool = True) -> None:
-        """Send the visitor the reason, and close the socket for good; what still comes is not looked at."""
+    def turn_out(self, code: str, flood: bool = True) -> None:
+        """Send the visitor the reason by its code, and close the socket for good; what still comes is not read."""
         if self._out:
             return
         self._out = True
@@ -327,23 +326,23 @@ class Socket(WSHandler):
         if flood:
             self._door.slow(self.address)
         self._mail.clear()
-        asyncio.ensure_future(self._tell_and_close(sentence)).add_done_callback(_seen)
+        asyncio.ensure_future(self._tell_and_close(code)).add_done_callback(_seen)
 
-    async def _tell_and_close(self, sentence: str) -> None:
+    async def _tell_and_close(self, code: str) -> None:
         try:
             if (connection := self.connection) is not None and (lab := self._lab) is not None:
-                delivery: Any = connection.session.with_document_locked(setattr, lab, "disconnected", sentence)
+                delivery: Any = connection.session.with_document_locked(setattr, lab, "disconnected", code)
                 await asyncio.wait_for(delivery, 1.0)  # who does not read is not waited for
         except (TimeoutError, WebSocketClosedError):
             pass
         finally:
-            self._end(sentence[:120])
+            self._end(code)
 
-    def _end(self, sentence: str) -> None:
+    def _end(self, code: str) -> None:
         """Close it; who does not answer to that, and goes on sending, is not waited for."""
         if (protocol := self.ws_connection) is None:
             return
-        self.close(LIMIT, sentence)
+        self.close(LIMIT, code)
         self._closing.append(protocol)
         asyncio.get_running_loop().call_later(CLOSE_SECONDS, self._give_up, protocol)
         if len(self._closing) > MAX_CLOSING:

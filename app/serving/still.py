@@ -6,8 +6,9 @@ import numpy as np
 
 from solvers import Solution
 from solvers.accuracy.reference import exact_solution
+from solvers.text.catalogue import Catalogue
 
-from ..choices.choices import Choices
+from ..choices.choices import START, Choices
 from ..choices.request import Request
 
 WIDTH, HEIGHT = 780, 188  # of the stage in a common window, in its own units; it is scaled to the true ones
@@ -26,11 +27,11 @@ STOPS = np.array(  # of the colours, as in app/static/charts/styles.js
 )
 
 
-def first_still() -> str:
+def first_still(texts: Catalogue) -> str:
     """The still of the scene that the page opens with, as HTML."""
     request = Request.of(Choices().chosen())
     exact = exact_solution(request.scene, request.restitution)
-    title = escape(request.scene.title or "")
+    title = escape(texts.texts.get(f"scene.{START}.title") or request.scene.title)
     return bare_frame(title, stage_of(exact), force_of(exact))
 
 

@@ -6,7 +6,7 @@ address with most of them makes room: whoever sends slowly keeps nobody out, and
 
 import logging
 from collections import Counter
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from bokeh.server.util import check_allowlist
 from tornado.web import RequestHandler, stream_request_body
@@ -20,7 +20,7 @@ from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.workers import Lost, Workers
 from ..page.address import chosen_in
-from ..text.catalogues import page
+from ..text.refusals import note, reason_of
 from ..views.record import record_answer
 from .addresses import Addresses, host_of
 
@@ -46,13 +46,13 @@ class MeasuredRecord(RequestHandler):
         self._body, self._refusal = bytearray(), None
         if self.request.method != "POST":
             self.set_status(405)
-            self.finish({"error": str(SceneError("method", self.request.method, "POST"))})
+            self.finish({"error": reason_of(SceneError("method", self.request.method, "POST"))})
             return
         self.request.connection.set_body_timeout(RECEIVE_SECONDS)
         self.request.connection.set_max_body_size(MAX_PASSED_BY)
         origin = host_of(self.request.headers.get("Origin", ""))
         if not origin or not check_allowlist(origin, self.application.websocket_origins):
-            self._refusal = 403, page().text("serving.record.own-page")
+            self._refusal = 403, note("serving.record.own-page").table()
         else:
             length = self.request.headers.get("Content-Length", "0")
             self._check_size(int(length) if length.isdecimal() and len(length) < 20 else 0)
@@ -70,21 +70,21 @@ class MeasuredRecord(RequestHandler):
         try:
             check_size(size)
         except SceneError as refusal:
-            self._refusal = 413, str(refusal)
+            self._refusal = 413, reason_of(refusal)
             self._release()
 
     def _make_room(self) -> None:
         """Refuse it at once, on its way or being compared."""
         self._release()
         self.set_header("Connection", "close")
-        self._refuse(429, page().text("serving.record.many"))
+        self._refuse(429, note("serving.record.many").table())
 
     async def post(self):
         if self._finished:  # to make room
             return None
         of_this = sum(each.address == self.address for each in self._comparing)
         if self._refusal is None and of_this >= COMPARED_OF_ONE:
-            self._refusal = 429, page().text("serving.record.others")
+            self._refusal = 429, note("serving.record.others").table()
         if self._refusal is not None:
             return self._refuse(*self._refusal)
         self._comparing.add(self)
@@ -93,11 +93,11 @@ class MeasuredRecord(RequestHandler):
             if not self._finished:  # to make room, meanwhile
                 self.set_header("Content-Type", "application/json; charset=UTF-8")
                 self.write(answer)
-        except ValueError as refusal:  # SceneError: the sentence is for the visitor
-            self._refuse(400, str(refusal))
+        except ValueError as refusal:  # what cannot be: for the visitor
+            self._refuse(400, reason_of(refusal))
         except Exception as error:
             log.error("a record could not be compared", exc_info=not isinstance(error, Lost))
-            self._refuse(500, page().text("serving.record.failed"))
+            self._refuse(500, note("serving.record.failed").table())
         finally:
             self._comparing.discard(self)
             self._release()
@@ -113,10 +113,10 @@ class MeasuredRecord(RequestHandler):
         self._held.pop(self, None)
         self._body = bytearray()
 
-    def _refuse(self, status: int, sentence: str) -> None:
+    def _refuse(self, status: int, reason: dict[str, Any]) -> None:
         if not self._finished:
             self.set_status(status)
-            self.finish({"error": sentence})
+            self.finish({"error": reason})
 
 
 def first_to_go(held: dict[MeasuredRecord, int]) -> MeasuredRecord:

@@ -20,6 +20,7 @@ import { alone } from './shell/home.js';
 import { listenToKeys } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
+import { refusalIn } from './shell/model.js';
 import { decode } from './shell/message.js';
 import { Player } from './shell/player.js';
 import { copyLink, saveData } from './shell/share.js';
@@ -116,7 +117,7 @@ export class Page {
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
     this.take();
-    if (model.refused && this.toast.hidden) this.complain(model.refused);
+    if (model.refused && this.toast.hidden) this.complain(refusalIn(model));
     this.ready = true;
   }
   /** Everything in its place. */
@@ -180,14 +181,15 @@ export class Page {
   listen(model) {
     model.on('frame', () => this.take());
     model.on('refused', () => {
-      if (!model.refused) return;
+      const why = refusalIn(model);
+      if (!why) return;
       const { goal, sent } = this.changes;
       this.changes.leave();
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      const field = this.bodies.refused(model.refused) || (!goal && this.controls.refused(sent, model.refused));
-      if (!field) this.complain(model.refused);
+      const field = this.bodies.refused(why) || (!goal && this.controls.refused(sent, why));
+      if (!field) this.complain(why);
     });
     for (const name of this.names)
       model.on(name, () => {

@@ -4,26 +4,37 @@ import json
 from functools import cache
 from pathlib import Path
 
-from solvers.text.catalogue import LANGUAGE, OWN, Catalogue
+from babel import negotiate_locale
+
+from solvers.text.catalogue import OWN, SOURCE, Catalogue, spoken
+
+__all__ = ["LANGUAGES", "SOURCE", "command", "language_for", "page", "script", "spoken"]
 
 HERE = Path(__file__).parent
 LANGUAGES = tuple(sorted(folder.name for folder in HERE.iterdir() if (folder / "page").is_dir()))
+MOST_ACCEPTED = 20  # languages of a browser that are looked at
 
 
 @cache
-def page(language: str = LANGUAGE) -> Catalogue:
+def page(language: str) -> Catalogue:
     """All that the page says: its own words, and the notes of the library with the page's names for things."""
-    return Catalogue(language, (OWN / language, HERE / language / "page"))
+    return Catalogue(language, ((OWN, ""), (HERE, "page")))
 
 
 @cache
-def command(language: str = LANGUAGE) -> Catalogue:
+def command(language: str) -> Catalogue:
     """All that the command says; things are named as scene files name them."""
-    return Catalogue(language, (OWN / language, HERE / language / "command"))
+    return Catalogue(language, ((OWN, ""), (HERE, "command")))
 
 
 @cache
-def script(language: str = LANGUAGE) -> str:
+def script(language: str) -> str:
     """The page's catalogue as a script for the browser, see app/static/text/catalogue.js."""
     texts = json.dumps({"language": language, "texts": page(language).texts}, ensure_ascii=False)
     return f"globalThis.strikewaveTexts = {texts};\n"
+
+
+def language_for(accepted: str) -> str:
+    """The language of a visitor whose browser accepts these, as its `Accept-Language` says, the dearest first."""
+    wanted = [part.partition(";")[0].strip().replace("-", "_") for part in accepted.split(",")[:MOST_ACCEPTED]]
+    return negotiate_locale(wanted, LANGUAGES) or SOURCE

@@ -17,7 +17,7 @@ from solvers.provenance import clock
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..messages.transverse import method_at_impact
-from ..text.catalogues import page
+from ..text.refusals import note, reason_of
 
 CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
 BUDGET_SECONDS = 8.0  # after which no other impact is begun
@@ -50,9 +50,9 @@ def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -
         answer |= {"bounces": [asdict(bounce) for bounce in found.bounces], "stopped": stopped}
         answer |= {"path_time": _listed(time), "path_height": _listed(height)}
         answer |= {"method": found.method["name"], "notes": [note.table() for note in found.notes]}
-    except ValueError as refusal:  # SceneError
+    except ValueError as refusal:
         held = isinstance(refusal, SceneNotSupported) and refusal.key == "target.kind"
-        answer["error"] = page().text("bounces.refused") if held else str(refusal)
+        answer["error"] = note("bounces.refused").table() if held else reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 

@@ -10,13 +10,14 @@ from solvers import METHODS, Balance, Modal
 from solvers.methods.base import Method
 from solvers.studies.convergence import convergence
 from solvers.studies.levels import GIVEN, RESTITUTIONS, STEPS, VALUES, kinds_of
+from solvers.text.catalogue import Catalogue
 
 from ..choices.opened import opening_of
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..messages.solutions import method_options
 from ..messages.transverse import method_at_impact
-from ..text.catalogues import page
+from ..text.refusals import reason_of
 from .figures import blank, hover, legend, source
 
 COUNTS = (3, 5, 10, 20, 40)  # of modes, or of elements where finite elements are chosen
@@ -40,8 +41,8 @@ def convergence_data(asked: dict[str, Any]) -> str:
         kind, values = _varied(asked, kinds, method)
         given: dict[str, Any] = {GIVEN.get(kind, "modes"): values}
         answer |= convergence(request.scene, method=method, **given).table() | {"kinds": kinds}
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
+    except ValueError as refusal:
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
@@ -66,14 +67,14 @@ def _varied(asked: dict[str, Any], kinds: list[str], method: Method) -> tuple[st
     return kind, RESTITUTIONS if kind == "restitution" else COUNTS
 
 
-def convergence_figure() -> list[Any]:
+def convergence_figure(texts: Catalogue) -> list[Any]:
     """How far each quantity is from its value with the most modes, in sources "lines" and "differences"."""
     axes = {"x_axis_type": "log", "y_axis_type": "log"}
     from bokeh.models import FixedTicker
 
-    words = page().family("convergence")
+    words = texts.family("convergence")
     plot = blank(
-        "convergence", "", page().text("convergence.axis", kind="modes"), words["difference"], height=340, **axes
+        "convergence", "", texts.text("convergence.axis", kind="modes"), words["difference"], height=340, **axes
     )
     plot.xaxis.ticker = FixedTicker(name="convergence-counts")
     lines = source("lines", "counts", "sizes", "colour")

@@ -9,12 +9,12 @@ import numpy as np
 from solvers import Solution
 from solvers.accuracy.reference import exact_solution
 from solvers.solution.motion import SplitsTarget
+from solvers.text.catalogue import Catalogue
 
 from ..choices.kinds import moves_on
 from ..choices.request import Request
 from ..messages.histories import MS
 from ..messages.transverse import main_solution
-from ..text.catalogues import page
 from .figures import INK, blank, cursor, hover, legend, source
 
 INSTANTS = 161
@@ -82,18 +82,18 @@ def beam_instants(solution: Solution) -> np.ndarray:
     return time[time <= solution.duration]
 
 
-def energy_figure() -> list[Any]:
+def energy_figure(texts: Catalogue) -> list[Any]:
     """Each part upon the others, in source "shares": `time`, and the lower and upper edge of every part."""
-    keys, names = list(COLOURS), page().family("energy.part")
+    keys, names = list(COLOURS), texts.family("energy.part")
     edges = [f"{key}-{edge}" for key in keys for edge in ("low", "high")]
     data = source("shares", "time", "whole", *keys, *edges)
-    plot = blank("energy", "", page().text("chart.time"), page().text("energy.share"))
+    plot = blank("energy", "", texts.text("chart.time"), texts.text("energy.share"))
     shown = []
     for key, colour in COLOURS.items():
         area = plot.varea("time", f"{key}-low", f"{key}-high", source=data, fill_color=colour, fill_alpha=0.9, name=key)
         shown.append((names[key], [area]))
     whole = plot.line("time", "whole", source=data, line_color=INK, line_width=1.0)
-    hover(plot, [whole], {page().text("chart.time"): "@time{0.000}"}, mode="vline", line_policy="nearest")
+    hover(plot, [whole], {texts.text("chart.time"): "@time{0.000}"}, mode="vline", line_policy="nearest")
     legend(plot, shown)
     cursor(plot, "energy-cursor")
     return [plot]

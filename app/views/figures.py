@@ -9,6 +9,8 @@ import json
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
+from solvers.text.catalogue import Catalogue
+
 HEIGHT = 300  # pixels
 PLAIN_DECADES = 4  # of a logarithmic axis that are written as 0.001 to 1000
 INK, FAINT, PICKED = "#1c2733", "#5b6c7d", "#c81e4a"
@@ -86,11 +88,11 @@ def cursor(plot: Any, name: str) -> None:
     plot.add_layout(Span(name=name, dimension="height", line_color=PICKED, line_width=1.5, level="overlay"))
 
 
-def drawn(draw: Callable[[], list[Any]]) -> str:
+def drawn(draw: Callable[[Catalogue], list[Any]], texts: Catalogue) -> str:
     """The plots as JSON: the document that holds them, and the id of each by its name."""
     from bokeh.document import Document
 
-    document, plots = Document(), draw()
+    document, plots = Document(), draw(texts)
     for plot in plots:
         document.add_root(plot)
     return json.dumps({"doc": document.to_json(deferred=False), "roots": {plot.name: plot.id for plot in plots}})

@@ -10,10 +10,11 @@ import numpy as np
 from solvers.bodies import Mechanism
 from solvers.bodies.linkage.links import GROUND
 from solvers.studies.scattering import INCOMING, OUTGOING, joint_scattering
+from solvers.text.catalogue import Catalogue
 
 from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..text.catalogues import page
+from ..text.refusals import reason_of
 from .figures import COLOURS, blank, hover, legend, source
 
 FREQUENCIES = 60
@@ -41,8 +42,8 @@ def joints_data(chosen: dict[str, Any]) -> str:
         answer["frequency"] = _listed(found.frequencies / (2e3 * math.pi))
         for row, name in enumerate(INCOMING):
             answer[name] = {out: _listed(100.0 * found.powers[:, row, k]) for k, out in enumerate(OUTGOING)}
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
+    except ValueError as refusal:
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
@@ -50,13 +51,13 @@ def _listed(values: np.ndarray) -> list[float]:
     return [float(f"{value:.6g}") if value > ROUNDING else 0.0 for value in values.tolist()]
 
 
-def joints_figure() -> list[Any]:
+def joints_figure(texts: Catalogue) -> list[Any]:
     """One plot for each kind of incoming wave, which source "joints" fills: the columns are `incoming-outgoing`."""
-    words, plots, axis = page().family("joints.out"), page().family("joints.plot"), page().text("joints.frequency")
+    words, plots, axis = texts.family("joints.out"), texts.family("joints.plot"), texts.text("joints.frequency")
     data = source("joints", "frequency", *(f"{name}-{out}" for name in INCOMING for out in OUTGOING))
     found: list[Any] = []
     for name in INCOMING:
-        share = page().text("joints.share")
+        share = texts.text("joints.share")
         plot = blank(f"joints-{name}", plots[name], axis, share, found[0] if found else None, x_axis_type="log")
         lines = []
         for out, colour, dash in zip(OUTGOING, COLOURS, ("solid", "dashed", "solid", "dashed"), strict=False):

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Rod, SceneError
+from solvers import Rod
 from solvers.studies.mass_ratios import mass_ratio_sweep
+from solvers.text.catalogue import Catalogue
 
 from ..choices.request import Request
-from ..text.catalogues import page
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 CONTACTS = 1, 2  # as many as there are at most
@@ -46,7 +46,7 @@ def one_rod_support(chosen: dict[str, Any]) -> str | None:
     """How the rod is held, if a rigid mass strikes one uniform rod in rigid contact; else None."""
     try:
         scene = Request.of(chosen).scene
-    except SceneError:  # which the visitor sees where it is solved
+    except ValueError:  # which the visitor sees where it is solved
         return None
     target = scene.target
     plain = scene.impactor.free_mass and not target.end_mass
@@ -68,13 +68,13 @@ def _listed(values: np.ndarray) -> list[float | None]:
     return [float(f"{value:.6g}") if np.isfinite(value) else None for value in values.tolist()]
 
 
-def ratios_figure() -> list[Any]:
+def ratios_figure(texts: Catalogue) -> list[Any]:
     """Three plots over one axis, which source "ratios" fills: `low` and `high` are the edges about each ratio."""
     times = [f"{edge}_{number}" for number in CONTACTS for edge in ("start", "end")]
     shared = "low", "high", "ratio", "rebound", "restitution", "contacts"
-    words, plots = page().family("ratios.column"), page().family("ratios.plot")
+    words, plots = texts.family("ratios.column"), texts.family("ratios.plot")
     data, axis = source("ratios", *shared, *times), words["ratio"]
-    rebound = blank("rebound", plots["rebound"], axis, page().text("ratios.in-speeds"), x_axis_type="log")
+    rebound = blank("rebound", plots["rebound"], axis, texts.text("ratios.in-speeds"), x_axis_type="log")
     named = (("rebound", words["mass"]), ("restitution", words["restitution"]))
     lines = [
         (name, [rebound.line("ratio", column, source=data, line_width=2, line_color=colour, line_dash=dash)])
@@ -87,7 +87,7 @@ def ratios_figure() -> list[Any]:
         "periods",
         plots["periods"],
         axis,
-        page().text("panel.time-in", unit="T"),
+        texts.text("panel.time-in", unit="T"),
         rebound,
         x_axis_type="log",
         y_axis_type="log",
@@ -97,8 +97,8 @@ def ratios_figure() -> list[Any]:
         edges = {"left": "low", "right": "high", "bottom": f"start_{number}", "top": f"end_{number}"}
         look = {"fill_alpha": 0.8, "line_color": colour, "line_width": 0.5, "hatch_pattern": hatch, "hatch_alpha": 0.5}
         bar = periods.quad(**edges, source=data, fill_color=colour, hatch_color="white", **look)
-        bars.append((page().text("ratios.contact", number=number), [bar]))
-        start, end = page().text("ratios.contact-from", number=number), page().text("ratios.to")
+        bars.append((texts.text("ratios.contact", number=number), [bar]))
+        start, end = texts.text("ratios.contact-from", number=number), texts.text("ratios.to")
         tips = {axis: "@ratio{0.000a}", start: f"@start_{number}{{0.000}} T", end: f"@end_{number}{{0.000}} T"}
         hover(periods, [bar], tips, name=f"periods-{number}")
     legend(periods, bars)

@@ -8,6 +8,7 @@ from solvers.accuracy.reference import exact_solution
 
 from ..choices.request import Request
 from ..messages.solutions import method_options
+from ..text.refusals import reason_of
 
 
 def methods_table(chosen: dict[str, Any]) -> str:
@@ -21,7 +22,7 @@ def methods_table(chosen: dict[str, Any]) -> str:
         rows = compare(_with_method(request, exact), repeats=1, duration=exact.duration)
         answer["rows"] = [_shown(row) for row in rows]
     except ValueError as refusal:  # SceneError: no exact solution to measure by
-        answer["error"] = str(refusal)
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 

@@ -10,7 +10,7 @@ from solvers.bodies import Mechanism
 
 from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..text.catalogues import page
+from ..text.refusals import note, reason_of
 
 PARTS = ("along", "across", "turn")  # of each node, in this order
 ROUNDING = 1e-12  # of the largest value before, as much as comes of rounding
@@ -35,10 +35,10 @@ def mode_change_data(chosen: dict[str, Any]) -> str:
         scene = Request.of(chosen).scene
         target = scene.target.known_as(Mechanism)
         change = target.mode_change(scene.impactor.mass, scene.speed)
-    except ValueError as refusal:  # SceneError
-        return json.dumps(answer | {"error": str(refusal)})
+    except ValueError as refusal:
+        return json.dumps(answer | {"error": reason_of(refusal)})
     if change is None:
-        return json.dumps(answer | {"error": page().text("mode_change.no-node")})
+        return json.dumps(answer | {"error": note("mode_change.no-node").table()})
     link = target.struck_link
     nodes = np.array(link.nodes)
     answer |= {

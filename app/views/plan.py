@@ -20,6 +20,7 @@ from ..choices.map_point import choices_at
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.space import in_space
+from ..text.refusals import reason_of
 
 LINKS = re.compile(r"(target|impactor)\.links\.\d+\.modes")
 SET_BY_THE_PAGE = {"quasi-static": ("model",), "modal": ("steps",)}  # options that the page chooses itself
@@ -42,8 +43,8 @@ def plan_data(asked: dict[str, Any]) -> str:
     try:
         scene = Request.of(asked).scene
         answer |= _plan(plan(scene, asked["question"], asked["plan_tolerance"]), scene)
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
+    except ValueError as refusal:
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 

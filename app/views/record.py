@@ -11,10 +11,11 @@ from solvers.accuracy.reference import exact_solution
 from solvers.records.files import read_record
 from solvers.records.gauges import from_one_gauge
 from solvers.records.record import Alignment, Record, align, expected
+from solvers.text.catalogue import Catalogue
 from solvers.text.notes import Note, Severity
 
 from ..choices.request import Request
-from ..text.catalogues import page
+from ..text.refusals import Refused, reason_of
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 MAX_POINTS = 2_000  # of each history in an answer
@@ -31,7 +32,7 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     """
     request = Request.of(chosen)
     if request.kind == "bodies":
-        raise ValueError(page().text("serving.record.in-space"))
+        raise Refused("serving.record.in-space")
     given = {key: arguments.get(key, [b""])[-1].decode("utf-8", "replace")[:40] for key in ("kind", "at", "sign")}
     sign = int(validation.choice("sign", given["sign"] or "1", ("1", "-1")))
     record = read_record(content, kind=given["kind"] or None, sign=sign)
@@ -44,8 +45,8 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
     recovered = None
     try:
         recovered = _recovered(record, solution, place, found)
-    except SceneError as refusal:
-        notes.append(Note("record.not-recovered", Severity.WARNING, reason=str(refusal)))
+    except ValueError as refusal:
+        notes.append(Note("record.not-recovered", Severity.WARNING, reason=reason_of(refusal)))
     return _packed(record, solution, place, found, recovered, notes)
 
 
@@ -62,7 +63,7 @@ def _place(text: str, record: Record, scene: Scene) -> float | None:
         place = math.nan
     if not 0.0 <= place <= (length or math.inf):
         said = {"given": text or "none", "length": length, "known": length > 0.0}
-        raise ValueError(page().text("serving.record.place", **said))
+        raise Refused("serving.record.place", **said)
     return place
 
 
@@ -87,7 +88,7 @@ def _recovered(
         return moved.time, moved.values
     target = solution.scene.target
     if not isinstance(target, Rod):
-        raise SceneError("target.kind", target.kind, page().text("wanted.rod"))
+        raise Refused("refusals.value", key="target.kind", value=validation.shown(target.kind), allowed="wanted.rod")
     waves = from_one_gauge(moved, target, 0.0 if place is None else place)
     return waves.time, waves.force
 
@@ -141,10 +142,10 @@ def other_sign(record: Record, solution: Solution, x: float | None, found: Align
     return other if other < 0.7 * found.residual.relative else None
 
 
-def record_figure() -> list[Any]:
+def record_figure(texts: Catalogue) -> list[Any]:
     """The record as it is moved and scaled, over what the exact solution says, in two sources of their names."""
-    plot = blank("record", page().text("record.figure"), page().text("panel.time-in", unit="T"), "")
-    drawn, names, at = [], page().family("record.curve"), page().text("chart.time")
+    plot = blank("record", texts.text("record.figure"), texts.text("panel.time-in", unit="T"), "")
+    drawn, names, at = [], texts.family("record.curve"), texts.text("chart.time")
     for name, colour, width, dash in (("computed", COLOURS[0], 3.4, "solid"), ("measured", COLOURS[2], 1.6, [6, 2])):
         data = source(name, "time", "value")
         drawn.append(

@@ -55,7 +55,7 @@ class View:
     panel: str = ""  # the file in app/static/panels that shows it, where it has another name
     kinds: frozenset[str] = KINDS  # of scene that it is for
     depends_on: Callable[[dict[str, Any]], Hashable] = everything  # of what was asked; None: not for this scene
-    figure: Callable | None = None  # draws the plots that the browser fills from the answers, see app.views.figures
+    figure: Callable | None = None  # of a catalogue: plots that the browser fills, see app.views.figures
     rests: bool = False  # whether choices must stand a moment before they are asked about
     stoppable: bool = False  # whether `work` takes `cancelled`, and the visitor may stop it
     every_law: bool = False  # whether it is compiled ahead for every contact law
@@ -133,5 +133,5 @@ VIEWS = (  # in the order in which an address names them
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS]  # with the files that show them
 FIGURES = {view.name: view.figure for view in VIEWS if view.figure} | {
-    "stability-linear": partial(stability.stability_figure, "linear"),
+    "stability-linear": partial(stability.stability_figure, across="linear"),
 }

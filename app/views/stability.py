@@ -11,10 +11,11 @@ from solvers import Stability, stability
 from solvers.stability.integrators import BOUND, DIVERGED, LASTING
 from solvers.stability.maps import AXES, CANNOT, NOT_RUN, USUAL_MODES, Map, check_axes
 from solvers.stability.runs import INTEGRATORS, problem_of, run
+from solvers.text.catalogue import Catalogue
 
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..text.catalogues import page
+from ..text.refusals import reason_of
 from .figures import INK, PICKED, blank, hover, source
 
 STEPS, ACROSS = 21, 25  # rows and columns
@@ -44,8 +45,8 @@ def stability_data(asked: dict[str, Any], cancelled: Callable[[], bool], report:
     axes = "step", axis
     try:
         found = stability(scene, None, axes, grid, modes=_modes(scene), workers=1, cancel=cancelled, progress=progress)
-    except ValueError as refusal:  # SceneError
-        return json.dumps({"chosen": asked, "error": str(refusal)})
+    except ValueError as refusal:
+        return json.dumps({"chosen": asked, "error": reason_of(refusal)})
     return json.dumps({"chosen": asked, "cancelled": cancelled()} | _shown(found), allow_nan=False)
 
 
@@ -118,7 +119,7 @@ def _listed(values: np.ndarray, digits: int = 4) -> list[float | None]:
     return [float(f"{value:.{digits}g}") if np.isfinite(value) else None for value in values.tolist()]
 
 
-def stability_figure(across: str = "log") -> list[Any]:
+def stability_figure(texts: Catalogue, across: str = "log") -> list[Any]:
     """One map for each integrator, which share ranges, and the cells that are selected; `across`: kind of that axis."""
     from bokeh.models import Span, TapTool
 
@@ -129,7 +130,7 @@ def stability_figure(across: str = "log") -> list[Any]:
     for name in INTEGRATORS:
         first = maps[0] if maps else None
         kinds = {"x_axis_type": across, "y_axis_type": "log"}
-        plot = blank(name, "", "", page().text("stability.step-axis"), first, 250, **kinds)
+        plot = blank(name, "", "", texts.text("stability.step-axis"), first, 250, **kinds)
         if first:
             plot.y_range = first.y_range
         look = {"fill_color": {"field": f"{name}-colour"}, "line_color": {"field": f"{name}-colour"}}
@@ -147,7 +148,7 @@ def stability_figure(across: str = "log") -> list[Any]:
         plot.scatter("across", "step", source=here, size=10, fill_color=PICKED, line_color="white", line_width=1.5)
         values = {"step": "@step{0.000}", "across": "@across{0.000a}", "run": f"@{{{name}-kind}}",
                   "energy": f"@{{{name}-error}}", "steps": f"@{{{name}-ending}}"}  # fmt: skip
-        tips = {called: values[column] for column, called in page().family("stability.tip").items()}
+        tips = {called: values[column] for column, called in texts.family("stability.tip").items()}
         hover(plot, [cell], tips)
         tap = TapTool(renderers=[cell], visible=False)
         plot.add_tools(tap)

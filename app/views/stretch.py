@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from solvers.bodies import RotatingRod
+from solvers.text.catalogue import Catalogue
 
 from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..text.catalogues import page
+from ..text.refusals import reason_of
 from .figures import COLOURS, PICKED, blank, hover, source
 
 PLACES = 41
@@ -33,8 +34,8 @@ def stretch_data(chosen: dict[str, Any]) -> str:
     answer: dict[str, Any] = {"chosen": chosen}
     try:
         rod = Request.of(chosen).scene.target.known_as(RotatingRod)
-    except ValueError as refusal:  # SceneError
-        return json.dumps(answer | {"error": str(refusal)})
+    except ValueError as refusal:
+        return json.dumps(answer | {"error": reason_of(refusal)})
     place = np.linspace(0.0, rod.length, PLACES)
     moved = rod.steady_displacement(place)
     ends = [replace(rod, speed=share * rod.critical_speed).steady_stretch for share in SPEEDS.tolist()]
@@ -55,10 +56,10 @@ def _listed(values: np.ndarray) -> list[float]:
     return [float(f"{value:.6g}") for value in values.tolist()]
 
 
-def stretch_figure() -> list[Any]:
+def stretch_figure(texts: Catalogue) -> list[Any]:
     """Plots "stretch-along" and "stretch-speed", which sources "along", "speeds" and "own" fill."""
-    titles = page().family("stretch.plot")
-    words = {name: page().text(f"stretch.{name}") for name in ("place", "moved", "speed", "end")}
+    titles = texts.family("stretch.plot")
+    words = {name: texts.text(f"stretch.{name}") for name in ("place", "moved", "speed", "end")}
     along = blank("stretch-along", titles["along"], words["place"], words["moved"], height=HEIGHT)
     look = {"line_width": 2, "line_color": COLOURS[0]}
     line = along.line("place", "moved", source=source("along", "place", "moved"), **look)

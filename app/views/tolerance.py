@@ -17,6 +17,7 @@ from solvers.text.notes import Note
 from ..choices.choices import accepts
 from ..choices.questions import Question
 from ..choices.request import Request
+from ..text.refusals import reason_of
 
 BUDGET_SECONDS = 6.0  # s that one visitor may keep the others waiting
 WITHIN = ("tolerance", "time")
@@ -56,8 +57,8 @@ def auto_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> s
         auto = Auto(limits[0], asked["auto_quantity"], limits[1], among, cancelled)
         answer |= _found(auto.solve(scene, scene.method.get("duration")), scene, asked["auto_quantity"])
         answer["cancelled"] = cancelled()
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
+    except ValueError as refusal:
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 

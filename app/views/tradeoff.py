@@ -11,12 +11,13 @@ from solvers import Scene, TradeOff, stored_tradeoff, tradeoff
 from solvers.accuracy.calibration import calibrate, known
 from solvers.accuracy.refinement import ladders
 from solvers.provenance import machine
+from solvers.text.catalogue import Catalogue
 
 from ..choices.choices import SCENES
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.scene_of import choices_of
-from ..text.catalogues import page
+from ..text.refusals import reason_of
 from .figures import INK, PICKED, blank, hover, legend, source
 
 PROGRESS_SECONDS = 0.25  # s between two tables on the way
@@ -42,8 +43,8 @@ def stored_data(asked: dict[str, Any]) -> str:
             calibrate()
         found = stored_tradeoff(_scene(asked))
         answer |= {"points": []} if found is None else _shown(found)
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
+    except ValueError as refusal:
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
@@ -99,7 +100,7 @@ def _shown(found: TradeOff) -> dict[str, Any]:
     }
 
 
-def tradeoff_figure() -> list[Any]:
+def tradeoff_figure(texts: Catalogue) -> list[Any]:
     """Time against error of every point; steps join what nothing beats, with and without the exact waves.
 
     Colour and marker of a point are those of its method. What a method says of its own error is an open triangle, below
@@ -107,7 +108,7 @@ def tradeoff_figure() -> list[Any]:
     """
     from bokeh.models import BoxAnnotation
 
-    words, columns = page().family("tradeoff.plot"), page().family("tradeoff.column")
+    words, columns = texts.family("tradeoff.plot"), texts.family("tradeoff.column")
     plot = blank("tradeoff", "", words["time"], words["error"], height=380, x_axis_type="log", y_axis_type="log")
     unknown = {"fill_color": "#647382", "fill_alpha": 0.13, "line_alpha": 0.0, "level": "underlay"}
     plot.add_layout(BoxAnnotation(name="tradeoff-unknown", **unknown))

@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 
 from solvers import ensemble
+from solvers.text.catalogue import Catalogue
 
 from ..choices.request import Request
 from ..messages.histories import MS
 from ..messages.transverse import method_at_impact
-from ..text.catalogues import page
+from ..text.refusals import reason_of
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 RUNS = 200
@@ -23,8 +24,8 @@ def trust_data(chosen: dict[str, Any]) -> str:
     answer: dict[str, Any] = {"chosen": chosen}
     try:
         answer |= _ensemble(Request.of(chosen))
-    except ValueError as refusal:  # SceneError
-        answer["error"] = str(refusal)
+    except ValueError as refusal:
+        answer["error"] = reason_of(refusal)
     return json.dumps(answer, allow_nan=False)
 
 
@@ -56,15 +57,15 @@ def _listed(values: np.ndarray) -> list[float]:
     return [float(f"{value:.5g}") for value in values.tolist()]
 
 
-def trust_figure() -> list[Any]:
+def trust_figure(texts: Catalogue) -> list[Any]:
     """Bands over time of what 200 impacts do, in source "bands": of each quantity all of them, and 90 % of them."""
     edges = "lowest", "low", "high", "highest"
     bands = source("bands", "time", *(f"{name}-{edge}" for name in BANDS for edge in edges))
     plots: list[Any] = []
-    words, names = page().family("trust"), page().family("trust.edge")
-    time = page().text("panel.time-in", unit="ms")
+    words, names = texts.family("trust"), texts.family("trust.edge")
+    time = texts.text("panel.time-in", unit="ms")
     for (name, unit), colour in zip(BANDS.items(), COLOURS, strict=False):
-        label = page().text(f"trust.axis.{name}", unit=unit)
+        label = texts.text(f"trust.axis.{name}", unit=unit)
         plot = blank(f"trust-{name}", words[f"band.{name}"], time, label, plots[0] if plots else None, 230)
         columns = {edge: f"{name}-{edge}" for edge in edges}
         every = plot.varea(
@@ -76,7 +77,7 @@ def trust_figure() -> list[Any]:
             for edge, dash in zip(edges, ("dotted", "solid", "solid", "dotted"), strict=True)
         ]
         read = {names[edge]: f"@{{{column}}}{{0.000a}}" for edge, column in columns.items()}
-        tips = {page().text("chart.time"): "@time{0.0000} ms"} | read
+        tips = {texts.text("chart.time"): "@time{0.0000} ms"} | read
         hover(plot, lines[:1], tips, mode="vline")
         legend(plot, [(words["most"], [most]), (words["every"], [every])])
         cursor(plot, f"trust-cursor-{name}")

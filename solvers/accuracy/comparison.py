@@ -15,7 +15,7 @@ from ..scenes.library import SceneOrName, scene_of
 from ..solution.motion import ResolvesForce
 from ..solution.solution import ContactPeriod, Solution
 from ..text.notes import Note
-from ..validation import SceneError, refused
+from ..validation import SceneError
 from .reference import rebound, reference
 
 VARIANTS: tuple[dict[str, Any], ...] = (  # shown besides every method with its defaults
@@ -124,7 +124,7 @@ def _row(scene: Scene, exact: Solution, method: Method, repeats: int, duration: 
     try:
         found = method.solve(scene, duration)
     except SceneError as refusal:
-        return Row(method.table(), reason=method.refusal(scene) or refused(refusal))
+        return Row(method.table(), reason=method.refusal(scene) or refusal.note)
     seen = overlapping(exact.contacts, found.contacts)
     first, true = (solution.contacts[0].end if solution.contacts else 0.0 for solution in (found, exact))
     resolved = found.motion.resolved_force if isinstance(found.motion, ResolvesForce) else None

@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Mapping
 from typing import Any
 
-from ..text.catalogue import library
+from ..text.catalogue import library, spoken
 from .report import line, method_line, title_of
 from .words import family, named, shown, text
 
@@ -120,7 +120,7 @@ def comparison(found: Any) -> str:
 
 def left_out(models: Mapping[str, str]) -> list[str]:
     """What each quasi-static model leaves out, a paragraph each; models by what they are called in a table."""
-    about, lines = library().family("left-out"), []
+    about, lines = library(spoken()).family("left-out"), []
     for called, model in models.items():
         if model in about:
             about_it = text("report.model", called=called, name=named("model-name", model), about=about[model])

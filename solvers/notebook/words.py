@@ -2,22 +2,22 @@
 
 from typing import Any
 
-from ..text.catalogue import library
+from ..text.catalogue import library, spoken
 
 
 def text(code: str, /, **values: Any) -> str:
     """A sentence, or a name."""
-    return library().text(f"printed.{code}", **values)
+    return library(spoken()).text(f"printed.{code}", **values)
 
 
 def named(family: str, key: str) -> str:
     """What a key of a result is called; the key itself in words where it has no name."""
-    return library().texts.get(f"printed.{family}.{key}", key.replace("_", " "))
+    return library(spoken()).texts.get(f"printed.{family}.{key}", key.replace("_", " "))
 
 
 def family(code: str) -> dict[str, str]:
     """All names below a code, such as the heads of a table."""
-    return library().family(f"printed.{code}")
+    return library(spoken()).family(f"printed.{code}")
 
 
 def shown(value: object, form: str) -> str:

@@ -12,4 +12,8 @@ class RecordError(SceneError):
     def __init__(self, code: str, value: object, /, **values: Any):
         sentence = Note(f"record.refused.{code}", Severity.REFUSAL, **values)
         super().__init__("record", value, sentence)
-        self.args = (str(sentence),)
+
+    @property
+    def note(self) -> Note:
+        """The same as a note."""
+        return self.reason

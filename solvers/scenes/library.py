@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..scene import Scene
+from ..text.catalogue import SOURCE, library, spoken
 from ..validation import SceneError, allowed
 from .saved import MARK, head_of
 
@@ -42,16 +43,20 @@ def load(name_or_path: str | Path) -> Scene:
     Raises SceneError if there is no such scene or file, or if what it says cannot be used.
     """
     if str(name_or_path) in _names():
-        path = SCENES / f"{name_or_path}.toml"
-    else:
-        path = Path(name_or_path)
-        try:
-            found = path.is_file()
-        except (OSError, ValueError):  # no name a file could have
-            found = False
-        if not found:
-            raise _no_such_scene(str(name_or_path))
+        return Scene.from_table(read_toml(SCENES / f"{name_or_path}.toml") | _translated(str(name_or_path)))
+    path = Path(name_or_path)
+    try:
+        found = path.is_file()
+    except (OSError, ValueError):  # no name a file could have
+        found = False
+    if not found:
+        raise _no_such_scene(str(name_or_path))
     return Scene.from_table(read_toml(path))
+
+
+def _translated(name: str) -> dict[str, str]:
+    """Title, source and note of a built-in scene in the language of this process, as far as it has them."""
+    return {} if spoken() == SOURCE else library(spoken()).family(f"scene.{name}")
 
 
 def scene_of(given: SceneOrName) -> Scene:

@@ -1,35 +1,41 @@
 """A catalogue: the texts of one language, from the TOML files of one or more rooms."""
 
+import os
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from .messages import filled, names_in, terms_in
 
-LANGUAGE = "en"
+SOURCE = "en"  # in which all has a text
+CHOSEN = "IMPACT_LANGUAGE"  # variable of the environment: what commands and notebooks speak
 OWN = Path(__file__).parent
 
 
 class Catalogue:
     """Texts by code. A table in a file is a part of the code: `[terms] waves` is "terms.waves".
 
-    A later folder may name the terms of an earlier one in its own way.
+    `rooms`: folders that have one folder for each language, and what is below that. A later one may name the terms of
+    an earlier one in its own way. What a language has no text for is said in `SOURCE`.
     """
 
-    def __init__(self, language: str, folders: Iterable[Path]):
+    def __init__(self, language: str, rooms: Sequence[tuple[Path, str]]):
         self.language = language
         self.texts: dict[str, str] = {}
-        for folder in folders:
-            for file in sorted(folder.glob("*.toml")):
-                self._take(dict(flat(tomllib.loads(file.read_text(encoding="utf-8")))), file)
+        for each in dict.fromkeys((SOURCE, language)):
+            known: set[str] = set()
+            for room, below in rooms:
+                for file in sorted((room / each / below).glob("*.toml")):
+                    self._take(dict(flat(tomllib.loads(file.read_text(encoding="utf-8")))), file, known)
         self.terms: Mapping[str, str] = self.family("terms")
 
-    def _take(self, texts: Mapping[str, str], file: Path) -> None:
-        twice = [code for code in texts if code in self.texts and not code.startswith("terms.")]
+    def _take(self, texts: Mapping[str, str], file: Path, known: set[str]) -> None:
+        twice = [code for code in texts if code in known and not code.startswith("terms.")]
         if twice:
             raise ValueError(f"{file}: {', '.join(twice)} has a text already")
+        known.update(texts)
         self.texts |= texts
 
     def text(self, code: str, /, **values: Any) -> str:
@@ -56,7 +62,12 @@ def flat(table: Mapping[str, Any], start: str = "") -> Iterator[tuple[str, str]]
             yield f"{start}{name}", part
 
 
+def spoken() -> str:
+    """The language of this process, for what is said to who runs it; a page has one for each visitor."""
+    return os.environ.get(CHOSEN) or SOURCE
+
+
 @cache
-def library(language: str = LANGUAGE) -> Catalogue:
+def library(language: str) -> Catalogue:
     """What the library itself says."""
-    return Catalogue(language, (OWN / language,))
+    return Catalogue(language, ((OWN, ""),))

@@ -46,8 +46,10 @@ FORMATS: dict[str, Callable[[Any], str]] = {
     "options": lambda words: ", ".join(map(repr, words)),
     "method": lambda label: f"'{label}'",  # of a method, with its resolution
     "law": lambda name: f"'{name}'",
+    "kind": str,  # of a body
 }
-NOTE, REFUSALS = "note", "refusals"  # formats of a note within a note, and of notes by method, each why it cannot
+# formats of a note, or a code, within a note; of several; and of notes by method, each why it cannot
+NOTE, NOTES, REFUSALS = "note", "notes", "refusals"
 
 
 class Texts(Protocol):
@@ -58,6 +60,9 @@ class Texts(Protocol):
 
     @property
     def terms(self) -> Mapping[str, str]: ...
+
+    @property
+    def texts(self) -> Mapping[str, str]: ...
 
     def text(self, code: str, /, **values: Any) -> str: ...
 
@@ -152,11 +157,20 @@ def _shown(piece: Any, values: Mapping[str, Any], own: Texts) -> str:
     value = values[piece.name]
     if isinstance(piece, Value):
         if piece.format == NOTE:
-            return own.text(value["code"], **value["values"])
+            return _said(value, own)
+        if piece.format == NOTES:
+            return ", ".join(_said(each, own) for each in value)
         if piece.format == REFUSALS:
             return "; ".join(f"'{name}': {own.text(no['code'], **no['values'])}" for name, no in value.items())
         return written(value, piece.format, own.language)
     return "".join(_shown(inner, values, own) for inner in _option(piece, value, own.language))
+
+
+def _said(note: Any, own: Texts) -> str:
+    """Of a note, or of a code; what is neither stands as it is."""
+    if isinstance(note, Mapping):
+        return own.text(note["code"], **note["values"])
+    return own.text(note) if note in own.texts else str(note)
 
 
 def _option(choice: Choice, value: Any, language: str) -> list[Any]:
@@ -171,7 +185,7 @@ def written(value: Any, form: str, language: str) -> str:
     """A value with the language's decimal sign."""
     text = FORMATS[form](value) if form in FORMATS else format(value, form)
     sign = _decimal(language)
-    return text.replace(".", sign) if sign != "." and not isinstance(value, str) else text
+    return text.replace(".", sign) if sign != "." and isinstance(value, (int, float)) else text
 
 
 @cache

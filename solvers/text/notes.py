@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from enum import StrEnum
 from typing import Any
 
-from .catalogue import library
+from .catalogue import library, spoken
 
 
 class Severity(StrEnum):
@@ -17,7 +17,7 @@ class Severity(StrEnum):
 
 
 class Note:
-    """A note is data: programs decide by `code` and `severity`; `str(note)` is its English sentence.
+    """A note is data: programs decide by `code` and `severity`; `str(note)` is its sentence.
 
     The code is that of a text in `solvers/text/*/`, and `values` are what its gaps take: numbers and words of scene
     files, in SI units, as JSON keeps them.
@@ -49,7 +49,7 @@ class Note:
         return hash(self.code)
 
     def __str__(self) -> str:
-        return library().text(self.code, **self.values)
+        return library(spoken()).text(self.code, **self.values)
 
     def __repr__(self) -> str:
         return f"Note({self.code!r}, {self.severity}, {self.values})"

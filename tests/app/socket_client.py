@@ -13,6 +13,8 @@ from tornado.websocket import websocket_connect
 
 from app.choices.choices import title_of
 from app.messages.encoding import read_header
+from app.text.catalogues import SOURCE, page
+from tests.app.sentences import refusals
 
 
 def run(coroutine: Coroutine, seconds: float = 300.0) -> Any:
@@ -128,9 +130,11 @@ class SocketClient:
                 return
             for event in content.get("events", []):
                 assert event.get("attr") != "frame", f"{name} was taken, and solved"
-                if event.get("attr") == "refused" and event["new"].startswith(f"{title_of(name)}: "):
-                    assert "Choose" in event["new"] or "Write" in event["new"], "what is allowed"
-                    return
+                if event.get("attr") == "refused" and event["new"]:
+                    said = refusals(event["new"])[0]
+                    if said.startswith(f"{page(SOURCE).text(title_of(name))}: "):
+                        assert "Choose" in said or "Write" in said, "what is allowed"
+                        return
 
     async def answer(self) -> None:
         """Wait for the frame that answers what was set last; one that a draft is refined to may come before."""

@@ -10,7 +10,7 @@ import pytest
 
 import app
 from app.choices.choices import Choices
-from app.text.catalogues import LANGUAGES, command, page, script
+from app.text.catalogues import LANGUAGES, SOURCE, command, page, script
 from solvers.text.catalogue import library
 from solvers.text.messages import engineering, terms_in
 
@@ -21,12 +21,12 @@ SERVER = "\n".join(source for path, source in MODULES.items() if path.parent.nam
 ASKED = set(re.findall(r"'([a-z][\w-]*(?:\.[\w-]+)+)'", SOURCES)) | {"nothing"}
 ASKED |= set(re.findall(r'"([a-z][\w-]*(?:\.[\w-]+)+)"', SERVER))  # by the server, for the page
 FAMILIES = set(re.findall(r"(?:family|named)\('([\w.-]+)'", SOURCES)) | {"control", "unit", "question"}
-FAMILIES |= set(re.findall(r'page\(\)\.family\("([\w.-]+)"', SERVER))
+FAMILIES |= set(re.findall(r'texts\.family\("([\w.-]+)"', SERVER))
 BEGINNINGS = set(re.findall(r"`([a-z][\w-]*(?:\.[\w-]+)*\.)\$\{", SOURCES))  # of codes whose end is a value
-BEGINNINGS |= set(re.findall(r'page\(\)\.text\(f"([\w.-]+\.)\{', SERVER))
-COMMANDED = command().texts.keys() - library().texts.keys()
+BEGINNINGS |= set(re.findall(r'texts\.text\(f"([\w.-]+\.)\{', SERVER))
+COMMANDED = command(SOURCE).texts.keys() - library(SOURCE).texts.keys()
 UNBROKEN = "\u00a0"
-OWN = {code for code in page().texts if code not in library().texts and not code.startswith("terms.")}
+OWN = {code for code in page(SOURCE).texts if code not in library(SOURCE).texts and not code.startswith("terms.")}
 
 
 def made(code: str) -> bool:
@@ -37,7 +37,7 @@ def made(code: str) -> bool:
 
 def test_every_choice_has_a_title():
     """One without would leave the whole page undrawn, as a constant of a new law does that is not in the catalogue."""
-    assert {f"control.{name}" for name in Choices.CHOSEN} <= page().texts.keys()
+    assert {f"control.{name}" for name in Choices.CHOSEN} <= page(SOURCE).texts.keys()
 
 
 def test_notes_know_how_far_sliders_reach():
@@ -46,7 +46,7 @@ def test_notes_know_how_far_sliders_reach():
 
 
 def test_what_the_browser_asks_for_is_there():
-    known = set(page().texts)
+    known = set(page(SOURCE).texts)
     files = {code for code in ASKED if re.search(r"\.(js|css|csv|html)$", code)}
     rooms = {code.split(".")[0] for code in OWN}
     for code in ASKED - files - COMMANDED:
@@ -59,16 +59,16 @@ def test_what_is_there_is_asked_for():
 
 
 def test_every_term_has_a_name_on_the_page():
-    used = {term for text in page().texts.values() for term in terms_in(text)}
-    assert used <= set(page().terms)
-    assert set(page().terms) <= used | set(library().terms)
+    used = {term for text in page(SOURCE).texts.values() for term in terms_in(text)}
+    assert used <= set(page(SOURCE).terms)
+    assert set(page(SOURCE).terms) <= used | set(library(SOURCE).terms)
 
 
 def test_page_and_command_name_the_same_note_in_their_own_words():
     values = {"slenderness": 3.0, "theory": "euler-bernoulli", "least": 10}
-    assert page().text("beam-not-slender", **values).endswith("use Theory: Timoshenko.")
-    assert command().text("beam-not-slender", **values).endswith("use theory = 'timoshenko'.")
-    assert command().text("refusals.frozen-law", law="hertz").split("got ")[1].startswith("'hertz'")
+    assert page(SOURCE).text("beam-not-slender", **values).endswith("use Theory: Timoshenko.")
+    assert command(SOURCE).text("beam-not-slender", **values).endswith("use theory = 'timoshenko'.")
+    assert command(SOURCE).text("refusals.frozen-law", law="hertz").split("got ")[1].startswith("'hertz'")
     assert LANGUAGES == ("en",)
 
 
@@ -88,14 +88,14 @@ def test_browser_and_python_fill_a_text_alike(tmp_path):
             "model": {"name": "rigid-impulse"}, "method": "rigid",
         },
     }  # fmt: skip
-    (tmp_path / "texts.mjs").write_text(script(), encoding="utf-8")
+    (tmp_path / "texts.mjs").write_text(script(SOURCE), encoding="utf-8")
     asked = "".join(f"console.log(text({json.dumps(code)}, {json.dumps(values)}));" for code, values in cases.items())
     (tmp_path / "ask.mjs").write_text(f"import {{ text }} from '{STATIC}/text/catalogue.js';\n{asked}")
     command_line = ["node", f"--import={tmp_path / 'texts.mjs'}", str(tmp_path / "ask.mjs")]
     said = subprocess.run(command_line, capture_output=True, text=True, check=True, timeout=60).stdout.splitlines()
     for (code, values), sentence in zip(cases.items(), said, strict=True):
         plain = (
-            page()
+            page(SOURCE)
             .text(code, **values)
             .replace("'rigid'", "rigid bodies")
             .replace("'modal'", "modes")
@@ -158,13 +158,15 @@ def test_every_text_of_the_command_is_asked_for_and_there():
     for code in COMMANDED:
         assert code in codes or code.startswith(tuple(f"{family}." for family in families)), code
     direct = set(re.findall(r"(?<!\.)\btext\([\"']([\w.-]+)[\"']", sources))
-    assert direct - command().texts.keys() == set()
+    assert direct - command(SOURCE).texts.keys() == set()
 
 
 @pytest.mark.browser
 def test_numbers_of_another_language_have_its_decimal_sign(tmp_path):
     """Also those that no text asks for: of tables, ticks and fields."""
-    (tmp_path / "texts.mjs").write_text(script().replace('"language": "en"', '"language": "es"'), encoding="utf-8")
+    (tmp_path / "texts.mjs").write_text(
+        script(SOURCE).replace('"language": "en"', '"language": "es"'), encoding="utf-8"
+    )
     (tmp_path / "ask.mjs").write_text(
         f"""import {{ text }} from '{STATIC}/text/catalogue.js';
         import {{ decade, engineering, figures, percent, pretty, signed }} from '{STATIC}/text/format.js';

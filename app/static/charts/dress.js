@@ -1,5 +1,7 @@
-// Bokeh's plots in the type and the colours of the page around them.
+// Bokeh's plots in the type, the colours and the language of the page around them.
+import { family } from '../text/catalogue.js';
 
+const TOOLS = family('chart.tool');
 const SIZE = 12 / 14; // of the letters around
 const NARROWEST = 335; // pixels of a plot whose legend has smaller letters
 const SMALLER = 0.87;
@@ -25,6 +27,7 @@ export function dress(plot, place) {
     [`${what}_text_font_style`]: 'normal',
     [`${what}_text_color`]: color,
   });
+  for (const tool of plot.toolbar.tools) tool.description = TOOLS[tool.type] ?? tool.description;
   const narrow = place.clientWidth < NARROW;
   plot.title.visible = !narrow; // its tools would touch it: it stands above the plot
   plot.setv({ background_fill_color: panel, border_fill_color: panel, outline_line_color: line });

@@ -2,7 +2,7 @@
 // and zoomed, read and saved by Bokeh in the browser. The server hears of none of it.
 import { download, make } from '../shell/dom.js';
 import { served } from '../shell/home.js';
-import { text } from '../text/catalogue.js';
+import { language, text } from '../text/catalogue.js';
 import { dress, NARROW } from './dress.js';
 
 /** @typedef {import('./scale.js').Range} Range */
@@ -25,7 +25,7 @@ const looks = new Map(); // by name of the figure
 
 /** @param {string} name */
 async function fetched(name) {
-  const answer = await fetch(served(`figures/${name}`));
+  const answer = await fetch(served(`figures/${language}/${name}`));
   if (!answer.ok) throw new Error(`figures/${name}: ${answer.status}`);
   return answer.text();
 }

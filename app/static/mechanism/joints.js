@@ -1,11 +1,11 @@
 // The joints of a mechanism on the stage, and arrows of what they bear.
 import { COLORS } from '../charts/styles.js';
+import { GROUND } from '../text/words.js';
 
 /** @import { JointRecord } from '../messages.js' */
 /** @import { Context, Point } from './mechanism.js' */
 
 const PIN = 4.5; // pixels
-const GROUND = 'ground';
 
 /**
  * @param {Context} c

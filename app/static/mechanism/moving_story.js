@@ -4,6 +4,7 @@ import { given } from '../shell/message.js';
 import { showEnergy } from '../shell/story.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
+import { jointOf } from '../text/words.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -91,7 +92,7 @@ export function impactTable(table, frame, go) {
   const { joints } = frame.mechanism;
   const { jolts } = given(frame.moving, 'moving');
   const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`));
-  const names = joints.map(({ links }) => text('motion.column.joint', { joint: links.join(' – ') }));
+  const names = joints.map(({ links }) => text('motion.column.joint', { joint: jointOf(links) }));
   const rows = jolts.map((jolt, k) => {
     const [start, , impulse] = frame.contacts[k];
     const when = make('button', { type: 'button', className: 'when', textContent: figures(start, 4) });

@@ -2,6 +2,7 @@
 import { Chart } from '../charts/chart.js';
 import { segments } from '../shell/dom.js';
 import { family, text } from '../text/catalogue.js';
+import { jointOf } from '../text/words.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Series } from '../charts/chart.js' */
@@ -82,7 +83,7 @@ export class Reactions {
     const add = (/** @type {Numbers} */ x, /** @type {Numbers} */ given, /** @type {boolean} */ rigid) =>
       valuesOf(given, mechanism.joints.length, kind).forEach((y, n) => {
         if (n >= JOINTS || !some(y)) return;
-        const joint = mechanism.joints[n].links.join(' – ');
+        const joint = jointOf(mechanism.joints[n].links);
         const name = rigid ? text('beam.chart.reactions-rigid') : joint;
         const reach = series.some((each) => each.name === name) ? 0 : OVER; // or each would widen it anew
         series.push({ x, y, name, style: styleOf(n, rigid), ...(rigid ? { reach } : {}) });

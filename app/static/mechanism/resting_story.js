@@ -3,6 +3,7 @@ import { headOf, make, rowOf } from '../shell/dom.js';
 import { heading, scrolled } from '../shell/story.js';
 import { family, text } from '../text/catalogue.js';
 import { duration, engineering, figures, speed } from '../text/format.js';
+import { jointOf } from '../text/words.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
@@ -84,7 +85,7 @@ export class Joints {
     if (!main.joints) return;
     const columns = family('beam.mechanism.column');
     const rows = main.joints.flatMap((joint, n) => {
-      const name = mechanism.joints[n].links.join(' – ');
+      const name = jointOf(mechanism.joints[n].links);
       const row = (/** @type {string} */ what, /** @type {number[]} */ [x, y], /** @type {number} */ moment) =>
         rowOf([what, figures(x), figures(y), figures(moment)]);
       const { impulse, moment_impulse, impulse_to_parting, moment_impulse_to_parting = 0 } = joint;

@@ -22,7 +22,7 @@ import { unitField } from './unit_field.js';
 /**
  * @typedef {object} Found
  * @property {Record<string, any>} chosen
- * @property {string} [error]
+ * @property {Note} [error]
  * @property {number} height
  * @property {number} gravity
  * @property {number} cut
@@ -113,7 +113,7 @@ class Bounces extends Panel {
       return;
     }
     this.notes.replaceChildren();
-    if (found.error) this.said.textContent = found.error;
+    if (found.error) this.said.textContent = said(found.error);
     else this.#tell(found);
     this.draw();
   }

@@ -1,16 +1,18 @@
 // What the joint between two links does to waves that meet it, over their frequency.
 import { Figure } from '../charts/figure.js';
 import { make } from '../shell/dom.js';
-import { family, text } from '../text/catalogue.js';
+import { family, said, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
+import { GROUND } from '../text/words.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Note } from '../text/catalogue.js' */
 
 /**
  * @typedef {object} Joint
  * @property {Record<string, any>} chosen
- * @property {string} [error]  why there is nothing to show
+ * @property {Note} [error]  why there is nothing to show
  * @property {string} kind
  * @property {[string, string]} links
  * @property {number} bend  by which the second link goes on turned [degrees]
@@ -21,7 +23,6 @@ import { Panel } from './panel.js';
 
 const INCOMING = /** @type {const} */ (['axial', 'bending']);
 const OUT = family('joints.out');
-const GROUND = 'ground'; // as the link that stands still is called
 const EVERY = 6; // row of the table
 const TOP = 102; // %
 
@@ -53,7 +54,7 @@ class Joints extends Panel {
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
     this.figure.root.hidden = Boolean(found.error);
-    this.said.textContent = found.error ?? text('joints.said', this.#sentence(found));
+    this.said.textContent = found.error ? said(found.error) : text('joints.said', this.#sentence(found));
     if (found.error) return;
     const { frequency } = found;
     const shares = INCOMING.flatMap((name) =>

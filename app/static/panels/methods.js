@@ -23,7 +23,7 @@ import { described, family, leftOut, methodOf, said, text } from '../text/catalo
  * @property {number | null} resolved_force_error
  * @property {number} wall_time
  */
-/** @typedef {{ error?: string, chosen: Record<string, any>, rows?: Row[] }} Comparison */
+/** @typedef {{ error?: Note, chosen: Record<string, any>, rows?: Row[] }} Comparison */
 
 /** @param {number} value */
 const inPercent = (value) => (Math.abs(value) < 5e-9 ? '0' : Math.abs(value) < 5e-6 ? '< 0.001' : figures(100 * value));
@@ -66,7 +66,8 @@ class Methods {
     const fresh = found !== null && page.names.every((name) => found.chosen[name] === page.frame.chosen[name]);
     this.root.ariaBusy = String(!fresh);
     if (!fresh) this.said.textContent = text('methods.idle');
-    else this.said.textContent = found.error ? text('methods.no-waves', { why: found.error }) : text('methods.help');
+    else
+      this.said.textContent = found.error ? text('methods.no-waves', { why: said(found.error) }) : text('methods.help');
     const titles = COLUMNS.map((name) =>
       make('th', { scope: 'col' }, text(`methods.column.${name}`), make('small', { textContent: UNITS[name] ?? '' })),
     );

@@ -1,16 +1,17 @@
 // A mass joins a link of finite elements on a node: what projections make of it, from its modes to those of both.
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { brief, figures } from '../text/format.js';
-import { family, text } from '../text/catalogue.js';
+import { family, said, text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Note } from '../text/catalogue.js' */
 
 /** @typedef {Record<string, Record<string, number[]>>} Fields  by projection and part, at every node */
 /**
  * @typedef {object} Change
  * @property {Record<string, any>} chosen
- * @property {string} [error]  why there is nothing to show
+ * @property {Note} [error]  why there is nothing to show
  * @property {number[]} nodes  from the first end on [mm]
  * @property {number} struck  node, from 1 on
  * @property {number} modes
@@ -67,7 +68,7 @@ class ModeChange extends Panel {
     this.result.hidden = !found || Boolean(found.error);
     if (!found) this.said.textContent = text('mode_change.idle');
     if (!found) return;
-    this.said.textContent = found.error ?? this.#sentence(found);
+    this.said.textContent = found.error ? said(found.error) : this.#sentence(found);
     if (found.error) return;
     if (found.chosen.scene !== this.scene) this.what = found.first;
     this.scene = found.chosen.scene;

@@ -19,7 +19,7 @@ import { percentField } from './unit_field.js';
  */
 /**
  * @typedef {object} Plan
- * @property {string} [error]  why there is none
+ * @property {Note} [error]  why there is none
  * @property {Record<string, any>} chosen
  * @property {Candidate[]} candidates  from the smallest up
  * @property {number} picked
@@ -145,7 +145,7 @@ class Needs {
       return;
     }
     if (!fresh) return; // what is shown stays until the answer comes
-    if (found.error) this.fail(found.error);
+    if (found.error) this.fail(said(found.error));
     else this.tell(found);
   }
   /** @param {string} sentence */

@@ -230,7 +230,8 @@ class Measurement {
     const headers = { 'Content-Type': 'application/octet-stream' };
     try {
       const response = await fetch(served(`record?${query}`), { method: 'POST', body, headers });
-      return await response.json();
+      const answer = await response.json();
+      return answer.error ? { error: said(answer.error) } : answer;
     } catch {
       return { error: text('record.not-sent', { most: LIMIT / 1e6 }) };
     }

@@ -105,8 +105,8 @@ class Stability extends Panel {
     const notes = known && !stale && !running ? known.notes.map(said) : [];
     this.notes.replaceChildren(...notes.map((textContent) => make('li', { textContent })));
     this.key.hidden = this.grid.hidden = !known;
-    const refused = this.fresh(found) ? found?.error : '';
-    if (refused) this.said.textContent = refused;
+    const refused = this.fresh(found) ? found?.error : null;
+    if (refused) this.said.textContent = said(refused);
   }
   /**
    * @param {boolean} running

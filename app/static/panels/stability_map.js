@@ -26,7 +26,7 @@ import { family, named, said, text } from '../text/catalogue.js';
  * @typedef {object} Maps
  * @property {Record<string, any>} chosen
  * @property {boolean} [cancelled]
- * @property {string} [error]  why there are none
+ * @property {Note} [error]  why there are none
  * @property {number} [of]  runs in all, while they are under way
  * @property {number} [done]
  * @property {number[]} step  times the highest frequency [rad]

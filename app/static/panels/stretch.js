@@ -1,16 +1,17 @@
 // How far turning stretches a rod: along it, and its end by its speed.
 import { Figure } from '../charts/figure.js';
 import { make } from '../shell/dom.js';
-import { text } from '../text/catalogue.js';
+import { said, text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
 import { Panel } from './panel.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Note } from '../text/catalogue.js' */
 
 /**
  * @typedef {object} Stretch
  * @property {Record<string, any>} chosen
- * @property {string} [error]  why there is nothing to show
+ * @property {Note} [error]  why there is nothing to show
  * @property {number[]} place  from the axis [mm]
  * @property {number[]} moved  displacement there [mm]
  * @property {number[]} speed  [rad/s]
@@ -52,7 +53,7 @@ class Turning extends Panel {
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
     this.figure.root.hidden = Boolean(found.error);
-    this.said.textContent = found.error ?? this.#sentence(found);
+    this.said.textContent = found.error ? said(found.error) : this.#sentence(found);
     if (found.error) return;
     const { place, moved, speed, end, own } = found;
     this.figure.fill('along', { place, moved });

@@ -11,7 +11,7 @@ import { msField, percentField } from './unit_field.js';
 
 /**
  * @typedef {object} Found
- * @property {string} [error]  why there is nothing
+ * @property {Note} [error]  why there is nothing
  * @property {Record<string, any>} chosen
  * @property {string} label  of the method that was chosen, with its resolution
  * @property {string} name  of it
@@ -141,7 +141,7 @@ class Tolerance extends Panel {
     }
     this.scale.hidden = Boolean(found.error);
     if (found.error) {
-      this.said.textContent = found.error;
+      this.said.textContent = said(found.error);
       this.why.textContent = '';
       this.table.replaceChildren();
       return;

@@ -30,7 +30,7 @@ import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
 
 /**
  * @typedef {object} Table
- * @property {string} [error]
+ * @property {Note} [error]
  * @property {Record<string, any>} chosen
  * @property {Row[]} points
  * @property {{ note: Note | null, uncertainty: Record<string, number> }} reference
@@ -208,7 +208,7 @@ class TradeOff extends Panel {
     this.bar.hidden = !running;
     this.bar.value = Math.min((found?.seconds ?? 0) / (found?.budget ?? 12), 1);
     const other = running && !fresh ? text('tradeoff.of-before') : '';
-    if (!found || found.error) this.said.textContent = found?.error ?? text('tradeoff.idle');
+    if (!found || found.error) this.said.textContent = found?.error ? said(found.error) : text('tradeoff.idle');
     else if (points.length) this.said.textContent = [wordsOf(found, running), other].filter(Boolean).join(' ');
     else this.said.textContent = text('tradeoff.no-table', { running });
     const remarks = (found?.remarks ?? []).map((remark) => make('p', { textContent: said(remark) }));

@@ -22,7 +22,7 @@ import { duration, figures, prefixed, scaled } from '../text/format.js';
  */
 /**
  * @typedef {object} Words
- * @property {string} [error]
+ * @property {Note} [error]  why there is no answer
  * @property {Record<string, any>} chosen
  */
 /** @typedef {Record<typeof EDGES[number], number[]>} Edges  of what 90 % of the runs do, and of what all do */
@@ -130,7 +130,7 @@ export class Study {
     if (found) this.came = came;
     if (this.root.hidden) return;
     this.root.ariaBusy = String(!found);
-    this.said.textContent = !found ? this.texts.idle : (found.error ?? this.words(found));
+    this.said.textContent = !found ? this.texts.idle : found.error ? said(found.error) : this.words(found);
     if (this.figure && found) this.figure.root.hidden = Boolean(found.error) || this.blank(found);
     if (found?.error) this.table.replaceChildren();
     else if (found) this.rows(found);

@@ -2,6 +2,7 @@
 import { family, named, text } from '../text/catalogue.js';
 import { engineering, figures, localised } from '../text/format.js';
 import { factorOf, signsOf, typed } from '../text/units.js';
+import { jointOf } from '../text/words.js';
 
 /** @import { Frame, PartRecord } from '../messages.js' */
 /** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
@@ -127,7 +128,7 @@ export const unitsFor = (quantity) => signsOf(SI[quantity] ?? '');
 export function placeOf(key, parts) {
   const [, kind = 'none', number = ''] = key.split('.');
   const count = parts.filter((each) => each.key.includes(`.${kind}.`)).length;
-  return { kind, number, count, part: parts.find((each) => each.key === key)?.name ?? number };
+  return { kind, number, count, part: jointOf((parts.find((each) => each.key === key)?.name ?? number).split(' – ')) };
 }
 
 /**

@@ -59,7 +59,7 @@ export class Connection {
   #turnedOut() {
     if (!this.model.disconnected) return;
     this.closed = true;
-    this.#say(this.model.disconnected);
+    this.#say(text(this.model.disconnected));
   }
   /** A server that hangs, or a line that is cut, closes no socket: it is asked when an answer is late, and at times. */
   async #watch() {
@@ -76,7 +76,7 @@ export class Connection {
     if (this.lost || this.closed) return;
     this.lost = true;
     this.pause = AGAIN;
-    this.#say(this.model.disconnected || text(alone ? 'connection.lost' : 'connection.lost-in-page'));
+    this.#say(text(this.model.disconnected || (alone ? 'connection.lost' : 'connection.lost-in-page')));
     if (alone || !cut) this.#look(); // when another's page comes back is its own affair
   }
   /** Ask until there is a server with room; then go on there. */

@@ -1,6 +1,6 @@
 // The form: one control for each choice, made from the bounds that the server holds.
 import { changesOf } from '../compare/settings.js';
-import { said, text } from '../text/catalogue.js';
+import { ofScene, said, text } from '../text/catalogue.js';
 import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
 import { Slider } from './slider.js';
@@ -18,6 +18,17 @@ const LONGER_TITLE = 72; // beyond which it is everywhere
  * @property {(value: any, refused: boolean) => void} set
  * @property {(sentence: string) => void} [complain]  below its value
  */
+
+/**
+ * What the list says of a scene; one of the thesis by its number first.
+ * @param {string} scene
+ * @param {string} own  its title
+ */
+function entryOf(scene, own) {
+  const title = ofScene(scene, 'title', own);
+  const [, kind, number] = /^(figure|table)-(\d+\.\d+)$/.exec(scene) ?? [];
+  return kind ? text('scenes.entry', { kind, number, title }) : title;
+}
 
 export class Controls {
   /** @type {Record<string, Control>} */ fields = {};
@@ -49,12 +60,14 @@ export class Controls {
     const { title, options = {} } = LABELS[name];
     const id = `choice-${name}`;
     const input = make('select', { id });
-    /** @type {[string, [string, string][]][]} */
-    const plain = [['', (this.spec[name].options ?? []).map((option) => [option, options[option] ?? option])]];
-    for (const [heading, choices] of this.spec[name].groups ?? plain) {
-      const made = choices.map(([value, textContent]) => make('option', { value, textContent }));
-      input.append(...(heading ? [make('optgroup', { label: heading }, ...made)] : made));
+    const { groups } = this.spec[name];
+    /** @type {(value: string, textContent: string) => HTMLElement} */
+    const option = (value, textContent) => make('option', { value, textContent });
+    for (const [heading, scenes] of groups ?? []) {
+      const made = scenes.map(([scene, own]) => option(scene, entryOf(scene, own)));
+      input.append(make('optgroup', { label: said(heading) }, ...made));
     }
+    if (!groups) input.append(...(this.spec[name].options ?? []).map((each) => option(each, options[each] ?? each)));
     input.onchange = () => this.send(name, input.value);
     const label = make('label', { htmlFor: id, textContent: title, className: name === 'scene' ? 'unseen' : '' });
     label.dataset.term = name;

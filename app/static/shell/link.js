@@ -1,6 +1,7 @@
 // What an address says of the view, which the browser reads itself; the choices, the server reads.
 import { text } from '../text/catalogue.js';
 import { keptOf } from './kept.js';
+import { refusalIn } from './model.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Wanted } from './kept.js' */
@@ -76,7 +77,8 @@ function stretchOf([start, end, ...more]) {
  */
 export function follow(page, { bad, beside, colour, gauge, kept, locked, numbers, playing, t, view: stretch }) {
   const { compare, layout, player, view } = page;
-  if (bad.length) page.complain([page.model.refused, text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
+  if (bad.length)
+    page.complain([refusalIn(page.model), text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
   if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);

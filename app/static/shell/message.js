@@ -1,4 +1,5 @@
 // A message of the server: a header and arrays of numbers. app/messages/schema.py says what each field is.
+import { ofScene } from '../text/catalogue.js';
 
 /** @import { Frame, Numbers } from '../messages.js' */
 
@@ -25,6 +26,8 @@ export function decode(buffer) {
     offset += 4 * Math.ceil((width * size) / 4);
   }
   const contacts = data.contacts && { contacts: rowsOf(data.contacts, shapes.contacts[1]) };
+  for (const what of /** @type {const} */ (['title', 'note', 'source']))
+    header[what] = ofScene(header.chosen.scene, what, header[what]);
   return { ...header, ...data, shapes, ...contacts };
 }
 

@@ -1,13 +1,16 @@
 // What the page knows of Panel: the properties that Python and the browser share.
+import { said } from '../text/catalogue.js';
+
+/** @import { Note } from '../text/catalogue.js' */
 
 /**
  * The component of Panel. Any property can be read, and set where the server allows it.
  * @typedef {object} Properties
  * @property {(name: string, act: () => void) => void} on  call when a property has changed
  * @property {ArrayBuffer} frame  the message that answers the choices
- * @property {string} refused
- * @property {string} waiting
- * @property {string} disconnected
+ * @property {string} refused  why the last changes were not taken: notes, in JSON
+ * @property {string} waiting  why the answer takes longer: a note, in JSON, or nothing
+ * @property {string} disconnected  code of why this page is turned out
  * @property {Spec} spec
  * @property {Shared} shared
  */
@@ -27,10 +30,14 @@
  * @property {number} high
  * @property {boolean} whole
  * @property {string[]} [options]
- * @property {[heading: string, options: [value: string, text: string][]][]} [groups]
+ * @property {[heading: Note, scenes: [name: string, title: string][]][]} [groups]
  */
 /** @typedef {Record<string, Bounds>} Spec */
 
 /** @typedef {Record<string, any>} Answer  what the server found, as JSON; app/views says what is in it */
 
-export {};
+/**
+ * Why the last changes were not taken; nothing if they were.
+ * @param {Model} model
+ */
+export const refusalIn = ({ refused }) => (refused ? JSON.parse(refused).map(said).join('\n') : '');

@@ -1,5 +1,6 @@
 // Says what the visitor waits for, over the page, until it is there.
 import { make } from './dom.js';
+import { said } from '../text/catalogue.js';
 
 /** @import { Model } from './model.js' */
 
@@ -75,7 +76,8 @@ export class Waiting {
     const now = performance.now();
     const all = [...this.signs.values()];
     const due = all.filter((sign) => sign.since <= now);
-    this.root.textContent = [due.at(-1)?.sentence, this.model.waiting].filter(Boolean).join(' ');
+    const longer = this.model.waiting && said(JSON.parse(this.model.waiting));
+    this.root.textContent = [due.at(-1)?.sentence, longer].filter(Boolean).join(' ');
     this.root.hidden = !this.root.textContent;
     this.settle();
     const later = all.filter((sign) => sign.since > now).map((sign) => sign.since);

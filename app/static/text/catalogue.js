@@ -9,7 +9,10 @@ import { engineering, localised, powered, raised, share, unbroken } from './form
 /** @typedef {{ name: string, by: string, options: Record<string, Piece[]> }} Choice */
 
 /** @type {{ language: string, texts: Record<string, string> }} */
-const { language, texts } = /** @type {any} */ (globalThis).strikewaveTexts;
+const CATALOGUE = /** @type {any} */ (globalThis).strikewaveTexts;
+const { texts } = CATALOGUE;
+/** Of all that is said here. */
+export const language = CATALOGUE.language;
 const PLURALS = new Intl.PluralRules(language);
 const SLIDER_END = 200; // modes or elements that a slider of the page reaches
 const OPENING = /\{(@?[\w.-]+)(?:\}|:([^{}]+)\}|, (plural|select), )/y;
@@ -129,13 +132,15 @@ const FORMATS = {
   rough: (value) => localised(numeral(Number(value.toPrecision(1)), 'g')),
   method: (label) => described(label),
   law: (name) => named('law', name),
+  kind: (name) => texts[`bodies.kind.${name}`] ?? name,
   model: (parts) => modelled(parts),
   figures: (names) => names.map((/** @type {string} */ name) => named('figure', name)).join(', ') || text('nothing'),
   error: (error) => (error === 0 ? text('nothing') : share(error)),
   integrators: (names) => names.map((/** @type {string} */ name) => named('integrator', name)).join(', '),
   list: (words) => words.join(', '),
   options: (words) => words.join(', '),
-  note: (note) => said(note),
+  note: (note) => saidOf(note),
+  notes: (notes) => notes.map(saidOf).join(', '),
   refusals: (notes) =>
     Object.entries(notes)
       .map(([name, note]) => `${named('method', name)}: ${said(/** @type {Note} */ (note))}`)
@@ -200,6 +205,20 @@ export const text = (code, values = {}) => unbroken(filled(code, values));
  */
 export const said = ({ code, values }) =>
   text(code, 'needed' in values ? { ...values, offered: values.needed <= SLIDER_END, most: SLIDER_END } : values);
+
+/**
+ * Of a note or of a code; what is neither stands as it is.
+ * @param {Note | string} note
+ */
+const saidOf = (note) => (typeof note !== 'string' ? said(note) : note in texts ? text(note) : note);
+
+/**
+ * A text of a scene that comes with the program, which its file has in one language.
+ * @param {string} scene
+ * @param {'title' | 'note' | 'source'} what
+ * @param {string} own
+ */
+export const ofScene = (scene, what, own) => texts[`scene.${scene}.${what}`] ?? own;
 
 /**
  * What a value of a choice is called; the value itself where it has no name.

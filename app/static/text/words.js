@@ -41,3 +41,10 @@ const labelOf = (name) => ({
 /** @type {Record<string, Label>} */
 export const LABELS = Object.fromEntries(Object.keys(family('control')).map((name) => [name, labelOf(name)]));
 export const METHODS = family('name.method-choice');
+
+export const GROUND = 'ground'; // as the link that stands still is called
+/**
+ * What links, or the parts of a name, are called.
+ * @param {string[]} links
+ */
+export const jointOf = (links) => links.map((each) => (each === GROUND ? text('bodies.ground') : each)).join(' – ');

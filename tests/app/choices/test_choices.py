@@ -12,14 +12,13 @@ from app.choices.request import Request
 from app.choices.scene_of import acting_choices, choices_of, chosen_scene, own_choices
 from app.messages.solutions import beside
 from app.page.address import from_address
-from app.page.picker import scene_groups
 from solvers.accuracy.reference import exact_solution
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e-4, 1e4, 10**40, "1", None, True, [1.0]])
 def test_a_mass_ratio_out_of_bounds_is_not_accepted(value):
     assert not accepts("mass_ratio", value)
-    sentence = refusal("mass_ratio", value)
+    sentence = str(refusal("mass_ratio", value))
     assert sentence.startswith("Mass ratio: ")
     assert sentence.endswith(" is not possible. Choose a number from 0.001 to 1000.")
 
@@ -44,19 +43,13 @@ def test_another_support_in_an_address_moves_the_impact_to_where_the_beam_is_fre
     assert kept["place"] == 1.0  # asked for, and so refused where it is solved
 
 
-def test_the_picker_shows_the_number_of_a_figure():
-    reported = dict(entry for _, scenes in scene_groups() for entry in scenes)
-    assert reported["figure-8.15"].startswith("Figure 8.15: ") and reported["table-8.4"].startswith("Table 8.4: ")
-    assert ":" not in reported["fixed-rod"]
-
-
 @given(
     st.dictionaries(st.sampled_from([*Choices.CHOSEN, "x"]), st.lists(st.binary(max_size=60), min_size=1, max_size=2))
 )
 def test_no_address_breaks_anything_or_is_echoed(arguments):
     kept, refused = from_address(arguments)
     Choices(**kept)
-    for sentence in refused:
+    for sentence in map(str, refused):
         assert "<" not in sentence
         assert "\n" not in sentence
 

@@ -9,14 +9,14 @@ import app
 import solvers
 from app.choices.choices import SCENES, Choices
 from app.choices.opened import CHARTS, Opening, opening_of
-from app.text.catalogues import page
+from app.text.catalogues import SOURCE, page
 from solvers import SceneError
 
 STATIC = Path(app.__file__).parent / "static"
 
 
 def test_every_scene_is_opened_by_what_there_is():
-    texts = page().texts
+    texts = page(SOURCE).texts
     for name in SCENES:
         opening = opening_of(name)
         assert all(f"compare.question.{each.question}" in texts for each in opening.comparisons), name

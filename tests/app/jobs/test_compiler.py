@@ -15,7 +15,7 @@ from app.jobs import compiler as compiler_module
 from app.jobs import runner
 from app.jobs.answers import Answers
 from app.jobs.compiler import Compiler, usual, works
-from app.jobs.runner import COMPILING, Runner
+from app.jobs.runner import Runner
 from app.messages.solve import solve_frame
 from app.page import lab, panels
 from app.serving import server as page_server
@@ -109,10 +109,10 @@ def test_newer_choices_do_not_wait_for_what_older_ones_need(monkeypatch):
         first = asyncio.create_task(visitor.want("slow law"))
         while not reported:
             await asyncio.sleep(0.01)
-        assert reported == [COMPILING]
+        assert [note["code"] for note in reported] == ["serving.compiling"]
         await visitor.want("quick law")
         await first
-        assert shown == ["quick law"] and reported == [COMPILING, ""]
+        assert shown == ["quick law"] and reported[1:] == [None]
         gate.opened.set()
         await visitor.want("slow law")
 
@@ -175,7 +175,7 @@ def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_pag
     expect(sign).to_be_hidden()
     page.analysis(button)
     expect(sign).to_be_visible()
-    expect(sign).to_contain_text(COMPILING)
+    expect(sign).to_contain_text("Compiling what this needs")
     expect(sign).to_be_in_viewport()
     before = page.evaluate("() => strikewave.frames")
     page.evaluate("() => strikewave.page.send('speed', 2.5)")  # the sliders go on meanwhile
@@ -191,7 +191,7 @@ def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_pag
 def test_a_page_whose_first_scene_must_be_compiled_opens_with_a_word(gated_page):
     page, gate = gated_page("?law=linear", "solve_frame")
     sign = page.tab.locator(".waiting")
-    expect(sign).to_contain_text(COMPILING)
+    expect(sign).to_contain_text("Compiling what this needs")
     assert gate.asked == ["solve_frame"]  # for which the page has not waited: the gate is closed
     gate.opened.set()
     page.wait("() => window.strikewave?.frames > 0", timeout=60_000)
@@ -207,7 +207,7 @@ def test_an_answer_that_takes_long_is_announced(gated_page):
     page.evaluate("() => strikewave.page.send('law', 'linear')")
     sign = page.tab.locator(".waiting")
     expect(sign).to_contain_text("Solving")
-    expect(sign).to_contain_text(COMPILING)
+    expect(sign).to_contain_text("Compiling what this needs")
     gate.opened.set()
     page.wait("() => strikewave.page.frame.chosen.law === 'linear'", timeout=60_000)
     expect(sign).to_be_hidden()

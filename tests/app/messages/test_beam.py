@@ -20,6 +20,7 @@ from app.page.picker import scene_groups
 from app.views.convergence import convergence_data
 from app.views.trust import trust_data
 from solvers import METHODS, SceneError
+from tests.app.sentences import sentence
 from tests.catalog import SCENES
 
 from .own import arrays, own_message
@@ -152,7 +153,7 @@ def test_the_struck_place_moves_as_its_path_says():
 
 
 def test_beams_have_a_heading_of_their_own_in_the_picker():
-    headings = {heading: [name for name, _ in scenes] for heading, scenes in scene_groups()}
+    headings = {sentence(heading): [name for name, _ in scenes] for heading, scenes in scene_groups()}
     assert all(solvers.load(name).target.kind == "beam" for name in headings.get("Beams", []))
     assert "figure-8.15" in headings["Thesis, chapter 8"]
 

@@ -13,7 +13,7 @@ import solvers
 from app.choices.space import equivalent_box, leaning, own_frame, struck_at, struck_place
 from app.messages.encoding import read_header
 from app.messages.space import bodies_frame
-from app.text.catalogues import script
+from app.text.catalogues import SOURCE, script
 from solvers import SceneError
 from tests.catalog import SCENES
 
@@ -168,7 +168,7 @@ def stage(browser):
         if not name:
             route.fulfill(body=STAGE, content_type="text/html")
             return
-        body = script() if name == "texts.js" else (STATIC / name).read_text()
+        body = script(SOURCE) if name == "texts.js" else (STATIC / name).read_text()
         route.fulfill(body=body, content_type="text/javascript")
 
     tab.route("http://stage.test/**", served)

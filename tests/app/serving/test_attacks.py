@@ -77,7 +77,7 @@ def test_a_token_opens_one_socket(server):
         first = await SocketClient(server).open()
         for _ in range(10):
             code, reason = await closed(await with_token(server, first.token))
-            assert code == 1008 and "open already" in reason
+            assert code == 1008 and reason == "serving.open-already"
         await first.set("mass_ratio", 1.75)
         await first.answer()
         first.close()

@@ -69,7 +69,9 @@ def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
         bundle(tmp_path, "a.js")
 
 
-@pytest.mark.parametrize("path", ["", "liveness", "?mass_ratio=3", LIBRARIES[0][0], f"figures/{next(iter(FIGURES))}"])
+@pytest.mark.parametrize(
+    "path", ["", "liveness", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
+)
 def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
     whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=60)
     head = urllib.request.urlopen(urllib.request.Request(f"http://{server}/{path}", method="HEAD"), timeout=60)

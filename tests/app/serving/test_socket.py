@@ -17,6 +17,7 @@ from app.jobs.turns import Turnstile
 from app.page.lab import VERSION
 from app.serving.limits import MAX_CLOSING
 from app.serving.sockets import LIMIT, Socket
+from tests.app.sentences import refusals
 
 from ..servers import Meter
 from ..socket_client import SocketClient, run
@@ -74,7 +75,7 @@ async def refused(client: SocketClient) -> str:
         for event in (await client.receive())[1].get("events", []):
             assert event.get("attr") != "frame"
             if event.get("attr") == "refused" and event["new"]:
-                return event["new"]
+                return refusals(event["new"])[0]
 
 
 def test_values_of_bodies_that_cannot_be_are_refused_and_set_back(server):
@@ -175,7 +176,7 @@ def test_what_cannot_be_read_closes_its_socket_without_a_line_in_the_log(server,
         client, before = await opened(server), started.log.read_text()
         for part in parts:
             await client._socket.write_message(part)
-        assert await closed(client._socket) == (1008, "This message could not be read.")
+        assert await closed(client._socket) == (1008, "serving.unreadable")
         assert started.log.read_text() == before
 
     run(attack())

@@ -22,6 +22,7 @@ from app.serving.addresses import Addresses, network_of
 from app.serving.uploads import COMPARED_OF_ONE, MeasuredRecord, first_to_go
 from app.views.record import MAX_POINTS
 from solvers.records.files import MAX_BYTES
+from tests.app.sentences import sentence
 
 from .. import example_record
 from ..socket_client import run
@@ -41,7 +42,8 @@ def post(address, content, origin=None, **query):
         with urllib.request.urlopen(urllib.request.Request(url, content, headers), timeout=30) as answer:
             return answer.status, json.load(answer)
     except urllib.error.HTTPError as refused:
-        return refused.code, json.load(refused)
+        answer = json.load(refused)
+        return refused.code, answer | {"error": sentence(answer["error"])}
 
 
 def test_the_example_is_what_its_header_says():

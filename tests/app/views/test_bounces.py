@@ -13,6 +13,7 @@ from app.choices.scene_of import own_choices
 from app.views.bounces import MOST, bounces_data
 from app.views.registry import VIEWS
 from solvers.bodies.drop import STANDARD_GRAVITY
+from tests.app.sentences import sentence
 
 
 def asked(scene: str, gravity: float = STANDARD_GRAVITY, **changes) -> dict:
@@ -65,6 +66,6 @@ def test_who_cancels_gets_what_is_known():
 
 
 def test_what_does_not_bounce_is_refused_or_not_asked():
-    assert "a mass that strikes what is held" in answer("free-rod")["error"]
+    assert "a mass that strikes what is held" in sentence(answer("free-rod")["error"])
     (view,) = (view for view in VIEWS if view.name == "bounces")
     assert [kind_of(SCENES[name]).NAME in view.kinds for name in ("slider-crank", "bouncing-ball")] == [False, True]

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from app.text.catalogues import SOURCE, page
 from app.views.energy import COLOURS
 from app.views.figures import drawn
 from app.views.registry import FIGURES, VIEWS
@@ -24,7 +25,7 @@ def objects(tree):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FIGURES)
 def test_a_figure_holds_no_code_and_fetches_nothing(name):
-    text = drawn(FIGURES[name])
+    text = drawn(FIGURES[name], page(SOURCE))
     found = json.loads(text)
     kinds = [kind for kind, _ in objects(found["doc"])]
     assert kinds.count("Figure") == len(found["roots"]) > 0
@@ -35,7 +36,7 @@ def test_a_figure_holds_no_code_and_fetches_nothing(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FIGURES)
 def test_what_the_browser_fills_and_moves_has_a_name_of_its_own(name):
-    models = list(objects(json.loads(drawn(FIGURES[name]))["doc"]))
+    models = list(objects(json.loads(drawn(FIGURES[name], page(SOURCE)))["doc"]))
     wanted = ("Figure", "ColumnDataSource", "Range1d", "Span", "HoverTool", "Title")
     names = [attributes["name"] for kind, attributes in models if kind in wanted]
     assert len(names) == len(set(names)) and all(names)
@@ -45,7 +46,7 @@ def test_what_the_browser_fills_and_moves_has_a_name_of_its_own(name):
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_every_axis_can_be_named_and_every_plot_can_be_zoomed_read_and_saved(name):
-    models = list(objects(json.loads(drawn(FIGURES[name]))["doc"]))
+    models = list(objects(json.loads(drawn(FIGURES[name], page(SOURCE)))["doc"]))
     plots = [attributes for kind, attributes in models if kind == "Figure"]
     kinds = [kind for kind, _ in models]
     for tool in ("PanTool", "BoxZoomTool", "WheelZoomTool", "ResetTool", "SaveTool"):
@@ -59,6 +60,6 @@ def test_every_axis_can_be_named_and_every_plot_can_be_zoomed_read_and_saved(nam
 def test_figures_belong_to_views_and_have_what_their_answers_name():
     assert set(FIGURES) - {view.name for view in VIEWS} == {"stability-linear"}
     for look in ("stability", "stability-linear"):
-        assert list(json.loads(drawn(FIGURES[look]))["roots"]) == list(INTEGRATORS)
-    energy = list(objects(json.loads(drawn(FIGURES["energy"]))["doc"]))
+        assert list(json.loads(drawn(FIGURES[look], page(SOURCE)))["roots"]) == list(INTEGRATORS)
+    energy = list(objects(json.loads(drawn(FIGURES["energy"], page(SOURCE)))["doc"]))
     assert [each["name"] for kind, each in energy if kind == "GlyphRenderer" and each.get("name")] == list(COLOURS)

@@ -8,6 +8,7 @@ import pytest
 from app.choices.scene_of import own_choices
 from app.views.joints import FREQUENCIES, joints_data, of_joined_links
 from solvers.studies.scattering import INCOMING, OUTGOING
+from tests.app.sentences import sentence
 
 
 def test_the_shares_are_all_of_the_power():
@@ -27,4 +28,4 @@ def test_it_is_asked_where_two_links_are_joined():
 
 
 def test_a_link_without_a_section_is_named():
-    assert "link 'crank'" in json.loads(joints_data(own_choices("slider-crank")))["error"]
+    assert "link 'crank'" in sentence(json.loads(joints_data(own_choices("slider-crank")))["error"])

@@ -8,6 +8,7 @@ from app.choices.scene_of import own_choices
 from app.page.address import opened_from_address
 from app.views.mode_change import mode_change_data, of_struck_nodes
 from solvers import load, solve
+from tests.app.sentences import sentence
 from tests.catalog import SCENES
 
 
@@ -31,7 +32,7 @@ def test_fewer_modes_lose_energy():
 
 def test_a_link_that_is_struck_beside_its_nodes():
     found = json.loads(mode_change_data(own_choices("table-6.10") | {"place": 0.4}))
-    assert "Move “Struck at” to a node" in found["error"]
+    assert "Move “Struck at” to a node" in sentence(found["error"])
 
 
 def test_it_is_asked_of_links_of_elements():

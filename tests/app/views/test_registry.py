@@ -1,5 +1,6 @@
 """One line in the registry is all that the page, its address, its guard and its compiler need to know of a view."""
 
+import json
 import subprocess
 import sys
 from contextlib import suppress
@@ -12,6 +13,7 @@ from app.choices.kinds import kind_of
 from app.choices.scene_of import choices_of
 from app.jobs.compiler import usual
 from app.page.lab import Lab
+from app.text.refusals import note
 from app.views.bounces import bounces_data
 from app.views.registry import KINDS, VIEWS, View, any_method
 
@@ -37,11 +39,12 @@ from app.page.address import opened_from_address
 from app.page.lab import Lab
 from app.serving.door import KNOWN
 from app.serving.guard import SETTABLE
+from app.text.refusals import note
 
 assert opened_from_address({"panel": [b"sky,storm"], "wet": [b"0.25"]}) == (
     {"weather_shown": True, "storm_shown": True, "rain": 0.25}, [])
 _, (sentence,) = opened_from_address({"wet": [b"2"]})
-assert sentence == "wet: 2.0 is not possible. Choose a number from 0 to 1.", sentence
+assert str(sentence) == "wet: 2.0 is not possible. Choose a number from 0 to 1.", sentence
 assert "wet" in KNOWN
 assert SETTABLE >= {"weather_shown", "rain", "storm_shown", "storm_running"}
 assert not SETTABLE & {"weather", "season", "storm", "weather_running"}
@@ -160,8 +163,8 @@ def test_one_figure_serves_all_mass_ratios_of_a_support(page):
 
 def test_what_was_refused_is_asked_again(page):
     page.methods_shown = True
-    page._refuse_view(next(view for view in VIEWS if view.name == "methods"), "no")
-    assert page.refused == "no"
+    page._refuse_view(next(view for view in VIEWS if view.name == "methods"), note("serving.not-solved").table())
+    assert json.loads(page.refused)[0]["code"] == "serving.not-solved"
     page.ask_panels()
     assert len(wishes(page, "methods")) == 2
 

@@ -7,7 +7,7 @@ from pytest import approx
 
 import solvers
 from app.choices.choices import Choices
-from app.text.catalogues import page
+from app.text.catalogues import SOURCE, page
 from app.views import tradeoff as view
 from app.views.tradeoff import SCALED, stored_data
 from solvers.accuracy import calibration, store
@@ -34,7 +34,7 @@ def words(found: dict) -> str:
     names = "shipped", "scaled", "elsewhere", "changed", "seconds", "date"
     values = {name: found[name] for name in names} | found["machine"]
     rest = {"points": len(found["points"]), "state": "whole", "stopped": "", "reference": "exact"}
-    return page().text("tradeoff.measured", **values, **rest)
+    return page(SOURCE).text("tradeoff.measured", **values, **rest)
 
 
 def test_a_table_of_another_machine_says_so_and_may_be_scaled():

@@ -9,7 +9,7 @@ import pytest
 import solvers
 from app.command.main import main
 from solvers.notebook import words
-from solvers.text.catalogue import library
+from solvers.text.catalogue import SOURCE, library
 from tests.solvers.notebook.test_cards import HOSTILE, cells
 
 SOURCES = "\n".join(path.read_text(encoding="utf-8") for path in Path(words.__file__).parent.glob("*.py"))
@@ -78,5 +78,5 @@ def test_every_word_that_is_printed_is_there_and_asked_for():
     asked = set(re.findall(r"[\"']([a-z][\w-]*(?:\.[\w-]+)+)[\"']", SOURCES))
     families = set(re.findall(r"(?:family|named)\([\"']([\w.-]+)[\"']", SOURCES)) | {"residual"}
     asked |= set(re.findall(r"\"printed\.([\w.-]+)\"", "\n".join(path.read_text() for path in FOLDER.glob("*.py"))))
-    for code in (code.removeprefix("printed.") for code in library().texts if code.startswith("printed.")):
+    for code in (code.removeprefix("printed.") for code in library(SOURCE).texts if code.startswith("printed.")):
         assert code in asked or code.rsplit(".", 1)[0] in families, code

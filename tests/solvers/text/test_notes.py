@@ -9,7 +9,7 @@ import pytest
 
 import app
 import solvers
-from solvers.text.catalogue import Catalogue, library
+from solvers.text.catalogue import SOURCE, Catalogue, library
 from solvers.text.messages import names_in, parsed, terms_in
 from solvers.text.notes import Note, Severity, coded
 
@@ -48,20 +48,20 @@ TEXTS = (path.read_text(encoding="utf-8") for path in SOURCES)
 USED = [
     use for text in TEXTS if any(f"{name}(" in text for name in ("Note", *MAKERS)) for use in called(ast.parse(text))
 ]
-CODES = {code for code in library().texts if not code.startswith("terms.")}
+CODES = {code for code in library(SOURCE).texts if not code.startswith("terms.")}
 
 
 @pytest.mark.parametrize("code", sorted({code for code, _ in USED}))
 def test_a_note_has_a_text_with_exactly_its_values(code):
     assert code in CODES
     for names in (names for used, names in USED if used == code and names is not None):
-        assert library().names(code) == names
+        assert library(SOURCE).names(code) == names
 
 
 def test_every_text_and_every_term_is_used():
     elsewhere = ("printed.", "left-out.")  # see `test_printed`, which prints both
     assert {code for code, _ in USED} == {code for code in CODES if not code.startswith(elsewhere)}
-    assert {term for text in library().texts.values() for term in terms_in(text)} == set(library().terms)
+    assert {term for text in library(SOURCE).texts.values() for term in terms_in(text)} == set(library(SOURCE).terms)
 
 
 def test_a_note_is_data_and_reads_as_english():
@@ -91,14 +91,30 @@ def test_choices_and_plurals_nest():
     assert names_in(text) == {"n", "kind"}
 
 
+def catalogue(language: str, folder: Path, **files: str) -> Catalogue:
+    """Of texts by language."""
+    for name, text in files.items():
+        (folder / name[:2]).mkdir(exist_ok=True)
+        (folder / name[:2] / f"{name}.toml").write_text(text)
+    return Catalogue(language, ((folder, ""),))
+
+
 def test_a_code_stands_once(tmp_path):
-    for name in ("one", "two"):
-        (tmp_path / f"{name}.toml").write_text('same = "a text"\n')
     with pytest.raises(ValueError, match="same has a text already"):
-        Catalogue("en", [tmp_path])
+        catalogue("en", tmp_path, en='same = "a text"\n', en2='same = "a text"\n')
 
 
 def test_another_language_has_its_own_plurals_and_decimal_sign(tmp_path):
-    (tmp_path / "notes.toml").write_text('gap = "{n, plural, one {# uno} other {{n:.1f} mm}}"\n')
-    assert Catalogue("es", [tmp_path]).text("gap", n=2.5) == "2,5 mm"
-    assert Catalogue("es", [tmp_path]).text("gap", n=1) == "# uno"
+    found = catalogue("es", tmp_path, es='gap = "{n, plural, one {# uno} other {{n:.1f} mm}}"\n')
+    assert found.text("gap", n=2.5) == "2,5 mm" and found.text("gap", n=1) == "# uno"
+
+
+def test_what_a_language_lacks_is_said_in_that_of_the_source(tmp_path):
+    found = catalogue("es", tmp_path, en='one = "one"\ntwo = "two"\n', es='one = "uno"\n')
+    assert found.text("one") == "uno" and found.text("two") == "two"
+
+
+def test_a_note_may_hold_codes_notes_and_plain_words(tmp_path):
+    found = catalogue("en", tmp_path, en='all = "{one:note}: {more:notes}"\ndeep.er = "{size:g} mm"\nown = "name"\n')
+    note = {"code": "deep.er", "values": {"size": 2.0}}
+    assert found.text("all", one="own", more=["deeper", note]) == "name: deeper, 2 mm"

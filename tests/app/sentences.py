@@ -1,0 +1,17 @@
+"""What the server says by codes, as who reads English has it."""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from app.text.catalogues import SOURCE, page
+
+
+def sentence(reason: Mapping[str, Any]) -> str:
+    """Of a note, as it stands in JSON."""
+    return page(SOURCE).text(reason["code"], **reason["values"])
+
+
+def refusals(refused: str) -> list[str]:
+    """Of the laboratory's property `refused`."""
+    return [sentence(reason) for reason in json.loads(refused)]
