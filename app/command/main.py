@@ -279,9 +279,11 @@ def _warm(options: argparse.Namespace) -> int:
 def _scenes(options: argparse.Namespace) -> int:
     from ..choices.choices import SCENES
     from ..page.picker import scene_groups
+    from ..text.catalogues import spoken
+    from ..text.refusals import said
 
     for heading, scenes in scene_groups(SCENES):
-        print(heading)
+        print(said(heading, spoken()))
         for name, title in scenes:
             print(f"  {name:24}{title}  [{SCENES[name].source}]")
     return 0

@@ -1,5 +1,6 @@
 """What the page cannot take or answer, as a note: the browser says it in the language of its visitor."""
 
+from collections.abc import Mapping
 from typing import Any
 
 from solvers import SceneError
@@ -17,7 +18,12 @@ class Refused(ValueError):
         self.note = note(code, **values)
 
     def __str__(self) -> str:
-        return page(spoken()).text(self.note.code, **self.note.values)
+        return said(self.note.table(), spoken())
+
+
+def said(note: Mapping[str, Any], language: str) -> str:
+    """The sentence of a note, as it stands in JSON, with the page's names for things."""
+    return page(language).text(note["code"], **note["values"])
 
 
 def note(code: str, /, **values: Any) -> Note:

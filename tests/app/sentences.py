@@ -4,12 +4,13 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from app.text.catalogues import SOURCE, page
+from app.text.catalogues import SOURCE
+from app.text.refusals import said
 
 
 def sentence(reason: Mapping[str, Any]) -> str:
     """Of a note, as it stands in JSON."""
-    return page(SOURCE).text(reason["code"], **reason["values"])
+    return said(reason, SOURCE)
 
 
 def refusals(refused: str) -> list[str]:

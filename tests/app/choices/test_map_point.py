@@ -45,7 +45,9 @@ def test_beyond_the_sliders_the_nearest_is_chosen():
 
 @pytest.mark.parametrize("point", ["", "1", "1 2 3", "e e", "-1 1", "1 0", "1 1e999"])
 def test_what_is_no_point_is_refused(point):
-    with pytest.raises(ValueError, match=r"map_point: got .*; allowed: a contact time, 0 or more, and a mass ratio"):
+    with pytest.raises(
+        ValueError, match=r"Place on the map: got .*; allowed: a contact time, 0 or more, and a mass ratio"
+    ):
         choices_at(asked("fixed-rod", point))
 
 

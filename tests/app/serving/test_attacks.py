@@ -49,7 +49,7 @@ def test_a_session_that_a_link_or_a_header_names_is_nobodys(server):
             token = json.loads(page.split('id="session">')[1].split("<")[0])["token"]
             assert get_session_id(token) != "evil"
         invented = generate_jwt_token("evil", signed=False, expiration=300)
-        assert await closed(await with_token(server, invented)) == (1008, "This page is out of date: reload it.")
+        assert await closed(await with_token(server, invented)) == (1008, "serving.out-of-date")
         genuine = await SocketClient(server).open()
         for path in (f"?bokeh-token={genuine.token}", f"?bokeh-session-id={get_session_id(genuine.token)}"):
             page = (await client.fetch(f"http://{server}/{path}")).body.decode()
