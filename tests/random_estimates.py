@@ -39,7 +39,7 @@ class Rated:
         """Whether the true error is within so many times the estimate."""
         return self.error <= factor * (self.estimate or 0.0)
 
-    def frightens(self, factor: float) -> bool:
+    def exceeds(self, factor: float) -> bool:
         """Whether the estimate is more than so many times the true error."""
         return (self.estimate or 0.0) > factor * self.error
 
@@ -73,7 +73,7 @@ def shares(seen: Sequence[Rated]) -> dict[str, float]:
         "compared": len(compared),
         "within": sum(impact.within(1.0) for impact in compared) / count,
         "within 3": sum(impact.within(3.0) for impact in compared) / count,
-        "not beyond 5": 1.0 - sum(impact.frightens(5.0) for impact in compared) / count,
+        "not beyond 5": 1.0 - sum(impact.exceeds(5.0) for impact in compared) / count,
         "largest": max((impact.error / max(impact.estimate or 0.0, 1e-300) for impact in compared), default=0.0),
     }
 

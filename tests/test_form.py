@@ -1,6 +1,7 @@
 """One form for all sources: ruff's rules and layout, and pyright's types, as pyproject.toml sets them, and lengths."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -49,6 +50,30 @@ def test_no_class_answers_by_getattr():
         if path.suffix == ".py"
         for each in ast.walk(ast.parse(path.read_text()))
         if isinstance(each, ast.FunctionDef) and each.name in ("__getattr__", "__getattribute__")
+    ]
+    assert found == []
+
+
+# Words that an engineer who reads would stumble over, and what we say instead.
+WORDS = {
+    "told": "said, summary, given",
+    "blows?": "impact",
+    "doubts?": "warning",
+    "frighten(s|ed|ing)?": "too large",
+    "stirs?": "moves",
+    "beholds?": "sees",
+}
+KEY_OF_OLD = '"told": '  # which tables keep beside "summary", as programs read them
+
+
+def test_words_are_those_of_an_engineer():
+    refused = re.compile(rf"\b({'|'.join(WORDS)})\b", re.IGNORECASE)
+    texts = [path for folder in ("solvers", "app") for path in sorted((ROOT / folder).rglob("*.toml"))]
+    found = [
+        (path.relative_to(ROOT), number, line.strip())
+        for path in [*texts, *(path for path in SOURCES if path.parts[len(ROOT.parts)] in ("solvers", "app"))]
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        if refused.search(line.replace(KEY_OF_OLD, ""))
     ]
     assert found == []
 

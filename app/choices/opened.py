@@ -11,6 +11,7 @@ from solvers.validation import allowed, choice, flag, number, required, table, t
 from .choices import SCENES, Choices, accepts, refusal
 
 CHARTS = ("waves", "force", "moments", "moved", "stress", "reactions", "energy", "hodograph", "course")  # over time
+OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
 FARTHEST, LONGEST = 1e6, 1e9  # [m], [s]
 MOST = 20  # entries of a list
 LONGEST_WORD = 40  # letters of a key of the catalogue
@@ -59,7 +60,7 @@ class Opening(NamedTuple):
             number(f"view.vary.{kind}", value, 0.0, LONGEST)
         compare, tries = (enumerate(_list(f"view.{name}", given.get(name, [])), 1) for name in ("compare", "try"))
         return cls(
-            charts=_names("view.charts", given.get("charts", []), CHARTS),
+            charts=_names("view.charts", given.get("charts", []), (*CHARTS, *OF_NODES)),
             place=_number("view.place", given.get("place"), FARTHEST, "m"),
             until=_number("view.until", given.get("until"), LONGEST, "s"),
             views=_names("view.views", given.get("views", [])),

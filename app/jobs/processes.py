@@ -18,7 +18,7 @@ from .worker import serve
 
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 PRELOADED = "app.jobs.preload"
-STIRS = 1e-3  # [s] of computing, which a process that works has had in a second even on a busy machine
+ALIVE_SECONDS = 1e-3  # [s] of computing, which a process that works has had in a second even on a busy machine
 AT_WORK = "RD"  # states of a process that has a processor, waits for one, or for a disk
 
 
@@ -32,7 +32,7 @@ class Process:
         self.answered = False  # whether it has done any work
         self._timer: asyncio.TimerHandle | None = None
         self._since = 0.0
-        self._seen, self._stirred = 0.0, 0.0  # seconds of computing, and when there were that many
+        self._seen, self._active = 0.0, 0.0  # seconds of computing, and when there were that many
         self._process = forks().Process(target=serve, args=(theirs,), daemon=True)
         with _without_main():
             self._process.start()
@@ -49,7 +49,7 @@ class Process:
     def begin(self) -> None:
         """From now on its computing counts."""
         self._since = self._clock()
-        self._seen, self._stirred = 0.0, time.monotonic()
+        self._seen, self._active = 0.0, time.monotonic()
 
     @property
     def computed(self) -> float:
@@ -59,13 +59,13 @@ class Process:
     def still(self) -> float:
         """Seconds for which it has neither computed nor waited for a processor or a disk, as seen by these calls."""
         now, computed = time.monotonic(), self.computed
-        if computed > self._seen + STIRS or self._state() in AT_WORK:
-            self._seen, self._stirred = computed, now
-        return now - self._stirred
+        if computed > self._seen + ALIVE_SECONDS or self._state() in AT_WORK:
+            self._seen, self._active = computed, now
+        return now - self._active
 
-    def stir(self) -> None:
+    def renew(self) -> None:
         """Count from now: nobody has looked for a while."""
-        self._stirred = time.monotonic()
+        self._active = time.monotonic()
 
     @property
     def stopped(self) -> bool:

@@ -261,7 +261,7 @@ class Workers:
         working = [worker for worker in self._workers if worker.job is not None]
         for worker in working:
             if late:
-                worker.stir()
+                worker.renew()
             elif worker.still() > STILL_SECONDS:
                 self._hangs(worker)
         if working:

@@ -16,6 +16,8 @@ from panel.io.document import unlocked
 from panel.io.resources import LOCAL_DIST
 from param.parameterized import _syncing
 
+from solvers import Waves
+
 from ..choices.beam import free_place
 from ..choices.choices import Choices, accepts, refusal
 from ..choices.request import DRAFT
@@ -290,6 +292,8 @@ def _spec() -> dict[str, Any]:
             found[name] = {"default": parameter.default}
         elif isinstance(parameter, param.Selector):
             found[name] = {"default": parameter.default, "options": list(parameter.objects)}
+            if name == "method":
+                found[name]["exact"] = Waves.NAME
             if name == "scene":
                 found[name]["groups"] = scene_groups()
         else:

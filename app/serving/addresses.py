@@ -31,7 +31,7 @@ class Addresses:
 
     def __init__(self, proxies: Iterable[Network] = ()):
         self._proxies = tuple(proxies)
-        self._unnamed = False  # whether the log has been told of a proxy that is not named
+        self._unnamed = False  # whether the log has a line about a proxy that is not named
 
     def of(self, request: Any) -> str:
         """Of the visitor who sent this request of Tornado, as a key: an IPv4 address, or the network of an IPv6 one."""

@@ -9,12 +9,12 @@ import numpy as np
 from solvers.bodies import Mechanism
 
 from ..choices.built_in import struck_body
+from ..choices.opened import opening_of
 from ..choices.request import Request
 from ..text.refusals import note, reason_of
 
 PARTS = ("along", "across", "turn")  # of each node, in this order
 ROUNDING = 1e-12  # of the largest value before, as much as comes of rounding
-OF_COORDINATES = ("table-6.9", "table-6.11")  # scenes that are named after these
 
 
 def of_struck_nodes(asked: dict[str, Any]) -> Hashable:
@@ -47,7 +47,7 @@ def mode_change_data(chosen: dict[str, Any]) -> str:
         "modes": link.modes,
         "lost": 100.0 * change.lost,
         "speed": scene.speed,
-        "first": "coordinates" if chosen["scene"] in OF_COORDINATES else "velocities",
+        "first": next((name for name in opening_of(chosen["scene"]).charts if name == "coordinates"), "velocities"),
     }
     for name in ("velocities", "coordinates"):
         fields = getattr(change, name)._asdict()

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import param
 
-from solvers import METHODS, Plan, QuasiStatic, RegimeMap, Scene, plan, regime_map
+from solvers import METHODS, Modal, Plan, QuasiStatic, RegimeMap, Scene, Waves, plan, regime_map
 from solvers.regimes.models import QUESTIONS as QUANTITIES
 from solvers.regimes.models import family_of
 from solvers.regimes.plan import law_of
@@ -129,6 +129,7 @@ def _map_text(question: str, family: str, law: str) -> str:
             "family": family,
             "law": law,
             "models": found.models,
+            "beyond": Waves.NAME if family.endswith("-rod") else Modal.NAME,  # where none of them is good enough
             "ratio": _listed(found.mass_ratio),
             "time": _listed(found.relative_time),
             "errors": [[_listed(row) for row in model] for model in found.errors],

@@ -68,7 +68,7 @@ def _found(solution: Solution, scene: Scene, quantity: str) -> dict[str, Any]:
     proof = next((row["label"] for row in found["tried"] if row["method"] == found["proof"]), None)
     return {
         "label": chosen["label"],
-        "name": solution.method["name"],
+        "exact": solution.method["name"] == Waves.NAME,
         "choices": nearest_choices(solution.method),
         "cost": chosen["cost"],
         "estimate": found["estimated_error"],

@@ -7,7 +7,7 @@ from typing import Any
 
 import param
 
-from solvers import Scene, TradeOff, stored_tradeoff, tradeoff
+from solvers import Scene, TradeOff, Waves, stored_tradeoff, tradeoff
 from solvers.accuracy.calibration import calibrate, known
 from solvers.accuracy.refinement import ladders
 from solvers.provenance import machine
@@ -84,7 +84,9 @@ def _shown(found: TradeOff) -> dict[str, Any]:
     table = found.table()
     reference = table["reference"] or {"note": None, "uncertainty": {}}
     return {
-        "points": [{key: row[key] for key in SHOWN} for row in table["points"]],
+        "points": [
+            {key: row[key] for key in SHOWN} | {"exact": row["method"]["name"] == Waves.NAME} for row in table["points"]
+        ],
         "reference": {"note": reference["note"], "uncertainty": reference["uncertainty"]},
         "remarks": table["remark_codes"],
         "machine": table["machine"],

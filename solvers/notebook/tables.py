@@ -80,7 +80,7 @@ def convergence(found: Any) -> str:
     for name, (key, values) in zip(names, found.values.items(), strict=True):
         known = [f"{beside[key]:>14.7g}" if key in beside else f"{'-':>14}"] if found.reference else []
         lines.append(f"  {name:{width}}" + "".join([*(f"{value:>14.7g}" for value in values), *known]))
-    return "\n".join([*lines, "", *(f"  {told}" for told in found.table()["told"].values())])
+    return "\n".join([*lines, "", *(f"  {words}" for words in found.table()["summary"].values())])
 
 
 def comparison(found: Any) -> str:

@@ -94,7 +94,7 @@ def read_record(
 
 
 def _even(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Histories that a solver has told at instants of its own, twice at a jump, in even steps."""
+    """Histories that a solver has given at instants of its own, twice at a jump, in even steps."""
     steps = np.diff(time)
     if not (steps >= 0.0).all() or np.ptp(steps) < 1e-3 * steps.mean():
         return time, values

@@ -63,7 +63,7 @@ def rate(
     """Relative differences to the finest, the order, and the note.
 
     `known`: orders as `orders_of` gives them; above the highest what is fitted is chance. `chaotic`: nothing is fitted.
-    Error: a limit is as near as is told in 95 of 100 random impacts, `tests/solvers/studies/test_orders_told.py`.
+    Error: a limit is as near as is said in 95 of 100 random impacts, `tests/solvers/studies/test_orders_told.py`.
     """
     differences = np.abs(values - values[-1]) / scale
     if kind == "restitution":
@@ -116,8 +116,8 @@ def _settles(counts: np.ndarray, values: np.ndarray, kind: str, chaotic: bool) -
     same = values == values[-1]
     first = int(np.flatnonzero(~same)[-1]) + 1 if not same.all() else 0
     if first < values.size - 1 and not (first and chaotic):  # where two are alike by chance
-        told = {"contacts": round(values[-1]), "count": round(counts[first]), "finest": round(counts[-1])}
-        return Note("contacts-settle", Severity.REMARK, **told, resolution=kind)
+        counted = {"contacts": round(values[-1]), "count": round(counts[first]), "finest": round(counts[-1])}
+        return Note("contacts-settle", Severity.REMARK, **counted, resolution=kind)
     return Note("contacts-scatter", Severity.WARNING, lowest=round(values.min()), highest=round(values.max()))
 
 

@@ -69,7 +69,7 @@ def test_page_and_command_name_the_same_note_in_their_own_words():
     assert page(SOURCE).text("beam-not-slender", **values).endswith("use Theory: Timoshenko.")
     assert command(SOURCE).text("beam-not-slender", **values).endswith("use theory = 'timoshenko'.")
     assert command(SOURCE).text("refusals.frozen-law", law="hertz").split("got ")[1].startswith("'hertz'")
-    assert LANGUAGES == ("en",)
+    assert SOURCE in LANGUAGES
 
 
 @pytest.mark.browser

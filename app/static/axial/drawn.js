@@ -18,7 +18,7 @@ export const drawnRigid = (frame) =>
   drawnFromOther(frame) && frame.rods.length > 0 && !frame.modalForce && !frame.fieldForce && !frame.fieldStress;
 
 /**
- * The solution whose events are told: of rods that are drawn rigid no waves are.
+ * The solution whose events are described: rods that are drawn rigid have no waves.
  * @param {AxialFrame} frame
  * @returns {AxialFigures}
  */

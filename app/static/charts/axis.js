@@ -14,7 +14,7 @@ export class Axis {
   /** @type {(() => void)[]} */ #watchers = [];
 
   /**
-   * Begin with another whole, all of it or a part from its start on in view; nobody is told.
+   * Begin with another whole, all of it or a part from its start on in view; nobody is notified.
    * @param {number} low
    * @param {number} high
    * @param {number} [until]

@@ -300,7 +300,7 @@ export class Chart extends Plot {
   }
 
   /**
-   * A place on the axis, with as many digits as can be told apart on it.
+   * A place on the axis, with as many digits as can be distinguished on it.
    * @param {number} x
    */
   writtenX(x) {

@@ -42,7 +42,7 @@ const rounded = (ratio) => Number(ratio.toPrecision(2));
 
 /**
  * As what power of the speed the force grows. Peaks of different contacts are no power of the speed: then that of the
- * first contact is told.
+ * first contact is described.
  * @param {Frame} now
  * @param {Frame} kept
  */

@@ -61,7 +61,7 @@ function ofForce(now, kept) {
  * What becomes of the restitution, what that is, and why it changes.
  * @param {Frame} now
  * @param {Frame} kept
- * @param {boolean} asked  whether it is to be told where it stays the same, too
+ * @param {boolean} asked  whether it is to be said where it stays the same, too
  */
 function ofRestitution(now, kept, asked) {
   const of = pairs(now, kept);

@@ -28,7 +28,7 @@ function tell(code, frame, values = {}) {
 }
 
 /**
- * Every impact, as far as they are told one by one.
+ * Every impact, as far as they are listed one by one.
  * @param {MechanismFrame} frame
  * @returns {Event[]}
  */

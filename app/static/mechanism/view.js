@@ -47,7 +47,7 @@ export class MechanismView extends BeamView {
   }
   /** @param {string} what */
   shows(what) {
-    // far from any line along which a velocity could be told
+    // far from any line along which a velocity could be read
     return this.frame.moving ? what !== 'velocity' : super.shows(what);
   }
   get shown() {

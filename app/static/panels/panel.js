@@ -113,7 +113,7 @@ export function showMethod(page, method) {
     return;
   }
   const refused = page.frame.refusals?.[method.name];
-  if (refused && method.name !== 'waves') {
+  if (refused && method.name !== spec.method.exact) {
     page.complain(said(refused));
     return;
   }

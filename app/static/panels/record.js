@@ -197,9 +197,9 @@ class Measurement {
       this.again = true;
       return;
     }
-    const doubt = commaOf(this.at.value);
-    if (doubt) {
-      this.answered({ error: doubt }, frame);
+    const unclear = commaOf(this.at.value);
+    if (unclear) {
+      this.answered({ error: unclear }, frame);
       return;
     }
     this.asking = true;

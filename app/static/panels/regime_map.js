@@ -12,6 +12,7 @@ import { figures, share } from '../text/format.js';
 /**
  * @typedef {object} Regimes
  * @property {string} family
+ * @property {string} beyond  the model where none of them is good enough
  * @property {string} law
  * @property {string} question
  * @property {number[]} time  ascending; nought, for rigid contact, first
@@ -240,12 +241,12 @@ export class RegimeMap {
   }
   /** @param {Regimes} map */
   legend(map) {
-    const last = map.family.endsWith('-rod') ? 'waves' : 'modal';
     /** @type {[HTMLElement, string][]} */
     const smallest = map.models.map((name, k) => [sign('chip', COLOURS[k]), MODELS[name]]);
     /** @type {[HTMLElement, string][]} */
     const missed = LEVELS.map(([, colour, name]) => [sign('line', colour), text('map.error', { error: name })]);
-    if (this.shown === 'smallest') smallest.push([sign('chip', COLOURS[3]), text('map.only', { model: MODELS[last] })]);
+    if (this.shown === 'smallest')
+      smallest.push([sign('chip', COLOURS[3]), text('map.only', { model: MODELS[map.beyond] })]);
     else missed.push([sign('chip', GREY), text('map.cannot')]);
     const entries = this.shown === 'smallest' ? smallest : missed;
     this.chart.legend.replaceChildren(...entries.map((entry) => make('span', { className: 'key' }, ...entry)));

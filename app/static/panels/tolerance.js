@@ -14,7 +14,7 @@ import { msField, percentField } from './unit_field.js';
  * @property {Note} [error]  why there is nothing
  * @property {Record<string, any>} chosen
  * @property {string} label  of the method that was chosen, with its resolution
- * @property {string} name  of it
+ * @property {boolean} exact
  * @property {{ method: string, modes?: number, elements?: number } | null} choices  of the page, that show it
  * @property {number} cost  of one solve [s]
  * @property {number | null} estimate  of its error
@@ -159,7 +159,7 @@ class Tolerance extends Panel {
     const here = method !== null && shown(this.page, method);
     const show = make('button', { type: 'button', className: 'when', textContent: text('tolerance.show') });
     show.onclick = () => method && showMethod(this.page, method);
-    const exact = found.true === 0 && found.name === 'waves';
+    const exact = found.true === 0 && found.exact;
     const words = [truthOf(found, exact && here), keptOf(found)];
     if (this.follows && found.cost > QUICK && !here) words.push(text('tolerance.slow', { time: found.cost }));
     if (!method) words.push(text('tolerance.finer'));
@@ -239,9 +239,9 @@ function estimateOf({ chosen, estimate }) {
  * @param {Found} found
  * @param {boolean} here  it is exact, and shown
  */
-function truthOf({ chosen, name, true: error }, here) {
+function truthOf({ chosen, exact, true: error }, here) {
   if (error === null) return text('tolerance.no-exact');
-  if (error === 0 && name === 'waves') return text('tolerance.exact', { here });
+  if (error === 0 && exact) return text('tolerance.exact', { here });
   return text('tolerance.true', { error: share(error), of: chosen.auto_quantity });
 }
 

@@ -16,6 +16,7 @@ import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
  * @property {string} label
  * @property {string} ladder  rows of one ladder differ in resolution only
  * @property {Shown} method
+ * @property {boolean} exact
  * @property {number} wall_time  [s]
  * @property {[least: number, most: number] | null} [spread]  of several runs
  * @property {Record<string, number | null>} errors  by quantity
@@ -301,8 +302,8 @@ class TradeOff extends Panel {
   }
   rest() {
     let best = Infinity;
-    if (!this.front().some((p) => p.method.name === 'waves')) return [];
-    return this.points.filter((p) => p.method.name !== 'waves' && p.size < best && (best = p.size));
+    if (!this.front().some(({ exact }) => exact)) return [];
+    return this.points.filter((p) => !p.exact && p.size < best && (best = p.size));
   }
   /** @param {number} way */
   step(way) {

@@ -23,7 +23,7 @@ let made = 0;
  * A field for one value.
  * @typedef {object} Field
  * @property {HTMLElement} root
- * @property {(told: ValueRecord) => void} show
+ * @property {(value: ValueRecord) => void} show
  * @property {(sentence: string) => void} complain  at the field; an empty sentence when all is well
  */
 
@@ -185,7 +185,7 @@ export class Bodies {
   }
   /**
    * @param {string} key
-   * @param {ValueRecord} told
+   * @param {ValueRecord} record
    * @param {string} body
    * @param {PartRecord[]} parts  all bodies
    * @returns {Field}
@@ -255,7 +255,7 @@ export class Bodies {
  * @param {number} value  in SI units
  * @param {string} given
  * @param {import('./body_values.js').Unit} unit
- * @param {{ quantity: string, low: number | null, high: number | null }} told
+ * @param {{ quantity: string, low: number | null, high: number | null }} bounds
  */
 function refusalOf(value, given, unit, { quantity, low, high }) {
   const end = (/** @type {number | null} */ bound) => `${pretty(Number(bound) / unit.factor)} ${unit.sign}`.trim();

@@ -162,12 +162,12 @@ export class Controls {
     const label = this.fields.method.root.querySelector('label');
     if (label) label.textContent = onBeam ? LABELS.method.title : text('controls.compare-with');
     for (const option of this.method.options) {
-      if (option.value === 'waves') {
+      if (option.value === this.spec.method.exact) {
         const beside = frame.refusals.modal ? text('controls.nothing-beside') : METHODS.waves;
         option.textContent = onBeam ? text('controls.travelling-waves') : beside;
       }
       const reason = frame.refusals[option.value];
-      option.disabled = Boolean(reason) && (onBeam || option.value !== 'waves');
+      option.disabled = Boolean(reason) && (onBeam || option.value !== this.spec.method.exact);
       option.title = reason ? said(reason) : '';
       option.hidden = reason?.code === 'refusals.no-mechanism'; // of all other scenes
     }
@@ -175,7 +175,7 @@ export class Controls {
     if (restitution) restitution.textContent = predicts(frame) ? text('controls.predicted') : LABELS.restitution.title;
     if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
     else if (onBeam) this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
-    else this.note.textContent = axialNote(frame);
+    else this.note.textContent = axialNote(frame, this.spec.method.exact);
   }
 }
 
@@ -196,8 +196,9 @@ const predicts = (frame) =>
 /**
  * What the restitution does in an impact along an axis.
  * @param {AxialFrame} frame
+ * @param {string} [exact]  method that is beside all others
  */
-function axialNote(frame) {
+function axialNote(frame, exact) {
   const { chosen, damps, leastRestitution: least, match, nominal, yields } = frame;
   const method = String(chosen.method);
   const raised = Number(chosen.restitution) < least;
@@ -207,7 +208,7 @@ function axialNote(frame) {
     : method === 'balance'
       ? text('controls.of-balances-and-prediction')
       : text('controls.of-prediction', { yields });
-  const refused = method === 'waves' ? null : frame.refusals[method];
+  const refused = method === exact ? null : frame.refusals[method];
   const matched = match === null ? '' : text('controls.match', { restitution: match });
   return [acts, matched, refused ? said(refused) : ''].filter(Boolean).join(' ');
 }

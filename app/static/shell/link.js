@@ -15,7 +15,7 @@ const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
  * @property {boolean} playing
  * @property {[number, number] | null} view  the stretch of time
  * @property {string | null} colour
- * @property {number | null} gauge  the place of which the stress is told [m]
+ * @property {number | null} gauge  the place of which the stress is shown [m]
  * @property {boolean} numbers  their tab is open
  * @property {Wanted[]} kept
  * @property {string | null} beside

@@ -30,6 +30,7 @@ import { said } from '../text/catalogue.js';
  * @property {number} high
  * @property {boolean} whole
  * @property {string[]} [options]
+ * @property {string} [exact]  of them, what is beside all others along an axis
  * @property {[heading: Note, scenes: [name: string, title: string][]][]} [groups]
  */
 /** @typedef {Record<string, Bounds>} Spec */

@@ -33,7 +33,7 @@ export function refusalAt(input) {
 }
 
 /**
- * Why a number cannot be told from what was typed; nothing where only its comma is clear.
+ * Why what was typed is no clear number; nothing where only its comma is clear.
  * @param {string} given
  */
 export const commaOf = (given) => (ambiguous(given) ? text('refused.comma', { value: given.slice(0, LONGEST) }) : '');

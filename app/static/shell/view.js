@@ -25,7 +25,7 @@
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
  * @property {Reactions} [reactions]
- * @property {(place: number) => void} [gaugeAt]  have the stress told of another place [m]
+ * @property {(place: number) => void} [gaugeAt]  have the stress shown of another place [m]
  * @property {Dispersion} [dispersion]
  * @property {() => void} dress  pictures in their colours and to their scale
  * @property {string} [what]  that the colours show

@@ -1,4 +1,4 @@
-// Sentences by code, from the catalogue that the server makes of solvers/text and app/text; their syntax is told in
+// Sentences by code, from the catalogue that the server makes of solvers/text and app/text; their syntax is that of
 // solvers/text/messages.py.
 import { engineering, localised, powered, raised, share, unbroken } from './format.js';
 

@@ -30,8 +30,8 @@ def test_true_errors_are_within_the_estimates_and_estimates_near_the_errors(kind
 
 def test_small_errors_are_left_out_of_the_shares():
     small, unknown = Rated(0, 1.0, 0.5 * NOTHING), Rated(1, None, 1.0)
-    near, missed, frightening = Rated(2, 0.02, 0.01), Rated(3, 0.01, 0.02), Rated(4, 0.1, 0.01)
-    seen = shares([small, unknown, near, missed, frightening])
+    near, missed, large = Rated(2, 0.02, 0.01), Rated(3, 0.01, 0.02), Rated(4, 0.1, 0.01)
+    seen = shares([small, unknown, near, missed, large])
     assert (seen["impacts"], seen["compared"], seen["unknown"]) == (5, 3, 0.2)
     assert (seen["within"], seen["within 3"], seen["not beyond 5"]) == pytest.approx((2 / 3, 1.0, 2 / 3))
     assert seen["largest"] == 2.0
@@ -93,7 +93,7 @@ def test_a_comparison_with_hardly_more_modes_is_not_the_whole_error():
 
 
 # of these the estimate was 5.4 to 464 times the error
-FRIGHTENED = {"waves": (25, 30, 50, 100), "fe-nodal": (70, 100), "balance": (50, 100, 150)}
+TOO_LARGE = {"waves": (25, 30, 50, 100), "fe-nodal": (70, 100), "balance": (50, 100, 150)}
 RESOLUTIONS = {
     "waves": (200, 400),
     "fe-nodal": (20, 50, 200),
@@ -107,9 +107,9 @@ OPTIONS = {"waves": "steps", "modal": "modes", "mode-switch": "modes"}
 
 @pytest.mark.parametrize(
     "method, count",
-    [(method, count) for part in (FRIGHTENED, RESOLUTIONS) for method, counts in part.items() for count in counts],
+    [(method, count) for part in (TOO_LARGE, RESOLUTIONS) for method, counts in part.items() for count in counts],
 )
-def test_nothing_frightens_on_the_default_scene(method, count):
+def test_no_estimate_is_far_too_large_on_the_default_scene(method, count):
     found = solvers.solve(solvers.load("fixed-rod"), method, **{OPTIONS.get(method, "elements"): count})
     true, estimate = _error_and_estimate(found)
     assert true <= max(estimate, NOTHING) and estimate <= 5.0 * max(true, NOTHING)
