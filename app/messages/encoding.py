@@ -16,7 +16,6 @@ from solvers.methods.modal.motion import ModalMotion
 from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
-from ..text.typeset import typeset
 from .schema import check
 
 FORCE_POINTS = 1_200  # of a contact force
@@ -127,7 +126,6 @@ def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:
             parts.append(values.astype("<f4").tobytes())
     if CHECKED:
         check(header, {name: tuple(shape) for name, shape, *_ in entries})
-    header = header | {key: typeset(words) for key in ("title", "note", "source") if (words := header.get(key))}
     text = json.dumps(header | {"arrays": entries}, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return len(text).to_bytes(4, "little") + text + b"".join(parts)

@@ -11,14 +11,13 @@ from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
 from ..text.refusals import note
-from ..text.typeset import typeset
 
 
 def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
     """Scenes by heading, which is a note, each as [name, title], for the picker."""
     groups: dict[Note, list[list[str]]] = {}
     for name, scene in listed.items():
-        groups.setdefault(_heading(name, scene), []).append([name, typeset(scene.title or name)])
+        groups.setdefault(_heading(name, scene), []).append([name, scene.title or name])
     return [[heading.table(), scenes] for heading, scenes in groups.items()]
 
 

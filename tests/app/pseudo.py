@@ -11,7 +11,6 @@ from typing import Any
 
 import app.text.catalogues as catalogues
 import solvers
-from app.text.typeset import typeset
 from solvers.text.catalogue import SOURCE, Catalogue, library
 from solvers.text.messages import Choice, Term, Value, parsed
 
@@ -44,7 +43,7 @@ def scenes() -> dict[str, str]:
     for name in solvers.scene_names():
         scene = solvers.load(name)
         texts = {"title": scene.title or name, "note": scene.note, "source": scene.source}
-        found |= {f"scene.{name}.{what}": typeset(text) for what, text in texts.items() if text}
+        found |= {f"scene.{name}.{what}": text for what, text in texts.items() if text}
     return found
 
 

@@ -1,7 +1,7 @@
 // Formulas with raised and lowered letters.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { partsOf, spoken } from '../../app/static/text/typeset.js';
+import { partsOf, spoken, withSigns } from '../../app/static/text/typeset.js';
 
 /** @param {string} words */
 const html = (words) =>
@@ -18,4 +18,14 @@ test('letters are lowered and raised, and keys of scene files left alone', () =>
   };
   for (const [given, shown] of Object.entries(cases)) assert.equal(html(given), shown);
   assert.equal(spoken('Yield σ_Y'), 'Yield σY');
+});
+
+test('formulas of scene files have their signs', () => {
+  const cases = {
+    'grows as a^2 = 2 alpha R': 'grows as a² = 2 α R',
+    'A v sqrt(E rho), omega^2 = omega_0^2': 'A v √(E ρ), ω² = ω_0²',
+    '6.92e9 N/m^1.5, e^(-2 beta), (1 + beta/3)^-1/2': '6.92e9 N/m¹·⁵, e^(-2 β), (1 + β/3)^-1/2',
+    'a pin, a piston, alphabet': 'a pin, a piston, alphabet',
+  };
+  for (const [given, shown] of Object.entries(cases)) assert.equal(withSigns(given), shown);
 });

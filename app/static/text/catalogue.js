@@ -1,6 +1,7 @@
 // Sentences by code, from the catalogue that the server makes of solvers/text and app/text; their syntax is that of
 // solvers/text/messages.py.
 import { engineering, localised, powered, raised, share, unbroken } from './format.js';
+import { withSigns } from './typeset.js';
 
 /** @typedef {{ code: string, severity: string, values: Record<string, any> }} Note */
 /** @typedef {{ name: string, modes?: number, theory?: string, contact?: string }} Parts  of a model */
@@ -213,12 +214,12 @@ export const said = ({ code, values }) =>
 const saidOf = (note) => (typeof note !== 'string' ? said(note) : note in texts ? text(note) : note);
 
 /**
- * A text of a scene that comes with the program, which its file has in one language.
+ * A text of a scene that comes with the program, which its file has in one language, as it is written.
  * @param {string} scene
  * @param {'title' | 'note' | 'source'} what
  * @param {string} own
  */
-export const ofScene = (scene, what, own) => texts[`scene.${scene}.${what}`] ?? own;
+export const ofScene = (scene, what, own) => withSigns(texts[`scene.${scene}.${what}`] ?? own);
 
 /**
  * What a value of a choice is called; the value itself where it has no name.

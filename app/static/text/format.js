@@ -77,7 +77,7 @@ export const share = (error) =>
 const DIGITS = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 /** @param {number} power */
 export const raised = (power) =>
-  `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((digit) => DIGITS[Number(digit)]).join('')}`;
+  `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((digit) => DIGITS[Number(digit)] ?? '·').join('')}`;
 /**
  * A power of ten, given by its exponent.
  * @param {number} power

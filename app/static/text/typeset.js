@@ -1,5 +1,22 @@
-// Raised and lowered letters that have no signs of their own: K_h, e^(-2 β), a^(3/2).
+// Formulas as scene files write them, `a^2 = alpha R`: Greek letters and raised numbers by their signs; letters that
+// are raised or lowered and have none, K_h, e^(-2 β), a^(3/2), by elements.
 import { make } from '../shell/dom.js';
+import { raised } from './format.js';
+
+/** @type {Record<string, string>} */
+const SIGNS = {
+  ...{ alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', eta: 'η', kappa: 'κ', lambda: 'λ', mu: 'μ', nu: 'ν' },
+  ...{ omega: 'ω', phi: 'φ', pi: 'π', psi: 'ψ', rho: 'ρ', sigma: 'σ', sqrt: '√' },
+};
+const WORD = new RegExp(`(?<![A-Za-z])(?:${Object.keys(SIGNS).join('|')})(?![A-Za-z])`, 'g');
+const POWER = /\^(-?\d+(?:\.\d+)?)(?![\d/])/g;
+
+/**
+ * Words with the signs that their formulas have.
+ * @param {string} words
+ */
+export const withSigns = (words) =>
+  words.replace(WORD, (name) => SIGNS[name]).replace(POWER, (_, power) => raised(Number(power)));
 
 const LETTER = String.raw`(?<![\p{L}\p{N}_.])\p{L}{1,2}`;
 const FORMULA = new RegExp(
