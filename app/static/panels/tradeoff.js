@@ -241,9 +241,7 @@ class TradeOff extends Panel {
     figure.range('tradeoff-x', [0.6 * Math.min(...times, 1), 1.7 * Math.max(...times, 10)]);
     figure.range('tradeoff-y', [0.5 * Math.min(...sizes, unknown), 2.5 * Math.max(...sizes, 10)]);
     figure.set('tradeoff-unknown', { top: unknown });
-    figure.set('tradeoff-up', {
-      axis_label: text('tradeoff.error-axis', { quantity: QUANTITIES[quantity], of: quantity }),
-    });
+    figure.set('tradeoff-up', { axis_label: text('tradeoff.error-axis', { of: quantity }) });
     const { label } = this.picked ?? {};
     this.picked = this.points.find((p) => p.label === label) ?? null;
     this.#fill(figure);

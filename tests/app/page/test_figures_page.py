@@ -67,11 +67,11 @@ def test_the_best_are_marked_and_the_chosen_quantity_is_written_at_its_axis(open
     assert width and min(width) > 10
     assert len(set(zip(page.evaluate(data)["colour"], page.evaluate(data)["marker"], strict=True))) > 4
     axis = "() => strikewave.page.analyses.tradeoff.figure.model('tradeoff-up').axis_label"
-    assert page.evaluate(axis) == "error in the peak force, % of its true value"
+    assert page.evaluate(axis) == "error, % of its true value"
     claims = "() => strikewave.page.analyses.tradeoff.figure.model('claims').data.label.length"
     assert page.evaluate(claims) == 0
     panel.get_by_role("button", name="final velocity").click()
-    assert page.evaluate(axis) == "error in the final velocity, % of the impact speed"
+    assert page.evaluate(axis) == "error, % of the impact speed"
     assert page.evaluate(claims) > 0  # what methods say of their own error is of the rebound
 
 
