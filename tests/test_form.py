@@ -69,6 +69,7 @@ KEY_OF_OLD = '"told": '  # which tables keep beside "summary", as programs read 
 def test_words_are_those_of_an_engineer():
     refused = re.compile(rf"\b({'|'.join(WORDS)})\b", re.IGNORECASE)
     texts = [path for folder in ("solvers", "app") for path in sorted((ROOT / folder).rglob("*.toml"))]
+    texts += [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
     found = [
         (path.relative_to(ROOT), number, line.strip())
         for path in [*texts, *(path for path in SOURCES if path.parts[len(ROOT.parts)] in ("solvers", "app"))]

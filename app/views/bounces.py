@@ -31,7 +31,7 @@ QUESTIONS = {
 
 def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
     """The bounces as JSON: `chosen`, which is all that was asked, the table of `solvers.bounces`, `path_time` [s] and
-    `path_height` [m] of the flights, `stopped`: it was cancelled, or took too long; or `error`, a sentence.
+    `path_height` [m] of the flights, `stopped`: it was cancelled, or took too long; or `error`, a note.
     """
     answer: dict[str, Any] = {"chosen": asked}
     latest = clock() + BUDGET_SECONDS

@@ -32,7 +32,7 @@ QUESTIONS = {
 
 def convergence_data(asked: dict[str, Any]) -> str:
     """As JSON: `chosen`, which is all that was asked, the table of the study, and the `kinds` that can be varied; or
-    `error`, a sentence."""
+    `error`, a note."""
     answer: dict[str, Any] = {"chosen": asked}
     try:
         request = Request.of(asked)

@@ -31,7 +31,7 @@ def of_joined_links(asked: dict[str, Any]) -> Hashable:
 
 def joints_data(chosen: dict[str, Any]) -> str:
     """As JSON: `chosen`, `kind` of the joint, its `links` and `bend` [degrees], `frequency` [kHz], and of each kind of
-    incoming wave the shares [%] of the power that goes back and on; or `error`, a sentence why there are none.
+    incoming wave the shares [%] of the power that goes back and on; or `error`, a note why there are none.
     """
     answer: dict[str, Any] = {"chosen": chosen}
     try:

@@ -12,7 +12,7 @@ from ..text.refusals import reason_of
 
 
 def methods_table(chosen: dict[str, Any]) -> str:
-    """The comparison for these choices as JSON: `chosen` and `rows`, or `error`, a sentence why there is none."""
+    """The comparison for these choices as JSON: `chosen` and `rows`, or `error`, a note why there is none."""
     answer: dict[str, Any] = {"chosen": chosen}
     try:
         request = Request.of(chosen)

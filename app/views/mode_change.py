@@ -28,7 +28,7 @@ def of_struck_nodes(asked: dict[str, Any]) -> Hashable:
 def mode_change_data(chosen: dict[str, Any]) -> str:
     """As JSON: `chosen`; `nodes` from the first end on [mm] and which is `struck`, from 1; how many `modes`, `lost` of
     the energy [%], the `speed` of approach [m/s]; `velocities` [m/s, rad/s] and `coordinates` [m, rad], by projection
-    and part at every node, and which of both is shown `first`; or `error`, a sentence why there is none.
+    and part at every node, and which of both is shown `first`; or `error`, a note why there is none.
     """
     answer: dict[str, Any] = {"chosen": chosen}
     try:

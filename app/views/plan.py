@@ -38,7 +38,7 @@ QUESTIONS = {
 
 def plan_data(asked: dict[str, Any]) -> str:
     """The plan for these choices and this question as JSON: `chosen`, which is all that was asked, and the plan;
-    or `error`, a sentence why there is none."""
+    or `error`, a note why there is none."""
     answer: dict[str, Any] = {"chosen": asked}
     try:
         scene = Request.of(asked).scene

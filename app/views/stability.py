@@ -32,7 +32,7 @@ QUESTIONS = {
 
 
 def stability_data(asked: dict[str, Any], cancelled: Callable[[], bool], report: Callable[[str], None]) -> str:
-    """The maps over step and `stability_axis` as JSON, or `error`, a sentence why there are none.
+    """The maps over step and `stability_axis` as JSON, or `error`, a note why there are none.
 
     `report` gets how much is done.
     """

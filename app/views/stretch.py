@@ -29,7 +29,7 @@ def of_turning_rods(asked: dict[str, Any]) -> Hashable:
 def stretch_data(chosen: dict[str, Any]) -> str:
     """As JSON: `chosen`; `place` along the rod from its axis [mm] and `moved` there [mm]; `speed` [rad/s] and `end`,
     the stretch of its end over the length [%]; `own`, both at its speed, the `critical` one, `half`, what is moved half
-    way over that of the end, the strain of the `root` [%]; or `error`, a sentence why there is none.
+    way over that of the end, the strain of the `root` [%]; or `error`, a note why there is none.
     """
     answer: dict[str, Any] = {"chosen": chosen}
     try:
