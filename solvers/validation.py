@@ -26,6 +26,9 @@ class SceneError(ValueError):
     def __str__(self) -> str:
         return str(self.note)
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({str(self)!r})"
+
     def __reduce__(self) -> tuple[Any, ...]:
         return _again, (type(self), self.__dict__)
 

@@ -58,7 +58,7 @@ def is_key(key: str) -> bool:
 
 
 def split(key: str) -> tuple[str, str]:
-    """Part and quantity. Raises ValueError, with a sentence for the visitor, where no body could have such a key."""
+    """Part and quantity. Raises ValueError, for the visitor, where no body could have such a key."""
     if not is_key(key):
         raise Refused("refused.body-key", key=_repeated(key))
     part, quantity = _KEY.fullmatch(key).groups()  # type: ignore[union-attr]
@@ -79,7 +79,7 @@ def title_of_value(key: str) -> dict[str, Any]:
 
 
 def read_value(key: str, text: str) -> float | str:
-    """A number in SI units, or the name of a material. Raises ValueError with a sentence for the visitor."""
+    """A number in SI units, or the name of a material. Raises ValueError, for the visitor."""
     _, quantity = split(key)
     said = {"control": title_of_value(key), "value": _repeated(text)}
     if quantity == "material":
@@ -95,7 +95,7 @@ def read_value(key: str, text: str) -> float | str:
 
 
 def read_values(text: str) -> Values:
-    """All changed values. Raises ValueError with a sentence for the visitor."""
+    """All changed values. Raises ValueError, for the visitor."""
     if len(text) > LONGEST:
         raise Refused("refused.body-values", longest=LONGEST)
     found: Values = {}
@@ -123,7 +123,7 @@ class BodyValues(param.String):
 def with_values(base: Scene, values: Values) -> Scene:
     """The scene with other values; a time that it is solved for changes with its unit of time.
 
-    Raises ValueError with a sentence for the visitor: SceneError, or for a value that the bodies do not have.
+    Raises ValueError, for the visitor: SceneError, or for a value that the bodies do not have.
     """
     if not values:
         return base
@@ -148,7 +148,7 @@ def with_values(base: Scene, values: Values) -> Scene:
 
 
 def _linkage(table: dict[str, Any]) -> Mechanism:
-    """Raises ValueError with a sentence for the visitor where it cannot be put together, or moves otherwise."""
+    """Raises ValueError, for the visitor where it cannot be put together, or moves otherwise."""
     try:
         return Mechanism.read("target", table)
     except SceneError as refusal:

@@ -16,7 +16,7 @@ DEPTH = ("section.height", "section.radius")  # of a beam
 def with_body_value(asked: dict[str, Any]) -> dict[str, Any]:
     """The choices that change where `body_value` is "KEY=VALUE" in SI units, or "KEY" to go back to that of the scene.
 
-    A key without a quantity, "impactor", is that of all values of the body. Raises ValueError with a sentence for the
+    A key without a quantity, "impactor", is that of all values of the body. Raises ValueError, for the
     visitor.
     """
     chosen = {name: asked[name] for name in Choices.CHOSEN}

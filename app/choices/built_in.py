@@ -1,6 +1,7 @@
 """Built-in scenes with other values of their bodies, before all other choices."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache, lru_cache
 from typing import Any
 
@@ -8,14 +9,34 @@ import param
 
 from solvers import Scene, SceneError
 from solvers.bodies import AnyBody
+from solvers.validation import shown
 
-from .bodies import parts_of, read_values, with_values
-from .choices import SCENES, SOLVED_BY, Choices
+from ..text.refusals import Refused
+from .bodies import is_key, parts_of, read_values, title_of_value, with_values
+from .choices import SCENES, SOLVED_BY, Choices, title_of
+
+# by key of scene files: the choice that sets it
+SET_BY = {"target.at": "place", "target.struck.at": "place"} | {key: name for name, key in Choices.KEYS.items()}
+
+
+@contextmanager
+def named_as_on_the_page() -> Iterator[None]:
+    """What is refused by a key of scene files is refused by what the page calls it, if it has a name there."""
+    try:
+        yield
+    except SceneError as refusal:
+        key = refusal.key
+        if key not in SET_BY and not is_key(key):
+            raise
+        called = title_of(SET_BY[key]) if key in SET_BY else title_of_value(key)
+        given = {"value": shown(refusal.value), "allowed": refusal.reason.table()}
+        raise Refused("refused.value", key=called, **given) from None
 
 
 @lru_cache(maxsize=512)
+@named_as_on_the_page()
 def base_of(name: str, bodies: str = "") -> Scene:
-    """Raises ValueError with a sentence for the visitor."""
+    """Raises ValueError, for the visitor."""
     return with_values(SCENES[name], read_values(bodies))
 
 

@@ -12,12 +12,15 @@ from solvers.contact.friction import MODELS
 from solvers.methods.base import Method
 from solvers.methods.modal.method import FRAMES
 from solvers.methods.multibody.method import Multibody
+from solvers.scenes.library import built_in
+from solvers.text.catalogue import SOURCE
 from solvers.validation import shown
 
 from ..text.refusals import Refused, code_or, reason_of
 from .bodies import BodyValues, read_values
 
-_LOADED = {name: solvers.load(name) for name in solvers.scene_names()}
+# in one language, as a server speaks to visitors of several
+_LOADED = {name: built_in(name, SOURCE) for name in solvers.scene_names()}
 SCENES = {name: scene.struck for name, scene in _LOADED.items()}  # a mechanism is shown as what is struck
 STRIKING = frozenset(name for name, scene in _LOADED.items() if scene.struck is not scene)  # in which it strikes
 START = next(iter(SCENES))

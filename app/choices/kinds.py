@@ -34,7 +34,7 @@ class Kind(ABC):
     EXACT: ClassVar[bool] = False  # whether an exact solution is shown
 
     def values(self, base: Scene) -> Values:
-        """The choices as the scene has them, where it says anything."""
+        """The choices that the scene itself sets, with its values."""
         method = base.method
         named = method.get("name")  # which may be one that the page does not have
         usual = named if named in SOLVED_BY else solvers.usual_method(base)
@@ -95,14 +95,14 @@ class WithLaw(Kind):
         if base.prescribed_force:
             return []
         of_bodies = [name for name in keyed(chosen["scene"], chosen["bodies"]) if name not in OF_MODES]
-        names = ["method", "speed", "law", *law_choices(chosen["law"]), *of_bodies, *self.of_target(base)]
+        names = ["method", "speed", "law", *law_choices(chosen["law"]), *of_bodies, *self.target_choices(base)]
         if "restitution" in LAWS[chosen["law"]].KEYS or self.restores(base, chosen):
             names.append("restitution")
         if base.impactor.free_mass and np.isfinite(base.mass_ratio):
             names.append("mass_ratio")
         return self.solved(base, chosen, names)
 
-    def of_target(self, base: Scene) -> list[str]:
+    def target_choices(self, base: Scene) -> list[str]:
         """The choices of what is struck."""
         return []
 
@@ -114,7 +114,7 @@ class WithLaw(Kind):
         """These choices and those that say how it is solved."""
         return names + resolutions(base, shown_method(chosen))
 
-    def moved(self, base: Scene, chosen: Values) -> Values:
+    def speed_keys(self, base: Scene, chosen: Values) -> Values:
         """The keys of the scene that set the chosen speed."""
         faster = chosen["speed"] / base.speed
         if not base.target.velocity:
@@ -122,8 +122,8 @@ class WithLaw(Kind):
         target = _of_velocity("target", base.target, faster * base.target.velocity)
         return _of_velocity("impactor", base.impactor, faster * base.impactor.velocity) | target
 
-    def shaped(self, base: Scene, chosen: Values, own: Values) -> Scene:
-        """The scene with what is chosen of its bodies and how they are described."""
+    def with_bodies(self, base: Scene, chosen: Values, own: Values) -> Scene:
+        """The scene with the chosen values and description of its bodies."""
         keys = keyed(chosen["scene"], chosen["bodies"])
         changed = {Choices.KEYS[name]: chosen[name] for name, value in keys.items() if chosen[name] != value}
         return base.replace(changed) if changed else base
@@ -131,8 +131,8 @@ class WithLaw(Kind):
     def described(self, base: Scene, chosen: Values, own: Values) -> Scene:
         if base.prescribed_force:
             return base
-        changes = self.moved(base, chosen)
-        scene = self.shaped(base, chosen, own)  # first: the mass of what is struck may follow
+        changes = self.speed_keys(base, chosen)
+        scene = self.with_bodies(base, chosen, own)  # first: the mass of what is struck may follow
         if scene.impactor.free_mass and np.isfinite(base.mass_ratio):
             mass = scene.target.mass / chosen["mass_ratio"]
             changes |= {f"impactor.{key}": value for key, value in scene.impactor.of_mass(mass).items()}
@@ -167,8 +167,8 @@ class Axial(WithLaw):
             names += ["floating_frame"] if has_frames(base) else []
         return super().solved(base, chosen, names)
 
-    def shaped(self, base: Scene, chosen: Values, own: Values) -> Scene:
-        scene, changes, frame = super().shaped(base, chosen, own), {}, chosen["floating_frame"]
+    def with_bodies(self, base: Scene, chosen: Values, own: Values) -> Scene:
+        scene, changes, frame = super().with_bodies(base, chosen, own), {}, chosen["floating_frame"]
         if bends_alone(base) and chosen["modes"] != own.get("modes"):
             changes["impactor.modes"] = chosen["modes"]
         if base.method.get("name") == Modal.NAME and has_frames(base) and frame != base.method.get("frame", FRAMES[0]):
@@ -184,12 +184,12 @@ class OnBeam(WithLaw):
     def values(self, base: Scene) -> Values:
         return super().values(base) | {name: read(base.target) for name, read in BEAM_CHOICES.items()}
 
-    def of_target(self, base: Scene) -> list[str]:
+    def target_choices(self, base: Scene) -> list[str]:
         return [*BEAM_CHOICES]
 
-    def shaped(self, base: Scene, chosen: Values, own: Values) -> Scene:
+    def with_bodies(self, base: Scene, chosen: Values, own: Values) -> Scene:
         changed = {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
-        return super().shaped(other_beam(base, changed), chosen, own)
+        return super().with_bodies(other_beam(base, changed), chosen, own)
 
 
 class OnMechanism(WithLaw):
@@ -202,7 +202,7 @@ class OnMechanism(WithLaw):
         seconds = method.get("name") == Multibody.NAME and "duration" in method
         return found | ({"motion_seconds": method["duration"]} if seconds else {})
 
-    def of_target(self, base: Scene) -> list[str]:
+    def target_choices(self, base: Scene) -> list[str]:
         return [*mechanism_values(base)]
 
     def restores(self, base: Scene, chosen: Values) -> bool:
@@ -214,7 +214,7 @@ class OnMechanism(WithLaw):
         bends = base.target.known_as(Mechanism).flexible
         return [*names, "motion_seconds", *(["motion_links"] if bends else [])]
 
-    def moved(self, base: Scene, chosen: Values) -> Values:
+    def speed_keys(self, base: Scene, chosen: Values) -> Values:
         return mechanism_changes(base, chosen)
 
 
@@ -234,7 +234,7 @@ def moves_on(chosen: Values) -> bool:
 
 
 def shown_method(chosen: Values) -> str:
-    """The method that resolutions are those of: modes beside exact waves."""
+    """The method whose resolutions are set: modes beside exact waves."""
     return Modal.NAME if chosen["method"] == "waves" else chosen["method"]
 
 
@@ -244,7 +244,7 @@ def has_frames(scene: Scene) -> bool:
 
 
 def bends_alone(scene: Scene) -> bool:
-    """Whether all that rings is a pendulum, whose own modes are then those that are chosen."""
+    """Whether only a pendulum vibrates: then the chosen modes are its own."""
     return isinstance(scene.impactor, FlexiblePendulum) and scene.target.time_unit is None
 
 
@@ -258,7 +258,7 @@ def own_options(scene: Scene, method: str) -> Values:
 def resolutions(scene: Scene, method: str) -> list[str]:
     """Which of modes and elements the method takes; where the scene gives any of them, those only.
 
-    Of a beam what makes the method finer: it keeps so few modes of its elements that their number need not be set.
+    For a beam, what refines the method: it keeps so few modes of its elements that their number need not be set.
     """
     known, own = {option.name for option in fields(SOLVED_BY[method])}, own_options(scene, method)
     if on_beam(scene) and not own:

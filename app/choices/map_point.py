@@ -50,7 +50,7 @@ def _read(text: str) -> tuple[float, float]:
 
 
 def _refused(text: str, allowed: str) -> Refused:
-    return Refused("refusals.value", key="question.map_point", value=shown(text), allowed=allowed)
+    return Refused("refused.value", key="question.map_point", value=shown(text), allowed=allowed)
 
 
 def _stiffness(chosen: dict[str, Any], name: str, duration: float) -> float:

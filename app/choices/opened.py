@@ -4,11 +4,15 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
+import param
+
 from solvers import Scene, SceneError
 from solvers.studies.levels import COUNTED, VALUES
-from solvers.validation import allowed, choice, flag, number, required, table, text
+from solvers.text.notes import Note
+from solvers.validation import a_number, allowed, choice, flag, number, required, table, text
 
-from .choices import SCENES, Choices, accepts, refusal
+from .bodies import LONGEST as LONGEST_BODIES
+from .choices import SCENES, Choices, accepts
 
 CHARTS = ("waves", "force", "moments", "moved", "stress", "reactions", "energy", "hodograph", "course")  # over time
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
@@ -73,7 +77,7 @@ class Opening(NamedTuple):
     def table(self) -> dict[str, Any]:
         """What the browser needs of it."""
         return {
-            "charts": list(self.charts),
+            "charts": [name for name in self.charts if name in CHARTS],
             "place": self.place,
             "until": self.until,
             "compare": [each._asdict() for each in self.comparisons],
@@ -107,8 +111,19 @@ def _trial(number: int, given: object) -> Trial:
 
 def _chosen(key: str, name: str, value: object) -> Any:
     if not accepts(name, value):
-        raise SceneError(key, value, str(refusal(name, value, key=key)))
+        raise SceneError(key, value, _possible(Choices.param[name]))
     return value
+
+
+def _possible(parameter: Any) -> Note:
+    """What a choice, by its parameter, may be."""
+    if isinstance(parameter, param.Selector):
+        return allowed("choice", options=list(parameter.objects))
+    if not isinstance(parameter, param.Number):
+        return allowed("text", longest=LONGEST_BODIES)
+    bounds: Any = parameter.bounds
+    low, high = bounds
+    return allowed("whole-number", low=low, high=high) if isinstance(parameter, param.Integer) else a_number(low, high)
 
 
 def _word(key: str, given: Mapping[str, Any], name: str) -> str:

@@ -3,15 +3,11 @@
 from functools import lru_cache
 from typing import Any
 
-from solvers import Scene, SceneError
-from solvers.validation import shown
+from solvers import Scene
 
-from ..text.refusals import Refused
-from .built_in import base_of, body_keys, keyed
-from .choices import Choices, accepts, title_of
+from .built_in import base_of, body_keys, keyed, named_as_on_the_page
+from .choices import Choices, accepts
 from .kinds import kind_of
-
-SET_BY = {"target.at": "place", "target.struck.at": "place"}  # by key of scene files: the choice, which the page names
 
 
 def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
@@ -31,16 +27,11 @@ def acting_choices(chosen: dict[str, Any]) -> list[str]:
     return first + kind_of(base).acting(base, chosen)
 
 
+@named_as_on_the_page()
 def chosen_scene(chosen: dict[str, Any]) -> Scene:
-    """The scene that these choices describe. Raises ValueError with a sentence for the visitor if there is none."""
+    """The scene that these choices describe. Raises ValueError, for the visitor, if there is none."""
     base = base_of(chosen["scene"], chosen["bodies"])
-    try:
-        return kind_of(base).described(base, chosen, choices_of(chosen["scene"], chosen["bodies"]))
-    except SceneError as refusal:
-        if refusal.key not in SET_BY:
-            raise
-        given = {"value": shown(refusal.value), "allowed": refusal.reason.table()}
-        raise Refused("refusals.value", key=title_of(SET_BY[refusal.key]), **given) from None
+    return kind_of(base).described(base, chosen, choices_of(chosen["scene"], chosen["bodies"]))
 
 
 @lru_cache(maxsize=1024)

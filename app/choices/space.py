@@ -29,7 +29,7 @@ def struck_at(scene: Scene, place: float) -> Scene:
     """
     name, body = _struck(scene)
     if not isinstance(place, (int, float)) or not 0.0 <= place <= 1.0:
-        raise Refused("refusals.value", key="control.place", value=shown(place), allowed="wanted.place")
+        raise Refused("refused.value", key="control.place", value=shown(place), allowed="wanted.place")
     axis, length = _longest_side(body)
     centre = np.array(body.centre)
     centre += ((0.5 - place) * length - centre @ axis) * axis
@@ -59,7 +59,7 @@ def _struck(scene: Scene) -> tuple[str, Body]:
         body = getattr(scene, name)
         if isinstance(body, Body) and not body.is_point:
             return name, body
-    raise Refused("refusals.value", key="target.inertia", value="nothing", allowed="wanted.inertia")
+    raise Refused("refused.value", key="target.inertia", value="nothing", allowed="wanted.inertia")
 
 
 def _longest_side(body: Body) -> tuple[np.ndarray, float]:

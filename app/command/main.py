@@ -284,8 +284,9 @@ def _scenes(options: argparse.Namespace) -> int:
 
     for heading, scenes in scene_groups(SCENES):
         print(said(heading, spoken()))
-        for name, title in scenes:
-            print(f"  {name:24}{title}  [{SCENES[name].source}]")
+        for name, _ in scenes:
+            scene = solvers.load(name)
+            print(f"  {name:24}{scene.title or name}  [{scene.source}]")
     return 0
 
 

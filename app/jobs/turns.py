@@ -12,7 +12,7 @@ Result = TypeVar("Result")
 
 
 class Rate:
-    """So many a second, and so many at once."""
+    """`rate` a second, and `burst` at once."""
 
     def __init__(self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic):
         self._rate, self._burst, self._clock = rate, burst, clock
@@ -20,7 +20,7 @@ class Rate:
 
     @property
     def left(self) -> float:
-        """How many may come now; less than none if more was taken than there was."""
+        """How many may come now; negative if more were taken than there were."""
         now = self._clock()
         self._left, self._since = min(self._burst, self._left + self._rate * (now - self._since)), now
         return self._left
@@ -62,7 +62,7 @@ class _Timed(Generic[Result]):
 
 
 class Turnstile:
-    """Shares the time of the event loop: so many pass in each of its rounds, first who has used least lately.
+    """Shares the time of the event loop: `at_once` pass in each round, whoever has used least lately first.
 
     Between two rounds the loop does all else that is ready, so that nobody waits for more than a few turns of others,
     and none of the loop's time is left unused while somebody waits.
@@ -100,7 +100,7 @@ class Turnstile:
 
     @contextmanager
     def pay(self, who: Hashable) -> Iterator[None]:
-        """What is done in this context, which must not wait for anything, is paid by the time that it takes."""
+        """Charge `who` for the time that the body of this context takes, which must not wait for anything."""
         begun = time.perf_counter()
         try:
             yield
@@ -108,7 +108,7 @@ class Turnstile:
             self.charge(who, time.perf_counter() - begun)
 
     async def paid(self, who: Hashable, doing: Coroutine[Any, Any, Result]) -> Result:
-        """Have it done and paid by the time that it takes, but for what others do while it waits."""
+        """Await a coroutine; charge `who` for its own time, not for what others do as it waits."""
         timed = _Timed(doing)
         try:
             return await timed

@@ -25,12 +25,12 @@ from .worker import DONE, NOT_COMPILED, PART, REFUSED, Task
 
 CPUS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 MAX_SECONDS = 10.0  # of computing that an answer to the sliders may take; longer, and others wait too long behind it
-WALL_FACTOR = 10.0  # times its seconds of computing, in which work leaves a level: it waits for a processor, or hangs
-MAX_WALL = 12.0  # times its seconds, after which work is taken to hang: not running, it uses up no computing time
+WALL_FACTOR = 10.0  # times a level's seconds, by the clock, when work leaves it: it waits for a processor, or hangs
+MAX_WALL = 12.0  # times its seconds, by the clock, when it is taken to hang: not running, it uses no computing
 COMPILE_SECONDS = 60.0  # of computing besides, where kernels may have to be compiled first
 SETTLED = 0.6  # share of a level's seconds below which work comes back to it: else it would be moved down in turns
 # Times the seconds of its level for the first work of a process, which loads kernels and scenes for up to 0.1 s too.
-# Without it what takes 20 ms was moved down with each new process, none of which was there long enough to have them.
+# Without it work of 20 ms was moved down with each new process, and none lived long enough to load them.
 FIRST = 3.0
 STILL_SECONDS = 4.0  # without computing, and without waiting for a processor, after which work is taken to hang
 LOOK_SECONDS = 1.0  # between two looks whether it goes on
@@ -122,7 +122,7 @@ class Workers:
     ) -> Job:
         """Have `work`, a function of a module, done with these arguments.
 
-        The answer is its result, or raises ValueError with a sentence for the visitor (GivenUp after `seconds` of
+        The answer is its result, or raises ValueError, for the visitor (GivenUp after `seconds` of
         computing), NotCompiled, or Lost.
         """
         if not compiled:
@@ -134,7 +134,7 @@ class Workers:
         return job
 
     def charge(self, visitor: Hashable, seconds: float) -> None:
-        """Let others come before this visitor, as if they had had so much computing."""
+        """Count so much computing for this visitor, so that others come first."""
         self._shares.charge(visitor, seconds)
 
     def fill(self) -> None:
@@ -164,12 +164,12 @@ class Workers:
             await asyncio.wait(forking, timeout=1.0)
 
     def _able(self, level: int) -> list[Job]:
-        """Those who wait there and may begin; beyond the quick a visitor has one piece of work at a time."""
+        """Jobs that wait at this level and may begin; beyond QUICK a visitor has one at a time."""
         busy = self._busy(level)
         return [job for job in self._waiting if job.level == level and not (level > QUICK and job.visitor in busy)]
 
     def _busy(self, level: int) -> set[Hashable]:
-        """Visitors for whom something is done there."""
+        """Visitors with work running at this level."""
         return {worker.job.visitor for worker in self._workers if worker.job is not None and worker.level == level}
 
     def _next(self, level: int) -> Job | None:
@@ -213,7 +213,7 @@ class Workers:
         self._watch(worker, job)
 
     def _seconds(self, worker: Process) -> float:
-        """Of computing that its work may take where it is."""
+        """Seconds of computing for its work at its level."""
         return self._levels[worker.level].seconds * (1.0 if worker.answered else FIRST)
 
     def _watch(self, worker: Process, job: Job) -> None:
@@ -224,7 +224,7 @@ class Workers:
             worker.watch(self._loop.call_later(seconds, self._look, worker))
 
     def _look(self, worker: Process) -> None:
-        """Whether work has had the computing that its level allows; on a busy machine that takes longer than that."""
+        """Move work down if it has had the computing of its level; else look again: a busy machine gives it later."""
         seconds = self._seconds(worker)
         left = seconds - worker.computed
         if left <= 0.0 or time.monotonic() - worker.job.begun > WALL_FACTOR * seconds:
@@ -281,7 +281,7 @@ class Workers:
         except (EOFError, OSError):
             self._end(worker, died=True)
             self._deaths += 1
-            self._loop.call_later(min(0.01 * 2**self._deaths, MAX_FORK_PAUSE), self.fill)  # not without end
+            self._loop.call_later(min(0.01 * 2**self._deaths, MAX_FORK_PAUSE), self.fill)  # backs off
             return
         self._deaths = 0
         job = worker.job
@@ -299,7 +299,7 @@ class Workers:
         self._rest(worker)
 
     def _rest(self, worker: Process) -> None:
-        """It has nothing to do; what is not among the quick ends if that lasts."""
+        """A process has nothing to do; beyond QUICK it ends if that lasts."""
         worker.watch(self._loop.call_later(IDLE_SECONDS, self._end, worker) if worker.level > QUICK else None)
         self.fill()
 
@@ -345,7 +345,7 @@ class Workers:
 
 
 def level_after(seconds: float, level: int) -> int:
-    """Where work should begin that took so long last time: one step up only if it would stay there."""
+    """Level at which work that took so long begins next: a quicker one only if it would stay there."""
     fits = next(number for number, each in enumerate(LEVELS) if seconds <= each.seconds)
     settles = next(number for number, each in enumerate(LEVELS) if seconds <= SETTLED * each.seconds)
     return settles if fits < level else fits

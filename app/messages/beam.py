@@ -12,7 +12,7 @@ from solvers.studies.contact_times import compare_with_half_space
 
 from ..choices.request import Request
 from .histories import MS
-from .transverse import Answer, field_arrays, impact_frame, main_solution, slow_arrays
+from .transverse import Answer, comparison_arrays, field_arrays, impact_frame, main_solution
 
 SAMPLED_PLACES = 41  # of fields that are not by modes
 HALF_SPACE_POINTS = 160
@@ -24,7 +24,7 @@ def beam_frame(request: Request) -> bytes:
     main, reason = main_solution(request)
     scene, beside = request.scene, None if request.draft else modes_beside(request.scene, main)
     header, arrays = field_arrays(main, request.stretch, SAMPLED_PLACES)
-    arrays |= _half_space(scene) | _speeds(scene, main) | slow_arrays(main, header["places"])
+    arrays |= _half_space(scene) | _speeds(scene, main) | comparison_arrays(main, header["places"])
     header |= {"kind": "beam", "beam": _beam(scene.target)}
     return impact_frame(request, Answer(main, reason, beside), header, arrays)
 

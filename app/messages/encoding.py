@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Balance, QuasiStatic, RigidImpulse, Scene, Solution
+from solvers import Balance, QuasiStatic, RigidImpulse, Scene, Solution, Waves
 from solvers.methods.modal.motion import ModalMotion
 from solvers.text.notes import Note
 
@@ -50,6 +50,7 @@ def figures_of(solution: Solution) -> dict[str, Any]:
     return {
         "sudden": sudden,
         "waves": not sudden and name != QuasiStatic.NAME,
+        "travelling": name == Waves.NAME,
         "byLaw": not sudden and name != Balance.NAME,
         "stillTouching": bool(solution.contacts[-1].end >= solution.duration * (1.0 - 1e-9)),
         "peakForce": solution.peak_force,

@@ -7,6 +7,7 @@ FIGURES: Fields = {
     "model": Field("string | null", "of a method that has several"),
     "sudden": Field("boolean", "whether the impact takes no time in it"),
     "waves": Field("boolean", "whether anything rings in it"),
+    "travelling": Field("boolean", "whether it follows waves that travel, exactly"),
     "byLaw": Field("boolean", "whether the contact law acts in it"),
     "stillTouching": Field("boolean", "at the end"),
     "final": Field("number | null", "velocity of the impactor [v, or m/s of beams]"),

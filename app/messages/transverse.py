@@ -37,7 +37,7 @@ CYCLE_SAMPLES = 700
 
 
 class Answer(NamedTuple):
-    """An impact, why it is not by the method that was asked for, and what is shown beside it, by a name of its own if
+    """An impact, why it is not by the method asked for, and the solution beside it; `named` is the name shown if
     its method has another."""
 
     main: Solution
@@ -47,7 +47,7 @@ class Answer(NamedTuple):
 
 
 def chosen_method(request: Request) -> tuple[Method, Note | None]:
-    """The chosen method, or modes where that one cannot solve the scene, or one impulse; with the note why."""
+    """The chosen method; if it cannot solve the scene, modes, or else one impulse; with the note why."""
     method = SOLVED_BY[request.method].read(method_options(request.method, request))
     reason = method.refusal(request.scene)
     if reason:
@@ -62,7 +62,7 @@ def chosen_method(request: Request) -> tuple[Method, Note | None]:
 
 
 def method_at_impact(request: Request) -> Method:
-    """The same of the impact alone, for who asks for it many times: the usual one in place of one that moves on."""
+    """The method for the impact alone, for who asks many times: the usual one in place of one that moves on."""
     if request.method == Multibody.NAME:
         request = replace(request, method=usual_method(request.scene))
     return chosen_method(request)[0]
@@ -145,7 +145,7 @@ def field_arrays(solution: Solution, stretch: Stretch, places: int) -> tuple[dic
     motion, beam = solution.known_motion, solution.scene.target
     if isinstance(motion, ModalMotion):
         header, arrays = _modal_fields(motion)
-        fine = stretch and motion.steps > FORCE_STEPS and not solution.scene.rigid_contact  # which it gets in groups
+        fine = stretch and motion.steps > FORCE_STEPS and not solution.scene.rigid_contact  # else averaged in groups
         return header, arrays | (force_arrays(solution, "main", stretch) if fine else {})
     assert isinstance(motion, Bends)
     time, x = instants(solution.duration, INSTANTS, stretch), np.linspace(0.0, beam.length, places)
@@ -201,8 +201,8 @@ def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.nda
     return header, arrays
 
 
-def slow_arrays(main: Solution, places: int) -> dict[str, np.ndarray]:
-    """What the impact is compared with: the law's cycle; if there is one, the quasi-static estimate of the struck place
+def comparison_arrays(main: Solution, places: int) -> dict[str, np.ndarray]:
+    """Comparisons for the impact: the law's cycle; if it applies, the quasi-static estimate of the struck place
     [m], and the shape of the beam bent at rest there."""
     scene, estimate = main.scene, METHODS["quasi-static"].read({})
     found = cycle(main, CYCLE_SAMPLES)

@@ -16,8 +16,8 @@ from ..choices.request import DRAFT
 from ..messages.encoding import read_header
 from .begin import begin
 
-QUICK_SECONDS = 0.015  # of an answer that a hand does not feel
-MOVING_SECONDS = 0.6  # from the last change of a slider that moves, or from its answer, to the next
+QUICK_SECONDS = 0.015  # longest answer that feels immediate
+MOVING_SECONDS = 0.6  # longest pause of a moving slider: from a change, or its answer, to the next
 IN_A_ROW = 3  # changes of one choice, of which the last is taken for a movement
 REST_SECONDS = 0.3  # without a change, after which it is at rest
 SHARES = (0.5, 0.25, 0.125)  # of modes, elements and steps that a draft may keep
@@ -48,7 +48,7 @@ class Drafts:
 
     # What the laboratory gives
     frame: Any
-    answered: float
+    answered_at: float
     computed: Callable[[], float]
     chosen: Callable[[], dict[str, Any]]
     solve_wanted: Callable[[dict[str, Any]], Coroutine]
@@ -72,9 +72,9 @@ class Drafts:
         return self.chosen() | {DRAFT: self._share}
 
     def _moving(self, names: tuple[str, ...]) -> bool:
-        """Whether this goes on with the movement of one slider; the last solve says how fine the next may be."""
+        """Whether one slider is still moving; sets the share for the next solve from the time of the last."""
         now, name = time.monotonic(), names[0] if len(names) == 1 else ""
-        same = name == self._slider and now - max(self._moved_at, self.answered) < MOVING_SECONDS
+        same = name == self._slider and now - max(self._moved_at, self.answered_at) < MOVING_SECONDS
         self._slider, self._moved_at = name, now
         self._in_a_row = self._in_a_row + 1 if same else 1
         if self._in_a_row == 1:
@@ -85,12 +85,12 @@ class Drafts:
         return bool(name) and enough
 
     def _seconds(self) -> float:
-        """Of computing for the newest answer; of a draft for its solves, as no coarser one is packed faster [s]."""
+        """Computing time of the newest answer [s]; of a draft, only its solves: coarser ones pack no faster."""
         solves = solve_seconds(self.frame)
         return solves if self._share < 1.0 else max(solves, self.computed())
 
     def _moves_on(self, name: str) -> bool:
-        """Whether this sets a number of a mechanism that moves on: its answers may take seconds, even the first two."""
+        """Whether this is a number of a mechanism that moves on: even its first two answers may take seconds."""
         number = name in Choices.CHOSEN and isinstance(Choices.param[name], param.Number)
         return number and bool(self.frame) and read_header(self.frame).get("moving") is not None
 

@@ -55,7 +55,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     """Choices synchronised with the browser, and the message that answers them.
 
     Every choice is a bounded parameter of this very class, so that what a hostile client sends over the socket meets
-    the same bounds as a slider: it is refused with a sentence, and the browser is set back.
+    the same bounds as a slider: it is refused, and the browser is set back.
     """
 
     frame = param.Bytes(default=b"", doc="answer to the choices, see app.messages.axial")
@@ -81,8 +81,8 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         if pn.state.curdoc and context:
             pn.state.curdoc.on_session_destroyed(lambda _: self.leave())
         self._away = False
-        self.answered = 0.0  # when the visitor was last shown what comes of the choices
-        self._answered: dict[str, Any] = {}  # the choices of the frame that is shown
+        self.answered_at = 0.0  # when the visitor was last shown an answer or refusal
+        self._shown_choices: dict[str, Any] = {}  # the choices of the frame that is shown
         self._quiet = False
         self.param.watch(self._changed, list(self.CHOSEN))
         self.watch_moves()
@@ -143,7 +143,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         """
         if (known := KEPT.known(solve_frame, self.chosen())) is not None:
             self.frame = known
-            self._answered = self.chosen()
+            self._shown_choices = self.chosen()
         elif self.visitor is not None:
             pn.state.onload(partial(self._runner.want, self.chosen()))
 
@@ -157,7 +157,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         if self._quiet:
             return
         if left := [event.old for event in events if event.name == "scene"]:
-            with self._silence():  # as it is opened by itself, wherever one comes from
+            with self._silence():  # as if opened directly, whichever scene was before
                 self.param.update(**own_choices(self.scene))
             self.param.update(**opened_with(self.scene, left[0]))
         if any(event.name == "support" for event in events):
@@ -167,7 +167,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         begin(partial(self._runner.want, self.wish(*(event.name for event in events))))
 
     def computed(self) -> float:
-        """Of computing for the newest answer [s]."""
+        """Computing time of the last answer [s]."""
         return self._runner.computed
 
     async def solve_wanted(self, wish: dict[str, Any]) -> None:
@@ -202,20 +202,20 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
         return {name: value for name, value in self._runner.current.items() if name != DRAFT}
 
     def _show(self, answered: dict[str, Any], message: bytes) -> None:
-        self.answered = time.monotonic()
-        self._answered = answered
+        self.answered_at = time.monotonic()
+        self._shown_choices = answered
         self.frame = message
         self.ask_panels()
 
     def _set_back(self, failed: dict[str, Any], reason: dict[str, Any]) -> None:
-        """Choices that cannot be solved together are not left standing beside the picture of others."""
-        if self._answered and self.chosen() == failed:
+        """If the failed choices still stand, restore those of the frame shown; say the reason."""
+        if self._shown_choices and self.chosen() == failed:
             with self._silence():
-                self.param.update(**self._answered)
+                self.param.update(**self._shown_choices)
         self._refuse(reason)
 
     def _refuse(self, *reasons: dict[str, Any]) -> None:
-        self.answered = time.monotonic()
+        self.answered_at = time.monotonic()
         self.refused = ""
         self.refused = json.dumps(reasons)
         before = self.chosen()
@@ -228,8 +228,8 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     def _server_change(self, doc: Any, ref: str, subpath: str | None, attr: str, old: Any, new: Any) -> None:
         """Take what the browser may set, of all that has changed in the model, at once, as the document is locked.
 
-        Panel would have it done by a callback of the document, for 0.4 ms of each answer; of the rest, which is
-        written here, it would wait 50 ms for more, and with it for what the browser sets then.
+        Panel would use a callback of the document, which costs 0.4 ms of each answer; after other changes, made
+        here, it would wait 50 ms for more, and hold back what the browser sets meanwhile.
         """
         if attr not in self.CHOSEN and attr not in self.ASKED:
             return
@@ -271,7 +271,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
                 model.data.update(**changed)
 
     def _set(self, name: str, value: Any) -> None:
-        """As Panel does with what the browser has set, but for what no choice needs and takes 3 ms: telling all who
+        """Set a value from the browser as Panel does, without 3 ms of work that no choice needs: telling all who
         wait that it is busy, and making every read-only parameter writable for a while.
         """
         document = pn.state.curdoc

@@ -11,7 +11,7 @@ def routes() -> list[tuple]:
     return [
         (r"/liveness", Alive),
         (r"/record", MeasuredRecord),
-        (r"/figures/([a-zA-Z_]+)/([a-z-]+)", Figure),
+        (r"/figures/([a-zA-Z-]+)/([a-z-]+)", Figure),
         (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
         (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),
         (rf"/assets/{VERSION}/(.*)", Asset, {"path": str(STATIC)}),

@@ -42,16 +42,16 @@ from .limits import (
 )
 
 SESSIONS = "sessions"  # what strangers ask for who open a socket
-SOCKET_SECONDS = 0.002  # of the event loop that this takes, also of who leaves before it is his turn
+SOCKET_SECONDS = 0.002  # of the event loop to open one, charged also to who leaves before their turn
 CLOSE_SECONDS = 1.0  # for the browser to hear that its socket is closed
-LIMIT = 1008  # code of a socket that is closed because of what came over it
+LIMIT = 1008  # close code of a socket, for what came over it
 TOO_MANY = "serving.too-much"
 CHOSEN = frozenset(Choices.CHOSEN)
 log = logging.getLogger("strikewave")
 
 
 class Reading(Turnstile):
-    """Turns of those whose messages are read: many that send all they can get little, others none less."""
+    """Turns to read messages: many sockets that send all they can get little; others get no less."""
 
     def __init__(self):
         super().__init__(READ_AT_ONCE)
@@ -72,7 +72,7 @@ class Socket(WSHandler):
 
     session_id = ""
     _closing: ClassVar[deque[WebSocketProtocol]] = deque()  # of all visitors, the oldest first
-    _turn: asyncio.Future | None = None  # which this visitor waits for, to begin
+    _turn: asyncio.Future | None = None  # turn to begin, while waited for
 
     async def prepare(self) -> None:
         if not host_of(self.request.headers.get("Origin", "http://none")):
@@ -107,7 +107,7 @@ class Socket(WSHandler):
 
     @property
     def _lab(self) -> Lab | None:
-        """Of this visitor; None once the page has gone."""
+        """Visitor's lab; None once the page has gone."""
         connection = self.connection
         return None if self._gone or connection is None else lab_of(connection.session.document)
 
@@ -128,7 +128,7 @@ class Socket(WSHandler):
         await asyncio.wait([self._turn])
         if not self._open:
             return
-        self._blame(self._door.debt(self.address))
+        self._charge(self._door.debt(self.address))
         await turnstile.paid(stranger, super()._async_open(token))
         if (lab := self._lab) is not None:  # who left meanwhile has none
             lab.come_back()
@@ -143,7 +143,7 @@ class Socket(WSHandler):
 
     async def _receive(self, fragment: str | bytes) -> Message | None:
         """A whole message, if this completes one. A page sends no buffers, which Bokeh would keep without bound;
-        what it stumbles over leaves no line in the log.
+        what Bokeh cannot read is not logged.
         """
         with suppress(Exception):
             receiver: Any = self.receiver
@@ -165,7 +165,7 @@ class Socket(WSHandler):
         if message is None:
             return
         self.active = time.monotonic()
-        decision = guard.decide(message.msgtype, message.content, self._own, guard.SETTABLE)
+        decision = guard.decide(message.msgtype, message.content, self._choices_model, guard.SETTABLE)
         self._pulls += message.msgtype == "PULL-DOC-REQ"
         if decision.reason is not None or self._pulls > guard.MAX_PULLS:
             await self._refuse(message, decision.reason or "not allowed")
@@ -194,7 +194,7 @@ class Socket(WSHandler):
         await reading.enter(self.session_id)
         reading.charge(self.session_id, PART_SECONDS)
         of_loop(Turnstile).charge(self.session_id, PART_SECONDS)
-        await asyncio.sleep(0)  # what has come already would be read in one go, while all others wait
+        await asyncio.sleep(0)  # else all that has come is read in one go, while all others wait
         if time.monotonic() < self._hasty_until:
             await asyncio.sleep(OVER_PAUSE * (0.5 + random.random()))  # not all at the same moment
         wait = self._parts.take()
@@ -207,12 +207,12 @@ class Socket(WSHandler):
         if now - self._over_since > MAX_OVER_SECONDS:
             self.turn_out(TOO_MANY)
             return False
-        self._blame(OVER_PAUSE)
+        self._charge(OVER_PAUSE)
         await asyncio.sleep(max(wait, OVER_PAUSE))
         return True
 
     @property
-    def _own(self) -> str:
+    def _choices_model(self) -> str:
         """The model that holds this visitor's choices."""
         lab = self._lab
         return lab.choices_model if lab is not None else ""
@@ -229,7 +229,7 @@ class Socket(WSHandler):
         await self._answer(reply)
 
     async def _post(self, message: Message, events: list[dict[str, Any]]) -> None:
-        """Have it handled in turn; what it sets anew is dropped from those that still wait."""
+        """Have a message handled in turn; drop from those that wait what it sets anew."""
         self._see_haste(events)
         if self._out:
             return
@@ -245,7 +245,7 @@ class Socket(WSHandler):
             kept.append((message, events))
             if not self._delivering:
                 self._delivering = True
-                asyncio.ensure_future(self._deliver()).add_done_callback(_seen)
+                asyncio.ensure_future(self._deliver()).add_done_callback(_log_failure)
         else:
             await self._refuse(message, "too many messages")
         for earlier in dropped:
@@ -256,15 +256,15 @@ class Socket(WSHandler):
         """A page sets a choice again when it has its answer; who does not wait for it is read slowly for a while."""
         now, lab = time.monotonic(), self._lab
         names = CHOSEN.intersection(event.get("attr") for event in events)
-        if not (hasty := self._haste.seen(names, lab.answered if lab is not None else now)):
+        if not (hasty := self._haste.seen(names, lab.answered_at if lab is not None else now)):
             return
         if now > self._hasty_until and not self._slowed.allows():
             self.turn_out(TOO_MANY)
         self._hasty_until = now + HASTY_SECONDS * (0.5 + random.random())
-        self._blame(hasty * HASTE)
+        self._charge(hasty * HASTE)
 
-    def _blame(self, seconds: float) -> None:
-        """Who sends more than can be answered comes after the others, as if they had had so much time."""
+    def _charge(self, seconds: float) -> None:
+        """Charge so much time to who sends more than can be answered: others then come first."""
         for shared in (of_loop(Turnstile), of_loop(Reading), of_loop(Workers)):
             shared.charge(self.session_id, seconds)
 
@@ -272,7 +272,7 @@ class Socket(WSHandler):
         turnstile = of_loop(Turnstile)
         try:
             while self._mail and not self._gone:
-                while self._parts.left < 0.0 and not self._out:  # of what comes too quickly nothing is done at once
+                while self._parts.left < 0.0 and not self._out:  # messages that come too quickly wait
                     await asyncio.sleep(OVER_PAUSE)
                 await turnstile.enter(self.session_id)
                 if not self._mail or self._gone:
@@ -326,7 +326,7 @@ class Socket(WSHandler):
         if flood:
             self._door.slow(self.address)
         self._mail.clear()
-        asyncio.ensure_future(self._tell_and_close(code)).add_done_callback(_seen)
+        asyncio.ensure_future(self._tell_and_close(code)).add_done_callback(_log_failure)
 
     async def _tell_and_close(self, code: str) -> None:
         try:
@@ -339,7 +339,7 @@ class Socket(WSHandler):
             self._end(code)
 
     def _end(self, code: str) -> None:
-        """Close it; who does not answer to that, and goes on sending, is not waited for."""
+        """Close the socket; do not wait for who does not answer and goes on sending."""
         if (protocol := self.ws_connection) is None:
             return
         self.close(LIMIT, code)
@@ -377,6 +377,6 @@ class Frames(list[bytes]):
         return done
 
 
-def _seen(task: asyncio.Future) -> None:
+def _log_failure(task: asyncio.Future) -> None:
     if not task.cancelled() and task.exception() is not None:
         log.error("a message could not be handled: %r", task.exception())

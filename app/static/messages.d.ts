@@ -296,6 +296,7 @@ export interface Figures {
   /** of a method that has several */ model: string | null;
   /** whether the impact takes no time in it */ sudden: boolean;
   /** whether anything rings in it */ waves: boolean;
+  /** whether it follows waves that travel, exactly */ travelling: boolean;
   /** whether the contact law acts in it */ byLaw: boolean;
   /** at the end */ stillTouching: boolean;
   /** velocity of the impactor [v, or m/s of beams] */ final: number | null;

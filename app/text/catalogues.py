@@ -4,8 +4,6 @@ import json
 from functools import cache
 from pathlib import Path
 
-from babel import negotiate_locale
-
 from solvers.text.catalogue import OWN, SOURCE, Catalogue, spoken
 
 __all__ = ["LANGUAGES", "SOURCE", "command", "language_for", "page", "script", "spoken"]
@@ -36,5 +34,10 @@ def script(language: str) -> str:
 
 def language_for(accepted: str) -> str:
     """The language of a visitor whose browser accepts these, as its `Accept-Language` says, the dearest first."""
-    wanted = [part.partition(";")[0].strip().replace("-", "_") for part in accepted.split(",")[:MOST_ACCEPTED]]
-    return negotiate_locale(wanted, LANGUAGES) or SOURCE
+    known = {language.lower(): language for language in LANGUAGES}
+    for part in accepted.lower().split(",")[:MOST_ACCEPTED]:
+        wanted = part.partition(";")[0].strip()
+        for tag in (wanted, wanted.partition("-")[0]):
+            if tag in known:
+                return known[tag]
+    return SOURCE

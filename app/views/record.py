@@ -24,7 +24,7 @@ BEFORE = 1.0  # [T] of a record that are shown ahead of the impact
 
 
 def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, list[bytes]]) -> str:
-    """What the page draws of a record, as JSON. Raises ValueError with a sentence on file or query.
+    """What the page draws of a record, as JSON. Raises ValueError about file or query.
 
     `time` [T] and `values` of the record as it lies best on the solution; `computed`: `time` [T] and `model`, what the
     exact solution says of the same place; `recovered`: `time` [T] and `force` [N] from the record alone, moved and
@@ -51,7 +51,7 @@ def record_answer(content: bytes, chosen: dict[str, Any], arguments: dict[str, l
 
 
 def _place(text: str, record: Record, scene: Scene) -> float | None:
-    """Of the gauge [m]; of a contact force none. Raises ValueError with a sentence for the visitor."""
+    """Of the gauge [m]; of a contact force none. Raises ValueError, for the visitor."""
     if record.kind == "force":
         return None
     if not text.strip() and record.place is not None:
@@ -88,7 +88,7 @@ def _recovered(
         return moved.time, moved.values
     target = solution.scene.target
     if not isinstance(target, Rod):
-        raise Refused("refusals.value", key="target.kind", value=validation.shown(target.kind), allowed="wanted.rod")
+        raise Refused("refused.value", key="target.kind", value=validation.shown(target.kind), allowed="wanted.rod")
     waves = from_one_gauge(moved, target, 0.0 if place is None else place)
     return waves.time, waves.force
 

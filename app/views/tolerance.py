@@ -43,7 +43,7 @@ def auto_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> s
     """The cheapest solution within `auto_tolerance` of `auto_quantity`, or the finest within `auto_budget` [s].
 
     As JSON: `chosen`, which is all that was asked, what was found and its estimated and true error; or `error`, a
-    sentence why there is none. Once `cancelled`, the best so far.
+    note why there is none. Once `cancelled`, the best so far.
     """
     answer: dict[str, Any] = {"chosen": asked}
     try:

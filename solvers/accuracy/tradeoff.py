@@ -202,7 +202,7 @@ class Survey:
         try:
             solution = ladder.solve(level, self.scene)
         except SceneError as refusal:
-            self._remark("refused-point", method=label(ladder.levels[level].table()), refusal=str(refusal))
+            self._remark("refused-point", method=label(ladder.levels[level].table()), refusal=refusal.note.table())
             return False
         first = time.thread_time() - begun
         coarser = [point for point in self._solved if point.ladder is ladder]

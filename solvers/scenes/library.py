@@ -43,7 +43,7 @@ def load(name_or_path: str | Path) -> Scene:
     Raises SceneError if there is no such scene or file, or if what it says cannot be used.
     """
     if str(name_or_path) in _names():
-        return Scene.from_table(read_toml(SCENES / f"{name_or_path}.toml") | _translated(str(name_or_path)))
+        return built_in(str(name_or_path), spoken())
     path = Path(name_or_path)
     try:
         found = path.is_file()
@@ -54,9 +54,10 @@ def load(name_or_path: str | Path) -> Scene:
     return Scene.from_table(read_toml(path))
 
 
-def _translated(name: str) -> dict[str, str]:
-    """Title, source and note of a built-in scene in the language of this process, as far as it has them."""
-    return {} if spoken() == SOURCE else library(spoken()).family(f"scene.{name}")
+def built_in(name: str, language: str) -> Scene:
+    """One of `scene_names`, its title, source and note in this language as far as that has them."""
+    translated = {} if language == SOURCE else library(language).family(f"scene.{name}")
+    return Scene.from_table(read_toml(SCENES / f"{name}.toml") | translated)
 
 
 def scene_of(given: SceneOrName) -> Scene:

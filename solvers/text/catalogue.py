@@ -62,9 +62,16 @@ def flat(table: Mapping[str, Any], start: str = "") -> Iterator[tuple[str, str]]
             yield f"{start}{name}", part
 
 
+@cache
+def languages() -> frozenset[str]:
+    """Those that have texts, by the names of their folders, such as `es` or `pt-BR`."""
+    return frozenset(folder.name for folder in OWN.iterdir() if any(folder.glob("*.toml")))
+
+
 def spoken() -> str:
     """The language of this process, for what is said to who runs it; a page has one for each visitor."""
-    return os.environ.get(CHOSEN) or SOURCE
+    chosen = os.environ.get(CHOSEN, SOURCE)
+    return chosen if chosen in languages() else SOURCE
 
 
 @cache

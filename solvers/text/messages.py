@@ -190,9 +190,9 @@ def written(value: Any, form: str, language: str) -> str:
 
 @cache
 def _locale(language: str) -> Locale:
-    return Locale.parse(language)
+    return Locale.parse(language, sep="-")
 
 
 @cache
 def _decimal(language: str) -> str:
-    return get_decimal_symbol(language)
+    return get_decimal_symbol(_locale(language))

@@ -2,6 +2,7 @@
 
 import copy
 import math
+import pickle
 
 import pytest
 
@@ -172,3 +173,19 @@ def test_deep_nesting(key, depth):
     refusal(with_value(key, value))
     with pytest.raises(SceneError):
         SCENES["fixed-rod"].replace({key: value}).replace({"target.length": 1.0})
+
+
+@pytest.mark.parametrize("key", ["chosen", "settled", "terms.pair", "constructor"])
+def test_a_key_is_never_taken_for_the_code_of_a_sentence(key):
+    """Whole tables were refused with a trace, as some sentence has such a code."""
+    with pytest.raises(SceneError) as refused:
+        Scene.from_table(PLAIN | {key: 1})
+    assert str(refused.value).startswith(f"{key}: got 1; allowed: no such key")
+
+
+def test_a_refusal_passes_from_process_to_process_and_shows_itself():
+    with pytest.raises(SceneError) as refused:
+        Scene.from_table(PLAIN | {"colour": "red"})
+    again = pickle.loads(pickle.dumps(refused.value))
+    assert type(again) is SceneError and str(again) == str(refused.value) and again.value == "red"
+    assert repr(again) == f"SceneError({str(again)!r})"

@@ -170,7 +170,7 @@ export class Story {
     const says = text('axial.match.says', {
       restitution: Number(chosen.restitution),
       predicted: signed(prediction.impactor),
-      waves: exact.waves,
+      waves: exact.travelling,
       found: signed(exact.final ?? 0),
     });
     if (match === null) return [says, text('axial.match.none')];

@@ -111,7 +111,7 @@ export class Figure {
       for (const tool of this.model(name).toolbar.tools) if (tool.event_types.includes('pan')) tool.active = false;
   }
 
-  /** Give back what it takes; `open` shows it anew. */
+  /** Free its memory; `open` shows it anew. */
   close() {
     if (!this.views) return;
     const { documents } = bokeh();
@@ -159,7 +159,7 @@ export class Figure {
   }
 
   /**
-   * What an axis shows, unless it is as it was: then a zoom stays.
+   * Set what an axis shows; if that is as before, a zoom stays.
    * @param {string} name
    * @param {Range} range
    */

@@ -1,5 +1,5 @@
 // What is chosen, on its way to the server: one change at a time, the next when the last is answered, and then only the
-// newest of each. Whole sets of settings are gone to: the scene first, which brings its own values, then the rest.
+// newest of each. Whole sets of settings go in two steps: the scene, which brings its own values, then the rest.
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Model } from './model.js' */
@@ -46,7 +46,7 @@ export class Changes {
     return this.asked ? performance.now() - this.asked : 0;
   }
   /**
-   * By a hand, which ends whatever was gone to.
+   * Set by hand, which ends any goal.
    * @param {string} name
    * @param {number | string} value
    */
@@ -123,7 +123,7 @@ export class Changes {
     for (const name of this.goal ? unsent : []) this.waiting[name] = wanted[name];
     this.flush();
   }
-  /** Go there no more. */
+  /** Give up the goal. */
   leave() {
     const { goal } = this;
     this.goal = null;

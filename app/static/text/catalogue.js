@@ -211,7 +211,7 @@ export const said = ({ code, values }) =>
  * Of a note or of a code; what is neither stands as it is.
  * @param {Note | string} note
  */
-const saidOf = (note) => (typeof note !== 'string' ? said(note) : note in texts ? text(note) : note);
+const saidOf = (note) => (typeof note !== 'string' ? said(note) : Object.hasOwn(texts, note) ? text(note) : note);
 
 /**
  * A text of a scene that comes with the program, which its file has in one language, as it is written.

@@ -24,6 +24,7 @@ GROUND = "ground"
 FARTHEST = 1e6  # [m], of a point from the origin
 INERTIA_RANGE = (1e-24, 1e24)  # kg m2
 MOST_SLENDER = 1e5  # length of a flexible link over the root of its section: beyond, it has no period in 16 digits
+LEAST_SLENDER = 1.0  # shorter, its bending is not that of a bar, and the frequencies of its shapes drown all others
 NEAREST_NODES = 1e-6  # of the length
 MOST_MODES = 200  # of a link, of either kind
 LONGEST_NAME = 40  # characters
@@ -237,5 +238,7 @@ def _check_flexible(
             raise SceneError(f"{key}.{word}", None, allowed("flexible-link", link=name))
     if section is not None and length > (most := MOST_SLENDER * math.sqrt(section.area)):
         raise SceneError(f"{key}.to", length, allowed("link-slender", link=name, most=most))
+    if section is not None and length < (least := LEAST_SLENDER * math.sqrt(section.area)):
+        raise SceneError(f"{key}.to", length, allowed("link-thick", link=name, least=least))
     if modes and section is not None and section.second_moment is None:
         raise SceneError(f"{key}.section.second_moment", None, allowed("second-moment"))

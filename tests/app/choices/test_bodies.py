@@ -184,6 +184,11 @@ def test_what_a_scene_does_not_have_is_refused(value, sentence):
     assert str(refused.value).startswith(sentence)
 
 
+def test_what_the_library_refuses_has_the_name_that_the_page_gives_it():
+    with pytest.raises(ValueError, match=r"^Mass of body 1: got 0.517; allowed: 1 to 1e\+18 kg"):
+        changed("brick-off-centre", "target.mass=1e9")
+
+
 def test_what_would_clash_with_the_scene_is_refused_where_it_is_solved():
     chosen = own_choices("fixed-rod") | {"bodies": "target.rods.2.length=1"}
     assert accepts("bodies", chosen["bodies"])  # some scene has it

@@ -24,6 +24,7 @@ def test_every_scene_is_opened_by_what_there_is():
     assert opening_of("figure-6.9").charts == ("reactions",) and opening_of("figure-6.9").until == 1e-3
     assert opening_of("free-rod").trials == (("fixed", "scene", "fixed-rod"),)
     assert opening_of("no such scene") == Opening()
+    assert opening_of("table-6.9").charts == ("coordinates",) and opening_of("table-6.9").table()["charts"] == []
 
 
 def test_charts_have_the_names_of_the_stacks():
@@ -48,6 +49,11 @@ def test_charts_have_the_names_of_the_stacks():
         ({"try": [{"say": "free", "choice": "mass", "value": 1.0}]}, r"view\.try\[1\]\.choice: got 'mass'"),
         ({"try": [{"say": "free", "choice": "modes", "value": 0.5}]}, r"view\.try\[1\]\.value"),
         ({"try": [1]}, r"view\.try\[1\]"),
+        (
+            {"try": [{"say": "free", "choice": "speed", "value": 999.0}]},
+            r"got 999.0; allowed: a number from 0.01",
+        ),
+        ({"try": [{"say": "free", "choice": "law", "value": "glue"}]}, r"got 'glue'; allowed: 'rigid', "),
     ],
 )
 def test_what_cannot_be_opened_is_refused_by_its_key(view, said):

@@ -38,6 +38,7 @@ def test_every_scene_is_drawn_and_reported_as_it_says(name):
     assert frame["note"] == scene.note
     if frame["kind"] == "axial" and solution.impactor_velocity is not None:
         columns = [column for column in (frame["exact"], frame["other"]) if column]
+        assert all(each["travelling"] == (each["name"] == "waves") for each in columns)
         shown = next((c for c in columns if c["name"] == solution.method["name"]), columns[0])
         # the page gives modes a step of its own
         assert shown["final"] == pytest.approx(solution.impactor_velocity / scene.speed, abs=1e-4)

@@ -80,7 +80,7 @@ def test_a_movement_goes_on_while_the_page_waits_for_a_slow_answer(answered):
     for _ in range(3):
         wish = lab.wish("speed")
         lab._moved_at -= 2 * MOVING_SECONDS
-        lab.answered = time.monotonic() - (0 if answered else 2 * MOVING_SECONDS)
+        lab.answered_at = time.monotonic() - (0 if answered else 2 * MOVING_SECONDS)
     assert (DRAFT in wish) == answered
 
 

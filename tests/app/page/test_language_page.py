@@ -9,6 +9,7 @@ import urllib.request
 import pytest
 
 import solvers
+from app.text import catalogues
 from app.text.catalogues import SOURCE, language_for
 from solvers.bodies import Mechanism
 
@@ -112,3 +113,9 @@ def test_who_reads_another_language_gets_that_of_the_source(browser, bracketed):
 @pytest.mark.parametrize("accepted", ["", "de, fr;q=0.5", "*", "x" * 5_000, ",".join(["a-b"] * 900), "en;q", "\x00"])
 def test_whatever_a_browser_accepts_there_is_a_language(accepted):
     assert language_for(accepted) == SOURCE
+
+
+def test_languages_are_known_however_they_are_spelled(monkeypatch):
+    monkeypatch.setattr(catalogues, "LANGUAGES", ("en", "pt-BR", "es"))
+    found = [language_for(each) for each in ("PT-br", "es-CL,es;q=0.9,en;q=0.8", "EN-us", "pt-PT", "ES")]
+    assert found == ["pt-BR", "es", "en", "en", "es"]

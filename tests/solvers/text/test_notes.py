@@ -9,7 +9,7 @@ import pytest
 
 import app
 import solvers
-from solvers.text.catalogue import SOURCE, Catalogue, library
+from solvers.text.catalogue import CHOSEN, SOURCE, Catalogue, library, spoken
 from solvers.text.messages import names_in, parsed, terms_in
 from solvers.text.notes import Note, Severity, coded
 
@@ -118,3 +118,9 @@ def test_a_note_may_hold_codes_notes_and_plain_words(tmp_path):
     found = catalogue("en", tmp_path, en='all = "{one:note}: {more:notes}"\ndeep.er = "{size:g} mm"\nown = "name"\n')
     note = {"code": "deep.er", "values": {"size": 2.0}}
     assert found.text("all", one="own", more=["deeper", note]) == "name: deeper, 2 mm"
+
+
+@pytest.mark.parametrize("named", ["xx", "../..", "", "EN", "__pycache__"])
+def test_a_language_without_texts_is_that_of_the_source(monkeypatch, named):
+    monkeypatch.setenv(CHOSEN, named)
+    assert spoken() == SOURCE

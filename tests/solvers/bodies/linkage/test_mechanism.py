@@ -207,3 +207,13 @@ def test_a_pendulum_that_bends_strikes_a_mechanism_only_at_rest():
             solvers.solve(bends, method)
     resting = solvers.solve(bends.replace({"target.drives": []}), "modal")
     assert abs(resting.diagnostics["energy_error"]) < 1e-9
+
+
+@pytest.mark.parametrize("length", [1e-5, 1e-3, 0.01])
+def test_a_link_with_shapes_is_no_shorter_than_its_section_is_thick(length):
+    """Of a joint of 10 um all frequencies but the highest were lost to rounding, down to zero."""
+    scene = solvers.load("bent-rods")
+    start, end = (np.array(scene.given["target"]["links"][1][name]) for name in ("from", "to"))
+    to = start + (end - start) * length / np.linalg.norm(end - start)
+    found = refusal(scene, "target.links.1.to", to.tolist())
+    assert found.key == "target.links[2].to" and "a length from 0.03 m: link 'second' has shapes" in str(found)
