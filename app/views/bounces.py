@@ -1,6 +1,5 @@
 """A dropped body that bounces to rest, for the page: every bounce, and its height over time."""
 
-import json
 from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any
@@ -17,7 +16,8 @@ from solvers.provenance import clock
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..messages.transverse import method_at_impact
-from ..text.refusals import note, reason_of
+from ..text.refusals import Refused
+from .answering import answering
 
 CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
 BUDGET_SECONDS = 8.0  # after which no other impact is begun
@@ -29,11 +29,11 @@ QUESTIONS = {
 }
 
 
-def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
-    """The bounces as JSON: `chosen`, which is all that was asked, the table of `solvers.bounces`, `path_time` [s] and
-    `path_height` [m] of the flights, `stopped`: it was cancelled, or took too long; or `error`, a note.
+@answering
+def bounces_data(request: Request, cancelled: Callable[[], bool] = never) -> dict[str, Any]:
+    """The table of `solvers.bounces`, `path_time` [s] and `path_height` [m] of the flights, and `stopped`: it was
+    cancelled, or took too long.
     """
-    answer: dict[str, Any] = {"chosen": asked}
     latest = clock() + BUDGET_SECONDS
     stopped = False
 
@@ -43,17 +43,19 @@ def bounces_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -
         return stopped
 
     try:
-        request = Request.of(asked)
-        found = bounces(request.scene, method_of(request), CUT, MOST, asked["bounce_gravity"], enough)
-        time, height = flights(found)
-        answer |= {name: getattr(found, name) for name in ("height", "gravity", "cut", "ended", "rest_time", "path")}
-        answer |= {"bounces": [asdict(bounce) for bounce in found.bounces], "stopped": stopped}
-        answer |= {"path_time": _listed(time), "path_height": _listed(height)}
-        answer |= {"method": found.method["name"], "notes": [note.table() for note in found.notes]}
-    except ValueError as refusal:
-        held = isinstance(refusal, SceneNotSupported) and refusal.key == "target.kind"
-        answer["error"] = note("bounces.refused").table() if held else reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+        found = bounces(request.scene, method_of(request), CUT, MOST, request.chosen["bounce_gravity"], enough)
+    except SceneNotSupported as refusal:
+        raise Refused("bounces.refused") if refusal.key == "target.kind" else refusal from None
+    time, height = flights(found)
+    return {
+        **{name: getattr(found, name) for name in ("height", "gravity", "cut", "ended", "rest_time", "path")},
+        "bounces": [asdict(bounce) for bounce in found.bounces],
+        "stopped": stopped,
+        "path_time": _listed(time),
+        "path_height": _listed(height),
+        "method": found.method["name"],
+        "notes": [note.table() for note in found.notes],
+    }
 
 
 def method_of(request: Request) -> Method:

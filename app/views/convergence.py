@@ -1,6 +1,5 @@
 """An impact at several resolutions, for the page: by modes, elements, steps or restitution of balances."""
 
-import json
 from collections.abc import Sequence
 from typing import Any
 
@@ -17,7 +16,7 @@ from ..choices.questions import Question
 from ..choices.request import Request
 from ..messages.solutions import method_options
 from ..messages.transverse import method_at_impact
-from ..text.refusals import reason_of
+from .answering import answering
 from .figures import blank, hover, legend, source
 
 COUNTS = (3, 5, 10, 20, 40)  # of modes, or of elements where finite elements are chosen
@@ -30,20 +29,14 @@ QUESTIONS = {
 }
 
 
-def convergence_data(asked: dict[str, Any]) -> str:
-    """As JSON: `chosen`, which is all that was asked, the table of the study, and the `kinds` that can be varied; or
-    `error`, a note."""
-    answer: dict[str, Any] = {"chosen": asked}
-    try:
-        request = Request.of(asked)
-        method = _method_of(request)
-        kinds = kinds_of(request.scene, method)
-        kind, values = _varied(asked, kinds, method)
-        given: dict[str, Any] = {GIVEN.get(kind, "modes"): values}
-        answer |= convergence(request.scene, method=method, **given).table() | {"kinds": kinds}
-    except ValueError as refusal:
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+@answering
+def convergence_data(request: Request) -> dict[str, Any]:
+    """The table of the study, and the `kinds` that can be varied."""
+    method = _method_of(request)
+    kinds = kinds_of(request.scene, method)
+    kind, values = _varied(request.chosen, kinds, method)
+    given: dict[str, Any] = {GIVEN.get(kind, "modes"): values}
+    return convergence(request.scene, method=method, **given).table() | {"kinds": kinds}
 
 
 def _method_of(request: Request) -> Method:

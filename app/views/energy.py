@@ -1,6 +1,5 @@
 """Where the energy is, part by part, over time."""
 
-import json
 from collections.abc import Hashable
 from typing import Any
 
@@ -15,6 +14,7 @@ from ..choices.kinds import moves_on
 from ..choices.request import Request
 from ..messages.histories import MS
 from ..messages.transverse import main_solution
+from .answering import answering
 from .figures import INK, blank, cursor, hover, legend, source
 
 INSTANTS = 161
@@ -38,24 +38,23 @@ def of_impacts(asked: dict[str, Any]) -> Hashable:
         return None
 
 
-def energy_data(chosen: dict[str, Any]) -> str:
-    """The shares as JSON: `chosen`, `time` in `unit`, and of each part `key` and `values` [%], or None."""
-    found = energy_shares(chosen)
+@answering
+def energy_data(request: Request) -> dict[str, Any]:
+    """The shares: `time` in `unit`, and of each part `key` and `values` [%], or None."""
+    found = energy_shares(request)
     parts = [{"key": key, "values": _listed(found[key]) if key in found else None} for key in COLOURS]
-    answer = {"chosen": chosen, "time": _listed(found["time"]), "unit": found["unit"], "parts": parts}
-    return json.dumps(answer, allow_nan=False)
+    return {"time": _listed(found["time"]), "unit": found["unit"], "parts": parts}
 
 
 def _listed(values: np.ndarray) -> list[float]:
     return [float(f"{value:.6g}") for value in values.tolist()]
 
 
-def energy_shares(chosen: dict[str, Any]) -> dict[str, Any]:
+def energy_shares(request: Request) -> dict[str, Any]:
     """Energy of every part against time [T; ms for a beam], as a share of the first energy.
 
     That of a beam is split into motion and bending, where its method knows both.
     """
-    request = Request.of(chosen)
     beam = not request.exact
     if beam:
         solution, unit = main_solution(request)[0], 1.0 / MS

@@ -1,6 +1,5 @@
 """What the joint between two links does to waves, over their frequency, for the page."""
 
-import json
 import math
 from collections.abc import Hashable
 from typing import Any
@@ -14,7 +13,7 @@ from solvers.text.catalogue import Catalogue
 
 from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..text.refusals import reason_of
+from .answering import answering
 from .figures import COLOURS, blank, hover, legend, source
 
 FREQUENCIES = 60
@@ -29,22 +28,25 @@ def of_joined_links(asked: dict[str, Any]) -> Hashable:
     return (asked["scene"], asked["bodies"]) if joined else None
 
 
-def joints_data(chosen: dict[str, Any]) -> str:
-    """As JSON: `chosen`, `kind` of the joint, its `links` and `bend` [degrees], `frequency` [kHz], and of each kind of
-    incoming wave the shares [%] of the power that goes back and on; or `error`, a note why there are none.
+@answering
+def joints_data(request: Request) -> dict[str, Any]:
+    """`kind` of the joint, its `links` and `bend` [degrees], `frequency` [kHz], and of each kind of
+    incoming wave the shares [%] of the power that goes back and on.
     """
-    answer: dict[str, Any] = {"chosen": chosen}
-    try:
-        scene = Request.of(chosen).scene
-        usual = joint_scattering(scene).frequencies
-        found = joint_scattering(scene, frequencies=np.geomspace(BELOW * usual[0], usual[-1], FREQUENCIES).tolist())
-        answer |= {"kind": found.kind, "links": list(found.links), "bend": math.degrees(found.bend)}
-        answer["frequency"] = _listed(found.frequencies / (2e3 * math.pi))
-        for row, name in enumerate(INCOMING):
-            answer[name] = {out: _listed(100.0 * found.powers[:, row, k]) for k, out in enumerate(OUTGOING)}
-    except ValueError as refusal:
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+    scene = request.scene
+    usual = joint_scattering(scene).frequencies
+    found = joint_scattering(scene, frequencies=np.geomspace(BELOW * usual[0], usual[-1], FREQUENCIES).tolist())
+    shares = {
+        name: {out: _listed(100.0 * found.powers[:, row, k]) for k, out in enumerate(OUTGOING)}
+        for row, name in enumerate(INCOMING)
+    }
+    return {
+        "kind": found.kind,
+        "links": list(found.links),
+        "bend": math.degrees(found.bend),
+        "frequency": _listed(found.frequencies / (2e3 * math.pi)),
+        **shares,
+    }
 
 
 def _listed(values: np.ndarray) -> list[float]:

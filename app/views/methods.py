@@ -1,6 +1,5 @@
 """One impact by every method, for the table below the page: what each misses, and what it costs."""
 
-import json
 from typing import Any
 
 from solvers import Row, Scene, Solution, compare
@@ -8,22 +7,15 @@ from solvers.accuracy.reference import exact_solution
 
 from ..choices.request import Request
 from ..messages.solutions import method_options
-from ..text.refusals import reason_of
+from .answering import answering
 
 
-def methods_table(chosen: dict[str, Any]) -> str:
-    """The comparison for these choices as JSON: `chosen` and `rows`, or `error`, a note why there is none."""
-    answer: dict[str, Any] = {"chosen": chosen}
-    try:
-        request = Request.of(chosen)
-        exact = exact_solution(
-            request.scene, request.restitution
-        )  # as long as this the page shows each method beside it
-        rows = compare(_with_method(request, exact), repeats=1, duration=exact.duration)
-        answer["rows"] = [_shown(row) for row in rows]
-    except ValueError as refusal:  # SceneError: no exact solution to measure by
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+@answering
+def methods_table(request: Request) -> dict[str, Any]:
+    """The comparison for these choices: `rows`. Raises SceneError where there is no exact solution to measure by."""
+    exact = exact_solution(request.scene, request.restitution)  # as long as this the page shows each method beside it
+    rows = compare(_with_method(request, exact), repeats=1, duration=exact.duration)
+    return {"rows": [_shown(row) for row in rows]}
 
 
 def _with_method(request: Request, exact: Solution) -> Scene:

@@ -1,6 +1,5 @@
 """A mass joins a link of finite elements on a node: by projection from its modes to those of both, for the page."""
 
-import json
 from collections.abc import Hashable
 from typing import Any
 
@@ -11,7 +10,8 @@ from solvers.bodies import Mechanism
 from ..choices.built_in import struck_body
 from ..choices.opened import opening_of
 from ..choices.request import Request
-from ..text.refusals import note, reason_of
+from ..text.refusals import Refused
+from .answering import answering
 
 PARTS = ("along", "across", "turn")  # of each node, in this order
 ROUNDING = 1e-12  # of the largest value before, as much as comes of rounding
@@ -25,35 +25,32 @@ def of_struck_nodes(asked: dict[str, Any]) -> Hashable:
     return tuple(asked[name] for name in ("scene", "bodies", "mass_ratio", "speed", "place", "modes"))
 
 
-def mode_change_data(chosen: dict[str, Any]) -> str:
-    """As JSON: `chosen`; `nodes` from the first end on [mm] and which is `struck`, from 1; how many `modes`, `lost` of
+@answering
+def mode_change_data(request: Request) -> dict[str, Any]:
+    """`nodes` from the first end on [mm] and which is `struck`, from 1; how many `modes`, `lost` of
     the energy [%], the `speed` of approach [m/s]; `velocities` [m/s, rad/s] and `coordinates` [m, rad], by projection
-    and part at every node, and which of both is shown `first`; or `error`, a note why there is none.
+    and part at every node, and which of both is shown `first`.
     """
-    answer: dict[str, Any] = {"chosen": chosen}
-    try:
-        scene = Request.of(chosen).scene
-        target = scene.target.known_as(Mechanism)
-        change = target.mode_change(scene.impactor.mass, scene.speed)
-    except ValueError as refusal:
-        return json.dumps(answer | {"error": reason_of(refusal)})
+    scene = request.scene
+    target = scene.target.known_as(Mechanism)
+    change = target.mode_change(scene.impactor.mass, scene.speed)
     if change is None:
-        return json.dumps(answer | {"error": note("mode_change.no-node").table()})
+        raise Refused("mode_change.no-node")
     link = target.struck_link
     nodes = np.array(link.nodes)
-    answer |= {
+    answer: dict[str, Any] = {
         "nodes": (1e3 * nodes).tolist(),
         "struck": 1 + int(np.abs(nodes - target.struck.at * link.length).argmin()),
         "modes": link.modes,
         "lost": 100.0 * change.lost,
         "speed": scene.speed,
-        "first": next((name for name in opening_of(chosen["scene"]).charts if name == "coordinates"), "velocities"),
+        "first": "coordinates" if "coordinates" in opening_of(request.chosen["scene"]).charts else "velocities",
     }
     for name in ("velocities", "coordinates"):
         fields = getattr(change, name)._asdict()
         least = ROUNDING * float(np.abs(fields["before"]).max())
         answer[name] = {by: {part: _listed(f[k::3], least) for k, part in enumerate(PARTS)} for by, f in fields.items()}
-    return json.dumps(answer, allow_nan=False)
+    return answer
 
 
 def _listed(values: np.ndarray, least: float) -> list[float]:

@@ -20,7 +20,7 @@ from ..choices.map_point import choices_at
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.space import in_space
-from ..text.refusals import reason_of
+from .answering import answering
 
 LINKS = re.compile(r"(target|impactor)\.links\.\d+\.modes")
 SET_BY_THE_PAGE = {"quasi-static": ("model",), "modal": ("steps",)}  # options that the page chooses itself
@@ -36,16 +36,11 @@ QUESTIONS = {
 }
 
 
-def plan_data(asked: dict[str, Any]) -> str:
-    """The plan for these choices and this question as JSON: `chosen`, which is all that was asked, and the plan;
-    or `error`, a note why there is none."""
-    answer: dict[str, Any] = {"chosen": asked}
-    try:
-        scene = Request.of(asked).scene
-        answer |= _plan(plan(scene, asked["question"], asked["plan_tolerance"]), scene)
-    except ValueError as refusal:
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+@answering
+def plan_data(request: Request) -> dict[str, Any]:
+    """The plan for these choices and this question."""
+    scene = request.scene
+    return _plan(plan(scene, request.chosen["question"], request.chosen["plan_tolerance"]), scene)
 
 
 def _plan(found: Plan, scene: Scene) -> dict[str, Any]:

@@ -41,7 +41,7 @@ def any_method(asked: dict[str, Any]) -> Hashable:
 class View:
     """What can be opened beside the solution: property `NAME_shown` opens it, and its answer is in property `NAME`.
 
-    Works take a dict of the choices and of what is asked, and return text.
+    Works take a dict of the choices and of what is asked, and return text; see `app.views.answering`.
     """
 
     name: str

@@ -1,6 +1,5 @@
 """How a rod stretches as it turns, for the page: along it, and its end by its speed."""
 
-import json
 from collections.abc import Hashable
 from dataclasses import replace
 from typing import Any
@@ -12,7 +11,7 @@ from solvers.text.catalogue import Catalogue
 
 from ..choices.built_in import struck_body
 from ..choices.request import Request
-from ..text.refusals import reason_of
+from .answering import answering
 from .figures import COLOURS, PICKED, blank, hover, source
 
 PLACES = 41
@@ -26,20 +25,17 @@ def of_turning_rods(asked: dict[str, Any]) -> Hashable:
     return (asked["scene"], asked["bodies"]) if isinstance(target, RotatingRod) and not target.across else None
 
 
-def stretch_data(chosen: dict[str, Any]) -> str:
-    """As JSON: `chosen`; `place` along the rod from its axis [mm] and `moved` there [mm]; `speed` [rad/s] and `end`,
+@answering
+def stretch_data(request: Request) -> dict[str, Any]:
+    """`place` along the rod from its axis [mm] and `moved` there [mm]; `speed` [rad/s] and `end`,
     the stretch of its end over the length [%]; `own`, both at its speed, the `critical` one, `half`, what is moved half
-    way over that of the end, the strain of the `root` [%]; or `error`, a note why there is none.
+    way over that of the end, the strain of the `root` [%].
     """
-    answer: dict[str, Any] = {"chosen": chosen}
-    try:
-        rod = Request.of(chosen).scene.target.known_as(RotatingRod)
-    except ValueError as refusal:
-        return json.dumps(answer | {"error": reason_of(refusal)})
+    rod = request.scene.target.known_as(RotatingRod)
     place = np.linspace(0.0, rod.length, PLACES)
     moved = rod.steady_displacement(place)
     ends = [replace(rod, speed=share * rod.critical_speed).steady_stretch for share in SPEEDS.tolist()]
-    answer |= {
+    return {
         "place": _listed(1e3 * place),
         "moved": _listed(1e3 * moved),
         "speed": _listed(SPEEDS * rod.critical_speed),
@@ -49,7 +45,6 @@ def stretch_data(chosen: dict[str, Any]) -> str:
         "half": float(moved[PLACES // 2] / moved[-1]) if rod.speed else 11.0 / 16.0,
         "root": 100.0 * rod.root_strain,
     }
-    return json.dumps(answer, allow_nan=False)
 
 
 def _listed(values: np.ndarray) -> list[float]:

@@ -1,6 +1,5 @@
 """A tolerance or a time instead of a method, on the page: what was chosen, why, and how near it really is."""
 
-import json
 from collections.abc import Callable
 from typing import Any
 
@@ -17,7 +16,7 @@ from solvers.text.notes import Note
 from ..choices.choices import accepts
 from ..choices.questions import Question
 from ..choices.request import Request
-from ..text.refusals import reason_of
+from .answering import answering
 
 BUDGET_SECONDS = 6.0  # s that one visitor may keep the others waiting
 WITHIN = ("tolerance", "time")
@@ -39,27 +38,19 @@ QUESTIONS = {  # in an address a budget goes before a tolerance
 }
 
 
-def auto_data(asked: dict[str, Any], cancelled: Callable[[], bool] = never) -> str:
+@answering
+def auto_data(request: Request, cancelled: Callable[[], bool] = never) -> dict[str, Any]:
     """The cheapest solution within `auto_tolerance` of `auto_quantity`, or the finest within `auto_budget` [s].
 
-    As JSON: `chosen`, which is all that was asked, what was found and its estimated and true error; or `error`, a
-    note why there is none. Once `cancelled`, the best so far.
+    What was found, and its estimated and true error. Once `cancelled`, the best so far.
     """
-    answer: dict[str, Any] = {"chosen": asked}
-    try:
-        scene = Request.of(asked).scene
-        among = None if asked["auto_waves"] else tuple(name for name in METHODS if name != Waves.NAME)
-        limits = (
-            (None, asked["auto_budget"])
-            if asked["auto_within"] == "time"
-            else (asked["auto_tolerance"], BUDGET_SECONDS)
-        )
-        auto = Auto(limits[0], asked["auto_quantity"], limits[1], among, cancelled)
-        answer |= _found(auto.solve(scene, scene.method.get("duration")), scene, asked["auto_quantity"])
-        answer["cancelled"] = cancelled()
-    except ValueError as refusal:
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+    scene, asked = request.scene, request.chosen
+    among = None if asked["auto_waves"] else tuple(name for name in METHODS if name != Waves.NAME)
+    in_time = asked["auto_within"] == "time"
+    tolerance, budget = (None, asked["auto_budget"]) if in_time else (asked["auto_tolerance"], BUDGET_SECONDS)
+    auto = Auto(tolerance, asked["auto_quantity"], budget, among, cancelled)
+    found = _found(auto.solve(scene, scene.method.get("duration")), scene, asked["auto_quantity"])
+    return found | {"cancelled": cancelled()}
 
 
 def _found(solution: Solution, scene: Scene, quantity: str) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from ..choices.choices import SCENES
 from ..choices.questions import Question
 from ..choices.request import Request
 from ..choices.scene_of import choices_of
-from ..text.refusals import reason_of
+from .answering import answering
 from .figures import INK, PICKED, blank, hover, legend, source
 
 PROGRESS_SECONDS = 0.25  # s between two tables on the way
@@ -32,20 +32,16 @@ SHOWN = (  # of every point
 )  # fmt: skip
 
 
-def stored_data(asked: dict[str, Any]) -> str:
-    """The table that is known of this scene as JSON, `chosen` and what `_shown` says; no points if there is none.
+@answering
+def stored_data(request: Request) -> dict[str, Any]:
+    """The table that is known of this scene, as `_shown` says it; no points if there is none.
 
     Its times are scaled to this machine if that has been calibrated, which takes a second and may be asked for.
     """
-    answer: dict[str, Any] = {"chosen": asked}
-    try:
-        if asked.get(SCALED) and known() is None:
-            calibrate()
-        found = stored_tradeoff(_scene(asked))
-        answer |= {"points": []} if found is None else _shown(found)
-    except ValueError as refusal:
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
+    if request.chosen.get(SCALED) and known() is None:
+        calibrate()
+    found = stored_tradeoff(_scene(request.chosen))
+    return {"points": []} if found is None else _shown(found)
 
 
 def tradeoff_data(asked: dict[str, Any], cancelled: Callable[[], bool], report: Callable[[str], None]) -> str:

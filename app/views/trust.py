@@ -1,6 +1,5 @@
 """How far to trust an impact on a beam: the same many times with tiny changes."""
 
-import json
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from solvers.text.catalogue import Catalogue
 from ..choices.request import Request
 from ..messages.histories import MS
 from ..messages.transverse import method_at_impact
-from ..text.refusals import reason_of
+from .answering import answering
 from .figures import COLOURS, blank, cursor, hover, legend, source
 
 RUNS = 200
@@ -19,17 +18,9 @@ MOST_POINTS = 400  # of a band
 BANDS = {"force": "N", "displacement": "m", "velocity": "m/s"}  # names in the answer, and units
 
 
-def trust_data(chosen: dict[str, Any]) -> str:
-    """The ensemble for these choices as JSON: `chosen`, bands over time [ms], table and words; or `error`."""
-    answer: dict[str, Any] = {"chosen": chosen}
-    try:
-        answer |= _ensemble(Request.of(chosen))
-    except ValueError as refusal:
-        answer["error"] = reason_of(refusal)
-    return json.dumps(answer, allow_nan=False)
-
-
-def _ensemble(request: Request) -> dict[str, Any]:
+@answering
+def trust_data(request: Request) -> dict[str, Any]:
+    """The ensemble for these choices: bands over time [ms], table and words."""
     found = ensemble(request.scene, method=method_at_impact(request), runs=RUNS)
     rows = np.unique(np.linspace(0, found.time.size - 1, MOST_POINTS).round().astype(int))
 

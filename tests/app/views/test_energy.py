@@ -16,7 +16,7 @@ BEAM = "figure-8.15"
 @pytest.mark.parametrize("law", Choices.param.law.objects)
 @pytest.mark.parametrize("scene", ["fixed-rod", "free-rod"])
 def test_the_shares_add_up_at_every_instant(scene, law):
-    shares = energy_shares(Choices(scene=scene, law=law, restitution=0.5).chosen())
+    shares = energy_shares(Request.of(Choices(scene=scene, law=law, restitution=0.5).chosen()))
     parts = [shares[name] for name in COLOURS if name in shares]
     assert np.sum(parts, axis=0) == pytest.approx(100.0, abs=1e-5)  # the tolerance of the contact's integration
     assert np.min(parts) > -1e-6
@@ -28,7 +28,7 @@ def test_the_shares_add_up_at_every_instant(scene, law):
 
 
 def test_the_energy_of_a_beam_is_split_into_motion_and_bending():
-    shares = energy_shares(Choices(**choices_of(BEAM), scene=BEAM).chosen())
+    shares = energy_shares(Request.of(Choices(**choices_of(BEAM), scene=BEAM).chosen()))
     parts = [shares[name] for name in COLOURS if name in shares]
     assert np.sum(parts, axis=0) == pytest.approx(100.0, abs=1e-6)
     assert {"target_kinetic", "target_strain"} <= shares.keys()
@@ -38,7 +38,7 @@ def test_the_energy_of_a_beam_is_split_into_motion_and_bending():
 
 def test_the_energy_of_a_beam_follows_every_contact():
     chosen = Choices(**choices_of(BEAM), scene=BEAM).chosen()
-    time = energy_shares(chosen)["time"]
+    time = energy_shares(Request.of(chosen))["time"]
     for contact in main_solution(Request.of(chosen))[0].contacts:
         within = (time >= 1e3 * contact.start * (1.0 - 1e-9)) & (time <= 1e3 * contact.end * (1.0 + 1e-9))
         assert within.sum() >= 24
