@@ -9,7 +9,9 @@ from typing import Any
 from .field import Field, Fields, optional
 from .records import RECORDS
 
+HEAD = Field("string", "of saved histories: scene and methods in TOML, table `saved` last")
 COMMON: Fields = {
+    "head": HEAD,
     "kind": Field("string", "of the message: axial, beam, mechanism or bodies"),
     "chosen": Field("Chosen", "a value for every choice; None outside the page"),
     "own": Field("Chosen", "the same, as the page opens the scene"),
@@ -25,7 +27,6 @@ COMMON: Fields = {
     "opens": Field("Opens", "what the scene is opened with"),
     "duration": Field("number", "axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s]"),
 }
-HEAD = Field("string", "of saved histories: scene and methods in TOML, table `saved` last")
 CYCLE: Fields = optional(
     {
         "cycleDepth": Field("(cycle)", "indentation [m]"),
@@ -39,7 +40,6 @@ STRIKER = Field("Striking")
 AXIAL: Fields = {
     **COMMON,
     **CYCLE,
-    "head": HEAD,
     "trip": Field("number", "T, the round trip of a wave or the time of a contact [s]"),
     "rods": Field("RodRecord[]", "from left to right; none if no wave runs"),
     "impactor": STRIKER,
@@ -108,7 +108,6 @@ AXIAL: Fields = {
 BENDING: Fields = {  # of a beam, or the struck link of a mechanism
     **COMMON,
     **CYCLE,
-    "head": HEAD,
     "refused": Field("Note | null", "why the chosen method is not shown"),
     "trip": Field("number", "a unit of time [s]"),
     "speed": Field("number", "of the impact [m/s]"),

@@ -15,6 +15,7 @@ from solvers.contact.friction import MODELS
 from solvers.numerics.rigid.friction import sliding_path
 from solvers.numerics.rigid.impulses import principal, strike
 from solvers.numerics.rigid.rotation import rotations
+from solvers.scenes.saved import saved_head
 
 from ..choices.built_in import base_of
 from ..choices.request import Request
@@ -50,6 +51,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
     header = {
         "kind": "bodies",
         **common(scene, request),
+        "head": saved_head(scene, solution.method, solution.duration),
         "refusals": {},
         "duration": duration,
         "size": size,

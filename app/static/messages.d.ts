@@ -210,6 +210,7 @@ export interface BeamRecord {
 }
 
 export interface Common {
+  /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
   /** a value for every choice; null outside the page */ chosen: Chosen;
   /** the same, as the page opens the scene */ own: Chosen;
   /** whether it is solved by fewer modes and elements than chosen */ draft: boolean;
@@ -231,7 +232,6 @@ export interface Bending extends Common {
   /** (cycle) and back [N] */ cycleUnloading?: Numbers;
   /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
   /** (impact) force in it [N] */ blowForce?: Numbers;
-  /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
   /** why the chosen method is not shown */ refused: Note | null;
   /** a unit of time [s] */ trip: number;
   /** of the impact [m/s] */ speed: number;
@@ -317,7 +317,6 @@ export interface AxialFrame extends Common {
   /** (cycle) and back [N] */ cycleUnloading?: Numbers;
   /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
   /** (impact) force in it [N] */ blowForce?: Numbers;
-  /** of saved histories: scene and methods in TOML, table `saved` last */ head: string;
   /** T, the round trip of a wave or the time of a contact [s] */ trip: number;
   /** from left to right; none if no wave runs */ rods: RodRecord[];
   impactor: Striking;

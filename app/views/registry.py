@@ -129,7 +129,7 @@ VIEWS = (  # in the order in which an address names them
     View("mode_change", mode_change.mode_change_data, kinds=MECHANISMS, depends_on=mode_change.of_struck_nodes,
          scenes=("table-6.10",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
-    View("code", kinds=AXIAL | BENDING),
+    View("code"),
     View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file
 )  # fmt: skip
 PANELS = [(view.key, view.panel or view.key) for view in VIEWS]  # with the files that show them

@@ -10,14 +10,7 @@ function packed(header, arrays) {
     shape ?? [values.length],
     ...(unit ? [unit] : []),
   ]);
-  const text = JSON.stringify({
-    chosen: { scene: 'fixed-rod' },
-    title: '',
-    note: '',
-    source: '',
-    ...header,
-    arrays: entries,
-  });
+  const text = JSON.stringify({ ...header, arrays: entries });
   const bytes = new TextEncoder().encode(text + ' '.repeat((4 - (text.length % 4)) % 4));
   const parts = arrays.map(([, values, unit]) => {
     const numbers = unit ? new Int16Array(values.length + (values.length % 2)) : new Float32Array(values.length);

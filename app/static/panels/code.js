@@ -65,9 +65,6 @@ class Code extends Panel {
     this.parts = /** @type {const} */ (['command', 'python', 'scene']).map((name) => this.#part(name));
     this.root.append(this.said, ...this.parts.map(({ root }) => root));
   }
-  get away() {
-    return this.page.frame.kind === 'bodies';
-  }
   /** @param {'command' | 'python' | 'scene'} name */
   #part(name) {
     const code = make('pre', { tabIndex: 0 });
@@ -96,7 +93,7 @@ class Code extends Panel {
   }
   fill() {
     const { frame } = this.page;
-    if (this.root.hidden || !frame || frame.kind === 'bodies') return;
+    if (this.root.hidden || !frame) return;
     const { scene, others } = partsOf(frame.head);
     const { file } = this;
     const written = { scene, command: commandsOf(file, others), python: pythonOf(file, others) };

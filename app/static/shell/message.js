@@ -3,6 +3,8 @@ import { ofScene } from '../text/catalogue.js';
 
 /** @import { Frame, Numbers } from '../messages.js' */
 
+const TEXTS = /** @type {const} */ (['title', 'note', 'source']); // of a scene, which languages may have
+
 /**
  * @param {ArrayBuffer} buffer
  * @returns {Frame}
@@ -26,8 +28,8 @@ export function decode(buffer) {
     offset += 4 * Math.ceil((width * size) / 4);
   }
   const contacts = data.contacts && { contacts: rowsOf(data.contacts, shapes.contacts[1]) };
-  for (const what of /** @type {const} */ (['title', 'note', 'source']))
-    header[what] = ofScene(header.chosen.scene, what, header[what]);
+  const { scene } = header.chosen ?? {}; // nothing is chosen outside the page
+  for (const what of scene ? TEXTS : []) header[what] = ofScene(scene, what, header[what]);
   return { ...header, ...data, shapes, ...contacts };
 }
 
