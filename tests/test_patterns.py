@@ -73,7 +73,7 @@ def test_no_pattern_of_the_page_takes_long():
     texts = ROOT / "build/texts.mjs"
     texts.parent.mkdir(exist_ok=True)
     texts.write_text(script(SOURCE), encoding="utf-8")
-    patterns = [(*each, hostile(each[1])) for each in of_javascript(SOURCE)]
+    patterns = [(*each, hostile(each[1])) for each in of_javascript()]
     assert len(patterns) > 20
     given = json.dumps({"patterns": patterns, "lengths": LENGTHS, "most": MOST, "slowest": SLOWEST})
     call = ["node", "--input-type=module", "--eval", FEED]

@@ -11,6 +11,7 @@ from typing import Any
 
 import app.text.catalogues as catalogues
 import solvers
+import solvers.text.catalogue as catalogue
 from solvers.text.catalogue import SOURCE, Catalogue, library
 from solvers.text.messages import Choice, Term, Value, parsed
 
@@ -60,6 +61,7 @@ def speak() -> None:
 
     Catalogue.__init__ = made
     library.cache_clear()
+    catalogue.languages = lambda: frozenset((SOURCE, LANGUAGE))
     catalogues.LANGUAGES = (SOURCE, LANGUAGE)
 
 

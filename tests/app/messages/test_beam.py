@@ -17,9 +17,10 @@ from app.messages.histories import MS, struck_velocity
 from app.messages.solve import solve_frame
 from app.messages.transverse import PLACES, chosen_method
 from app.page.picker import scene_groups
+from app.text.refusals import Refused
 from app.views.convergence import convergence_data
 from app.views.trust import trust_data
-from solvers import METHODS, SceneError
+from solvers import METHODS
 from tests.app.sentences import sentence
 from tests.catalog import SCENES
 
@@ -99,8 +100,8 @@ def test_whatever_is_chosen_of_a_beam_is_answered_or_refused_with_a_sentence(**c
     chosen = Choices(**choices_of(chosen["scene"]) | chosen).chosen()
     try:
         message = solve_frame(chosen)
-    except SceneError as refusal:
-        assert refusal.key == "Struck at"
+    except Refused as refusal:
+        assert str(refusal).startswith("Struck at: ")
         return
     assert len(message) <= 100_000
     for name, values in arrays(message).items():

@@ -98,7 +98,7 @@ def test_what_the_server_refuses_is_said_at_the_field_too(open_page):
     box.fill("9000 m")
     box.press("Enter")
     expect(page.tab.locator(".wrong:visible")).to_have_text(
-        "Mass ratio would then be 3e+04; it can be from 0.001 to 1000."
+        "Mass ratio would then be 3·10⁴; it can be from 0.001 to 1000."
     )
     expect(page.tab.locator(".toast:visible")).to_have_count(0)
     expect(box).to_have_value("9000000")  # what was typed stays, to be mended

@@ -8,7 +8,8 @@ from playwright.sync_api import expect
 
 import solvers
 from app.serving.still import INSTANT, colour, first_still
-from app.text.catalogues import SOURCE, page
+from app.text.catalogues import SOURCE
+from app.text.catalogues import page as texts_of
 
 from .test_page import settled
 
@@ -213,7 +214,7 @@ def test_who_wants_no_motion_gets_none(open_page):
 def test_the_page_itself_holds_a_still_of_the_first_scene(open_page):
     page = open_page(drawn=False)
     text = page.context.request.get(page.tab.url).text()
-    assert first_still(page(SOURCE)) in text
+    assert first_still(texts_of(SOURCE)) in text
     page.laid_out()
     expect(page.tab.locator("#still")).to_have_count(0)
 
@@ -221,7 +222,7 @@ def test_the_page_itself_holds_a_still_of_the_first_scene(open_page):
 def test_the_still_shows_what_the_library_says():
     exact = solvers.solve(solvers.load("fixed-rod"))
     rod = exact.scene.target
-    stress, force = re.findall(r"<svg.*?</svg>", first_still(page(SOURCE)), re.DOTALL)
+    stress, force = re.findall(r"<svg.*?</svg>", first_still(texts_of(SOURCE)), re.DOTALL)
     fills = re.findall(r'fill="(#\w{6})"/>', stress)[:120]
     front = sum(fill != colour(0.0, 1.0) for fill in fills) / 120
     assert front == pytest.approx(2 * INSTANT, abs=1 / 120)  # how far the front has run
