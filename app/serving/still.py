@@ -32,14 +32,14 @@ def first_still(texts: Catalogue) -> str:
     request = Request.of(Choices().chosen())
     exact = exact_solution(request.scene, request.restitution)
     title = escape(texts.texts.get(f"scene.{START}.title") or request.scene.title)
-    return bare_frame(title, stage_of(exact), force_of(exact))
+    return bare_frame(title, stage_of(exact))
 
 
-def bare_frame(title: str = "", stage: str = "", force: str = "") -> str:
+def bare_frame(title: str = "", stage: str = "") -> str:
     """The frame of the page, with what is to be seen in it."""
     return (
         f"<header><b>Strikewave</b><span>{title}</span></header><aside></aside><main><p>{title}</p>"
-        f"<div>{stage}</div><i></i><div>{force}</div></main><aside></aside>"
+        f"<div>{stage}</div><i></i><div></div></main><aside></aside>"
     )
 
 
@@ -72,15 +72,6 @@ def stage_of(exact: Solution) -> str:
     if rod.held:
         drawn.append(_box(x[-1], MIDDLE - TALL * 0.95, 5.0, 1.9 * TALL, "#55636f"))
     return _picture(WIDTH, HEIGHT, "".join(drawn))
-
-
-def force_of(exact: Solution) -> str:
-    """The contact force over time, as a picture."""
-    times, force = exact.known_motion.force_history()
-    inside = times <= exact.duration
-    x, y = times[inside] / exact.duration, force[inside] / max(force.max(), 1e-300)
-    points = " ".join(f"{46 + 724 * a:.1f},{150 - 130 * b:.1f}" for a, b in zip(x, y, strict=True))
-    return _picture(WIDTH, 160, f'<polyline points="{points}" fill="none" stroke="#0b4f8a" stroke-width="2"/>')
 
 
 def colour(value: float, largest: float) -> str:

@@ -22,16 +22,17 @@ import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
 import { refusalIn } from './shell/model.js';
 import { decode } from './shell/message.js';
+import { Opening } from './opening/opening.js';
 import { Player } from './shell/player.js';
 import { copyLink, saveData } from './shell/share.js';
 import { Striker } from './shell/striker.js';
 import { Symbols } from './shell/symbols.js';
+import { Toast } from './shell/toast.js';
 import { times } from './shell/times.js';
 import { goOn, stateOf } from './shell/state.js';
 import { Waiting } from './shell/waiting.js';
 import { SpaceView } from './space/view.js';
 import { text } from './text/catalogue.js';
-import { unbroken } from './text/format.js';
 
 /** @import { Chosen, Frame } from './messages.js' */
 /** @import { Model } from './shell/model.js' */
@@ -48,17 +49,16 @@ const SHEETS = [
   'space/stage.css',
   'beam/beam.css',
   ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
+  'opening/opening.css',
   ...(alone ? [] : ['shell/embedded.css']),
 ];
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
-const TOAST = 8000; // ms for which a complaint is shown
 
 export class Page {
   /** @type {Frame} */ frame; // that is shown
   /** @type {number} */ telling = 0;
   saidAt = 0;
-  /** @type {number | undefined} */ hush;
   resumed = false;
   ready = false;
   painted = 0; // frames so far
@@ -94,8 +94,9 @@ export class Page {
     this.views = { axial: this.axial, beam: this.beam, mechanism: this.mechanism, bodies: this.space };
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
+    this.opening = new Opening(this);
     this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });
-    this.toast = make('div', { className: 'toast', role: 'status', hidden: true });
+    this.toast = new Toast();
     const sheet = (/** @type {string} */ name) =>
       make('link', { rel: 'stylesheet', href: new URL(name, import.meta.url).href });
     this.layout = this.arrange();
@@ -106,7 +107,7 @@ export class Page {
     this.history.watch(this.root);
     for (const { stage } of Object.values(this.views))
       stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
-    this.root.append(this.toast, this.help.root);
+    this.root.append(this.toast.root, this.help.root);
     el.append(...SHEETS.map(sheet), this.root, this.waiter.root);
     this.connection = new Connection(model, this.root, {
       state: () => stateOf(this),
@@ -117,7 +118,7 @@ export class Page {
     for (const name of this.names) this.controls.show(name, model[name]);
     this.root.inert = true; // until there is a scene
     this.take();
-    if (model.refused && this.toast.hidden) this.complain(refusalIn(model));
+    if (model.refused && this.toast.root.hidden) this.complain(refusalIn(model));
     this.ready = true;
   }
   /** Everything in its place. */
@@ -132,7 +133,7 @@ export class Page {
     const scene = this.controls.fields.scene.root;
     const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), scene);
     const { redoing, undoing } = this.history;
-    bar.append(make('div', { className: 'keep' }, undoing, redoing, copy, save, this.help.button));
+    bar.append(make('div', { className: 'keep' }, this.opening.button, undoing, redoing, copy, save, this.help.button));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
     const caption = make(
@@ -154,7 +155,7 @@ export class Page {
     );
     const pinned = [caption, stages, this.player.root, kept.row];
     const charts = all.flatMap(({ stack }) => (stack ? [stack.root] : []));
-    return new Layout({ bar, choices, pinned, charts }, () => this.place());
+    return new Layout({ bar, choices, pinned, charts }, this.opening, () => this.place());
   }
   /** After the layout has changed. */
   place() {
@@ -162,11 +163,10 @@ export class Page {
     this.history.later();
     this.waiter.settle();
     for (const { stack } of Object.values(this.views)) stack?.gather();
-    const { strip } = this.view;
-    const lent = this.layout.mode === 'phone' && strip ? [strip] : [];
-    this.layout.strip.replaceChildren(...lent.map((chart) => chart.root));
-    if (this.layout.mode === 'phone')
-      this.layout.tabs.panel('controls').prepend(this.first.root); // which opens with it
+    this.axial.stage.leads = this.opening.leads;
+    this.layout.strip.replaceChildren(...(this.strip ? [this.strip.root] : []));
+    this.root.classList.toggle('bare', !this.strip && !this.opening.shown);
+    if (this.layout.mode === 'phone') this.layout.tabs.panel('controls').prepend(this.first.root);
     else this.story.root.before(this.first.root);
     for (const { stack } of Object.values(this.views)) stack?.arrange();
     requestAnimationFrame(() => this.redraw());
@@ -248,7 +248,7 @@ export class Page {
     this.changes.go(settings, done);
   }
   #sent() {
-    this.toast.hidden = true;
+    this.toast.root.hidden = true;
     this.waiter.soon('frame', text('page.solving'));
   }
   get waiting() {
@@ -279,8 +279,7 @@ export class Page {
     this.root.classList.toggle('hangs', frame.kind === 'axial' && frame.impactor.kind === 'pendulum');
     this.view.load(this.frame);
     this.closer.later();
-    const { strip } = this.view;
-    if (this.layout.mode === 'phone' && strip && !this.layout.strip.contains(strip.root)) this.place();
+    if (this.layout.strip.firstChild !== (this.strip?.root ?? null)) this.place();
     this.analyses.draw();
     this.player.load(this.frame);
     if (this.compare.due) this.compare.keep();
@@ -321,6 +320,7 @@ export class Page {
       this.story.load(this.frame);
       this.story.at(this.player.t + this.player.start);
       this.first.load(this.frame);
+      this.opening.load(this.frame);
       this.compare.tell(this.frame);
       for (const root of [this.story.root, this.story.numbers]) this.symbols.mark(root);
       this.say();
@@ -336,8 +336,14 @@ export class Page {
   get story() {
     return this.view.story;
   }
+  /** The chart that is seen below the stage where the others have no room. */
+  get strip() {
+    const lent = this.layout.mode === 'phone' || (this.opening.leads && !this.opening.shown);
+    return lent && this.view.strip && !this.view.strip.root.hidden ? this.view.strip : null;
+  }
   drawCharts() {
     this.view.draw();
+    this.opening.draw();
     this.analyses.draw();
   }
   /** @param {number} t */
@@ -345,6 +351,7 @@ export class Page {
     if (!this.frame) return;
     this.view.show(t);
     this.compare.show(t);
+    this.opening.show(t);
     if (!this.telling) {
       this.story.at(t);
       this.say();
@@ -383,14 +390,7 @@ export class Page {
   }
   /** @param {string} sentence */
   complain(sentence) {
-    const [first, ...rest] = sentence.split('\n'); // one at a time
-    this.toast.textContent = unbroken(first);
-    this.toast.hidden = false;
-    clearTimeout(this.hush);
-    this.hush = window.setTimeout(() => {
-      this.toast.hidden = true;
-      if (rest.length) this.complain(rest.join('\n'));
-    }, TOAST);
+    this.toast.say(sentence);
   }
 }
 

@@ -9,6 +9,7 @@ from playwright.sync_api import expect, sync_playwright
 
 from .servers import Server
 
+LABORATORY = "?layout=laboratory"  # the first scene, with all charts and controls
 MEDIA = ("reduced_motion", "color_scheme", "forced_colors", "contrast")  # that a test may emulate
 PATIENCE = 60_000  # ms, for a machine that does much else beside
 POLLING = 30  # ms between two looks; at every frame, they would keep the browser drawing
@@ -109,7 +110,7 @@ class Page:
         self,
         browser,
         address: str,
-        query: str = "",
+        query: str = LABORATORY,
         size=(1440, 900),
         drawn: bool = True,
         windows: Windows | None = None,
@@ -258,7 +259,7 @@ def open_page(browser, server, windows):
     """
     opened: list[Page] = []
 
-    def open_one(query: str = "", own: bool = False, **options) -> Page:
+    def open_one(query: str = LABORATORY, own: bool = False, **options) -> Page:
         opened.append(Page(browser, server, query, windows=None if own else windows, **options))
         return opened[-1]
 

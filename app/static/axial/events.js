@@ -1,5 +1,5 @@
 // What happens in an impact along an axis, one event after the other.
-import { text } from '../text/catalogue.js';
+import { family, text } from '../text/catalogue.js';
 import { engineering, figures, pretty, signed } from '../text/format.js';
 import { drawnRigid, toldOf } from './drawn.js';
 
@@ -10,6 +10,20 @@ const JUMPS = 6; // of the force in one contact that are listed; later ones are 
 const GAPS = 4; // times that they close, that are listed
 const SLOW = 4; // T that a contact lasts at least for its rod to follow as a whole
 const STANDS = 5e-4; // of the impact speed; what is slower stands
+const NAMED = family('axial.named');
+
+/**
+ * An event by the code of its sentence, with its name in a few words where it has one.
+ * @param {number} t
+ * @param {string} code
+ * @param {Record<string, any>} [values]
+ * @returns {Event}
+ */
+const happens = (t, code, values = {}) => {
+  const named = code.replace('event', 'named');
+  const name = named.replace('axial.named.', '') in NAMED ? text(named, values) : undefined;
+  return [t, text(code, values), name];
+};
 
 /**
  * The events of an impact, in the order of time [T].
@@ -46,17 +60,12 @@ function plainEvents(frame) {
   const waves = rods.length > 0 && !drawnRigid(frame) && run;
   const found = contacts.flatMap(([start, end], k) => {
     const touches = k
-      ? text('axial.event.meets-again', { number: k + 1 })
-      : text('axial.event.touches', { striker, target: struck, waves });
+      ? happens(start, 'axial.event.meets-again', { number: k + 1 })
+      : happens(start, 'axial.event.touches', { striker, target: struck, waves });
     const last = k === contacts.length - 1;
     const gone = { striker, last, ...going(left[k]) };
-    const parts = text(end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);
-    /** @type {Event[]} */
-    const both = [
-      [start, touches],
-      [end, last && stillTouching ? text('axial.event.still-touching') : parts],
-    ];
-    return both;
+    const parts = happens(end, end > start ? 'axial.event.parts' : 'axial.event.one-impulse', gone);
+    return [touches, last && stillTouching ? happens(end, 'axial.event.still-touching') : parts];
   });
   return waves ? [...found, ...ofGaps(frame), ...ofEndMass(frame)] : [...found, ...ofLastBall(frame)];
 }
@@ -69,11 +78,7 @@ function plainEvents(frame) {
 const ofGaps = ({ duration, gaps }) =>
   gaps.slice(0, GAPS).flatMap(([rod, closes, opens]) => {
     const rods = { first: rod - 1, second: rod };
-    /** @type {Event[]} */
-    const both = [
-      [closes, text('axial.event.gap-closes', rods)],
-      [opens, text('axial.event.gap-opens', rods)],
-    ];
+    const both = [happens(closes, 'axial.event.gap-closes', rods), happens(opens, 'axial.event.gap-opens', rods)];
     return opens < duration ? both : both.slice(0, 1);
   });
 
@@ -85,9 +90,9 @@ const ofGaps = ({ duration, gaps }) =>
 function ofEndMass({ exact, impactor, rigid, rods, target }) {
   if (!target.endMass || rods.length !== 1 || target.support !== 'free') return [];
   /** @type {Event[]} */
-  const found = [[0.5, text('axial.event.end-mass', { rigid })]];
+  const found = [happens(0.5, 'axial.event.end-mass', { rigid })];
   if (exact.contacts[0][1] > 1 + 1e-9)
-    found.push([1, text('axial.event.end-mass-back', { rigid, striker: impactor.kind })]);
+    found.push(happens(1, 'axial.event.end-mass-back', { rigid, striker: impactor.kind }));
   return found;
 }
 
@@ -96,15 +101,15 @@ function ofEndMass({ exact, impactor, rigid, rods, target }) {
  * @returns {Event[]}
  */
 const ofLastBall = ({ lastBall }) =>
-  lastBall ? [[lastBall[0], text('axial.event.last-ball', { speed: signed(lastBall[1]) })]] : [];
+  lastBall ? [happens(lastBall[0], 'axial.event.last-ball', { speed: signed(lastBall[1]) })] : [];
 
 /**
  * @param {Contact[]} contacts
  * @returns {Event[]}
  */
 const pulseEvents = (contacts) => [
-  [0, text('axial.event.pulse')],
-  [contacts[contacts.length - 1][1], text('axial.event.pulse-over')],
+  happens(0, 'axial.event.pulse'),
+  happens(contacts[contacts.length - 1][1], 'axial.event.pulse-over'),
 ];
 
 /**
@@ -120,22 +125,20 @@ function eventsOnOneRod(frame) {
   const [[, parts]] = exact.contacts;
   const slow = !rigid && parts >= SLOW;
   /** @type {Event[]} */
-  const found = [[0, text(rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', said)]];
-  if (slow) found.push([1, text('axial.event.slow-push', { fixed, trips: figures(parts, 2) })]);
-  else if (duration > 0.5) found.push([0.5, text(fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid })]);
+  const found = [happens(0, rigid ? 'axial.event.first-rigid' : 'axial.event.first-soft', said)];
+  if (slow) found.push(happens(1, 'axial.event.slow-push', { fixed, trips: figures(parts, 2) }));
+  else if (duration > 0.5)
+    found.push(happens(0.5, fixed ? 'axial.event.fixed-end' : 'axial.event.free-end', { rigid }));
   if (!slow && parts > 1 + 1e-9)
-    found.push([
-      1,
-      text(fixed && rigid ? 'axial.event.front-back' : 'axial.event.wave-back', { spread: spreadOf(frame) }),
-    ]);
+    found.push(happens(1, `axial.event.${fixed && rigid ? 'front' : 'wave'}-back`, { spread: spreadOf(frame) }));
   if (fixed && rigid) {
     const again = Math.min(Math.ceil(parts - 1e-9) - 1, JUMPS);
-    for (let t = 2; t <= again; t++) found.push([t, text('axial.event.front-again')]);
+    for (let t = 2; t <= again; t++) found.push(happens(t, 'axial.event.front-again'));
   }
   exact.contacts.forEach(([start, end], k) => {
-    if (k > 0) found.push([start, text('axial.event.recontact', { number: k + 1 })]);
+    if (k > 0) found.push(happens(start, 'axial.event.recontact', { number: k + 1 }));
     const last = k === exact.contacts.length - 1;
-    found.push([end, last && exact.stillTouching ? text('axial.event.still-touching') : parting(exact, k, fixed)]);
+    found.push(last && exact.stillTouching ? happens(end, 'axial.event.still-touching') : parting(exact, k, fixed));
   });
   return found;
 }
@@ -156,7 +159,7 @@ const spreadOf = ({ modalForce, other }) => {
  * @param {boolean} fixed  the far end
  */
 const parting = ({ contacts, cutOff, left }, k, fixed) =>
-  text('axial.event.ends', {
+  happens(contacts[k][1], 'axial.event.ends', {
     pulled: cutOff[k] && !fixed,
     last: k === contacts.length - 1,
     ...going(left[k]),

@@ -5,7 +5,7 @@ import { given, arrayOf } from '../shell/message.js';
 import { Mirrored, Wave } from './wave.js';
 
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { AxialFrame, Numbers } from '../messages.js' */
+/** @import { AxialFrame, Numbers, RodRecord } from '../messages.js' */
 
 const SAMPLES = 2000; // of a stress over time, by waves
 
@@ -65,6 +65,16 @@ export class Field {
     return out.fill(what === 'displacement' ? this.end(t) : 0);
   }
   /**
+   * Values about an instant, averaged over a span of time where a front may cross it.
+   * @param {number} t
+   * @param {number} _span
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  mean(t, _span, what, out) {
+    return this.profile(t, what, out);
+  }
+  /**
    * Visit the profiles of instants spread evenly over a stretch of time.
    * @param {Range} stretch
    * @param {What} what
@@ -108,6 +118,11 @@ export class Field {
     return between(this.frame.motionTime, this.masses, t);
   }
 }
+
+/** @typedef {RodRecord & { f: Wave, g: Wave | Mirrored }} Rod */
+
+/** @param {Wave | Mirrored} wave */
+const narrow = (wave) => Boolean((wave instanceof Mirrored ? wave.wave : wave).bold);
 
 /** The field of any number of rods, from the waves that their ends send. */
 export class WaveField extends Field {
@@ -156,16 +171,45 @@ export class WaveField extends Field {
    * @param {Float64Array} out
    */
   profile(t, what, out) {
+    if (what === 'stress')
+      return this.#along(out, ({ area, f, g, transit }, s) => (f.at(t - s) + g.at(t - transit + s)) / area);
+    if (what === 'velocity')
+      return this.#along(
+        out,
+        ({ drift, f, g, impedance, transit }, s) => drift + (f.at(t - s) - g.at(t - transit + s)) / impedance,
+      );
+    return this.#along(
+      out,
+      ({ drift, f, g, impedance, transit }, s) => drift * t + (f.total(t - s) - g.total(t - transit + s)) / impedance,
+    );
+  }
+  /**
+   * @param {number} t
+   * @param {number} span
+   * @param {What} what
+   * @param {Float64Array} out
+   */
+  mean(t, span, what, out) {
+    if (this.rods.some(({ f, g }) => narrow(f) || narrow(g))) return this.profile(t, what, out); // or it fades
+    const [a, b] = [t - span / 2, t + span / 2];
+    const of = (/** @type {Wave | Mirrored} */ wave, /** @type {number} */ late) =>
+      (wave.total(b - late) - wave.total(a - late)) / span;
+    return this.#along(out, ({ area, drift, f, g, impedance, transit }, s) =>
+      what === 'stress' ? (of(f, s) + of(g, transit - s)) / area : drift + (of(f, s) - of(g, transit - s)) / impedance,
+    );
+  }
+  /**
+   * @param {Float64Array} out  places spread evenly
+   * @param {(rod: Rod, late: number) => number} value  where the wave of the left end comes so late
+   */
+  #along(out, value) {
     const n = out.length - 1;
     const { rods, from, to } = this;
     for (let i = 0, r = 0; i <= n; i++) {
       const x = from + ((to - from) * i) / n;
       while (r < rods.length - 1 && x > rods[r].to) r++;
-      const { f, g, transit, impedance, drift, area, from: left, to: right } = rods[r];
-      const s = ((x - left) / (right - left)) * transit;
-      if (what === 'stress') out[i] = (f.at(t - s) + g.at(t - transit + s)) / area;
-      else if (what === 'velocity') out[i] = drift + (f.at(t - s) - g.at(t - transit + s)) / impedance;
-      else out[i] = drift * t + (f.total(t - s) - g.total(t - transit + s)) / impedance;
+      const { transit, from: left, to: right } = rods[r];
+      out[i] = value(rods[r], ((x - left) / (right - left)) * transit);
     }
     return out;
   }

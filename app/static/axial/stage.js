@@ -24,6 +24,7 @@ const REACH = 0.16; // of what is drawn that the largest movement takes
 const [EDGE, ONWARD] = [6, 36]; // pixels left at the edges, and of the sign of an endless rod
 const LEAST_ROOM = 12; // pixels in which anything can move
 const HUNG = 0.68; // of its height: where a pendulum strikes, so that it is seen
+const LEADS = { left: 0.3, thick: [0.42, 132], gap: 0.075 }; // shares and pixels, where the picture leads
 const FACE = 0.45; // of the picture: where a body without length is struck
 const ROW = [0.34, 0.5]; // of it: where a row of balls is struck, and how much of it that and the striker may take
 
@@ -37,6 +38,8 @@ export class Stage {
   moves = { reach: 1, pressed: 0, back: 0, ahead: 0 }; // how far [m]
   factor = 1; // by which movement is exaggerated
   scale = 1; // pixels in a unit of displacement
+  leads = false; // the rows of the opening lie below it
+  drawn = { left: 0, right: 0, rest: 0 }; // where rods are at rest, and the struck face [px]
   values = new Float64Array(SLICES);
   moved = new Float64Array(SLICES);
 
@@ -106,7 +109,8 @@ export class Stage {
       return [(most * impactor.radius) / larger, (most * target.radius) / larger];
     }
     const heavy = target.held && !this.span ? 1 : impactor.mass / target.mass; // a wall has no mass to compare with
-    const own = Math.min(Math.max(BODY * heavy ** (1 / 6), 22), most);
+    const usual = this.leads ? this.#thick(height) : BODY;
+    const own = Math.min(Math.max(usual * heavy ** (1 / 6), 22), most);
     return [own, Math.min(0.36 * height, 68)];
   }
   /**
@@ -116,9 +120,14 @@ export class Stage {
   #places(width) {
     const { impactor, target } = this.frame;
     const rod = impactor.kind === 'rod';
-    const left = (rod ? 0.08 : width < 560 ? 0.25 : 0.21) * width;
+    const left = (this.leads ? LEADS.left : rod ? 0.08 : width < 560 ? 0.25 : 0.21) * width;
     if (target.held && target.support !== 'anechoic') return [left, width - (target.rotation ? 66 : 30)];
     return [left, (rod ? 0.86 : 0.82) * width];
+  }
+  /** @param {number} height */
+  #thick(height) {
+    const [share, most] = this.leads ? LEADS.thick : [0.3, 56];
+    return Math.min(share * height, most);
   }
   /** @param {number} t */
   draw(t) {
@@ -130,7 +139,7 @@ export class Stage {
     const { rods, impactor } = frame;
     const hangs = impactor.kind === 'pendulum';
     const middle = height * (hangs ? HUNG : 0.47);
-    const thick = Math.min(height * 0.3, 56);
+    const thick = this.#thick(height);
     const [size, struck] = this.#sizes(width, height);
     const [left, right] = this.#places(width);
     const struckAt = (frame.target.row ? ROW[0] : FACE) * width;
@@ -139,12 +148,16 @@ export class Stage {
     /** @type {[number, number]} */
     const room = frame.target.row
       ? [swing(height), swing(height)]
-      : [(rods.length ? left : struckAt) - behind - EDGE, width - right - beyond - EDGE];
+      : [
+          this.leads ? LEADS.gap * width : (rods.length ? left : struckAt) - behind - EDGE,
+          width - right - beyond - EDGE,
+        ];
     const perMetre = hangs ? drawnLength(frame, middle, height) / Number(impactor.length) : 0;
     this.#fit(right - left, size, room, perMetre);
     const meeting = field.mass(t) > field.face(t);
     if (impactor.kind === 'pendulum') this.#pendulum(c, t, rods.length ? left : FACE * width, middle, height);
     const rest = rods.length ? this.#chain(c, t, left, right, middle, thick) : struckAt;
+    this.drawn = { left, right, rest };
     const face = rest + field.face(t) * this.scale;
     const own = rest + field.mass(t) * this.scale;
     const meet = meeting ? (face + own) / 2 : undefined;

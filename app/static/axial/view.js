@@ -3,11 +3,13 @@ import { Axis } from '../charts/axis.js';
 import { between } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
+import { times } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
+import { engineering } from '../text/format.js';
 import { Cycle, Displacements, Force, SpaceTime } from './charts.js';
 import { drawnFromOther } from './drawn.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
-import { unitOf } from './fields.js';
+import { RigidField, unitOf } from './fields.js';
 import { Gauge } from './gauge.js';
 import { Moments } from './moments.js';
 import { Stage } from './stage.js';
@@ -109,6 +111,32 @@ export class AxialView {
   }
   get otherField() {
     return (this.#otherField ??= otherFieldOf(this.frame));
+  }
+  /** What the opening draws over place and time; nothing of bodies that no wave runs through. */
+  get section() {
+    if (!this.frame?.rods.length) return null;
+    const { field, force, frame, stage, what } = this;
+    const forces = force.chart.content.series.filter(({ style }) => style !== 'raw');
+    if (field instanceof RigidField || !forces[0]?.x.length) return null;
+    const { drawn, largest, scale } = stage;
+    const first = frame.rods[0].from === 0;
+    const strikes = first && frame.impactor.kind !== 'pulse';
+    const about = first ? text('opening.trip', { trip: engineering(frame.trip, 's') }) : '';
+    const clock = times.shown;
+    return {
+      about,
+      clock,
+      contacts: frame.exact.contacts,
+      drawn,
+      duration: frame.duration,
+      field,
+      first,
+      forces,
+      largest,
+      scale,
+      strikes,
+      what,
+    };
   }
   // Colours of stage and x-t diagram.
   dress() {

@@ -70,7 +70,8 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
  */
 export function queryOf(page, moment = false) {
   const { frame, model } = page;
-  const query = new URLSearchParams([...choicesOf(model, frame), ...panelsOf(model), ...viewOf(page, moment)]);
+  const said = [...choicesOf(model, frame), ...panelsOf(model), ...viewOf(page, moment)];
+  const query = new URLSearchParams([...said, ...page.opening.said(said.length > 0)]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }
 

@@ -94,6 +94,13 @@ export class Controls {
   show(name, value, refused = false) {
     this.fields[name]?.set(value, refused);
   }
+  /** @param {string[]} names  of those that are seen in the opening, the first of them first */
+  lead(names) {
+    for (const [name, { root }] of Object.entries(this.fields)) {
+      root.classList.toggle('leading', names.includes(name));
+      root.classList.toggle('foremost', names[0] === name);
+    }
+  }
   /**
    * Whether the choices that were refused are those of one field in view that has room to say so.
    * @param {string[]} names

@@ -24,7 +24,7 @@ const USUAL = 0.58; // of the window that they take at most, unless they were si
 const USUAL_LEFT = 0.4;
 const LEAST = { left: 220, right: 250 }; // pixels of a dock, in which its words fit
 
-/** @typedef {'desk' | 'tablet' | 'phone'} Mode */
+/** @typedef {'desk' | 'tablet' | 'phone' | 'lead'} Mode  `lead`: the opening, whose own sheet places its parts */
 /** @typedef {{ left?: number, right?: number, sheet?: number, folded?: Record<string, boolean> }} Sizes */
 
 export class Layout {
@@ -36,9 +36,11 @@ export class Layout {
 
   /**
    * @param {{ bar: HTMLElement, choices: HTMLElement, pinned: HTMLElement[], charts: HTMLElement[] }} parts
+   * @param {{ parts: HTMLElement[], readonly leads: boolean }} opening
    * @param {() => void} changed  after anything has moved
    */
-  constructor({ bar, choices, pinned, charts }, changed) {
+  constructor({ bar, choices, pinned, charts }, opening, changed) {
+    this.opening = opening;
     this.changed = changed;
     this.choices = choices;
     this.tabs = new Tabs(text('layout.tabs'), TITLES, (name, again) => this.#chosen(name, again));
@@ -62,6 +64,7 @@ export class Layout {
     bar.prepend(this.folders.left);
     bar.append(this.folders.right);
     this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
+    this.root.append(...opening.parts);
     this.root.classList.toggle('embedded', !alone);
     this.tabs.select('story');
     const moved = () => this.place();
@@ -93,8 +96,10 @@ export class Layout {
   place() {
     const [width, height] = this.#room.map((size) => size / scale);
     const across = width < TABLET && height < Math.min(LOW, width);
+    const size = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
+    this.root.dataset.size = size;
     /** @type {Mode} */
-    const mode = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
+    const mode = this.opening.leads ? 'lead' : size;
     const phone = mode === 'phone';
     this.root.classList.toggle('across', across);
     if (mode !== this.mode || !this.choices.parentElement) {

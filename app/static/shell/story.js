@@ -6,7 +6,7 @@ import { columnHead, make } from './dom.js';
 
 /** @import { Energies, Frame } from '../messages.js' */
 
-/** @typedef {[t: number, sentence: string]} Event */
+/** @typedef {[t: number, sentence: string, name?: string]} Event  the name in a few words */
 
 const LEAST_SHARE = 5e-5; // of the energy, that is worth a word
 

@@ -7,6 +7,7 @@
 /** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
+/** @import { Scene } from '../opening/section.js' */
 /** @import { Stack } from './stack.js' */
 /** @import { Events } from './story.js' */
 /** @import { Striker } from './striker.js' */
@@ -22,6 +23,7 @@
  * @property {{ root: HTMLElement }} [colours]  the choice of what they show
  * @property {Stack} [stack]  charts over time
  * @property {Chart} [strip]  the one of them that a phone always shows
+ * @property {Scene | null} [section]  what the opening draws over place and time, below the stage
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
  * @property {Reactions} [reactions]

@@ -212,7 +212,7 @@ def test_who_wants_no_motion_gets_none(open_page):
 
 
 def test_the_page_itself_holds_a_still_of_the_first_scene(open_page):
-    page = open_page(drawn=False)
+    page = open_page("", drawn=False)
     text = page.context.request.get(page.tab.url).text()
     assert first_still(texts_of(SOURCE)) in text
     page.laid_out()
@@ -222,7 +222,7 @@ def test_the_page_itself_holds_a_still_of_the_first_scene(open_page):
 def test_the_still_shows_what_the_library_says():
     exact = solvers.solve(solvers.load("fixed-rod"))
     rod = exact.scene.target
-    stress, force = re.findall(r"<svg.*?</svg>", first_still(texts_of(SOURCE)), re.DOTALL)
+    stress = first_still(texts_of(SOURCE))
     fills = re.findall(r'fill="(#\w{6})"/>', stress)[:120]
     front = sum(fill != colour(0.0, 1.0) for fill in fills) / 120
     assert front == pytest.approx(2 * INSTANT, abs=1 / 120)  # how far the front has run
@@ -231,10 +231,6 @@ def test_the_still_shows_what_the_library_says():
     values = exact.motion.stress(now, places)[0]
     red = [int(fill[3:5], 16) for fill in fills]  # the stronger the compression, the less green
     assert np.corrcoef(red, values)[0, 1] < -0.95  # colours are linear piece by piece
-    points = np.array(re.findall(r"([\d.]+),([\d.]+)", force), float)
-    times, forces = exact.motion.force_history()
-    top = points[points[:, 1].argmin(), 0]
-    assert (top - 46) / 724 == pytest.approx(times[forces.argmax()] / exact.duration, abs=1e-3)
 
 
 def test_what_is_offered_to_be_tried_can_be(open_page):

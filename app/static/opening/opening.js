@@ -1,0 +1,173 @@
+// The opening view: one large picture, one question, a few sliders. All else is in the laboratory, one click away.
+import { alone } from '../shell/home.js';
+import { make } from '../shell/dom.js';
+import { keep, kept } from '../shell/store.js';
+import { text } from '../text/catalogue.js';
+import { changesOf, leadingOf, questionOf } from './question.js';
+import { Section } from './section.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Frame } from '../messages.js' */
+/** @import { Event } from '../shell/story.js' */
+
+const PLAN = 'plan'; // under which is kept which of the two was seen last
+const WALK = 12; // steps in which a slider goes where a question sends it
+const STEP = 60; // ms between them
+const APART = 24; // pixels between two names of events, at least
+
+/** @typedef {'opening' | 'laboratory'} Plan */
+
+/**
+ * Which of the two a visitor sees first: links of before there was an opening lead to the laboratory.
+ * @param {string} search  of the address
+ * @returns {Plan}
+ */
+export function planOf(search) {
+  if (!alone) return 'laboratory';
+  const asked = new URLSearchParams(search).get('layout');
+  if (asked === 'opening' || asked === 'laboratory') return asked;
+  return search.length > 1 ? 'laboratory' : kept(PLAN, 'opening');
+}
+
+export class Opening {
+  /** @type {Plan} */ plan = planOf(alone ? window.location.search : '');
+  tried = 0; // changes of this scene
+  scene = '';
+  due = true; // rows are to be drawn
+  /** @type {Event[]} */ events = [];
+  /** @type {HTMLElement[]} */ names = [];
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.section = new Section(page);
+    this.question = make('h2');
+    this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
+    this.ask = make('div', { className: 'ask' }, this.question);
+    this.happens = make('ol', { className: 'happens', ariaLabel: text('opening.events') });
+    this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
+    this.parts = [this.ask, this.change, this.section.root, this.happens, this.closer];
+    this.button = make('button', { type: 'button', className: 'to-opening', textContent: text('opening.back') });
+    this.button.title = text('opening.back-about');
+    this.button.onclick = () => this.turn('opening');
+  }
+  /** Whether it is what is seen. */
+  get leads() {
+    return this.plan === 'opening';
+  }
+  /**
+   * What a link says of it: what it would lead to otherwise is left out.
+   * @param {boolean} more  whether the link says anything else
+   * @returns {[key: string, value: string][]}
+   */
+  said(more) {
+    return alone && this.leads === more ? [['layout', this.plan]] : [];
+  }
+  /** What its rows are of; nothing of bodies that have none. */
+  get shown() {
+    return this.leads ? (this.page.view.section ?? null) : null;
+  }
+  /** @param {Plan} plan */
+  turn(plan) {
+    if (plan === this.plan) return;
+    this.plan = plan;
+    keep(PLAN, plan);
+    this.page.layout.place();
+  }
+  /**
+   * Words, once the picture is drawn.
+   * @param {Frame} frame
+   */
+  load(frame) {
+    if (!this.leads) return;
+    if (this.scene !== frame.chosen.scene) this.tried = 0;
+    this.scene = String(frame.chosen.scene);
+    this.question.textContent = questionOf(frame);
+    const changes = changesOf(frame);
+    this.change.hidden = !changes.length;
+    if (changes.length) this.change.textContent = `${changes[this.tried % changes.length].words} →`;
+    this.page.controls.lead(leadingOf(frame));
+    this.#offer();
+    this.#name();
+  }
+  /** Ways into the laboratory. */
+  #offer() {
+    const { analyses, layout } = this.page;
+    const enter = (/** @type {string} */ textContent, /** @type {() => void} */ act) => {
+      const button = make('button', { type: 'button', textContent });
+      button.onclick = () => {
+        this.turn('laboratory');
+        act();
+      };
+      return button;
+    };
+    const offered = analyses.all.filter(({ button }) => !button.hidden && !button.disabled);
+    const names = offered.map(({ button }) => button.textContent ?? '');
+    const said = names.join();
+    if (this.closer.dataset.said === said) return;
+    this.closer.dataset.said = said;
+    this.closer.replaceChildren(
+      make('span', { textContent: text('opening.closer') }),
+      enter(text('opening.laboratory'), () => layout.show('story')),
+      enter(text('opening.numbers'), () => layout.show('numbers')),
+      ...offered.map((view, k) => enter(names[k], () => analyses.open(view))),
+    );
+  }
+  /** Names of events, at their time. */
+  #name() {
+    this.events = this.page.story.events.events.filter(([, , name]) => name);
+    this.names = this.events.map(([t, sentence, name = ''], k) => {
+      const act = make('button', { type: 'button', title: sentence, textContent: name });
+      act.prepend(make('span', { className: 'at', textContent: this.page.story.events.written(t) }));
+      act.onclick = () => this.page.story.events.go(t);
+      return make('li', { value: k + 1 }, act);
+    });
+    this.happens.replaceChildren(...this.names);
+    this.#place();
+  }
+  #place() {
+    let last = -Infinity;
+    const [, end] = this.section.stretch;
+    this.names.forEach((name, k) => {
+      const [t] = this.events[k];
+      const top = Math.max(this.section.y(t), last + APART);
+      name.hidden = t > end;
+      if (!name.hidden) last = top;
+      name.style.top = `${top}px`;
+    });
+  }
+  /** Another solve, or another size: the rows lie below the bodies, which are drawn first. */
+  draw() {
+    this.due = true;
+  }
+  /** @param {number} t */
+  show(t) {
+    if (!this.leads) return;
+    if (this.due) this.section.draw(this.shown);
+    if (this.due) this.#place();
+    this.due = false;
+    this.section.show(t);
+    const latest = this.events.findLastIndex(([when]) => when <= t + 1e-6);
+    this.names.forEach((name, k) => name.toggleAttribute('aria-current', k === latest));
+  }
+  /** The change that is offered: a slider walks there, so that one sees what it does. */
+  #change() {
+    const { page } = this;
+    const changes = changesOf(page.frame);
+    const { name, value } = changes[this.tried % changes.length] ?? {};
+    if (name === undefined || value === undefined) return;
+    this.tried += 1;
+    const { low, high, options, whole } = page.model.spec[name];
+    const from = Number(page.frame.chosen[name]);
+    const to = Math.min(Math.max(Number(value), low ?? 0), high ?? 0);
+    if (options || whole || !(from > 0 && to > 0)) {
+      page.choose(name, options ? value : to);
+      return;
+    }
+    const walk = (/** @type {number} */ step) => {
+      page.choose(name, Number((from * (to / from) ** (step / WALK)).toPrecision(step < WALK ? 3 : 12)));
+      if (step < WALK) setTimeout(() => walk(step + 1), STEP);
+    };
+    walk(1);
+  }
+}

@@ -1,0 +1,80 @@
+// Bodies over place and time as a picture: each row is the same body later, moved as the body on top is.
+import { contextOf } from '../charts/canvas.js';
+import { isHatched } from '../charts/hatch.js';
+import { palette, shade } from '../charts/styles.js';
+
+/** @import { Field, What } from '../axial/fields.js' */
+/** @import { Range } from '../charts/scale.js' */
+
+const PLACES = 241;
+const COARSE = { places: 61, rows: 200 }; // of a field that costs a sum for each mode
+const DIAGONALS = 6; // pixels between two lines over what is negative
+const LINE = 0.86; // of the light around, that such a line has
+
+/**
+ * What is drawn over place and time, with the picture of the bodies above it.
+ * @typedef {object} Shown
+ * @property {Field} field
+ * @property {What} what
+ * @property {number} largest  the end of the colours
+ * @property {number} duration
+ * @property {{ left: number, right: number }} drawn  where its ends are at rest [px]
+ * @property {number} scale  pixels in a unit of displacement
+ */
+
+/**
+ * Weave the rows of a stretch of time, from top to bottom; what no body covers is clear.
+ * @param {HTMLCanvasElement} canvas  made as large as needed
+ * @param {Shown} shown
+ * @param {Range} stretch
+ * @param {number} width
+ * @param {number} height
+ * @returns {Float64Array}  the value at the first place, row by row
+ */
+export function weave(canvas, { drawn, duration, field, largest, scale, what }, [start, end], width, height) {
+  const rows = field.coarse ? Math.min(COARSE.rows, height) : height;
+  const places = field.coarse ? COARSE.places : PLACES;
+  if (canvas.width !== width || canvas.height !== rows) Object.assign(canvas, { width, height: rows });
+  const context = contextOf(canvas);
+  const picture = context.createImageData(width, rows);
+  const [values, moved] = [new Float64Array(places), new Float64Array(places)];
+  const ends = new Float64Array(rows);
+  const each = (drawn.right - drawn.left) / (places - 1);
+  const span = (end - start) / rows;
+  for (let row = 0; row < rows; row++) {
+    const t = start + (row + 0.5) * span;
+    if (t > duration) break;
+    field.mean(t, span, what, values);
+    field.profile(t, 'displacement', moved);
+    ends[row] = values[0];
+    for (let k = 0; k < places; k++) moved[k] = drawn.left + k * each + moved[k] * scale;
+    fill(picture, row, moved, values, largest);
+  }
+  context.putImageData(picture, 0, 0);
+  return ends;
+}
+
+/**
+ * One row, between places that ascend.
+ * @param {ImageData} picture
+ * @param {number} row
+ * @param {Float64Array} places  [px]
+ * @param {Float64Array} values
+ * @param {number} largest
+ */
+function fill({ data, width }, row, places, values, largest) {
+  for (let k = 1; k < places.length; k++) {
+    const [from, to] = [places[k - 1], places[k]];
+    const last = Math.min(Math.ceil(to - 0.5), width);
+    for (let x = Math.max(Math.ceil(from - 0.5), 0); x < last; x++) {
+      const value = values[k - 1] + ((x + 0.5 - from) / (to - from)) * (values[k] - values[k - 1]);
+      const color = shade(value, largest);
+      const light = (row + x) % DIAGONALS === 0 && isHatched(value, largest) ? LINE : 1;
+      const p = 4 * (row * width + x);
+      data[p] = light * palette[color];
+      data[p + 1] = light * palette[color + 1];
+      data[p + 2] = light * palette[color + 2];
+      data[p + 3] = 255;
+    }
+  }
+}

@@ -1,0 +1,317 @@
+// Below the bodies: their rows over time, which runs down, and the contact force beside them on the same clock.
+import { cleared, letters, scale as zoom } from '../charts/canvas.js';
+import { between, ticks } from '../charts/scale.js';
+import { COLORS, css, STYLES } from '../charts/styles.js';
+import { make } from '../shell/dom.js';
+import { text } from '../text/catalogue.js';
+import { engineering, figures, localised, scaled } from '../text/format.js';
+import { weave } from './rows.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { Series } from '../charts/chart.js' */
+/** @import { Shown } from './rows.js' */
+/** @typedef {CanvasRenderingContext2D} Context */
+
+const HEAD = 44 * zoom; // pixels above the rows
+const FOOT = 10;
+// The track of the force: shares of the width, pixels left for times, and how much of it a peak takes.
+const TRACK = { edge: 0.06, least: 44 * zoom, gap: 0.05, most: 0.72 };
+const KEEP = [0.3, 1]; // shares of the scale between which a peak leaves it as it is
+const LATER = 'rgba(255,255,255,.45)'; // over what has not happened yet
+const FLOW = 0.4; // of the colour of the struck end, between it and its force
+const LABEL = { peak: 26, narrow: 18, line: 17 }; // pixels
+const NARROW = 560; // of width
+
+/**
+ * @typedef {object} Beside
+ * @property {import('../charts/marks.js').Span[]} contacts
+ * @property {Series[]} forces  the most important first
+ * @property {[per: number, sign: string]} clock  how many of the unit in which times are written one is
+ * @property {string} about  what that unit is
+ * @property {boolean} first  whether the first place is the one that is struck
+ * @property {boolean} strikes  by a body that is drawn beside it
+ * @typedef {Shown & Beside} Scene
+ */
+
+export class Section {
+  image = make('canvas');
+  /** @type {Scene | null} */ shown = null;
+  /** @type {Float64Array} */ ends = new Float64Array(0); // values of the first place, row by row
+  most = 0; // the end of the scale of forces [N]
+  box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    this.below = make('canvas', { role: 'img', ariaLabel: text('opening.section-about') });
+    this.above = make('canvas');
+    this.root = make('section', { className: 'section' }, this.below, this.above);
+    this.root.onpointerdown = (event) => this.#take(event);
+  }
+  /** @returns {[start: number, end: number]} of time */
+  get stretch() {
+    return this.page.range();
+  }
+  /**
+   * The place of an instant, down from the top.
+   * @param {number} t
+   */
+  y(t) {
+    const [start, end] = this.stretch;
+    return this.box.top + ((t - start) / (end - start)) * this.box.tall;
+  }
+  /** @param {number} force  [N] */
+  #x(force) {
+    return this.box.base - (force / this.most) * this.box.track;
+  }
+  /**
+   * All that changes with a solve.
+   * @param {Scene | null} shown  nothing of bodies that have no rows
+   */
+  draw(shown) {
+    this.shown = shown;
+    this.root.hidden = !shown;
+    const sheet = shown && cleared(this.below, this.root);
+    if (!shown || !sheet) return;
+    const { c, width, height } = sheet;
+    const base = shown.drawn.left - TRACK.gap * width;
+    const track = base - Math.max(TRACK.edge * width, TRACK.least);
+    this.box = { top: HEAD, tall: height - HEAD - FOOT, base, track, width };
+    this.#scale(shown);
+    const [down, across] = [Math.max(Math.round(this.box.tall), 1), Math.round(width)];
+    this.ends = weave(this.image, shown, this.stretch, across, down);
+    c.drawImage(this.image, 0, this.box.top, width, this.box.tall);
+    this.#flow(c, shown);
+    this.#frame(c, shown);
+    c.save();
+    c.beginPath();
+    c.rect(0, this.box.top, width, this.box.tall);
+    c.clip();
+    this.#striker(c, shown);
+    for (const series of shown.forces.toReversed()) this.#curve(c, series);
+    this.#names(c, shown);
+    c.restore();
+    this.#peak(c, shown.forces[0]);
+  }
+  /**
+   * The scale of forces stays while a peak can be read on it, so that a heavier mass is seen to push harder.
+   * @param {Scene} scene
+   */
+  #scale({ forces: [{ factor = 1, y }] }) {
+    let peak = 0;
+    for (let k = 0; k < y.length; k++) peak = Math.max(peak, factor * y[k]);
+    const share = peak / (TRACK.most * this.most);
+    if (share > KEEP[0] && share <= KEEP[1]) return;
+    this.most = (peak || 1) / TRACK.most;
+  }
+  /**
+   * From the struck end into the force, while they touch.
+   * @param {Context} c
+   * @param {Scene} scene
+   */
+  #flow(c, { contacts, drawn, field, first, forces: [force], largest, scale }) {
+    const [start, end] = this.stretch;
+    const rows = this.ends.length;
+    const { base, tall, top } = this.box;
+    for (let row = 0; first && row < rows; row++) {
+      const t = start + ((row + 0.5) / rows) * (end - start);
+      if (!contacts.some(([from, to]) => t >= from && t <= to)) continue;
+      const y = top + (row / rows) * tall;
+      const here = this.#x(between(force.x, force.y, t) * (force.factor ?? 1));
+      c.fillStyle = css(this.ends[row], largest);
+      c.globalAlpha = 1;
+      c.fillRect(here, y, base - here, tall / rows + 0.6);
+      c.globalAlpha = FLOW;
+      c.fillRect(base, y, drawn.left + field.face(t) * scale - base, tall / rows + 0.6);
+    }
+    c.globalAlpha = 1;
+  }
+  /**
+   * Scales of force and time, and what they are of.
+   * @param {Context} c
+   * @param {Scene} scene
+   */
+  #frame(c, { about, clock: [per, sign], drawn, first }) {
+    const { base, tall, top, track, width } = this.box;
+    const [factor, unit] = scaled(this.most, 'N');
+    c.font = letters(13);
+    c.textBaseline = 'alphabetic';
+    c.lineWidth = 1;
+    c.fillStyle = COLORS.faint;
+    c.textAlign = 'center';
+    for (const force of ticks(0, this.most * factor, track / (70 * zoom)).found) {
+      const x = Math.round(this.#x(force / factor)) + 0.5;
+      c.strokeStyle = force ? COLORS.grid : COLORS.edge;
+      c.beginPath();
+      c.moveTo(x, top);
+      c.lineTo(x, top + tall);
+      c.stroke();
+      c.fillText(localised(String(force)), x, top - 6);
+    }
+    const [start, end] = this.stretch;
+    const marks = ticks(start * per, end * per, tall / (60 * zoom));
+    c.textAlign = 'left';
+    marks.found.forEach((t, k) => {
+      const words = `${localised(t.toFixed(marks.digits))}${k ? '' : ` ${sign}`}`;
+      c.fillText(words, 2, Math.min(this.y(t / per) + 4, top + tall - 2));
+    });
+    c.fillStyle = COLORS.ink;
+    const force = text('opening.force', { unit });
+    c.fillText(force, Math.max(base - c.measureText(force).width, 2), top - 8 - LABEL.line * zoom);
+    const rows = text('opening.rows', { first });
+    c.fillText(rows, drawn.left, top - 8);
+    c.fillStyle = COLORS.faint;
+    const after = drawn.left + c.measureText(`${rows} `).width;
+    if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
+    c.fillStyle = COLORS.edge;
+    c.fillRect(width, top, 1, tall);
+  }
+  /**
+   * The face of the striker.
+   * @param {Context} c
+   * @param {Scene} scene
+   */
+  #striker(c, { drawn, duration, field, scale, strikes }) {
+    const [start, end] = this.stretch;
+    const { tall } = this.box;
+    if (!strikes) return;
+    c.strokeStyle = COLORS.ink;
+    c.lineWidth = 1.4;
+    c.beginPath();
+    for (let k = 0; k <= tall; k++) {
+      const t = start + (k / tall) * (end - start);
+      if (t > duration) break;
+      c.lineTo(drawn.left + field.mass(t) * scale, this.y(t));
+    }
+    c.stroke();
+  }
+  /**
+   * @param {Context} c
+   * @param {Series} series
+   */
+  #curve(c, { factor = 1, style, x, y }) {
+    const { color, dash = [], mark, width = 1.6 } = STYLES[style];
+    c.strokeStyle = c.fillStyle = color;
+    c.lineWidth = width;
+    c.setLineDash(dash);
+    c.beginPath();
+    for (let k = 0; k < x.length; k++) {
+      const [across, down] = [this.#x(y[k] * factor), this.y(x[k])];
+      if (mark) c.rect(across - 1.5, down - 1.5, 3, 3);
+      else c.lineTo(across, down);
+    }
+    if (mark) c.fill();
+    else c.stroke();
+    c.setLineDash([]);
+  }
+  /**
+   * What the curves are, in their colours, where they have come to rest.
+   * @param {Context} c
+   * @param {Scene} scene
+   */
+  #names(c, { forces }) {
+    const { base, tall, top } = this.box;
+    const named = forces.filter(({ cursor }) => cursor);
+    c.font = letters(13, '600 ');
+    c.textAlign = 'right';
+    c.textBaseline = 'alphabetic';
+    c.lineWidth = 4;
+    c.strokeStyle = COLORS.panel;
+    named.forEach(({ cursor = '', style }, k) => {
+      c.fillStyle = STYLES[style].color;
+      const x = Math.max(base - 10, c.measureText(cursor).width + 16 * zoom);
+      const y = top + tall - 8 - (named.length - 1 - k) * LABEL.line * zoom;
+      c.strokeText(cursor, x, y);
+      c.fillText(cursor, x, y);
+    });
+  }
+  /**
+   * The peak, beside the curve where it leaves room.
+   * @param {Context} c
+   * @param {Series} series
+   */
+  #peak(c, { factor = 1, x, y }) {
+    let most = 0;
+    for (let k = 1; k < y.length; k++) if (y[k] > y[most] * (1 + 1e-9)) most = k;
+    const words = engineering(y[most] * factor, 'N', 3);
+    const size = this.box.width < NARROW ? LABEL.narrow : LABEL.peak;
+    const tall = size * zoom;
+    c.font = letters(size, '650 ');
+    const wide = c.measureText(words).width + 8;
+    const [at, down] = [this.#x(y[most] * factor), this.y(x[most])];
+    const beside = at - wide >= TRACK.least;
+    const left = beside ? at - wide : Math.max(Math.min(TRACK.least, this.box.base - wide), 18 * zoom);
+    const clear = (/** @type {number} */ top) => {
+      for (let k = 0; k < x.length; k++) {
+        const py = this.y(x[k]);
+        if (py > top && py < top + tall && this.#x(y[k] * factor) < left + wide) return false;
+      }
+      return true;
+    };
+    const tops = [...(beside ? [down - tall / 2] : []), down - tall - 6, down + 8];
+    const top = tops.find((each) => each >= this.box.top && clear(each)) ?? down + 8;
+    c.textAlign = 'left';
+    c.textBaseline = 'middle';
+    c.lineWidth = 5;
+    c.strokeStyle = COLORS.panel;
+    c.strokeText(words, left, top + tall / 2);
+    c.fillStyle = COLORS.ink;
+    c.fillText(words, left, top + tall / 2);
+    c.beginPath();
+    c.arc(at, down, 3.5, 0, 7);
+    c.fill();
+  }
+  /**
+   * The instant of the clock: what is to come is paler.
+   * @param {number} t
+   */
+  show(t) {
+    const { shown } = this;
+    const sheet = shown && cleared(this.above, this.root);
+    if (!shown || !sheet) return;
+    const { c, width } = sheet;
+    const { base, tall, top } = this.box;
+    const y = Math.min(Math.max(this.y(t), top), top + tall);
+    c.fillStyle = LATER;
+    c.fillRect(0, y, width, top + tall - y);
+    c.strokeStyle = COLORS.cursor;
+    c.lineWidth = 1.4;
+    c.beginPath();
+    c.moveTo(0, y);
+    c.lineTo(width, y);
+    c.stroke();
+    const [{ factor = 1, x, y: force }] = shown.forces;
+    const value = between(x, force, t) * factor;
+    c.fillStyle = COLORS.cursor;
+    c.beginPath();
+    c.arc(this.#x(value), y, 4.5, 0, 7);
+    c.fill();
+    const [times_, unit] = scaled(this.most, 'N');
+    c.font = letters(13, '600 ');
+    c.textBaseline = 'bottom';
+    c.lineWidth = 4;
+    c.strokeStyle = COLORS.panel;
+    c.textAlign = 'left';
+    const words = `${figures(Math.abs(value) < 1e-6 * this.most ? 0 : value * times_, 3)} ${unit}`;
+    c.strokeText(words, base + 6, y - 3);
+    c.fillText(words, base + 6, y - 3);
+  }
+  /**
+   * A hand on the picture sets the clock.
+   * @param {PointerEvent} event
+   */
+  #take(event) {
+    if (event.button !== 0) return;
+    const go = (/** @type {PointerEvent} */ { offsetY }) => {
+      const [start, end] = this.stretch;
+      const { tall, top } = this.box;
+      this.page.player.seek(start + ((offsetY - top) / tall) * (end - start) - this.page.player.start);
+    };
+    this.root.setPointerCapture(event.pointerId);
+    this.root.onpointermove = go;
+    this.root.onpointerup = this.root.onpointercancel = () => {
+      this.root.onpointermove = this.root.onpointerup = this.root.onpointercancel = null;
+    };
+    go(event);
+  }
+}

@@ -1,0 +1,149 @@
+"""The opening: one large picture, one question, a few sliders; everything else one click away."""
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+import solvers
+
+from .test_page import settled
+
+SIZES = [(1440, 900), (1280, 720), (820, 1180), (390, 844)]
+NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+MODE = "() => strikewave.page.root.dataset.mode"
+BOXES = """() => Object.fromEntries(['.stages', '.section', '.ask', '.caption', '.player', '.foremost', '.closer'].map(
+  (name) => [name, strikewave.page.root.querySelector(name).getBoundingClientRect().toJSON()]))"""
+
+
+def opened(page) -> None:
+    page.wait("() => strikewave.page.root.querySelector('.happens li, .ask h2')?.textContent")
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_picture_and_rows_have_half_of_the_window_and_the_question_is_in_view(open_page, size):
+    page = open_page("", size=size)
+    opened(page)
+    boxes = page.evaluate(BOXES)
+    width, height = size
+    assert boxes[".stages"]["height"] + boxes[".section"]["height"] >= 0.45 * height
+    for name in (".stages", ".section", ".ask", ".caption", ".player", ".foremost"):
+        assert boxes[name]["left"] >= 0 and boxes[name]["right"] <= width + 0.5
+        assert boxes[name]["top"] >= 0 and boxes[name]["bottom"] <= height + 0.5, name
+    expect(page.tab.locator(".ask h2")).to_have_text("One impact. Why three pushes?")
+    below = [boxes[name] for name in (".player", ".foremost")]
+    assert all(box["top"] >= boxes[".section"]["bottom"] - 0.5 for box in below)
+
+
+def test_the_rows_show_the_stress_that_the_library_says(open_page):
+    page = open_page("")
+    opened(page)
+    found = page.evaluate(
+        """() => {
+          const { ends, stretch } = strikewave.page.opening.section;
+          return { ends: [...ends], stretch, unit: strikewave.page.frame.stressUnit };
+        }"""
+    )
+    exact = solvers.solve(solvers.load("fixed-rod"))
+    start, end = found["stretch"]
+    rows = len(found["ends"])
+    times = (start + (np.arange(rows) + 0.5) / rows * (end - start)) * exact.scene.time_unit
+    stress = exact.motion.stress(times, np.array([0.0]))[:, 0]
+    smooth = np.abs(np.gradient(stress)) < 0.02 * np.abs(stress).max()  # beside the jumps, which a row averages
+    assert smooth.sum() > 0.9 * rows
+    error = np.abs(np.array(found["ends"]) * found["unit"] - stress)[smooth]
+    assert error.max() < 0.02 * np.abs(stress).max()
+
+
+def test_the_laboratory_is_one_click_away_and_is_remembered(open_page):
+    page = open_page("")
+    opened(page)
+    assert page.evaluate(MODE) == "lead"
+    page.tab.locator(".closer").get_by_role("button", name="Numbers", exact=True).click()
+    expect(page.tab.get_by_role("tab", name="Numbers", exact=True)).to_be_visible()
+    page.wait("() => location.search === '?layout=laboratory&tab=numbers' || location.search === '?tab=numbers'")
+    page.tab.goto(page.tab.url.split("?")[0])
+    page.laid_out()
+    assert page.evaluate(MODE) == "desk"
+    page.tab.get_by_role("button", name="Picture", exact=True).click()
+    assert page.evaluate(MODE) == "lead"
+
+
+def test_an_analysis_is_one_click_away(open_page):
+    page = open_page("")
+    opened(page)
+    page.tab.locator(".closer").get_by_role("button", name="Energy over time", exact=True).click()
+    expect(page.tab.locator(".analysis:visible")).to_have_count(1)
+    assert page.evaluate(MODE) == "desk"
+
+
+def test_links_of_before_lead_to_the_laboratory_and_those_of_the_opening_to_it(open_page):
+    assert open_page("?mass_ratio=2").evaluate(MODE) == "desk"
+    page = open_page("?mass_ratio=2&layout=opening")
+    assert page.evaluate(MODE) == "lead"
+    settled(page)
+    page.wait("() => location.search === '?mass_ratio=2&layout=opening'")
+
+
+def test_the_question_counts_the_pushes_and_the_change_moves_the_slider(open_page):
+    page = open_page("")
+    opened(page)
+    page.tab.get_by_role("button", name="What if the striker").click()
+    page.wait("() => strikewave.page.frame.chosen.mass_ratio === 0.25 && !strikewave.page.asked")
+    (until, *_), *others = [contact[1:] for contact in page.header("exact")["contacts"]]
+    pushes = int(np.ceil(until)) + len(others)  # the front comes back every T
+    assert pushes > 3
+    expect(page.tab.locator(".ask h2")).to_have_text(f"One impact. Why {NUMBERS[pushes]} pushes?")
+
+
+def test_a_hand_on_the_rows_sets_the_clock(open_page):
+    page = open_page("")
+    opened(page)
+    box = page.tab.locator(".section").bounding_box()
+    place, top, tall = page.evaluate(
+        """() => {
+          const { section } = strikewave.page.opening;
+          return [section.y(1.25), section.box.top, section.box.tall];
+        }"""
+    )
+    page.tab.mouse.move(box["x"] + 500, box["y"] + place)
+    page.tab.mouse.down()
+    page.tab.mouse.up()
+    start, end = page.evaluate("() => strikewave.page.opening.section.stretch")
+    pixel = (end - start) / tall
+    assert top > 0 and page.evaluate("() => strikewave.page.player.t") == pytest.approx(1.25, abs=1.5 * pixel)
+
+
+def test_events_stand_at_their_time(open_page):
+    page = open_page("")
+    opened(page)
+    names = page.tab.locator(".happens li:visible")
+    expect(names.first).to_contain_text("They touch")
+    expect(names.last).to_contain_text("They part for good")
+    tops = page.evaluate("() => strikewave.page.opening.names.map((name) => parseFloat(name.style.top))")
+    assert tops == sorted(tops) and len(tops) == 6
+    names.nth(2).get_by_role("button").click()
+    assert page.evaluate("() => strikewave.page.player.t") == pytest.approx(1.0, abs=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("scene", "charts", "question"),
+    [
+        ("free-rod", 0, "Nothing holds the rod."),
+        ("hammer-on-cantilever", 1, "One impact. Why five contacts?"),
+        ("four-bar", 1, "One link is struck."),
+        ("newtons-cradle", 1, "One ball strikes."),
+        ("brick-on-floor", 0, "Two bodies meet in a point."),
+    ],
+)
+def test_every_kind_has_its_question_and_its_picture(open_page, scene, charts, question):
+    page = open_page(f"?scene={scene}&layout=opening")
+    opened(page)
+    expect(page.tab.locator(".ask h2")).to_contain_text(question)
+    expect(page.tab.locator(".strip .chart:visible")).to_have_count(charts)
+    expect(page.tab.locator(".section:visible")).to_have_count(1 if scene == "free-rod" else 0)
+    assert 2 <= page.tab.locator(".leading:visible").count() <= 4
+
+
+def test_dark_and_light_have_the_same_picture(open_page):
+    light, dark = (open_page("", color_scheme=scheme) for scheme in ("light", "dark"))
+    assert light.picture() == dark.picture()  # turned over as a whole by a filter
