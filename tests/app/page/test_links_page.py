@@ -260,7 +260,7 @@ def test_links_count_times_of_what_bends_in_milliseconds(open_page):
     times = page.evaluate("() => [strikewave.page.player.t, ...strikewave.page.range()]")
     assert times == pytest.approx([7e-4, 2e-4, 1.4e-3])
     page.wait("() => ['t=0.7', 'view=0.2,1.4'].every((part) => location.search.includes(part))")
-    assert page.evaluate("() => strikewave.page.view.force.chart.writtenX(7e-4)") == "0.7000 ms"
+    assert page.evaluate("() => strikewave.page.view.force.chart.writtenX(7e-4)") == "0.700 ms"
 
 
 @pytest.mark.parametrize(
