@@ -145,7 +145,7 @@ def hovered(page: Page, selector: str) -> None:
 
 def zoomed(page: Page) -> None:
     turned(page, "Charts")
-    page.evaluate("() => strikewave.page.view.axis.show([0.31, 0.347])")
+    page.evaluate("() => { const { axis, linkUnit: u = 1 } = strikewave.page.view; axis.show([0.31 * u, 0.347 * u]); }")
 
 
 def sheet(page: Page, share: float) -> None:

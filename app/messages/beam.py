@@ -11,7 +11,6 @@ from solvers.numerics.beams.dispersion import dispersion
 from solvers.studies.contact_times import compare_with_half_space
 
 from ..choices.request import Request
-from .histories import MS
 from .transverse import Answer, comparison_arrays, field_arrays, impact_frame, main_solution
 
 SAMPLED_PLACES = 41  # of fields that are not by modes
@@ -51,7 +50,7 @@ def _half_space(scene: Scene) -> dict[str, np.ndarray]:
     except SceneError:
         return {}
     time = np.linspace(0.0, min(beside.duration, 1.05 * beside.contacts[-1].end), HALF_SPACE_POINTS)
-    return {"halfTime": MS * time, "halfForce": beside.known_motion.force(time)}
+    return {"halfTime": time, "halfForce": beside.known_motion.force(time)}
 
 
 def _speeds(scene: Scene, main: Solution) -> dict[str, np.ndarray]:

@@ -14,7 +14,6 @@ from solvers.methods.multibody.motion import MovingMotion
 
 from .encoding import FORCE_POINTS, Stretch, around, force_history, instants, over
 
-MS = 1e3  # [ms / s]
 MOTION_POINTS = 500  # of the motions of impactor and struck place
 LISTED_RATES = 60  # contacts before and after which velocities are listed
 
@@ -48,7 +47,7 @@ def struck_velocity(solution: Solution, time: np.ndarray, after: bool = True) ->
 
 
 def force_arrays(solution: Solution, name: str, stretch: Stretch) -> dict[str, np.ndarray]:
-    """Contact force [N] over time [ms]; of modes in rigid contact as far as they resolve it."""
+    """Contact force [N] over time [s]; of modes in rigid contact as far as they resolve it."""
     motion = solution.known_motion
     if isinstance(motion, MechanismMotion):  # who looks from elsewhere sees the same force
         motion = motion.relative
@@ -61,7 +60,7 @@ def force_arrays(solution: Solution, name: str, stretch: Stretch) -> dict[str, n
         time, force = np.array([0.0, solution.duration]), np.zeros(2)  # impulses without duration
     else:
         time, force = force_history(solution, stretch)
-    return {f"{name}Time": MS * time, f"{name}Force": force}
+    return {f"{name}Time": time, f"{name}Force": force}
 
 
 def extremes(step: float, force: np.ndarray, stretch: Stretch = None) -> tuple[np.ndarray, np.ndarray]:

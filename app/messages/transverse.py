@@ -1,7 +1,7 @@
 """What the browser needs of an impact across what bends, in the layout of app/messages/encoding.py.
 
-SI units, except that times are in milliseconds. For modes the browser carries the same oscillators through the
-same forces; for other methods it gets fields at (instant, place), closer together at first, where most happens.
+SI units. For modes the browser carries the same oscillators through the same forces; for other methods it gets fields
+at (instant, place), closer together at first, where most happens.
 """
 
 from dataclasses import replace
@@ -24,7 +24,7 @@ from solvers.text.notes import Note
 from ..choices.choices import SOLVED_BY
 from ..choices.request import Request
 from .encoding import LARGEST_MASS, Stretch, cycle, figures_of, instants, packed, refusals, whole_numbers
-from .histories import MS, force_arrays, motion_instants, paths, rates_at, rates_of_contacts
+from .histories import force_arrays, motion_instants, paths, rates_at, rates_of_contacts
 from .parts import common
 from .solutions import method_options
 
@@ -80,7 +80,7 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
     """The message: what is the same for all that bends, and `header` and `arrays` of what the kind adds to it."""
     main, beside, scene = answer.main, answer.beside, request.scene
     time, after = motion_instants(main, request.stretch)
-    arrays |= {"time": MS * time} | paths(main, time, "")
+    arrays |= {"time": time} | paths(main, time, "")
     rates = [rates_at(main, time, each) for each in (False, True)]
     arrays |= dict(zip(("impactorRate", "struckRate"), np.where(after, rates[1], rates[0]), strict=True))
     arrays |= _contacts(main) | rates_of_contacts(main)
@@ -93,8 +93,8 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
         "head": saved_head(main.scene if moves else scene, main.method, main.duration),
         "refusals": refusals(scene),
         "refused": answer.reason and answer.reason.table(),
-        "trip": 1e-3,
-        "duration": MS * main.duration,
+        "trip": 1.0,
+        "duration": main.duration,
         "speed": scene.speed,
         "impactor": {"kind": scene.impactor.kind, "mass": min(scene.impactor.mass, LARGEST_MASS)},
         "law": {
@@ -113,10 +113,9 @@ def impact_frame(request: Request, answer: Answer, header: dict[str, Any], array
 
 
 def _span(solution: Solution) -> dict[str, float | None]:
-    """Times [ms]: first touch to last parting, in true contact, and half a period with the impactor on the beam."""
+    """Times [s]: first touch to last parting, in true contact, and half a period with the impactor on the beam."""
     times = contact_times(solution)
-    half = None if times.half_period is None else MS * times.half_period
-    return {"apparent": MS * times.apparent, "real": MS * times.real, "half": half}
+    return {"apparent": times.apparent, "real": times.real, "half": times.half_period}
 
 
 def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
@@ -135,8 +134,8 @@ def _figures(solution: Solution, name: str | None = None) -> dict[str, Any]:
 
 
 def _contacts(solution: Solution) -> dict[str, np.ndarray]:
-    """Start, end [ms], impulse [N s] and peak force [N] of every contact; an impact of no duration has peak 0."""
-    rows = [[MS * c.start, MS * c.end, c.impulse, c.peak_force or 0.0] for c in solution.contacts[:CONTACTS]]
+    """Start, end [s], impulse [N s] and peak force [N] of every contact; an impact of no duration has peak 0."""
+    rows = [[c.start, c.end, c.impulse, c.peak_force or 0.0] for c in solution.contacts[:CONTACTS]]
     return {"contacts": np.array(rows)}
 
 
@@ -162,7 +161,7 @@ def field_arrays(solution: Solution, stretch: Stretch, places: int) -> tuple[dic
         values = field(time, x)
         there = np.abs(values).max(initial=0.0) > ROUNDING * usual.get(name, 0.0)
         arrays[f"field{name}"] = whole_numbers(values if there else np.zeros_like(values))
-    return {"places": places}, {"fieldTime": MS * time, **arrays} | force_arrays(solution, "main", stretch)
+    return {"places": places}, {"fieldTime": time, **arrays} | force_arrays(solution, "main", stretch)
 
 
 def _modal_fields(motion: ModalMotion) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -210,7 +209,7 @@ def comparison_arrays(main: Solution, places: int) -> dict[str, np.ndarray]:
         return found
     time = np.linspace(0.0, main.duration, 200)
     path = estimate.solve(scene, main.duration).known_motion.end_position(time)
-    found |= {"staticTime": MS * time, "staticPath": path}
+    found |= {"staticTime": time, "staticPath": path}
     if scene.target.fixed:
         modes = scene.target.modes(MODES_BESIDE[0])
         weights = modes.at_contact / modes.frequencies**2

@@ -223,7 +223,7 @@ export interface Common {
   /** bodies, and rods, links and joints one by one */ parts: PartRecord[];
   /** keys that the scene sets and that have no control */ unshown: string[];
   /** what the scene is opened with */ opens: Opens;
-  /** axial [T]; beam, mechanism [ms]; bodies: on either side of the impact [s] */ duration: number;
+  /** axial [T], else [s]; bodies: on either side of the impact */ duration: number;
 }
 
 export interface Bending extends Common {
@@ -233,21 +233,21 @@ export interface Bending extends Common {
   /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
   /** (impact) force in it [N] */ blowForce?: Numbers;
   /** why the chosen method is not shown */ refused: Note | null;
-  /** a unit of time [s] */ trip: number;
+  /** 1: the unit of its times [s] */ trip: number;
   /** of the impact [m/s] */ speed: number;
   beam: BeamRecord;
   impactor: Striking;
   law: { name: string, damps: boolean, yields: boolean, rigid: boolean, exponent: number };
   main: BeamFigures;
   /** the same impact by another number of modes */ reference: BeamFigures | null;
-  /** first touch to last parting, in contact, half a period with the impactor on the beam [ms] */ span: { apparent: number, real: number, half: number | null };
+  /** first touch to last parting, in contact, half a period with the impactor on the beam [s] */ span: { apparent: number, real: number, half: number | null };
   /** along the beam, of every field */ places: number;
-  /** (time) [ms] */ time: Numbers;
+  /** (time) [s] */ time: Numbers;
   /** (time) [m] */ impactorPath: Numbers;
   /** (time) [m] */ struckPath: Numbers;
   /** (time) [m/s] */ impactorRate: Numbers;
   /** (time) [m/s] */ struckRate: Numbers;
-  /** (contacts, 4) start, end [ms], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
+  /** (contacts, 4) start, end [s], impulse [N s], peak force [N]; the first of many */ contacts: Contact[];
   /** (listed, 2, 2) as each contact begins and ends: of impactor and struck place [m/s] */ rates: Numbers;
   /** (wavenumbers) [1/m] */ wavenumbers?: Numbers;
   /** (wavenumbers) angular frequency [rad/s] */ lower?: Numbers;
@@ -256,14 +256,14 @@ export interface Bending extends Common {
   /** (wavenumbers) of the shear branch [rad/s] */ upper?: Numbers;
   /** (time) [m] */ referenceImpactorPath?: Numbers;
   /** (time) [m] */ referenceStruckPath?: Numbers;
-  /** (reference) [ms] */ referenceTime?: Numbers;
+  /** (reference) [s] */ referenceTime?: Numbers;
   /** (reference) [N] */ referenceForce?: Numbers;
-  /** (main) of methods without modes [ms] */ mainTime?: Numbers;
+  /** (main) of methods without modes [s] */ mainTime?: Numbers;
   /** (main) [N] */ mainForce?: Numbers;
-  /** (static) of the quasi-static estimate [ms] */ staticTime?: Numbers;
+  /** (static) of the quasi-static estimate [s] */ staticTime?: Numbers;
   /** (static) of the struck place [m] */ staticPath?: Numbers;
   /** (places) of the beam bent at rest, 1 at the struck place */ staticShape?: Numbers;
-  /** (half) of the same impact on a half-space [ms] */ halfTime?: Numbers;
+  /** (half) of the same impact on a half-space [s] */ halfTime?: Numbers;
   /** (half) [N] */ halfForce?: Numbers;
   /** (steps) one for each step [N] */ modalForce?: Numbers;
   /** (drawnModes) [rad/s] */ modalFrequencies?: Numbers;
@@ -284,7 +284,7 @@ export interface Bending extends Common {
   /** of the beam as a whole before the impact [m/s] */ drift?: number;
   drawnModes?: number;
   keptModes?: number;
-  /** (instants) of methods without modes, closer together at first [ms] */ fieldTime?: Numbers;
+  /** (instants) of methods without modes, closer together at first [s] */ fieldTime?: Numbers;
   /** (instants, places) [m] */ fieldDeflection?: Numbers;
   /** (instants, places) [m/s] */ fieldVelocity?: Numbers;
   /** (instants, places) [N m] */ fieldMoment?: Numbers;
@@ -383,16 +383,16 @@ export interface MechanismFrame extends Bending {
   /** of which the struck link stands for the beam */ mechanism: MechanismRecord;
   /** of one that moves on as far as it goes */ moving: MovingRecord | null;
   /** (links, link places, 2) as the impact begins; unbent if it moves on [m] */ linkPoints?: Numbers;
-  /** (link instants) closer together at first [ms] */ linkTime?: Numbers;
+  /** (link instants) closer together at first [s] */ linkTime?: Numbers;
   /** (link instants, links, link places, 2) how far they have come [m] */ linkMoves?: Numbers;
   /** (link instants, 2) of one that moves on: where the mass is [m] */ massPlaces?: Numbers;
-  /** (2, edges) as contacts begin and end: time [ms], angle of the normal [rad] */ normals?: Numbers;
-  /** (bend instants) [ms] */ bendTime?: Numbers;
-  /** (energy instants) [ms] */ energyTime?: Numbers;
+  /** (2, edges) as contacts begin and end: time [s], angle of the normal [rad] */ normals?: Numbers;
+  /** (bend instants) [s] */ bendTime?: Numbers;
+  /** (energy instants) [s] */ energyTime?: Numbers;
   /** (energy instants, energy parts) [J] */ energies?: Numbers;
-  /** (reaction instants) [ms] */ reactionTime?: Numbers;
+  /** (reaction instants) [s] */ reactionTime?: Numbers;
   /** (reaction instants, joints, 3) on the second link of each joint [N, N, N m] */ reactions?: Numbers;
-  /** (reference reaction instants) [ms] */ referenceReactionTime?: Numbers;
+  /** (reference reaction instants) [s] */ referenceReactionTime?: Numbers;
   /** (reference reaction instants, joints, 3) [N, N, N m] */ referenceReactions?: Numbers;
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }

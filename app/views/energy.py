@@ -12,7 +12,6 @@ from solvers.text.catalogue import Catalogue
 
 from ..choices.kinds import moves_on
 from ..choices.request import Request
-from ..messages.histories import MS
 from ..messages.transverse import main_solution
 from .answering import answering
 from .figures import INK, blank, cursor, hover, legend, source
@@ -51,13 +50,13 @@ def _listed(values: np.ndarray) -> list[float]:
 
 
 def energy_shares(request: Request) -> dict[str, Any]:
-    """Energy of every part against time [T; ms for a beam], as a share of the first energy.
+    """Energy of every part against time [T; s for a beam], as a share of the first energy.
 
     That of a beam is split into motion and bending, where its method knows both.
     """
     beam = not request.exact
     if beam:
-        solution, unit = main_solution(request)[0], 1.0 / MS
+        solution, unit = main_solution(request)[0], 1.0
     else:
         solution, unit = exact_solution(request.scene, request.restitution), request.scene.time_unit
     time = beam_instants(solution) if beam else np.linspace(0.0, solution.duration, INSTANTS)
@@ -67,7 +66,7 @@ def energy_shares(request: Request) -> dict[str, Any]:
         energies = {key: energies[key] for key in energies if key not in ("target_rigid", "target_vibration")}
         energies |= {f"target_{name}": values for name, values in parts.items()}
     shares = {name: 100.0 * values / solution.energy["initial"] for name, values in energies.items()}
-    return {"time": time / unit, "unit": "ms" if beam else "T", **shares}
+    return {"time": time / unit, "unit": "s" if beam else "T", **shares}
 
 
 def beam_instants(solution: Solution) -> np.ndarray:

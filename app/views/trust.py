@@ -8,7 +8,6 @@ from solvers import ensemble
 from solvers.text.catalogue import Catalogue
 
 from ..choices.request import Request
-from ..messages.histories import MS
 from ..messages.transverse import method_at_impact
 from .answering import answering
 from .figures import COLOURS, blank, cursor, hover, legend, source
@@ -20,7 +19,7 @@ BANDS = {"force": "N", "displacement": "m", "velocity": "m/s"}  # names in the a
 
 @answering
 def trust_data(request: Request) -> dict[str, Any]:
-    """The ensemble for these choices: bands over time [ms], table and words."""
+    """The ensemble for these choices: bands over time [s], table and words."""
     found = ensemble(request.scene, method=method_at_impact(request), runs=RUNS)
     rows = np.unique(np.linspace(0, found.time.size - 1, MOST_POINTS).round().astype(int))
 
@@ -29,7 +28,7 @@ def trust_data(request: Request) -> dict[str, Any]:
 
     table = found.table()
     return {
-        "time": _listed(MS * found.time[rows]),
+        "time": _listed(found.time[rows]),
         "force": band(found.force),
         "displacement": band(found.struck_position),
         "velocity": band(found.impactor_velocity),
@@ -51,13 +50,12 @@ def _listed(values: np.ndarray) -> list[float]:
 def trust_figure(texts: Catalogue) -> list[Any]:
     """Bands over time of what 200 impacts do, in source "bands": of each quantity all of them, and 90 % of them."""
     edges = "lowest", "low", "high", "highest"
-    bands = source("bands", "time", *(f"{name}-{edge}" for name in BANDS for edge in edges))
+    bands = source("bands", "time", "when", *(f"{name}-{edge}" for name in BANDS for edge in edges))
     plots: list[Any] = []
     words, names = texts.family("trust"), texts.family("trust.edge")
-    time = texts.text("panel.time-in", unit="ms")
     for (name, unit), colour in zip(BANDS.items(), COLOURS, strict=False):
         label = texts.text(f"trust.axis.{name}", unit=unit)
-        plot = blank(f"trust-{name}", words[f"band.{name}"], time, label, plots[0] if plots else None, 230)
+        plot = blank(f"trust-{name}", words[f"band.{name}"], "", label, plots[0] if plots else None, 230)
         columns = {edge: f"{name}-{edge}" for edge in edges}
         every = plot.varea(
             "time", columns["lowest"], columns["highest"], source=bands, fill_color=colour, fill_alpha=0.2
@@ -68,7 +66,7 @@ def trust_figure(texts: Catalogue) -> list[Any]:
             for edge, dash in zip(edges, ("dotted", "solid", "solid", "dotted"), strict=True)
         ]
         read = {names[edge]: f"@{{{column}}}{{0.000a}}" for edge, column in columns.items()}
-        tips = {texts.text("chart.time"): "@time{0.0000} ms"} | read
+        tips = {texts.text("chart.time"): "@when"} | read
         hover(plot, lines[:1], tips, mode="vline")
         legend(plot, [(words["most"], [most]), (words["every"], [every])])
         cursor(plot, f"trust-cursor-{name}")

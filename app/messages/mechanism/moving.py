@@ -17,7 +17,6 @@ from ..encoding import Stretch, over, whole_numbers
 from .links import PLACES, across, instants_for, link_arrays
 from .resting import described, with_rigid_links
 
-MS = 1e3  # [ms / s]
 INSTANTS, HISTORY = 601, 301  # of the picture, besides impacts; of reactions and energies
 TURN_INSTANTS = 24  # in a turn of the fastest link, if that is more
 MOST_INSTANTS = 1_500
@@ -75,7 +74,7 @@ def moving_fields(
     ends = np.stack([links[link.name] for link in mechanism.links], axis=1)  # (instants, links, ends, 2)
     ends -= bends.pop("beside")
     arrays: dict[str, Any] = {
-        "linkTime": MS * time,
+        "linkTime": time,
         "linkPoints": ends[0],
         "linkMoves": whole_numbers(ends - ends[0]),
         "massPlaces": whole_numbers(motion.impactor_places(time)),
@@ -117,7 +116,7 @@ def _bends(motion: MovingMotion, time: np.ndarray, stretch: Stretch) -> dict[str
     shapes = sum(len(fields.shape) for fields in bent.values())
     fine = over(stretch, float(motion.time[-1]), instants_for(shapes))
     coordinates, now = motion.coordinates(fine), motion.coordinates(time)
-    found: dict[str, Any] = {"bendTime": MS * fine}
+    found: dict[str, Any] = {"bendTime": fine}
     for number, fields in bent.items():
         first, angle = int(offsets[number]) + 3, now[:, int(offsets[number]) + 2]
         own = slice(first, first + len(fields.shape))
@@ -128,13 +127,13 @@ def _bends(motion: MovingMotion, time: np.ndarray, stretch: Stretch) -> dict[str
 
 
 def _normals(motion: MovingMotion, links: dict[str, np.ndarray], edges: np.ndarray, time: np.ndarray) -> np.ndarray:
-    """Times [ms] at which contacts begin and end, and angles of the normal of the struck link [rad], (2, edges)."""
+    """Times [s] at which contacts begin and end, and angles of the normal of the struck link [rad], (2, edges)."""
     mechanism = motion.mechanism
     along = np.diff(links[mechanism.struck.link], axis=1)[:, 0]
     angle = np.unwrap(np.arctan2(along[:, 1], along[:, 0]))
     x, y = mechanism.struck.normal
     turned = (angle - angle[0])[np.searchsorted(time, edges)]
-    return np.stack((MS * edges, math.atan2(y, x) + turned))
+    return np.stack((edges, math.atan2(y, x) + turned))
 
 
 def _jolts(motion: MovingMotion, solution: Solution) -> list[list[float]]:
@@ -152,7 +151,7 @@ def _reactions(motion: MovingMotion, name: str, stretch: Stretch) -> dict[str, A
         return {}
     forces = motion.reaction_forces(steps.ravel()).reshape(*steps.shape, joints, 3).mean(axis=1)
     time, reactions = ("reactionTime", "reactions") if not name else (f"{name}ReactionTime", f"{name}Reactions")
-    return {time: MS * steps.mean(axis=1), reactions: whole_numbers(forces)}
+    return {time: steps.mean(axis=1), reactions: whole_numbers(forces)}
 
 
 def _energies(motion: MovingMotion, scene: Scene, stretch: Stretch) -> tuple[list[str], dict[str, Any]]:
@@ -162,7 +161,7 @@ def _energies(motion: MovingMotion, scene: Scene, stretch: Stretch) -> tuple[lis
     time = _amid_steps(motion.time, stretch).mean(axis=1)
     parts = _parts(motion, scene, time) if stretch else ever
     return names, {
-        "energyTime": MS * time,
+        "energyTime": time,
         "energies": whole_numbers(np.stack([parts[name] for name in names], axis=1)),
     }
 

@@ -39,17 +39,17 @@ def mechanism_fields(
     places = np.stack([links[name] for name in motion.names], axis=1)  # (instants, links, places, 2)
     arrays: dict[str, Any] = {
         "linkPoints": places[0],
-        "linkTime": 1e3 * time,
+        "linkTime": time,
         "linkMoves": whole_numbers(places - places[0]),
     }
     if motion.mechanism.joints:
         alone = len(motion.mechanism.joints) == 1 and solution.scene.rigid_contact
         count = REACTIONS_OF_ONE if alone else REACTIONS
         fine = instants(solution.duration, count, stretch)
-        arrays |= {"reactionTime": 1e3 * fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
+        arrays |= {"reactionTime": fine, "reactions": whole_numbers(motion.reaction_forces(fine))}
         if rigid is not None and isinstance(rigid.motion, MechanismMotion):
             forces = whole_numbers(rigid.motion.reaction_forces(fine))
-            arrays |= {"referenceReactionTime": 1e3 * fine, "referenceReactions": forces}
+            arrays |= {"referenceReactionTime": fine, "referenceReactions": forces}
     arrays |= _others(motion, solution.duration, stretch)
     return {"mechanism": described(motion.mechanism), "moving": None}, arrays
 
@@ -67,7 +67,7 @@ def _others(motion: MechanismMotion, duration: float, stretch: Stretch) -> dict[
     shapes = sum(len(fields.shape) for fields in bent.values())
     count = instants_for(shapes, AMOUNTS_BESIDE)
     ever, time = motion.coordinates(instants(duration, count)), instants(duration, count, stretch)
-    coordinates, found = motion.coordinates(time), {"bendTime": 1e3 * time}
+    coordinates, found = motion.coordinates(time), {"bendTime": time}
     for number, fields in bent.items():
         own = slice(offsets[number], offsets[number + 1])
         found |= link_arrays(number, coordinates[:, own], fields, ever[:, own])

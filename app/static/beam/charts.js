@@ -1,11 +1,12 @@
 // The views of a struck beam that share the axis of time: x-t diagram, contact force, motions; and the dispersion of
-// its waves. Times in milliseconds.
+// its waves.
 import { Chart } from '../charts/chart.js';
 import { paint, reader } from '../charts/picture.js';
 import { Peak, whenLargest } from '../charts/peak.js';
 import { averaged, between, pair, stairs, withFiner } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { given } from '../shell/message.js';
+import { SECONDS } from '../shell/times.js';
 import { family, named, text } from '../text/catalogue.js';
 import { duration, engineering, figures, prefixed, signed } from '../text/format.js';
 import { called } from '../text/words.js';
@@ -26,7 +27,7 @@ const ENDS = {
 /** @import { BeamField, What } from './field.js' */
 
 /**
- * What an ensemble of impacts reached at each instant [ms].
+ * What an ensemble of impacts reached at each instant [s].
  * @typedef {{ lowest: number[], low: number[], high: number[], highest: number[] }} Spread
  * @typedef {{ time: number[], force: Spread, displacement: Spread }} Band
  */
@@ -42,7 +43,7 @@ const QUANTITIES = family('beam.colour');
 const XT = {
   title: text('beam.chart.waves'),
   about: text('beam.chart.waves-about'),
-  caption: () => text('beam.chart.waves-axes'),
+  caption: (/** @type {string} */ _, /** @type {string} */ unit) => text('beam.chart.waves-axes', { unit }),
 };
 
 export class BeamSpaceTime {
@@ -62,7 +63,7 @@ export class BeamSpaceTime {
    */
   constructor(axis, go, end) {
     this.end = end;
-    this.chart = new Chart({ ...XT, axis, xUnit: 'ms', y: [1, 0], go });
+    this.chart = new Chart({ ...XT, axis, xUnit: SECONDS, y: [1, 0], go });
   }
   /**
    * @param {BendingFrame} frame
@@ -77,7 +78,7 @@ export class BeamSpaceTime {
     this.chart.label = (v) => (v === 0 ? first : v === 1 ? last : signed(v, 1));
     this.whole = this.fine = null;
     const place = frame.beam.place / frame.beam.length;
-    const arrival = (1e3 * frame.beam.length) / frame.beam.speedLimit; // nothing in the material runs faster
+    const arrival = frame.beam.length / frame.beam.speedLimit; // nothing in the material runs faster
     const wedge = { x: [arrival, 0, arrival], y: [place - 1, place, place + 1], path: true };
     const way = what === 'moment' || what === 'shear' ? 'positive' : 'forward';
     const red = text('beam.chart.red', { what: QUANTITIES[what], way });
@@ -104,7 +105,7 @@ export class BeamSpaceTime {
   /** @returns {Range} what is in view of the impact; a solution that is kept may last longer */
   get #stretch() {
     const [start, end] = this.chart.axis.view;
-    return [start, Math.max(Math.min(end, this.frame.duration), start + 1e-9)];
+    return [start, Math.max(Math.min(end, this.frame.duration), start + 1e-12)];
   }
   #refine() {
     this.fine = this.#picture(this.images[1], this.#stretch);
@@ -182,7 +183,7 @@ export class BeamForce {
       title: text('beam.chart.force'),
       about: text('beam.chart.force-about'),
       axis,
-      xUnit: 'ms',
+      xUnit: SECONDS,
       unit: 'N',
       zero: true,
       pad: [0.04, 0.12],
@@ -209,10 +210,10 @@ export class BeamForce {
     this.raw = null;
     if (modalForce) {
       // what modes say is one force for each step; chatter at the shortest kept period says nothing
-      const h = 1e3 * given(step, 'step');
+      const h = given(step, 'step');
       const window = law.rigid ? frame.main.diagnostics.resolved_time : 0;
       this.raw = window ? stairs(modalForce, h) : null;
-      this.main = window ? averaged(modalForce, h, 1e3 * window) : stairs(modalForce, h);
+      this.main = window ? averaged(modalForce, h, window) : stairs(modalForce, h);
       const fine = pair(mainTime, mainForce); // of a stretch, where steps come in groups
       if (fine && !window) this.main = withFiner(this.main, fine);
     } else this.main = given(pair(mainTime, mainForce), 'mainForce');
@@ -283,7 +284,7 @@ export class BeamMotion {
   constructor(axis, go) {
     const [title, about] = [text('beam.chart.motion'), text('beam.chart.motion-about')];
     const caption = (/** @type {string} */ unit) => text('beam.chart.motion-axes', { unit });
-    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'm', caption, go });
+    this.chart = new Chart({ title, about, axis, xUnit: SECONDS, unit: 'm', caption, go });
     const press = (/** @type {string} */ kind) => {
       this.kind = /** @type {Kind} */ (kind);
       this.#show();

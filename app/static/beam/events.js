@@ -48,7 +48,7 @@ function holding({ beam, contacts, main, time, struckPath }) {
 }
 
 /**
- * The events of the impact, in the order of time [ms].
+ * The events of the impact, in the order of time [s].
  * @param {BendingFrame} frame
  * @returns {Event[]}
  */
@@ -177,7 +177,7 @@ export function spanOf(frame) {
 }
 
 /**
- * The impact against half a period of the beam with the impactor on it [ms].
+ * The impact against half a period of the beam with the impactor on it [s].
  * @param {BendingFrame} frame
  * @param {number} half
  */

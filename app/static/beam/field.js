@@ -1,4 +1,4 @@
-// Fields of a struck beam, rebuilt from the message: SI units, except that time is in milliseconds.
+// Fields of a struck beam, rebuilt from the message, in SI units.
 // Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
 import { indexAt } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
@@ -215,7 +215,7 @@ export class ModalBeamField extends BeamField {
    * @param {number} t
    */
   seek(t) {
-    const target = Math.min(Math.max(Math.round(t / 1e3 / this.h), 0), this.steps);
+    const target = Math.min(Math.max(Math.round(t / this.h), 0), this.steps);
     const row = Math.floor(target / this.stride);
     if (target < this.at || row * this.stride > this.at + this.stride) {
       const from = Math.min(row, this.saved - 1);

@@ -2,6 +2,7 @@
 import { between } from '../charts/scale.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
+import { unitOfTime } from '../shell/times.js';
 import { duration, figures, prefixed, signed, speed } from '../text/format.js';
 import { family, said, text } from '../text/catalogue.js';
 import { called, METHODS } from '../text/words.js';
@@ -28,7 +29,7 @@ export class BeamStory {
   constructor(page) {
     this.page = page;
     this.now = make('p', { className: 'now' });
-    this.events = new Events((t) => page.player.seek(t + 1e-6), when, 1e-9);
+    this.events = new Events((t) => page.player.seek(t + 1e-9), when, 1e-12);
     this.why = make('p', { className: 'match' });
     this.span = make('p', { className: 'match span' });
     this.table = make('table', { className: 'contacts' });
@@ -87,16 +88,17 @@ export class BeamStory {
   contactTable() {
     this.table.classList.remove('wraps');
     const { contacts, duration: whole, main } = this.frame;
+    const [perSecond, unit] = unitOfTime(whole);
     const [factor, prefix] = prefixed(main.peakForce ?? 0);
-    const digits = Math.min(Math.max(5 - Math.floor(Math.log10(whole)) - 1, 0), 4); // as many as fit
+    const digits = Math.min(Math.max(5 - Math.floor(Math.log10(whole * perSecond)) - 1, 0), 4); // as many as fit
     const rows = contacts.slice(0, LISTED).map(([start, end, impulse, peak], k) => {
       const look = lookCloser(text('beam.table.contact', { number: k + 1 }), () => this.page.zoom(start, end));
       const most = peak ? figures(peak * factor) : '–';
-      return rowOf([look, signed(start, digits), signed(end, digits), figures(impulse), most]);
+      return rowOf([look, signed(start * perSecond, digits), signed(end * perSecond, digits), figures(impulse), most]);
     });
     const more = text('beam.table.more', { count: main.contacts - LISTED });
     if (main.contacts > LISTED) rows.push(make('tr', {}, make('td', { colSpan: 5, textContent: more })));
-    this.table.replaceChildren(contactHead(['', 'ms', 'ms', 'N s', `${prefix}N`]), make('tbody', {}, ...rows));
+    this.table.replaceChildren(contactHead(['', unit, unit, 'N s', `${prefix}N`]), make('tbody', {}, ...rows));
   }
   figures() {
     const { main, reference } = this.frame;
@@ -123,8 +125,8 @@ export class BeamStory {
       ['peak-force', (s) => (s.peakForce === null ? '–' : figures(s.peakForce * factor))],
       ['indentation', (s) => micro(s.peakIndentation)],
       ...this.dents(both),
-      ['apparent', (s) => (s === main ? figures(span.apparent) : '')],
-      ['real', (s) => (s === main ? figures(span.real) : '')],
+      ['apparent', (s) => (s === main ? duration(span.apparent) : '')],
+      ['real', (s) => (s === main ? duration(span.real) : '')],
       ...this.solved(),
     ];
   }

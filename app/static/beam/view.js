@@ -45,7 +45,8 @@ export class BeamView {
   /** @type {What} */ what = 'moment'; // that the colours show
   usual = 'moment';
   whats = FIELDS;
-  after = 1e-6;
+  after = 1e-9;
+  linkUnit = 1e-3; // s
   /** @type {Shown} */ frame;
   /** @type {BeamField} */ field;
   /** @type {Band | null} */ band = null; // of an ensemble, behind the curves
@@ -236,7 +237,7 @@ export class BeamView {
     const columns = ['impactor_m', 'struck_place_m', 'impactor_m_per_s', 'struck_place_m_per_s'];
     const values = Array.from({ length: points + 1 }, (_, k) => {
       const t = (k / points) * frame.duration;
-      return [t / 1e3, this.force.at(t), ...moved.map((history) => between(frame.time, history, t))];
+      return [t, this.force.at(t), ...moved.map((history) => between(frame.time, history, t))];
     });
     return { names: ['time_s', `force_${name}_N`, ...columns], values };
   }

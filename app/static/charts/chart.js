@@ -1,7 +1,7 @@
 // A chart that is said, not programmed: axes, series and what else is to be seen; it finds its range and unit, writes
 // its legend, and can be zoomed, read, saved and listened to.
 import { make } from '../shell/dom.js';
-import { TRIPS, times } from '../shell/times.js';
+import { shownIn, TRIPS, times } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
 import { figures, scaled, signed } from '../text/format.js';
 import { Axis } from './axis.js';
@@ -69,7 +69,7 @@ import { Tools } from './tools.js';
  * @property {string} about  what is to be seen, for those who do not see it
  * @property {Axis} [axis]  shared with other charts; its own by default
  * @property {string} [xName]  time by default
- * @property {string} xUnit  T: times, written in the unit that is chosen for all of the page
+ * @property {string} xUnit  T: times, written in the unit that is chosen for all of the page; s: in one that suits
  * @property {string} [unit]  of y, without prefix
  * @property {boolean | 'whole'} [zero]  nought belongs to the range: always, or while nothing is zoomed
  * @property {[below: number, above: number]} [pad]  room about the range, as shares of it
@@ -152,7 +152,8 @@ export class Chart extends Plot {
   draw() {
     const { content, options, axis } = this;
     this.x = axis.view;
-    if (options.xUnit === TRIPS) [this.across, this.xUnit] = times.shown;
+    const xUnit = content.xUnit ?? options.xUnit;
+    [this.across, this.xUnit] = xUnit === TRIPS ? times.shown : shownIn(xUnit, axis.whole[1]);
     if (options.y) this.y = options.y;
     else {
       const { zero, pad = [0.08, 0.08] } = options;

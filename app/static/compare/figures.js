@@ -82,8 +82,8 @@ const restitutionOf = ({ newton, newton_at_contact: points }) => [
 function ofBeam({ main, span }) {
   return [
     figure('force', 'force', main.peakForce),
-    figure('apparent', 'time', span.apparent / 1e3),
-    figure('real', 'time', span.real / 1e3),
+    figure('apparent', 'time', span.apparent),
+    figure('real', 'time', span.real),
     figure('contacts', 'count', main.contacts),
     figure('impulse', 'impulse', main.impulse),
     figure('rebound', 'velocity', main.final),

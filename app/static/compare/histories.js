@@ -70,21 +70,20 @@ function ofAxial(frame, which) {
  * @returns {Histories}
  */
 function ofBeam(frame) {
-  const { impactorPath, impactorRate, modalForce, struckPath, struckRate, time, trip } = frame;
-  const over = (/** @type {Numbers} */ y) => scaled({ x: time, y }, trip, 1);
+  const { impactorPath, impactorRate, modalForce, struckPath, struckRate, time } = frame;
+  const over = (/** @type {Numbers} */ y) => ({ x: time, y });
   let force = pair(frame.mainTime, frame.mainForce);
   if (modalForce) {
-    const step = given(frame.step, 'step') / trip;
-    const window = (frame.law.rigid && frame.main.diagnostics.resolved_time) || 0;
-    force = averaged(modalForce, step, window ? window / trip : step);
+    const step = given(frame.step, 'step');
+    force = averaged(modalForce, step, (frame.law.rigid && frame.main.diagnostics.resolved_time) || step);
   }
   return {
-    force: scaled(force, trip, 1),
+    force,
     impactor: over(impactorPath),
     struck: over(struckPath),
     impactorRate: over(impactorRate),
     struckRate: over(struckRate),
-    contacts: spansOf(frame.contacts, trip),
+    contacts: spansOf(frame.contacts, 1),
   };
 }
 

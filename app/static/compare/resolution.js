@@ -129,7 +129,7 @@ export function ofBeamResolution(now, kept, name) {
 function slowerThan({ contacts, modeFrequencies }, modes) {
   const fastest = modeFrequencies?.[modes - 1];
   if (!fastest) return '';
-  const longest = Math.max(...contacts.map(([start, end]) => end - start)) / 1e3;
+  const longest = Math.max(...contacts.map(([start, end]) => end - start));
   const period = (2 * Math.PI) / fastest;
   if (longest < period) return '';
   const values = { modes, period: engineering(period, 's'), lasts: engineering(longest, 's') };

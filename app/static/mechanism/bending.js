@@ -34,7 +34,7 @@ export class Bending {
   }
   /**
    * Values along it at one instant: at all places, or at every `every`-th from `first`.
-   * @param {number} t  [ms]
+   * @param {number} t  [s]
    * @param {What} what
    * @param {Out} [out]
    * @param {number} [first]
@@ -46,7 +46,7 @@ export class Bending {
     const k = Math.min(indexAt(time, t), time.length - 2);
     const step = time[k + 1] - time[k];
     const part = Math.min(Math.max((t - time[k]) / step, 0), 1);
-    const [before, after] = what === 'velocity' ? [-1e3 / step, 1e3 / step] : [1 - part, part];
+    const [before, after] = what === 'velocity' ? [-1 / step, 1 / step] : [1 - part, part];
     for (let j = first; j < places; j += every) out[j] = 0;
     for (let i = 0; i < shapes; i++) {
       const amount = before * amounts[k * shapes + i] + after * amounts[(k + 1) * shapes + i];

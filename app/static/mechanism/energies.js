@@ -1,6 +1,7 @@
 // Where the energy of a mechanism that moves on is, part by part over time.
 import { Chart } from '../charts/chart.js';
 import { given } from '../shell/message.js';
+import { SECONDS } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
 
 /** @import { Axis } from '../charts/axis.js' */
@@ -27,7 +28,7 @@ export class Energies {
    */
   constructor(axis, go) {
     const [title, about] = [text('motion.chart.energy'), text('motion.chart.energy-about')];
-    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'J', pad: [0.06, 0.1], go });
+    this.chart = new Chart({ title, about, axis, xUnit: SECONDS, unit: 'J', pad: [0.06, 0.1], go });
   }
   /** @param {MechanismFrame} frame */
   load({ contacts, energies, energyTime: x, moving }) {

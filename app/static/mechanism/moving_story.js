@@ -2,6 +2,7 @@
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { given } from '../shell/message.js';
 import { showEnergy } from '../shell/story.js';
+import { unitOfTime } from '../shell/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, speed } from '../text/format.js';
 import { jointOf } from '../text/words.js';
@@ -91,11 +92,12 @@ export const movingNow = (frame, t, values) =>
 export function impactTable(table, frame, go) {
   const { joints } = frame.mechanism;
   const { jolts } = given(frame.moving, 'moving');
-  const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`));
+  const [perSecond, unit] = unitOfTime(frame.duration);
+  const columns = ['number', 'time', 'impulse'].map((name) => text(`motion.column.${name}`, { unit }));
   const names = joints.map(({ links }) => text('motion.column.joint', { joint: jointOf(links) }));
   const rows = jolts.map((jolt, k) => {
     const [start, , impulse] = frame.contacts[k];
-    const when = make('button', { type: 'button', className: 'when', textContent: figures(start, 4) });
+    const when = make('button', { type: 'button', className: 'when', textContent: figures(start * perSecond, 4) });
     when.onclick = () => go(start);
     return rowOf([k + 1, when, figures(impulse, 4), ...jolt.map((size) => figures(size))]);
   });

@@ -1,6 +1,7 @@
 // What the joints of a mechanism bear over time: forces or moments, with those of rigid links.
 import { Chart } from '../charts/chart.js';
 import { segments } from '../shell/dom.js';
+import { SECONDS } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
 import { jointOf } from '../text/words.js';
 
@@ -50,7 +51,7 @@ export class Reactions {
    */
   constructor(axis, go) {
     const [title, about] = [text('beam.chart.reactions'), text('beam.chart.reactions-about')];
-    this.chart = new Chart({ title, about, axis, xUnit: 'ms', unit: 'N', zero: true, pad: [0.04, 0.12], go });
+    this.chart = new Chart({ title, about, axis, xUnit: SECONDS, unit: 'N', zero: true, pad: [0.04, 0.12], go });
     const press = (/** @type {string} */ kind) => {
       this.kind = /** @type {Kind} */ (kind);
       this.#show();

@@ -33,7 +33,7 @@ function ratesAt({ rates }, k, end) {
 }
 
 /**
- * The events of the impact, in the order of time [ms].
+ * The events of the impact, in the order of time [s].
  * @param {MechanismFrame} frame
  * @returns {Event[]}
  */

@@ -1,6 +1,7 @@
 // A dropped body: its height over time, bounce after bounce, what each gives back, and when it rests.
 import { Chart } from '../charts/chart.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
+import { SECONDS } from '../shell/times.js';
 import { family, said, text } from '../text/catalogue.js';
 import { duration, figures, length } from '../text/format.js';
 import { Panel } from './panel.js';
@@ -63,7 +64,7 @@ class Bounces extends Panel {
     this.notes = make('ul', { className: 'help' });
     const title = (/** @type {string} */ name) => text(`bounces.chart.${name}`);
     this.path = new Chart({
-      ...{ title: title('path'), about: title('path-about'), xUnit: 's', unit: 'm' },
+      ...{ title: title('path'), about: title('path-about'), xUnit: SECONDS, unit: 'm' },
       ...{ zero: true, pad: [0, 0.08] },
     });
     this.each = new Chart({
@@ -156,7 +157,7 @@ class Bounces extends Panel {
       const { contact_time: contact, height: rises, rebound, restitution, speed, time } = bounces[k];
       const motion = [k + 1, figures(time, 4), figures(speed, 4), figures(Math.max(rebound, 0), 4)];
       const kept = [figures(restitution, 4), length(rises), figures((100 * rises) / height)];
-      return rowOf([...motion, ...kept, contact === null ? '–' : duration(1e3 * contact)]);
+      return rowOf([...motion, ...kept, contact === null ? '–' : duration(contact)]);
     });
     const left = bounces.length - shown.length;
     const more = make('td', { colSpan: 8, textContent: text('beam.table.more', { count: left }) });

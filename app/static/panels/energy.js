@@ -1,6 +1,7 @@
 // Energy over time: the share of every part, with a line that follows the clock.
 import { Figure } from '../charts/figure.js';
 import { make } from '../shell/dom.js';
+import { shownIn } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
 import { figures, percent } from '../text/format.js';
 import { Panel } from './panel.js';
@@ -24,6 +25,15 @@ const PARTS = family('energy.part');
 const timeIn = (unit) => text('panel.time-in', { unit });
 
 /**
+ * With its times in the unit that suits them, and how many of that its own has.
+ * @param {Shares} found
+ */
+function shownOf(found) {
+  const [factor, unit] = shownIn(found.unit, found.time[found.time.length - 1]);
+  return { ...found, factor, unit, time: found.time.map((t) => factor * t) };
+}
+
+/**
  * Where the energy is at the end.
  * @param {Shares} found
  */
@@ -42,6 +52,7 @@ function endOf({ parts, time, unit }) {
 
 class Energy extends Panel {
   /** @type {Shares | null} */ drawn = null;
+  factor = 1; // of times, for the unit shown
 
   /** @param {Page} page */
   constructor(page) {
@@ -62,10 +73,11 @@ class Energy extends Panel {
    */
   render(found, fresh) {
     this.root.ariaBusy = String(!fresh);
-    this.said.textContent = found ? endOf(found) : text('energy.idle');
+    this.said.textContent = found ? endOf(shownOf(found)) : text('energy.idle');
     if (!found || !this.figure || found === this.drawn) return;
     this.drawn = found;
-    const { parts, time, unit } = found;
+    const { factor, parts, time, unit } = shownOf(found);
+    this.factor = factor;
     /** @type {Record<string, number[]>} */
     const columns = { time };
     let below = time.map(() => 0);
@@ -88,8 +100,9 @@ class Energy extends Panel {
     this.show(this.page.player.t);
   }
   #numbers() {
-    const found = /** @type {Shares | null} */ (this.answer);
-    if (!found) return [[]];
+    const answer = /** @type {Shares | null} */ (this.answer);
+    if (!answer) return [[]];
+    const found = shownOf(answer);
     const shown = found.parts.flatMap(({ key, values }) => (values ? [{ name: PARTS[key], values }] : []));
     const last = found.time.length - 1;
     const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
@@ -100,7 +113,7 @@ class Energy extends Panel {
   }
   /** @param {number} t */
   show(t) {
-    this.figure?.cursor('energy-cursor', t);
+    this.figure?.cursor('energy-cursor', t * this.factor);
   }
 }
 

@@ -1,8 +1,9 @@
 // How far to trust an impact on a beam: the same impact many times with tiny changes; its band goes behind the curves.
 import { Figure } from '../charts/figure.js';
 import { headOf, make, rowOf } from '../shell/dom.js';
+import { unitOfTime } from '../shell/times.js';
 import { family, named, said, text } from '../text/catalogue.js';
-import { duration, figures, prefixed, scaled } from '../text/format.js';
+import { duration, engineering, figures, prefixed, scaled } from '../text/format.js';
 
 /** @import { Band } from '../beam/charts.js' */
 /** @import { Page } from '../page.js' */
@@ -47,7 +48,7 @@ const ROWS = 21; // of the table of a band
  */
 export function shown(value, unit) {
   if (value === null) return '–';
-  if (unit === 's') return duration(value * 1e3);
+  if (unit === 's') return duration(value);
   if (unit === 'm') return `${figures(value * 1e6, 4)} µm`;
   if (unit === 'N' || unit === 'Pa') {
     const [factor, prefix] = prefixed(Math.abs(value));
@@ -167,6 +168,7 @@ export class Study {
 /** @extends {Study<Ensemble>} */
 class Trust extends Study {
   static beside = true; // has room in the dock; the charts stay
+  perSecond = 1; // of the unit of time shown
   /** @param {Page} page */
   constructor(page) {
     super(page, 'trust');
@@ -182,22 +184,26 @@ class Trust extends Study {
   drawn(found) {
     for (const view of [this.page.beam, this.page.mechanism]) view.band = found;
     if (!found || !this.figure || !this.changed) return;
-    /** @type {Record<string, number[]>} */
-    const columns = { time: found.time };
-    for (const [name, unit] of BANDS) {
+    const [factor, unit] = unitOfTime(found.time[found.time.length - 1]);
+    const time = found.time.map((t) => factor * t);
+    this.perSecond = factor;
+    /** @type {Record<string, unknown[]>} */
+    const columns = { time, when: found.time.map((t) => engineering(t, 's', 5)) };
+    for (const [name, of] of BANDS) {
       const [low, high] = [Math.min(...found[name].lowest), Math.max(...found[name].highest)];
-      const [factor, written] = scaled(Math.max(Math.abs(low), Math.abs(high)), unit);
-      for (const edge of EDGES) columns[`${name}-${edge}`] = found[name][edge].map((value) => factor * value);
-      const room = 0.06 * (high - low) * factor || 1;
-      this.figure.range(`trust-${name}-y`, [low * factor - room, high * factor + room]);
+      const [scale, written] = scaled(Math.max(Math.abs(low), Math.abs(high)), of);
+      for (const edge of EDGES) columns[`${name}-${edge}`] = found[name][edge].map((value) => scale * value);
+      const room = 0.06 * (high - low) * scale || 1;
+      this.figure.range(`trust-${name}-y`, [low * scale - room, high * scale + room]);
       this.figure.set(`trust-${name}-up`, { axis_label: text(`trust.axis.${name}`, { unit: written }) });
+      this.figure.set(`trust-${name}-across`, { axis_label: text('panel.time-in', { unit }) });
     }
-    this.figure.range('trust-force-x', [found.time[0], found.time[found.time.length - 1]]);
+    this.figure.range('trust-force-x', [time[0], time[time.length - 1]]);
     this.figure.fill('bands', columns);
   }
   /** @param {number} t */
   show(t) {
-    for (const [name] of BANDS) this.figure?.cursor(`trust-cursor-${name}`, t);
+    for (const [name] of BANDS) this.figure?.cursor(`trust-cursor-${name}`, t * this.perSecond);
   }
   /** @param {'force' | 'displacement' | 'velocity'} name */
   #numbers(name) {

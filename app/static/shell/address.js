@@ -50,10 +50,11 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
   /** @type {[string, string][]} */
   const found = [];
   const add = (/** @type {string} */ key, /** @type {unknown} */ value) => found.push([key, String(value)]);
-  if (moment || (player.played && !player.playing)) add('t', Number(player.t.toPrecision(4)));
+  const { axis, gauge, linkUnit = 1, usual, what } = view;
+  const written = (/** @type {number} */ t, /** @type {number} */ digits) => Number((t / linkUnit).toPrecision(digits));
+  if (moment || (player.played && !player.playing)) add('t', written(player.t, 4));
   if (moment && player.playing) add('playing', true);
-  const { axis, gauge, usual, what } = view;
-  if (axis?.moved) add('view', axis.view.map((t) => Number(t.toPrecision(5))).join(','));
+  if (axis?.moved) add('view', axis.view.map((t) => written(t, 5)).join(','));
   if (what && what !== usual) add('colour', what);
   if (gauge && !gauge.chart.root.hidden && gauge.asked !== null && gauge.asked !== gauge.usual)
     add('gauge', Number(gauge.asked.toPrecision(5)));

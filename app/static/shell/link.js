@@ -43,7 +43,8 @@ export function readLink(search, { model, view }) {
     if (value !== null && found === null) bad.push(key);
     return found;
   };
-  const time = (/** @type {string} */ value) => (TIME.test(value) ? Number(value) : null);
+  const { linkUnit = 1 } = view;
+  const time = (/** @type {string} */ value) => (TIME.test(value) ? Number(value) * linkUnit : null);
   const yes = (/** @type {string} */ value) => (value === 'true' ? true : value === 'false' ? false : null);
   const kept = get('kept', (value) => keptOf(value, model.spec)) ?? [];
   return {

@@ -20,13 +20,8 @@ const READING = 220; // ms for a word of a caption
 /** @type {[least: number, most: number]} */
 const CAPTION = [1800, 6500]; // ms for which a caption is waited for
 const EARLY = 0.01; // of the whole
+const LEAST = 1e-9; // of the whole, that is more than rounding
 const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means the event before the last
-
-/**
- * Where an impact on a beam is shown at first: as on rods, in the first contact, once waves have set out.
- * @param {Pick<BeamFrame, 'contacts'>} frame
- */
-const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
 
 /**
  * What the clock needs of a message.
@@ -36,9 +31,20 @@ const opening = ({ contacts: [[start, end]] }) => start + 0.9 * (end - start);
  *   | Pick<MechanismFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts' | 'moving'>} Clocked
  */
 
+/**
+ * Where an impact is shown at first: in the first contact, once waves have set out; in space after it.
+ * @param {Clocked} frame
+ */
+function opening(frame) {
+  if (frame.kind === 'bodies') return 1.7;
+  if (frame.kind === 'axial') return Math.min(0.36, 0.4 * frame.duration);
+  const [[start, end]] = frame.contacts;
+  return start + 0.9 * (end - start);
+}
+
 /** @param {Clocked} frame  of what bends: seconds that it plays */
 const secondsOf = (frame) =>
-  'moving' in frame && frame.moving ? Math.max(SECONDS_PER_MOTION, frame.duration / 1e3) : SECONDS_PER_BEAM;
+  'moving' in frame && frame.moving ? Math.max(SECONDS_PER_MOTION, frame.duration) : SECONDS_PER_BEAM;
 
 /**
  * What the clock asks of the page. Times as those that `show` is given.
@@ -135,7 +141,6 @@ export class Player {
   /** @param {Clocked} frame */
   load(frame) {
     if (frame.kind === 'axial') times.load(frame);
-    const first = !this.duration;
     // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
     this.start = frame.kind === 'bodies' ? -1 : 0;
     this.duration = frame.kind === 'bodies' ? 2 : frame.duration;
@@ -146,9 +151,7 @@ export class Player {
       'contacts' in frame ? this.duration / secondsOf(frame) : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
     this.usual = this.perSecond;
     this.until = Infinity;
-    if (first) this.t = Math.min(0.36, 0.4 * this.duration);
-    if (frame.kind === 'bodies' && this.was !== 'bodies') this.t = 1.7; // after the impact
-    if ('contacts' in frame && this.was !== frame.kind) this.t = opening(frame);
+    if (this.was !== frame.kind) this.t = opening(frame);
     if (this.playing && this.scene !== frame.chosen.scene) this.t = 0;
     this.was = frame.kind;
     this.scene = String(frame.chosen.scene);
@@ -179,7 +182,7 @@ export class Player {
       return [sign];
     });
     this.ticks.replaceChildren(...signs);
-    const part = high - low < this.duration * (1 - 1e-9);
+    const part = high - low < this.duration * (1 - LEAST);
     this.track.classList.toggle('part', part);
     this.scrub.ariaLabel = text('player.time', { part });
     this.#place();
@@ -238,7 +241,7 @@ export class Player {
       this.label();
       return;
     }
-    if (this.t >= this.duration - 1e-9) this.go(0);
+    if (this.t >= this.duration * (1 - LEAST)) this.go(0);
     this.#play();
   }
   loop() {
@@ -263,9 +266,9 @@ export class Player {
   jump(way) {
     const now = this.t + this.start;
     const instants = this.score.events().map(([t]) => t);
-    const before = this.playing ? EARLIER * this.perSecond * this.pace.speed : 0;
-    const to =
-      way > 0 ? instants.find((t) => t > now + 1e-9) : instants.findLast((t) => t < now - Math.max(before, 1e-9));
+    const least = LEAST * this.duration;
+    const before = this.playing ? EARLIER * this.perSecond * this.pace.speed : least;
+    const to = way > 0 ? instants.find((t) => t > now + least) : instants.findLast((t) => t < now - before);
     this.seek(to === undefined ? (way > 0 ? this.duration : 0) : to - this.start);
   }
   /** A slider moves: time stands still meanwhile. */

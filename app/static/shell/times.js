@@ -5,6 +5,7 @@ import { keep, kept } from './store.js';
 /** @import { AxialFrame } from '../messages.js' */
 
 export const TRIPS = 'T'; // the unit of an axis that is written as is chosen here
+export const SECONDS = 's'; // of one that is written in the unit that suits it
 const NAME = 'seconds';
 
 /**
@@ -13,6 +14,14 @@ const NAME = 'seconds';
  * @returns {[factor: number, unit: string]}
  */
 export const unitOfTime = (seconds) => (seconds < 1e-3 ? [1e6, 'µs'] : seconds < 1 ? [1e3, 'ms'] : [1, 's']);
+
+/**
+ * How an axis is written that ends there: how many of the unit shown its own has, and the sign of that.
+ * @param {string} unit
+ * @param {number} end
+ * @returns {[factor: number, unit: string]}
+ */
+export const shownIn = (unit, end) => (unit === SECONDS ? unitOfTime(end) : [1, unit]);
 
 class Times {
   inSeconds = kept(NAME, false);

@@ -20,6 +20,7 @@
  * @property {number} after  an event, by which what it has changed is seen
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
+ * @property {number} [linkUnit]  in which links count its times; 1 by default
  * @property {{ root: HTMLElement }} [colours]  the choice of what they show
  * @property {Stack} [stack]  charts over time
  * @property {Chart} [strip]  the one of them that a phone always shows

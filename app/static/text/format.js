@@ -145,8 +145,8 @@ export function engineering(value, unit, digits = 3) {
   return `${figures(rounded / 1000 ** step, digits)} ${PREFIXES[step + 3]}${unit}`;
 }
 
-/** @param {number} ms */
-export const duration = (ms) => engineering(ms / 1e3, 's');
+/** @param {number} seconds */
+export const duration = (seconds) => engineering(seconds, 's');
 /** @param {number} v */
 export const speed = (v) => `${figures(v)} m/s`;
 /** @param {number} m */

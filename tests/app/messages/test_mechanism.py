@@ -52,7 +52,7 @@ def test_messages_of_links_that_bend_are_short(name):
 
 def test_a_link_beside_the_struck_one_moves_and_bends_as_the_solution_says(bent_rods):
     found, solution = bent_rods
-    time, count = 1e-3 * found["bendTime"], found["shapeOf1"].shape[1]
+    time, count = found["bendTime"], found["shapeOf1"].shape[1]
     amounts = found["amountsOf1"]
     moved = amounts @ (found["shapeOf1"] * found["shapeScaleOf1"][:, None])
     places = solution.motion.link_points(time, count - 1)["second"]
@@ -70,7 +70,7 @@ def test_a_link_beside_the_struck_one_moves_and_bends_as_the_solution_says(bent_
 def test_reactions_of_rigid_links_stand_beside_and_give_their_impulses(bent_rods):
     found, solution = bent_rods
     rigid = rigid_answer(solution)
-    time, forces = 1e-3 * found["referenceReactionTime"], found["referenceReactions"]
+    time, forces = found["referenceReactionTime"], found["referenceReactions"]
     expected = rigid.reactions[0]["impulse"]
     assert np.trapezoid(forces[:, 0, :2], time, axis=0) == approx(expected, rel=1e-2, abs=1e-2 * np.hypot(*expected))
 

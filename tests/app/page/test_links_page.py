@@ -255,6 +255,14 @@ def test_a_copied_link_has_the_instant_and_plays_where_the_page_does(open_page):
     other.wait("() => strikewave.page.player.playing && strikewave.page.player.t > 0.6")
 
 
+def test_links_count_times_of_what_bends_in_milliseconds(open_page):
+    page = open_page("?scene=hammer-on-cantilever&t=0.7&view=0.2,1.4")
+    times = page.evaluate("() => [strikewave.page.player.t, ...strikewave.page.range()]")
+    assert times == pytest.approx([7e-4, 2e-4, 1.4e-3])
+    page.wait("() => ['t=0.7', 'view=0.2,1.4'].every((part) => location.search.includes(part))")
+    assert page.evaluate("() => strikewave.page.view.force.chart.writtenX(7e-4)") == "0.700 ms"
+
+
 @pytest.mark.parametrize(
     "query, said",
     [

@@ -44,7 +44,7 @@ def test_what_is_scrolled_away_is_not_seen_above_the_head_of_an_analysis(open_pa
 
 def test_a_caption_is_read_whole_beside_the_way_back_from_a_zoom(open_page):
     page = open_page("?scene=hammer-on-cantilever", size=PHONE)
-    page.evaluate("() => strikewave.page.view.axis.show([0.3, 0.34])")
+    page.evaluate("() => strikewave.page.view.axis.show([3e-4, 3.4e-4])")
     expect(page.tab.get_by_role("button", name="Show the whole impact")).to_be_visible()
     caption = page.tab.locator(".caption")
     page.wait("() => { const { root: c } = strikewave.page.caption; return c.scrollHeight <= c.clientHeight + 1; }")

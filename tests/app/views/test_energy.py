@@ -33,14 +33,14 @@ def test_the_energy_of_a_beam_is_split_into_motion_and_bending():
     assert np.sum(parts, axis=0) == pytest.approx(100.0, abs=1e-6)
     assert {"target_kinetic", "target_strain"} <= shares.keys()
     assert shares["target_strain"].max() > 30.0  # the impactor is stopped by the beam as a spring
-    assert shares["time"][-1] > 1.0  # in milliseconds
+    assert shares["time"][-1] > 1e-3 and shares["unit"] == "s"
 
 
 def test_the_energy_of_a_beam_follows_every_contact():
     chosen = Choices(**choices_of(BEAM), scene=BEAM).chosen()
     time = energy_shares(Request.of(chosen))["time"]
     for contact in main_solution(Request.of(chosen))[0].contacts:
-        within = (time >= 1e3 * contact.start * (1.0 - 1e-9)) & (time <= 1e3 * contact.end * (1.0 + 1e-9))
+        within = (time >= contact.start * (1.0 - 1e-9)) & (time <= contact.end * (1.0 + 1e-9))
         assert within.sum() >= 24
 
 
