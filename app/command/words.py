@@ -2,7 +2,9 @@
 
 from typing import Any
 
-from ..text.catalogues import command, spoken
+from solvers.text.catalogue import spoken
+
+from ..text.catalogues import command
 
 
 def text(code: str, /, **values: Any) -> str:
