@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from app.text.catalogues import SOURCE, script
+from app.text.catalogues import script
+from solvers.text.catalogue import SOURCE
 
 ROOT = Path(__file__).parents[1]
 TEXTS = ROOT / "build/texts.mjs"  # what a page loads before its modules

@@ -7,7 +7,8 @@ import time
 
 import pytest
 
-from app.text.catalogues import SOURCE, script
+from app.text.catalogues import script
+from solvers.text.catalogue import SOURCE
 
 from .patterns import ROOT, hostile, of_javascript, of_python
 

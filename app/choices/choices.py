@@ -86,6 +86,12 @@ def accepts(name: str, value: object) -> bool:
     return True
 
 
+def within(name: str, value: float) -> float:
+    """The nearest value that a choice may have."""
+    low, high = Choices.param[name].bounds
+    return min(max(value, low), high)
+
+
 def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> Refused:
     """For who uses the page: the control, the value and what is allowed; `key` where it has no title."""
     parameter, said = of.param[name], {"control": title_of(name, key), "value": shown(value)}

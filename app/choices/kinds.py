@@ -1,30 +1,39 @@
 """Kinds of scene, as the page draws them: which choices each has, which of them act, and the scene they describe."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Collection, Sequence
 from dataclasses import fields
 from typing import Any, ClassVar
 
 import numpy as np
 
 import solvers
-from solvers import LAWS, Body, Modal, Rod, Scene
-from solvers.bodies import AnyBody, Balls, FlexiblePendulum, Mechanism
-from solvers.contact import Rigid
+from solvers import LAWS, Body, Modal, Rod, Scene, Waveguide
+from solvers.bodies import AnyBody, Balls, FlexiblePendulum, Mechanism, RotatingRod
+from solvers.bodies.beams import THEORIES
+from solvers.bodies.pendulum import SHAPES
+from solvers.contact import Hertz, HuntCrossley, Rigid
 from solvers.methods.modal.method import FRAMES
 from solvers.methods.multibody.method import Multibody
 
 from .beam import BEAM_CHOICES, on_beam, other_beam
 from .built_in import able_methods, base_of, keyed
-from .choices import SOLVED_BY, Choices
+from .choices import LINKS, SOLVED_BY, Choices, within
 from .laws import contact_table, law_choices, law_values
 from .mechanism import mechanism_changes, mechanism_values, on_mechanism
+from .opened import Comparison, Trial
 from .space import has_length, in_space, leaning, struck_at, struck_place
 
 RESTORING = ("balance", "rigid", Multibody.NAME)  # methods that take a restitution
 OF_MODES = ("shapes",)  # keys of bodies that act on their modes alone
 OPTIONS = ("restitution", "modes", "elements")  # of methods, that are choices
+JAMMING = {"friction-jams", "impact-without-approach", "slides-on"}  # notes of Painlevé's paradox
+FASTER, HEAVIER = 2.0, 4.0  # times, to be tried and compared
+FEW = 5  # modes
+CLAMPED = (5, 10, 30)  # modes of a rod in a frame that is fixed to its struck end
 
 Values = dict[str, Any]
+Tries = Sequence[Trial]
 
 
 class Kind(ABC):
@@ -48,6 +57,18 @@ class Kind(ABC):
     @abstractmethod
     def described(self, base: Scene, chosen: Values, own: Values) -> Scene:
         """The scene with these choices; `own`: those that it is opened with. Raises SceneError where there is none."""
+
+    def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
+        """What can be tried, the most telling first, of which what acts is offered; `of_scene`: what its file names,
+        `notes`: codes of what is noted on the solution."""
+        faster = within("speed", FASTER * chosen["speed"])
+        heavier = within("mass_ratio", chosen["mass_ratio"] / HEAVIER)
+        return [Trial("faster", "speed", faster), Trial("heavier", "mass_ratio", heavier), *of_scene]
+
+    def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
+        """What can be asked, likewise."""
+        speed = chosen["speed"]
+        return [Comparison.of("speed", "speed", speed, within("speed", FASTER * speed))]
 
 
 class InSpace(Kind):
@@ -82,6 +103,18 @@ class InSpace(Kind):
             scene = scene.replace({"contact.friction": chosen["friction"]})
         scene = struck_at(scene, chosen["place"]) if has_length(base) else scene
         return leaning(scene, chosen["tilt"], chosen["tilt_way"])
+
+    def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
+        # it jams by where it is hit: in the centre nothing of that is left
+        centre = [Trial("centre", "place", 0.5)] if JAMMING.isdisjoint(notes) else []
+        return [*super().trials(scene, chosen, (), notes), Trial("elastic", "restitution", 1.0), *centre, *of_scene]
+
+    def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
+        return [
+            *super().comparisons(scene, chosen, own),
+            Comparison.of("restitution", "restitution", 1.0, 0.0),
+            Comparison.of("off-centre", "place", 0.5, own["place"]),
+        ]
 
 
 class WithLaw(Kind):
@@ -141,6 +174,18 @@ class WithLaw(Kind):
             changes["contact"] = contact_table(chosen)  # else as the scene says, with all that the sliders do not show
         return scene.replace(changes)
 
+    def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
+        ratio = chosen["mass_ratio"]
+        less, more = (within("mass_ratio", times * ratio) for times in (1.0 / HEAVIER, HEAVIER))
+        return [
+            Comparison.of("modes", "modes", 5, 100),
+            Comparison.of("elements", "elements", 10, 100),
+            Comparison.of("law", "law", Rigid.NAME, Hertz.NAME),
+            Comparison.of("hammer", "mass_ratio", ratio, less),
+            Comparison.of("constant", "mass_ratio", more, less),
+            *super().comparisons(scene, chosen, own),
+        ]
+
 
 class Axial(WithLaw):
     """Rods, masses, balls and pendulums."""
@@ -175,6 +220,23 @@ class Axial(WithLaw):
             changes["method"] = {**base.method, "frame": frame}
         return scene.replace(changes) if changes else scene
 
+    def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
+        laws = Trial("losing", "law", HuntCrossley.NAME), Trial("softer", "law", Hertz.NAME)
+        return [*super().trials(scene, chosen, of_scene, notes), *laws]
+
+    def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
+        found = [Comparison.of("shapes", "shapes", *SHAPES), *super().comparisons(scene, chosen, own)]
+        target = scene.target
+        rings = isinstance(target, Waveguide) or (isinstance(target, RotatingRod) and not target.across)
+        if not rings:  # a rigid contact of rigid bodies takes no time
+            found = [each for each in found if each.question != "law"]
+        mean, attached = FRAMES[:2]
+        if has_frames(scene) and own["floating_frame"] == attached:
+            found.insert(0, Comparison.of("frame", "floating_frame", mean, attached))
+        if has_frames(scene) and chosen["floating_frame"] == attached and shown_method(chosen) == Modal.NAME:
+            found.insert(0, Comparison.of("clamped", "modes", *CLAMPED))
+        return found
+
 
 class OnBeam(WithLaw):
     """What strikes a beam."""
@@ -190,6 +252,12 @@ class OnBeam(WithLaw):
     def with_bodies(self, base: Scene, chosen: Values, own: Values) -> Scene:
         changed = {name: chosen[name] for name in BEAM_CHOICES if chosen[name] != own.get(name, chosen[name])}
         return super().with_bodies(other_beam(base, changed), chosen, own)
+
+    def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
+        return [*_bending_trials(chosen), *super().trials(scene, chosen, of_scene, notes)]
+
+    def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
+        return [*super().comparisons(scene, chosen, own), Comparison.of("theory", "theory", *THEORIES)]
 
 
 class OnMechanism(WithLaw):
@@ -216,6 +284,11 @@ class OnMechanism(WithLaw):
 
     def speed_keys(self, base: Scene, chosen: Values) -> Values:
         return mechanism_changes(base, chosen)
+
+    def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
+        moving = [Trial("rigid", "motion_links", LINKS[1]), Trial("moves", "method", Multibody.NAME)]
+        able = Multibody().refusal(scene) is None
+        return [*(moving if able else []), *_bending_trials(chosen), *super().trials(scene, chosen, of_scene, notes)]
 
 
 _AXIAL = Axial()
@@ -265,6 +338,12 @@ def resolutions(scene: Scene, method: str) -> list[str]:
         known &= set(SOLVED_BY[method].RESOLUTIONS)
     found = [name for name in ("modes", "elements") if name in known]
     return [name for name in found if name in own] or found
+
+
+def _bending_trials(chosen: Values) -> list[Trial]:
+    """Of a beam, or a link of a mechanism."""
+    few = [Trial("few", "modes", FEW)] if chosen["modes"] > FEW else []
+    return [Trial("middle", "place", 0.5), *few]
 
 
 def _of_velocity(name: str, body: AnyBody, velocity: float) -> Values:

@@ -9,7 +9,7 @@ from solvers.regimes.plan import law_of
 from solvers.validation import shown
 
 from ..text.refusals import Refused
-from .choices import Choices
+from .choices import Choices, within
 from .laws import STIFFNESS
 from .scene_of import acting_choices, chosen_scene
 
@@ -73,5 +73,4 @@ def _with(chosen: dict[str, Any], name: str, value: float) -> Scene:
 
 
 def _within(name: str, value: float, digits: int = SHOWN_DIGITS) -> float:
-    low, high = Choices.param[name].bounds
-    return min(max(float(f"{value:.{digits}g}"), low), high)
+    return within(name, float(f"{value:.{digits}g}"))

@@ -17,18 +17,26 @@ from .choices import SCENES, Choices, accepts
 CHARTS = ("waves", "force", "moments", "moved", "stress", "reactions", "energy", "hodograph", "course")  # over time
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
 FARTHEST, LONGEST = 1e6, 1e9  # [m], [s]
+COMPARED = ("question", "first", "second", "alone")  # keys of a comparison
 MOST = 20  # entries of a list
 LONGEST_WORD = 40  # letters of a key of the catalogue
 
 
 class Comparison(NamedTuple):
     """A question of the catalogue, and two settings that answer it; `alone`: other than the scene has them, not than
-    what is chosen."""
+    what is chosen. `between`: settings that are kept on the way from the first to the second."""
 
     question: str
     first: dict[str, Any]
     second: dict[str, Any]
     alone: bool = False
+    between: tuple[dict[str, Any], ...] = ()
+
+    @classmethod
+    def of(cls, question: str, choice: str, *values: Any) -> "Comparison":
+        """Of two or more values of one choice."""
+        first, *between, second = ({choice: value} for value in values)
+        return cls(question, first, second, between=tuple(between))
 
 
 class Trial(NamedTuple):
@@ -93,9 +101,9 @@ def opening_of(scene: str) -> Opening:
 
 def _comparison(number: int, given: object) -> Comparison:
     key = f"view.compare[{number}]"
-    read = table(key, given, Comparison._fields)
-    settings = {name: _settings(f"{key}.{name}", read.get(name, {})) for name in ("first", "second")}
-    return Comparison(_word(key, read, "question"), **settings, alone=flag(f"{key}.alone", read.get("alone", False)))
+    read = table(key, given, COMPARED)
+    first, second = (_settings(f"{key}.{name}", read.get(name, {})) for name in ("first", "second"))
+    return Comparison(_word(key, read, "question"), first, second, flag(f"{key}.alone", read.get("alone", False)))
 
 
 def _settings(key: str, given: object) -> dict[str, Any]:

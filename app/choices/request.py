@@ -1,5 +1,6 @@
 """What the page asks to be solved: its choices, decoded once where a worker takes them up."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import Any
 
@@ -7,6 +8,7 @@ from solvers import Scene
 from solvers.methods.multibody.method import Multibody
 
 from .kinds import kind_of
+from .opened import Opening, opening_of
 from .scene_of import acting_choices, chosen_scene, own_choices
 
 DRAFT = "draft"  # key, beside the choices, of the share of the resolution that will do while a slider moves
@@ -67,6 +69,19 @@ class Request:
     def acting(self) -> list[str]:
         """The choices that change anything in this scene."""
         return acting_choices(self.chosen)
+
+    def opening(self, notes: Collection[str] = ()) -> Opening:
+        """What it is opened with, what can be tried and what can be asked of it; `notes`: codes of its solution."""
+        kind, opened, acting = kind_of(self.scene), opening_of(self.chosen["scene"]), self.acting
+        tries = kind.trials(self.scene, self.chosen, opened.trials, notes)
+        asks = kind.comparisons(self.scene, self.chosen, self.own)
+        return opened._replace(
+            trials=tuple(each for each in tries if each.choice in acting and self.chosen[each.choice] != each.value),
+            comparisons=(
+                *(each for each in asks if each.first != each.second and each.first.keys() <= {*acting}),
+                *opened.comparisons,
+            ),
+        )
 
     @property
     def method_beside(self) -> str:

@@ -8,7 +8,7 @@ from solvers import Bounce, Bounces, SceneError
 from solvers.studies.bounces import MAX_BOUNCES
 
 from .interrupts import interruptible
-from .words import family, text
+from .words import family, figure, text
 
 SHOWN = 12  # bounces of a table: the first ones, and the last
 WIDTHS = {"number": 7, "time": 13, "speed": 13, "restitution": 13, "height": 14, "contact": 13, "peak-force": 16}
@@ -62,11 +62,11 @@ def report(found: Bounces) -> str:
 def _row(number: int, bounce: Bounce) -> str:
     values = {
         "number": str(number),
-        "time": f"{bounce.time:.6g}",
-        "speed": f"{bounce.speed:.6g}",
-        "restitution": f"{bounce.restitution:.6f}",
-        "height": f"{bounce.height:.6g}",
-        "contact": "-" if bounce.contact_time is None else f"{bounce.contact_time:.6g}",
-        "peak-force": "-" if bounce.peak_force is None else f"{bounce.peak_force:.6g}",
+        "time": figure(bounce.time, ".6g"),
+        "speed": figure(bounce.speed, ".6g"),
+        "restitution": figure(bounce.restitution, ".6f"),
+        "height": figure(bounce.height, ".6g"),
+        "contact": "-" if bounce.contact_time is None else figure(bounce.contact_time, ".6g"),
+        "peak-force": "-" if bounce.peak_force is None else figure(bounce.peak_force, ".6g"),
     }
     return "".join(f"{values[name]:>{width}}" for name, width in WIDTHS.items())

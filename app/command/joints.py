@@ -8,7 +8,7 @@ from solvers import SceneError
 from solvers.studies.scattering import INCOMING, OUTGOING, JointScattering
 
 from .trust import number
-from .words import family, text
+from .words import family, figure, text
 
 
 def add_arguments(parser) -> None:
@@ -44,5 +44,7 @@ def report(scene: solvers.Scene, found: JointScattering) -> str:
     ]
     for frequency, rows in zip(found.frequencies.tolist(), found.powers.tolist(), strict=True):
         for name, row in zip(INCOMING, rows, strict=True):
-            lines.append(f"  {frequency:14.6g}  {kinds[name]:10}" + "".join(f"{share:22.6f}" for share in row))
+            lines.append(
+                f"  {figure(frequency, '14.6g')}  {kinds[name]:10}" + "".join(figure(share, "22.6f") for share in row)
+            )
     return "\n".join([*lines, "", "  " + text("joints.error", error=found.power_error)])

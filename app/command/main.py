@@ -277,9 +277,10 @@ def _warm(options: argparse.Namespace) -> int:
 
 
 def _scenes(options: argparse.Namespace) -> int:
+    from solvers.text.catalogue import spoken
+
     from ..choices.choices import SCENES
     from ..page.picker import scene_groups
-    from ..text.catalogues import spoken
     from ..text.refusals import said
 
     for heading, scenes in scene_groups(SCENES):

@@ -9,7 +9,7 @@ from solvers import Plan, SceneError
 from solvers.notebook.tables import left_out
 from solvers.regimes.models import QUESTIONS
 
-from .words import named, text
+from .words import figure, named, text
 
 
 def add_arguments(parser) -> None:
@@ -32,7 +32,7 @@ def report(found: Plan) -> str:
     title = found.scene.title or text("printed.report.untitled")
     within = 100 * found.tolerance
     lines = [text("plan.head", title=title, question=found.question, within=within), ""]
-    lines += [f"  {named('plan.group', name):44}{value:.4g}" for name, value in found.groups.items()]
+    lines += [f"  {named('plan.group', name):44}{figure(value, '.4g')}" for name, value in found.groups.items()]
     lines += ["", f"  {text('plan.model'):48}{text('plan.error')}"]
     for candidate in found.candidates:
         mark = "->" if candidate is found.chosen else "  "
@@ -51,7 +51,7 @@ def report(found: Plan) -> str:
 def _shown(error: float) -> str:
     if math.isnan(error):
         return text("plan.not-measured")
-    return text("plan.cannot-predict") if math.isinf(error) else f"{100 * error:.2g} %"
+    return text("plan.cannot-predict") if math.isinf(error) else f"{figure(100 * error, '.2g')} %"
 
 
 def _settings(changes: dict) -> list[str]:

@@ -24,7 +24,7 @@ from solvers.text.notes import Note, Severity, coded
 
 from ..views.record import MAX_FOLLOWED, other_sign
 from .export import check_name
-from .words import family, text
+from .words import family, figure, text
 
 UNITS = {"strain": "", "stress": "_Pa", "force": "_N"}
 
@@ -142,22 +142,24 @@ def _report(answer: dict[str, Any]) -> str:
         f"  {head['gauge']:>5}{head['at']:>8}    {head['kind']:8}{head['shift']:>12}{head['scale']:>12}"
         f"{head['residual']:>16}{head['greatest']:>13}{head['samples']:>10}"
     ]
+    forms = {"shift": "12.4f", "scale": "12.6g", "residual": "16.4g", "greatest_residual": "13.4g"}
     for number, one in enumerate(answer["gauges"], 1):
-        lines.append(
-            f"  {number:5d}{one['at']:8.4g}    {one['kind']:8}{1e6 * one['shift']:12.4f}{one['scale']:12.6g}"
-            f"{one['residual']:16.4g}{one['greatest_residual']:13.4g}{one['samples']:10d}"
-        )
+        cells = one | {"shift": 1e6 * one["shift"]}
+        figures = "".join(figure(cells[name], form) for name, form in forms.items())
+        lines.append(f"  {number:5d}{figure(one['at'], '8.4g')}    {one['kind']:8}{figures}{one['samples']:10d}")
     if answer["recovered"] is not None:
         impact, found = answer["solution"], answer["recovered"]
-        peak = text("record.none") if impact["peak_force"] is None else f"{impact['peak_force'] / 1e3:.6g} kN"
+        peak = (
+            text("record.none") if impact["peak_force"] is None else f"{figure(impact['peak_force'] / 1e3, '.6g')} kN"
+        )
         rows, terms = family("record.row"), text("record.readings", terms=found["terms"])
         lines += [
             "",
             f"  {rows['force']:14}{rows['recovered']:>13}{rows['solution']:>14}",
-            f"  {rows['peak']:14}{found['peak_force'] / 1e3:10.6g} kN   {peak}",
-            f"  {rows['impulse']:14}{found['impulse']:10.6g} N s  {impact['impulse']:.6g} N s",
-            f"  {rows['residual']:14}{found['residual']:10.4g}",
-            f"  {rows['until']:14}{1e6 * found['until']:10.6g} us   {terms}",
+            f"  {rows['peak']:14}{figure(found['peak_force'] / 1e3, '10.6g')} kN   {peak}",
+            f"  {rows['impulse']:14}{figure(found['impulse'], '10.6g')} N s  {figure(impact['impulse'], '.6g')} N s",
+            f"  {rows['residual']:14}{figure(found['residual'], '10.4g')}",
+            f"  {rows['until']:14}{figure(1e6 * found['until'], '10.6g')} us   {terms}",
         ]
     return "\n".join(lines + ["  " + text("printed.report.note", note=note) for note in answer["notes"]])
 

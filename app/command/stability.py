@@ -12,7 +12,7 @@ from solvers import SceneError, Stability
 from solvers.stability.maps import AXES, CANNOT, NOT_RUN, Map
 from solvers.stability.runs import INTEGRATORS
 
-from .words import text
+from .words import figure, named, text
 
 USUAL_GRID = "20x41"  # five columns a decade: one of them is a hundred times an element
 
@@ -81,9 +81,9 @@ def _drawn(found: Stability, each: Map) -> list[str]:
     lines = [head, *(f"  {line}" for line in textwrap.wrap(limit, 116, subsequent_indent="  "))]
     for i in reversed(range(first.values.size)):
         row = [_sign(each, i, j) for j in range(second.values.size)]
-        lines.append(f"  {first.values[i]:10.3g}  {''.join(row)}")
+        lines.append(f"  {figure(first.values[i], '10.3g')}  {''.join(row)}")
     values = second.values
-    ends = f"{values[0]:.3g}", f"{values[-1]:.3g}"
+    ends = figure(values[0], ".3g"), figure(values[-1], ".3g")
     gap = max(1, values.size - len(ends[0]) - len(ends[1]))
     lines.append(f"  {'':10}  {ends[0]}{'':{gap}}{ends[1]}")
     runs = {"failed": each.failures, "stopped": each.stopped, "worst": each.worst_energy_error}
@@ -92,7 +92,7 @@ def _drawn(found: Stability, each: Map) -> list[str]:
 
 def _axis(axis: Any, here: float) -> str:
     """What an axis of the maps shows, and where the scene itself lies on it."""
-    return text("stability.axis", name=axis.name, unit=axis.unit, here=here)
+    return text("stability.axis", name=named("name.axis", axis.name), unit=axis.unit, here=here)
 
 
 def _sign(each: Map, i: int, j: int) -> str:

@@ -11,7 +11,7 @@ from solvers.accuracy.cost_model import stored_costs
 from solvers.accuracy.quantities import QUANTITIES
 from solvers.provenance import machine
 
-from .words import family, text
+from .words import family, figure, named, text
 
 SHARES = ("rebound", "impulse", "peak-force", "force-history", "resolved-force", "contact-time")
 
@@ -26,7 +26,7 @@ def print_calibration(as_json: bool) -> int:
     where = {"processor": costs["machine"]["processor"], "date": costs.get("date", "")}
     for kind, name in family("calibrate.kind").items():
         beside = text("calibrate.beside", times=scale[kind], **where) if scale else ""
-        print(f"{name:16}{1e3 * found[kind]:9.3g} ms  {beside}".rstrip())
+        print(f"{name:16}{figure(1e3 * found[kind], '9.3g')} ms  {beside}".rstrip())
     print(text("calibrate.kept"))
     return 0
 
@@ -88,11 +88,11 @@ def report(scene: solvers.Scene, found: TradeOff, quantity: str) -> str:
     lines = [
         "".join(sign if sign.isprintable() else "?" for sign in scene.title) or text("printed.report.scene"),
         *_reference_lines(found, quantity),
-        f"  {text('tradeoff.machine'):20}{text('tradeoff.on', date=found.date, **where)}",
+        f"  {text('tradeoff.machine'):19} {text('tradeoff.on', date=found.date, **where)}",
         *([f"  {'':20}{text('tradeoff.shipped', **_whence(found))}"] if found.shipped else []),
         *([f"  {'':20}{text('tradeoff.changed')}"] if found.changed else []),
         *([f"  {text('tradeoff.stopped', why=found.stopped)}"] if found.stopped else []),
-        f"  * {text('tradeoff.best', quantity=quantity, what=QUANTITIES[quantity])}",
+        f"  * {text('tradeoff.best', quantity=quantity, what=named('name.error-in', quantity))}",
         "",
         f"    {heads['method']:{width}}{heads['time']:>10}{heads['spread']:>19}"
         + "".join(f"{heads[name]:>10}" for name in SHARES)
@@ -117,7 +117,7 @@ def _row(point: solvers.TradeOffPoint, width: int) -> str:
     invented = f"+{point.invented_contacts}" if point.invented_contacts else ""
     shares = [_percent(point.errors[quantity]) for quantity in SHARES]
     return (
-        f"{point.label:{width}}{1e3 * point.wall_time:10.3f}{spread:>19}"
+        f"{point.label:{width}}{figure(1e3 * point.wall_time, '10.3f')}{spread:>19}"
         + "".join(f"{share:>10}" for share in shares)
         + f"{f'{point.true_contacts_found}/{point.true_contacts}{invented}':>10}"
         + f"{_shown(point.errors['energy'], '+.0e'):>10}{_percent(point.estimated_error):>16}"
@@ -127,8 +127,8 @@ def _row(point: solvers.TradeOffPoint, width: int) -> str:
 def _percent(share: float | None) -> str:
     if share is None:
         return "-"
-    return f"{100.0 * share:+.3g}" if abs(share) >= 1e-6 else f"{100.0 * share:+.0e}"
+    return figure(100.0 * share, "+.3g" if abs(share) >= 1e-6 else "+.0e")
 
 
 def _shown(value: float | None, form: str) -> str:
-    return text("printed.report.unknown") if value is None else f"{value:{form}}"
+    return text("printed.report.unknown") if value is None else figure(value, form)

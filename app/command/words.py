@@ -2,7 +2,10 @@
 
 from typing import Any
 
-from ..text.catalogues import command, spoken
+from solvers.text.catalogue import spoken
+from solvers.text.messages import written
+
+from ..text.catalogues import command
 
 
 def text(code: str, /, **values: Any) -> str:
@@ -13,6 +16,11 @@ def text(code: str, /, **values: Any) -> str:
 def named(family: str, key: str) -> str:
     """What a key of a result is called; the key itself in words where it has no name."""
     return command(spoken()).texts.get(f"{family}.{key}", key.replace("_", " "))
+
+
+def figure(value: float, form: str) -> str:
+    """A number as a cell of a table."""
+    return written(value, form, spoken())
 
 
 def family(code: str) -> dict[str, str]:

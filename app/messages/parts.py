@@ -1,6 +1,7 @@
 """What the browser needs of the bodies themselves: what can be set, within which bounds, and what follows from it."""
 
 import math
+from collections.abc import Collection
 from functools import cache
 from typing import Any
 
@@ -11,18 +12,22 @@ from solvers.bodies import AnyBody, Pulse
 from solvers.bodies.linkage.joints import Joint
 from solvers.bodies.linkage.links import Link
 from solvers.bodies.pendulum import Pivoted
+from solvers.text.notes import Note
 
 from ..choices.bodies import parts_of
 from ..choices.choices import SCENES, STRIKING
-from ..choices.opened import opening_of
+from ..choices.opened import Opening
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
 from ..choices.space import equivalent_box
 from .encoding import unshown
 
 
-def common(scene: Scene, request: Request | None) -> dict[str, Any]:
-    """What every message says of what is chosen, and of the scene; nothing is chosen outside the page."""
+def common(scene: Scene, request: Request | None, notes: Collection[Note] = ()) -> dict[str, Any]:
+    """What every message says of what is chosen, and of the scene; nothing is chosen outside the page.
+
+    `notes`: of the solution, by which what can be tried follows.
+    """
     return {
         "chosen": request and request.chosen,
         "own": request and request.own,
@@ -34,7 +39,7 @@ def common(scene: Scene, request: Request | None) -> dict[str, Any]:
         "note": scene.note,
         "parts": part_records(request),
         "unshown": unshown(scene),
-        "opens": opening_of(request.chosen["scene"] if request else "").table(),
+        "opens": (request.opening([note.code for note in notes]) if request else Opening()).table(),
     }
 
 

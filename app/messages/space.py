@@ -50,7 +50,7 @@ def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
         }
     header = {
         "kind": "bodies",
-        **common(scene, request),
+        **common(scene, request, solution.notes),
         "head": saved_head(scene, solution.method, solution.duration),
         "refusals": {},
         "duration": duration,

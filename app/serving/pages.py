@@ -14,11 +14,13 @@ import bokeh.server
 import panel
 from tornado.web import HTTPError, RequestHandler, StaticFileHandler
 
+from solvers.text.catalogue import SOURCE
+
 from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
-from ..text.catalogues import LANGUAGES, SOURCE, language_for, page, script
+from ..text.catalogues import LANGUAGES, language_for, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
 from .bundle import bundle

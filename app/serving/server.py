@@ -9,13 +9,14 @@ from typing import Any
 
 from solvers.jit.cache import all_compiled
 from solvers.jit.compiling import NotCompiled
+from solvers.text.catalogue import spoken
 
 from ..jobs.calibrating import calibrate_machine
 from ..jobs.compiler import COMPILER, HANG_SECONDS
 from ..jobs.loops import forget, of_loop
 from ..jobs.processes import prepare
 from ..jobs.workers import Workers
-from ..text.catalogues import LANGUAGES, command, spoken
+from ..text.catalogues import LANGUAGES, command
 from . import connections
 from .addresses import Addresses, Network
 

@@ -123,16 +123,16 @@ export interface Opens {
   /** by name */ charts: string[];
   /** at which the stress is shown [m] */ place: number | null;
   /** from the first touch on, what is looked at [s] */ until: number | null;
-  /** that can be asked of it by a comparison */ compare: Question[];
-  /** what can be tried: words, choice, value */ trials: Try[];
+  /** that can be asked of it as it is chosen, by a comparison */ compare: Question[];
+  /** what can be tried with it, the most telling first */ trials: Try[];
 }
 
 export interface Question {
   /** its key in the catalogue */ question: string;
   first: Partial<Chosen>;
-  between?: Partial<Chosen>[];
+  /** kept on the way */ between: Partial<Chosen>[];
   second: Partial<Chosen>;
-  /** whether other than the scene has them */ alone?: boolean;
+  /** whether other than the scene has them */ alone: boolean;
 }
 
 export interface PartRecord {

@@ -4,9 +4,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from solvers.text.catalogue import OWN, SOURCE, Catalogue, spoken
-
-__all__ = ["LANGUAGES", "SOURCE", "command", "language_for", "page", "script", "spoken"]
+from solvers.text.catalogue import OWN, SOURCE, Catalogue
 
 HERE = Path(__file__).parent
 LANGUAGES = tuple(sorted(folder.name for folder in HERE.iterdir() if (folder / "page").is_dir()))

@@ -8,19 +8,12 @@ import numpy as np
 from ..scene import Scene
 from ..solution.motion import ResolvesForce
 from ..solution.solution import ContactPeriod, Solution, apparent_time
+from ..text.catalogue import SOURCE, library
 from .comparison import FORCE_SAMPLES, overlapping
 from .reference import rebound
 
 HISTORIES = ("force-history", "resolved-force")  # quantities for which the force over time is needed
-QUANTITIES = {
-    "rebound": "final velocity of the impactor (of the target under a prescribed force), in approach speeds",
-    "impulse": "impulse of all contacts, relative to the true one",
-    "peak-force": "largest contact force, relative to the true one; of truncated models the resolved one",
-    "force-history": "L2 norm of the error of the contact force over time, relative to that of the true force",
-    "resolved-force": "the same of the force averaged over the finest that the method can resolve",
-    "contact-time": "time from first touch to last parting, relative to the true one",
-    "energy": "energy gained or lost by the method, relative to the energy before the impact",
-}
+QUANTITIES = library(SOURCE).family("name.error-in")  # and what they are
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
-from .words import family, named, text
+from .words import family, named, shown, text
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 
@@ -265,8 +265,13 @@ def _printable(words: str) -> str:
 
 def _periods(contacts: list[Any], trip: float) -> list[str]:
     return [
-        f"  {number:7d}{contact.start / trip:14.6f}{contact.end / trip:14.6f}{contact.impulse:17.6g}"
-        + (f"{text('solve.no-duration'):>18}" if contact.peak_force is None else f"{contact.peak_force / 1e3:18.6g}")
+        f"  {number:7d}{shown(contact.start / trip, '14.6f')}{shown(contact.end / trip, '14.6f')}"
+        + shown(contact.impulse, "17.6g")
+        + (
+            f"{text('solve.no-duration'):>18}"
+            if contact.peak_force is None
+            else shown(contact.peak_force / 1e3, "18.6g")
+        )
         for number, contact in enumerate(contacts, 1)
     ]
 

@@ -74,13 +74,13 @@ def convergence(found: Any) -> str:
     width = max(map(len, names))
     by = text("convergence.by", method=found.method, seconds=found.wall_time)
     beside = found.reference_values or {}
-    heads = [f"{count:>14g}" for count in found.counts] + ([f"{found.reference:>14}"] if found.reference else [])
+    heads = [shown(count, ">14g") for count in found.counts] + ([f"{found.reference:>14}"] if found.reference else [])
     lines = [found.title or text("report.scene"), f"  {by}", ""]
     lines.append(f"  {named('convergence.kind', found.kind):{width}}" + "".join(heads))
     for name, (key, values) in zip(names, found.values.items(), strict=True):
-        known = [f"{beside[key]:>14.7g}" if key in beside else f"{'-':>14}"] if found.reference else []
-        lines.append(f"  {name:{width}}" + "".join([*(f"{value:>14.7g}" for value in values), *known]))
-    return "\n".join([*lines, "", *(f"  {words}" for words in found.table()["summary"].values())])
+        known = [shown(beside[key], ">14.7g") if key in beside else f"{'-':>14}"] if found.reference else []
+        lines.append(f"  {name:{width}}" + "".join([*(shown(value, ">14.7g") for value in values), *known]))
+    return "\n".join([*lines, "", *(f"  {named('quantity', name)}: {note}" for name, note in found.summary.items())])
 
 
 def comparison(found: Any) -> str:
@@ -108,12 +108,12 @@ def comparison(found: Any) -> str:
             lines.append(f"  {row.label:38}{text('compare.cannot', reason=row.reason)}")
             continue
         shares = [
-            "-" if share is None else f"{100 * share:.1f}" for share in (row.force_error, row.resolved_force_error)
+            "-" if share is None else shown(100 * share, ".1f") for share in (row.force_error, row.resolved_force_error)
         ]
         lines.append(
-            f"  {row.label:38}{100 * row.rebound_error:+10.4f}{row.duration_error:+13.5f}"
+            f"  {row.label:38}{shown(100 * row.rebound_error, '+10.4f')}{shown(row.duration_error, '+13.5f')}"
             f"{f'{row.true_contacts_found}/{row.true_contacts}':>7}{row.contacts:8d}{row.raw_contacts:6d}"
-            f"{shares[0]:>10}{shares[1]:>10}{1e3 * (row.wall_time or 0.0):9.3f}"
+            f"{shares[0]:>10}{shares[1]:>10}{shown(1e3 * (row.wall_time or 0.0), '9.3f')}"
         )
     return "\n".join(lines + left_out({row.label: row.method.get("model", "") for row in rows}))
 

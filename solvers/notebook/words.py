@@ -3,6 +3,7 @@
 from typing import Any
 
 from ..text.catalogue import library, spoken
+from ..text.messages import written
 
 
 def text(code: str, /, **values: Any) -> str:
@@ -20,8 +21,8 @@ def family(code: str) -> dict[str, str]:
     return library(spoken()).family(f"printed.{code}")
 
 
-def shown(value: object, form: str) -> str:
+def shown(value: Any, form: str) -> str:
     """A number in this form, a word as it is, a dash for what does not exist."""
     if value is None:
         return "-"
-    return value if isinstance(value, str) else f"{value:{form}}"
+    return value if isinstance(value, str) else written(value, form, spoken())

@@ -15,6 +15,7 @@ from ..methods.base import SceneNotSupported, never
 from ..numerics.processors import all_processors
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
+from ..text.catalogue import library, spoken
 from ..text.notes import Note, Severity, coded
 from ..validation import SceneError, allowed
 from .integrators import BOUND, DIVERGED, LASTING, Outcome
@@ -40,13 +41,13 @@ class Axis:
     log: bool
 
 
-AXES = {  # unit, usual range, whether by a constant factor
-    "step": ("rad of the highest kept mode", 0.03, 30.0, True),
-    "contact_stiffness": ("of an element, or of the scene's law", 1e-2, 1e6, True),
-    "mass_ratio": ("target over impactor", 1e-6, 1e6, True),
-    "modes": ("kept", 1, 1000, True),
-    "restitution": ("delivered by the law", LEAST_RESTITUTION, 1.0, False),
-    "speed": ("m/s", 1e-6, 1e3, True),
+AXES = {  # usual range, whether by a constant factor
+    "step": (0.03, 30.0, True),
+    "contact_stiffness": (1e-2, 1e6, True),
+    "mass_ratio": (1e-6, 1e6, True),
+    "modes": (1, 1000, True),
+    "restitution": (LEAST_RESTITUTION, 1.0, False),
+    "speed": (1e-6, 1e3, True),
 }
 
 
@@ -229,7 +230,7 @@ def check_axes(scene: Scene, names: Sequence[str]) -> None:
 
 
 def _read_axis(name: str, given: int | Sequence[float]) -> Axis:
-    unit, low, high, log = AXES[name]
+    low, high, log = AXES[name]
     given = validation.plain(given)
     if isinstance(given, int):
         count = validation.whole_number("grid", given, 2, 400)
@@ -239,7 +240,7 @@ def _read_axis(name: str, given: int | Sequence[float]) -> Axis:
         values = np.array([validation.number(f"grid of {name}", float(value), *widest) for value in given])
     if name == "modes":
         values = np.unique(np.round(values))
-    return Axis(name, unit, values, log)
+    return Axis(name, library(spoken()).texts[f"name.axis-unit.{name}"], values, log)
 
 
 def _modes(scene: Scene) -> int:
@@ -344,9 +345,10 @@ def _map(name: str, number: int, first: Axis, columns: list[list[_Cell | None]])
             if outcome is not None:
                 error[i, j], velocity[i, j] = outcome.energy_error, outcome.velocity / cell.speed
                 chatter[i, j], steps[i, j] = outcome.touches - outcome.contacts, outcome.steps
-    integrator = INTEGRATORS[name]
+    words = library(spoken()).texts
+    long, bound_of = words[f"name.integrator-long.{name}"], words[f"name.integrator-limit.{name}"]
     return Map(
-        name, integrator.label, integrator.limit_name, ending, error, chatter, velocity, steps, share,
+        name, long, bound_of, ending, error, chatter, velocity, steps, share,
         limit if first.name == "step" else None, reason,
     )  # fmt: skip
 

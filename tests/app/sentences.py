@@ -4,8 +4,8 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from app.text.catalogues import SOURCE
 from app.text.refusals import said
+from solvers.text.catalogue import SOURCE
 
 
 def sentence(reason: Mapping[str, Any]) -> str:

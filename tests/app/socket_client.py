@@ -13,7 +13,8 @@ from tornado.websocket import websocket_connect
 
 from app.choices.choices import title_of
 from app.messages.encoding import read_header
-from app.text.catalogues import SOURCE, page
+from app.text.catalogues import page
+from solvers.text.catalogue import SOURCE
 from tests.app.sentences import refusals
 
 

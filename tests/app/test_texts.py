@@ -10,8 +10,8 @@ import pytest
 
 import app
 from app.choices.choices import Choices
-from app.text.catalogues import LANGUAGES, SOURCE, command, page, script
-from solvers.text.catalogue import library
+from app.text.catalogues import LANGUAGES, command, page, script
+from solvers.text.catalogue import SOURCE, library
 from solvers.text.messages import engineering, terms_in
 
 STATIC = Path(app.__file__).parent / "static"

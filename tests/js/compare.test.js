@@ -2,7 +2,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { comparedOf, difference, figuresOf, leastSaid, sentences, shareOf } from '../../app/static/compare/figures.js';
-import { questionsOf } from '../../app/static/compare/questions.js';
 import { comparable, differing, kindsOf, lineOf } from '../../app/static/compare/settings.js';
 import { paragraphsOf } from '../../app/static/compare/summary.js';
 import { text } from '../../app/static/text/catalogue.js';
@@ -37,7 +36,6 @@ const rod = (changed = {}, peakForce = 1e4) => {
     exact: told,
     other: told,
     rods: [{}],
-    opens: { compare: [{ question: 'support', first: {}, second: {} }], trials: [] },
   };
 };
 
@@ -83,21 +81,6 @@ test('a share of nothing, or of another sign, is none', () => {
   assert.equal(shareOf(of(1), of(-1)), null);
   assert.equal(shareOf(of(null), of(1)), null);
   assert.equal(shareOf(of(0), of(0)), 0);
-});
-
-test('only what acts is asked, and nothing that changes nothing', () => {
-  assert.deepEqual(
-    questionsOf(rod()).map(({ question }) => question),
-    ['modes', 'law', 'hammer', 'constant', 'speed', 'support'],
-  );
-  assert.ok(!questionsOf(rod({ speed: 100 })).some(({ question }) => question === 'speed'));
-  const framed = { ...rod({ floating_frame: 'attached' }), own: {} };
-  framed.acting.push('floating_frame');
-  const clamped = questionsOf(framed).find(({ question }) => question === 'clamped');
-  assert.deepEqual(
-    [clamped?.first, ...(clamped?.between ?? []), clamped?.second],
-    [{ modes: 5 }, { modes: 10 }, { modes: 30 }],
-  );
 });
 
 test('a force that grows is explained by the law that does so, and by no other', () => {

@@ -119,7 +119,7 @@ export class Compare {
    * @param {Question} question
    */
   ask(question) {
-    const { alone, between = [], first, question: key, second } = question;
+    const { alone, between, first, question: key, second } = question;
     const { page } = this;
     const chosen = alone ? {} : page.frame.chosen;
     const settings = [first, ...between, second];

@@ -5,11 +5,10 @@ import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame, Try } from '../messages.js' */
+/** @import { Frame } from '../messages.js' */
 
 const SEEN = family('first.seen');
 const TRIES = family('first.tries');
-const JAMMING = new Set(['friction-jams', 'impact-without-approach', 'slides-on']); // notes of Painlevé's paradox
 
 /**
  * What this impact shows.
@@ -33,33 +32,13 @@ export function seenIn(frame) {
 /**
  * What could be tried with it, the most telling first.
  * @param {Frame} frame
- * @returns {Try[]}
+ * @returns {[words: string, choice: string, value: number | string][]}
  */
-export function triesOf(frame) {
-  const { chosen, kind, acting, refusals } = frame;
-  /** @type {Try[]} */
-  const all = [
-    [TRIES.faster, 'speed', 2 * Number(chosen.speed)],
-    [TRIES.heavier, 'mass_ratio', Number(chosen.mass_ratio) / 4],
-  ];
-  if ('main' in frame) all.unshift([TRIES.middle, 'place', 0.5], [TRIES.few, 'modes', 5]);
-  if (kind === 'mechanism' && !refusals.multibody)
-    all.unshift([TRIES.rigid, 'motion_links', 'rigid'], [TRIES.moves, 'method', 'multibody']);
-  if (kind === 'bodies') all.push([TRIES.elastic, 'restitution', 1]);
-  // it jams by where it is hit: in the centre nothing of that is left
-  if (frame.kind === 'bodies' && !frame.notes.some(({ code }) => JAMMING.has(code)))
-    all.push([TRIES.centre, 'place', 0.5]);
-  all.push(...frame.opens.trials.map(([say, choice, value]) => /** @type {Try} */ ([TRIES[say], choice, value])));
-  if (kind === 'axial') all.push([TRIES.losing, 'law', 'hunt-crossley'], [TRIES.softer, 'law', 'hertz']);
-  const acts = (/** @type {string} */ name) => name === 'scene' || acting.includes(name);
-  const more = (/** @type {string} */ name, /** @type {number | string} */ value) =>
-    name === 'modes' && Number(value) > Number(chosen.modes);
-  return all.filter(([, name, value]) => acts(name) && chosen[name] !== value && !more(name, value));
-}
+export const triesOf = ({ opens }) => opens.trials.map(([say, choice, value]) => [TRIES[say], choice, value]);
 
 export class First {
   kind = '';
-  /** @type {Try[]} */ offered = [];
+  /** @type {ReturnType<typeof triesOf>} */ offered = [];
 
   /** @param {Page} page */
   constructor(page) {
@@ -101,9 +80,6 @@ export class First {
   /** @param {number} k */
   #try(k) {
     const [, name, value] = this.offered[k] ?? [];
-    if (name === undefined || value === undefined) return;
-    const { low, high, options } = this.page.model.spec[name];
-    const within = options ? value : Math.min(Math.max(Number(value), low), high);
-    this.page.choose(name, within);
+    if (name !== undefined && value !== undefined) this.page.choose(name, value);
   }
 }

@@ -9,8 +9,9 @@ import app
 import solvers
 from app.choices.choices import SCENES, Choices
 from app.choices.opened import CHARTS, Opening, opening_of
-from app.text.catalogues import SOURCE, page
+from app.text.catalogues import page
 from solvers import SceneError
+from solvers.text.catalogue import SOURCE
 
 STATIC = Path(app.__file__).parent / "static"
 

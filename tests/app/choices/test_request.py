@@ -4,10 +4,12 @@ from dataclasses import FrozenInstanceError
 
 import pytest
 
-from app.choices.choices import Choices
+from app.choices.choices import Choices, accepts
 from app.choices.request import Request
 from app.choices.scene_of import choices_of
+from app.text.catalogues import page
 from app.text.refusals import Refused
+from solvers.text.catalogue import SOURCE
 
 
 def request(scene, **more):
@@ -39,3 +41,50 @@ def test_a_request_does_not_change_and_is_not_made_of_what_cannot_be():
         made.method = "waves"
     with pytest.raises(Refused, match="Struck at: got"):
         Request.of(made.chosen | {"place": 0.0})
+
+
+@pytest.mark.parametrize(
+    "scene, more, tries",
+    [
+        ("fixed-rod", {}, "faster heavier free losing softer"),
+        ("fixed-rod", {"speed": 100.0, "mass_ratio": 1e-3, "law": "hertz"}, "free losing"),  # as far as sliders reach
+        ("hammer-on-cantilever", {}, "middle few faster heavier"),
+        ("hammer-on-cantilever", {"place": 0.5, "modes": 4}, "faster heavier"),
+        ("four-bar-moves", {"method": "modal"}, "moves middle faster heavier"),
+        ("four-bar-moves", {"method": "multibody"}, "rigid middle faster heavier"),
+        ("brick-off-centre", {}, "faster elastic centre"),
+    ],
+)
+def test_only_what_acts_and_changes_something_can_be_tried(scene, more, tries):
+    made = request(scene, **more)
+    trials = made.opening().trials
+    assert " ".join(trial.say for trial in trials) == tries
+    for _, choice, value in trials:
+        assert accepts(choice, value) and value != made.chosen[choice]
+
+
+def test_a_body_that_jams_is_not_to_be_hit_in_its_centre():
+    made = request("painleve-rod")
+    assert "centre" in [trial.say for trial in made.opening().trials]
+    assert "centre" not in [trial.say for trial in made.opening(["friction-jams"]).trials]
+
+
+@pytest.mark.parametrize(
+    "scene, more, asked",
+    [
+        ("fixed-rod", {}, "modes law hammer constant speed support quarter"),
+        ("fixed-rod", {"speed": 100.0, "mass_ratio": 1e-3}, "modes law constant support quarter"),
+        ("hammer-on-cantilever", {}, "modes law hammer constant speed theory"),
+        ("brick-off-centre", {}, "speed restitution off-centre"),
+    ],
+)
+def test_only_what_acts_and_changes_something_is_asked(scene, more, asked):
+    texts = page(SOURCE).texts
+    questions = [each.question for each in request(scene, **more).opening().comparisons]
+    assert " ".join(questions) == asked and all(f"compare.question.{each}" in texts for each in questions)
+
+
+def test_modes_of_a_frame_are_asked_for_in_three_steps():
+    framed = request("free-rod", method="modal", floating_frame="attached")
+    clamped = framed.opening().table()["compare"][0]
+    assert (clamped["question"], clamped["between"], clamped["second"]) == ("clamped", ({"modes": 10},), {"modes": 30})

@@ -13,7 +13,8 @@ import solvers
 from app.choices.space import equivalent_box, leaning, own_frame, struck_at, struck_place
 from app.messages.encoding import read_header
 from app.messages.space import bodies_frame
-from app.text.catalogues import SOURCE, script
+from app.text.catalogues import script
+from solvers.text.catalogue import SOURCE
 from tests.catalog import SCENES
 
 from .own import arrays

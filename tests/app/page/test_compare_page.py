@@ -81,7 +81,7 @@ def test_what_is_being_solved_for_a_question_is_not_called_the_same(open_page):
     said = page.evaluate(
         """() => {
           const { compare } = strikewave.page;
-          compare.ask({ key: 'law', first: { law: 'rigid' }, second: { law: 'hertz' } });
+          compare.ask({ question: 'law', first: { law: 'rigid' }, between: [], second: { law: 'hertz' } });
           return [compare.summary.root.textContent, compare.bar.row.textContent];
         }"""
     )

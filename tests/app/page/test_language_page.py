@@ -10,8 +10,9 @@ import pytest
 
 import solvers
 from app.text import catalogues
-from app.text.catalogues import SOURCE, language_for
+from app.text.catalogues import language_for
 from solvers.bodies import Mechanism
+from solvers.text.catalogue import SOURCE
 
 from ..conftest import Page
 from ..pseudo import BARE, LANGUAGE

@@ -8,8 +8,8 @@ from playwright.sync_api import expect
 
 import solvers
 from app.serving.still import INSTANT, colour, first_still
-from app.text.catalogues import SOURCE
 from app.text.catalogues import page as texts_of
+from solvers.text.catalogue import SOURCE
 
 from .test_page import settled
 

@@ -4,11 +4,12 @@ import json
 
 import pytest
 
-from app.text.catalogues import SOURCE, page
+from app.text.catalogues import page
 from app.views.energy import COLOURS
 from app.views.figures import drawn
 from app.views.registry import FIGURES, VIEWS
 from solvers.stability.runs import INTEGRATORS
+from solvers.text.catalogue import SOURCE
 
 
 def objects(tree):

@@ -7,10 +7,11 @@ from pytest import approx
 
 import solvers
 from app.choices.choices import Choices
-from app.text.catalogues import SOURCE, page
+from app.text.catalogues import page
 from app.views import tradeoff as view
 from app.views.tradeoff import SCALED, stored_data
 from solvers.accuracy import calibration, store
+from solvers.text.catalogue import SOURCE
 
 THERE = {"python": 1e-3, "kernels": 2e-2, "algebra": 3e-2}
 
