@@ -1,6 +1,6 @@
 // Lines over what is negative, tension or motion backward: the sign is seen without colours, too.
 
-const LEAST = 0.04; // of the largest value, below which nothing is hatched
+export const HATCHED = 0.04; // of the largest value, below which nothing is hatched
 const STEP = 6; // pixels between two lines
 const COLOR = 'rgba(8,40,90,.38)';
 
@@ -9,7 +9,7 @@ const COLOR = 'rgba(8,40,90,.38)';
  * @param {number} value
  * @param {number} largest
  */
-export const isHatched = (value, largest) => value < -LEAST * largest;
+export const isHatched = (value, largest) => value < -HATCHED * largest;
 
 /**
  * Hatch stretches of a bar.

@@ -1,15 +1,26 @@
 // Bodies over place and time as a picture: each row is the same body later, moved as the body on top is.
 import { contextOf } from '../charts/canvas.js';
-import { isHatched } from '../charts/hatch.js';
-import { palette, shade } from '../charts/styles.js';
+import { HATCHED } from '../charts/hatch.js';
+import { palette } from '../charts/styles.js';
 
 /** @import { Field, What } from '../axial/fields.js' */
 /** @import { Range } from '../charts/scale.js' */
 
-const PLACES = 241;
+const FINE = { places: 121, rows: 300 }; // at most: so many are woven in the time of one frame
 const COARSE = { places: 61, rows: 200 }; // of a field that costs a sum for each mode
 const DIAGONALS = 6; // pixels between two lines over what is negative
 const LINE = 0.86; // of the light around, that such a line has
+
+/**
+ * The palette as pixels, darker by a factor.
+ * @param {number} light
+ */
+function pixelsOf(light) {
+  const bytes = new Uint8ClampedArray((4 * palette.length) / 3).fill(255);
+  for (let k = 0; k < palette.length; k++) bytes[4 * Math.floor(k / 3) + (k % 3)] = light * palette[k];
+  return new Uint32Array(bytes.buffer);
+}
+const [PLAIN, LINED] = [pixelsOf(1), pixelsOf(LINE)];
 
 /**
  * What is drawn over place and time, with the picture of the bodies above it.
@@ -32,11 +43,12 @@ const LINE = 0.86; // of the light around, that such a line has
  * @returns {Float64Array}  the value at the first place, row by row
  */
 export function weave(canvas, { drawn, duration, field, largest, scale, what }, [start, end], width, height) {
-  const rows = field.coarse ? Math.min(COARSE.rows, height) : height;
-  const places = field.coarse ? COARSE.places : PLACES;
+  const { places, rows: most } = field.coarse ? COARSE : FINE;
+  const rows = Math.min(most, height);
   if (canvas.width !== width || canvas.height !== rows) Object.assign(canvas, { width, height: rows });
   const context = contextOf(canvas);
   const picture = context.createImageData(width, rows);
+  const pixels = new Uint32Array(picture.data.buffer);
   const [values, moved] = [new Float64Array(places), new Float64Array(places)];
   const ends = new Float64Array(rows);
   const each = (drawn.right - drawn.left) / (places - 1);
@@ -48,7 +60,7 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
     field.profile(t, 'displacement', moved);
     ends[row] = values[0];
     for (let k = 0; k < places; k++) moved[k] = drawn.left + k * each + moved[k] * scale;
-    fill(picture, row, moved, values, largest);
+    fill(pixels, width, row, moved, values, largest);
   }
   context.putImageData(picture, 0, 0);
   return ends;
@@ -56,25 +68,24 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
 
 /**
  * One row, between places that ascend.
- * @param {ImageData} picture
+ * @param {Uint32Array} pixels
+ * @param {number} width
  * @param {number} row
  * @param {Float64Array} places  [px]
  * @param {Float64Array} values
  * @param {number} largest
  */
-function fill({ data, width }, row, places, values, largest) {
+function fill(pixels, width, row, places, values, largest) {
+  const half = (PLAIN.length - 1) / 2;
+  const [unit, faint] = [half / largest, half - HATCHED * half];
+  let x = Math.max(Math.ceil(places[0] - 0.5), 0);
   for (let k = 1; k < places.length; k++) {
-    const [from, to] = [places[k - 1], places[k]];
-    const last = Math.min(Math.ceil(to - 0.5), width);
-    for (let x = Math.max(Math.ceil(from - 0.5), 0); x < last; x++) {
-      const value = values[k - 1] + ((x + 0.5 - from) / (to - from)) * (values[k] - values[k - 1]);
-      const color = shade(value, largest);
-      const light = (row + x) % DIAGONALS === 0 && isHatched(value, largest) ? LINE : 1;
-      const p = 4 * (row * width + x);
-      data[p] = light * palette[color];
-      data[p + 1] = light * palette[color + 1];
-      data[p + 2] = light * palette[color + 2];
-      data[p + 3] = 255;
+    const last = Math.min(Math.ceil(places[k] - 0.5), width);
+    const slope = (unit * (values[k] - values[k - 1])) / (places[k] - places[k - 1]);
+    let place = half + unit * values[k - 1] + (x + 0.5 - places[k - 1]) * slope;
+    for (let p = row * width + x; x < last; x++, p++, place += slope) {
+      const color = place <= 0 ? 0 : place >= 2 * half ? 2 * half : (place + 0.5) | 0;
+      pixels[p] = place < faint && (row + x) % DIAGONALS === 0 ? LINED[color] : PLAIN[color];
     }
   }
 }

@@ -21,6 +21,7 @@ const LATER = 'rgba(255,255,255,.45)'; // over what has not happened yet
 const FLOW = 0.4; // of the colour of the struck end, between it and its force
 const LABEL = { peak: 26, narrow: 18, line: 17 }; // pixels
 const NARROW = 560; // of width
+const WALL = '#55636f';
 
 /**
  * @typedef {object} Beside
@@ -30,6 +31,8 @@ const NARROW = 560; // of width
  * @property {string} about  what that unit is
  * @property {boolean} first  whether the first place is the one that is struck
  * @property {boolean} strikes  by a body that is drawn beside it
+ * @property {number | null} prediction  velocity of that body by rigid-body theory
+ * @property {boolean} held  whether the last place is
  * @typedef {Shown & Beside} Scene
  */
 
@@ -131,7 +134,7 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #frame(c, { about, clock: [per, sign], drawn, first }) {
+  #frame(c, { about, clock: [per, sign], drawn, first, held }) {
     const { base, tall, top, track, width } = this.box;
     const [factor, unit] = scaled(this.most, 'N');
     c.font = letters(13);
@@ -163,27 +166,37 @@ export class Section {
     c.fillStyle = COLORS.faint;
     const after = drawn.left + c.measureText(`${rows} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
-    c.fillStyle = COLORS.edge;
-    c.fillRect(width, top, 1, tall);
+    c.fillStyle = WALL;
+    if (held) c.fillRect(drawn.right, top, 5, tall);
   }
   /**
    * The face of the striker.
    * @param {Context} c
    * @param {Scene} scene
    */
-  #striker(c, { drawn, duration, field, scale, strikes }) {
+  #striker(c, { drawn, duration, field, prediction, scale, strikes }) {
     const [start, end] = this.stretch;
-    const { tall } = this.box;
+    const { base, tall, top, width } = this.box;
     if (!strikes) return;
+    c.save();
+    c.beginPath();
+    c.rect(base, top, width, tall); // beside the force
+    c.clip();
+    const path = (/** @type {(t: number) => number} */ moved) => {
+      c.beginPath();
+      for (let k = 0; k <= tall; k++) {
+        const t = start + (k / tall) * (end - start);
+        if (t <= duration) c.lineTo(drawn.left + moved(t) * scale, this.y(t));
+      }
+      c.stroke();
+    };
     c.strokeStyle = COLORS.ink;
     c.lineWidth = 1.4;
-    c.beginPath();
-    for (let k = 0; k <= tall; k++) {
-      const t = start + (k / tall) * (end - start);
-      if (t > duration) break;
-      c.lineTo(drawn.left + field.mass(t) * scale, this.y(t));
-    }
-    c.stroke();
+    path((t) => field.mass(t));
+    c.strokeStyle = COLORS.prediction;
+    c.setLineDash([5, 4]);
+    if (prediction !== null) path((t) => prediction * t);
+    c.restore();
   }
   /**
    * @param {Context} c
@@ -248,8 +261,9 @@ export class Section {
       }
       return true;
     };
-    const tops = [...(beside ? [down - tall / 2] : []), down - tall - 6, down + 8];
-    const top = tops.find((each) => each >= this.box.top && clear(each)) ?? down + 8;
+    const { tall: all, top: first } = this.box;
+    const tops = [...(beside ? [down - tall / 2] : []), down - tall - 6, down + 8, first + 4, first + all - 4 * tall];
+    const top = tops.find((each) => each >= first && clear(each)) ?? down + 8;
     c.textAlign = 'left';
     c.textBaseline = 'middle';
     c.lineWidth = 5;
