@@ -44,9 +44,10 @@ export class Opening {
     this.question = make('h2');
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
+    this.side = make('div', { className: 'aside' }, this.ask, this.change);
     this.happens = make('ol', { className: 'happens', ariaLabel: text('opening.events') });
     this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
-    this.parts = [this.ask, this.change, this.section.root, this.happens, this.closer];
+    this.parts = [this.side, this.section.root, this.happens, this.closer];
     this.button = make('button', { type: 'button', className: 'to-opening', textContent: text('opening.back') });
     this.button.title = text('opening.back-about');
     this.button.onclick = () => this.turn('opening');

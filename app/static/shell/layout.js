@@ -36,7 +36,7 @@ export class Layout {
 
   /**
    * @param {{ bar: HTMLElement, choices: HTMLElement, pinned: HTMLElement[], charts: HTMLElement[] }} parts
-   * @param {{ parts: HTMLElement[], readonly leads: boolean }} opening
+   * @param {{ ask: HTMLElement, parts: HTMLElement[], readonly leads: boolean }} opening
    * @param {() => void} changed  after anything has moved
    */
   constructor({ bar, choices, pinned, charts }, opening, changed) {
@@ -46,6 +46,7 @@ export class Layout {
     this.tabs = new Tabs(text('layout.tabs'), TITLES, (name, again) => this.#chosen(name, again));
     this.strip = make('div', { className: 'strip' });
     this.pinned = make('div', { className: 'pinned' }, ...pinned, this.strip);
+    this.caption = pinned[0];
     this.charts = make('div', { className: 'charts' }, ...charts);
     const none = make('p', { className: 'help none', textContent: text('layout.no-charts') });
     this.tabs.panel('charts').append(none);
@@ -105,6 +106,8 @@ export class Layout {
     if (mode !== this.mode || !this.choices.parentElement) {
       this.mode = mode;
       this.root.dataset.mode = mode;
+      if (mode === 'lead') this.opening.ask.after(this.caption);
+      else this.pinned.prepend(this.caption);
       (phone ? this.tabs.panel('controls') : this.left).append(this.choices);
       (phone ? this.tabs.panel('charts') : this.centre).append(this.charts);
       if (phone) this.tabs.panel('analysis').prepend(this.wide);

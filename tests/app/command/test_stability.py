@@ -13,7 +13,7 @@ def test_stability_draws_a_map_of_each_integrator(capsys):
     found = answer(capsys, "stability", "stiff-contact", "--grid", "4x12")
     for name in ("modal", "newmark", "newmark-frozen", "central-difference", "rk4", "moreau-jean"):
         assert f"\n  {name}: " in found
-    assert "2 / omega_max, of the modes with the contact spring" in found
+    assert "2/ω_max, of the modes with the contact spring" in found
     assert "modal: 0 of 48 runs fail" in found and "thesis 8.2" in found
     assert all(len(line) <= 120 for line in found.splitlines())
 

@@ -87,7 +87,7 @@ def test_links_of_before_lead_to_the_laboratory_and_those_of_the_opening_to_it(o
 def test_the_question_counts_the_pushes_and_the_change_moves_the_slider(open_page):
     page = open_page("")
     opened(page)
-    page.tab.get_by_role("button", name="What if the striker").click()
+    page.tab.get_by_role("button", name="What if it were").click()
     page.wait("() => strikewave.page.frame.chosen.mass_ratio === 0.25 && !strikewave.page.asked")
     (until, *_), *others = [contact[1:] for contact in page.header("exact")["contacts"]]
     pushes = int(np.ceil(until)) + len(others)  # the front comes back every T
