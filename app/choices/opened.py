@@ -52,6 +52,7 @@ class Opening(NamedTuple):
 
     charts: tuple[str, ...] = ()
     place: float | None = None  # of the figure, from the struck end [m]
+    time: float | None = None  # that is shown, from the first touch on [s]
     until: float | None = None  # the part of the impact that is looked at, from the first touch on [s]
     views: tuple[str, ...] = ()
     varied: str = ""  # what the view of convergence varies, see `solvers.studies.levels`
@@ -62,7 +63,7 @@ class Opening(NamedTuple):
     @classmethod
     def of(cls, scene: Scene) -> "Opening":
         """Of a scene. Raises SceneError that names the key, the value and what is allowed."""
-        given = table("view", scene.view, ("charts", "place", "until", "views", "vary", "compare", "try"))
+        given = table("view", scene.view, ("charts", "place", "time", "until", "views", "vary", "compare", "try"))
         varied = table("view.vary", given.get("vary", {}), (*COUNTED, *VALUES))
         if len(varied) > 1:
             raise SceneError("view.vary", dict(varied), allowed("one-varied"))
@@ -74,6 +75,7 @@ class Opening(NamedTuple):
         return cls(
             charts=_names("view.charts", given.get("charts", []), (*CHARTS, *OF_NODES)),
             place=_number("view.place", given.get("place"), FARTHEST, "m"),
+            time=_number("view.time", given.get("time"), LONGEST, "s"),
             until=_number("view.until", given.get("until"), LONGEST, "s"),
             views=_names("view.views", given.get("views", [])),
             varied=kind,
@@ -87,6 +89,7 @@ class Opening(NamedTuple):
         return {
             "charts": [name for name in self.charts if name in CHARTS],
             "place": self.place,
+            "time": self.time,
             "until": self.until,
             "compare": [each._asdict() for each in self.comparisons],
             "trials": [list(each) for each in self.trials],

@@ -120,6 +120,7 @@ RECORDS: dict[str, Fields] = {
     "Opens": {
         "charts": Field("string[]", "by name"),
         "place": Field("number | null", "at which the stress is shown [m]"),
+        "time": Field("number | null", "that is shown, from the first touch on [s]"),
         "until": Field("number | null", "from the first touch on, what is looked at [s]"),
         "compare": Field("Question[]", "that can be asked of it as it is chosen, by a comparison"),
         "trials": Field("Try[]", "what can be tried with it, the most telling first"),

@@ -122,6 +122,7 @@ export interface MovingRecord {
 export interface Opens {
   /** by name */ charts: string[];
   /** at which the stress is shown [m] */ place: number | null;
+  /** that is shown, from the first touch on [s] */ time: number | null;
   /** from the first touch on, what is looked at [s] */ until: number | null;
   /** that can be asked of it as it is chosen, by a comparison */ compare: Question[];
   /** what can be tried with it, the most telling first */ trials: Try[];

@@ -25,10 +25,10 @@ const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means
 
 /**
  * What the clock needs of a message.
- * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen'>
- *   | Pick<SpaceFrame, 'kind' | 'duration' | 'chosen'>
- *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts'>
- *   | Pick<MechanismFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'contacts' | 'moving'>} Clocked
+ * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens'>
+ *   | Pick<SpaceFrame, 'kind' | 'duration' | 'chosen' | 'opens'>
+ *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens' | 'contacts'>
+ *   | Pick<MechanismFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens' | 'contacts' | 'moving'>} Clocked
  */
 
 /**
@@ -72,6 +72,7 @@ export class Player {
   waited = 0; // events of this tour
   waits = 0; // until when the clock stands
   scene = '';
+  stands = false; // the scene is to be seen at an instant of its own
   /** @type {Frame['kind'] | null} */ was = null;
 
   /**
@@ -152,12 +153,21 @@ export class Player {
     this.usual = this.perSecond;
     this.until = Infinity;
     if (this.was !== frame.kind) this.t = opening(frame);
-    if (this.playing && this.scene !== frame.chosen.scene) this.t = 0;
+    const other = this.scene !== frame.chosen.scene;
+    if (this.playing && other) this.t = 0;
+    const { time } = frame.opens;
+    this.stands = time !== null;
+    if (other && time !== null) this.#stand(time / this.trip - this.start);
     this.was = frame.kind;
     this.scene = String(frame.chosen.scene);
     this.t = Math.min(this.t, this.duration);
     this.label();
     this.go(this.t);
+  }
+  /** @param {number} t  that a scene is to be seen at */
+  #stand(t) {
+    this.playing = false;
+    this.t = t;
   }
   label() {
     this.button.textContent = this.playing ? '❚❚' : '▶';
@@ -193,6 +203,7 @@ export class Player {
   }
   /** Play from the beginning, waiting at every event; the second time round without. */
   tour() {
+    if (this.stands) return;
     this.touring = true;
     this.waited = 0;
     this.go(0);

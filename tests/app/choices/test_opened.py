@@ -23,6 +23,7 @@ def test_every_scene_is_opened_by_what_there_is():
         assert all(f"compare.question.{each.question}" in texts for each in opening.comparisons), name
         assert all(f"first.tries.{each.say}" in texts for each in opening.trials), name
     assert opening_of("figure-6.9").charts == ("reactions",) and opening_of("figure-6.9").until == 1e-3
+    assert opening_of("figure-8.7").time == 2e-5
     assert opening_of("free-rod").trials == (("fixed", "scene", "fixed-rod"),)
     assert opening_of("no such scene") == Opening()
     assert opening_of("table-6.9").charts == ("coordinates",) and opening_of("table-6.9").table()["charts"] == []
@@ -41,6 +42,7 @@ def test_charts_have_the_names_of_the_stacks():
         ({"charts": "force"}, r"view\.charts: got 'force'; allowed: a list of at most 20 entries"),
         ({"charts": ["force", "forces"]}, r"view\.charts\[2\]: got 'forces'; allowed: 'waves'"),
         ({"place": -1.0}, r"view\.place: got -1.0; allowed: a number from 0"),
+        ({"time": -1e-6}, r"view\.time: got -1e-06; allowed: a number from 0"),
         ({"until": "soon"}, r"view\.until: got 'soon'; allowed: a number from 0"),
         ({"vary": {"modes": [1.0], "step": [1.0]}}, r"view\.vary"),
         ({"vary": {"mass": [1.0]}}, r"view\.vary\.mass"),

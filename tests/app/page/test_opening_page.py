@@ -147,3 +147,11 @@ def test_every_kind_has_its_question_and_its_picture(open_page, scene, charts, q
 def test_dark_and_light_have_the_same_picture(open_page):
     light, dark = (open_page("", color_scheme=scheme) for scheme in ("light", "dark"))
     assert light.picture() == dark.picture()  # turned over as a whole by a filter
+
+
+@pytest.mark.parametrize(("scene", "instant"), [("figure-8.7", 2e-5), ("figure-5.14", 6.7e-5)])
+def test_a_scene_of_one_instant_stands_there(open_page, scene, instant):
+    page = open_page(f"?scene={scene}", reduced_motion="no-preference")
+    settled(page)
+    assert page.evaluate("() => strikewave.page.player.t * strikewave.page.player.trip") == pytest.approx(instant)
+    assert not page.evaluate("() => strikewave.page.player.playing")
