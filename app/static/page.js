@@ -163,7 +163,7 @@ export class Page {
     this.history.later();
     this.waiter.settle();
     for (const { stack } of Object.values(this.views)) stack?.gather();
-    this.axial.stage.leads = this.opening.leads;
+    for (const { stage } of Object.values(this.views)) if ('leads' in stage) stage.leads = this.opening.leads;
     this.layout.strip.replaceChildren(...(this.strip ? [this.strip.root] : []));
     this.root.classList.toggle('bare', !this.strip && !this.opening.shown);
     if (this.layout.mode === 'phone') this.layout.tabs.panel('controls').prepend(this.first.root);

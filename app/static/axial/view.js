@@ -121,6 +121,7 @@ export class AxialView {
     const { drawn, largest, scale } = stage;
     const first = frame.rods[0].from === 0;
     const strikes = first && frame.impactor.kind !== 'pulse';
+    const title = text('opening.rows', { what: first ? 'rod' : 'rods' });
     const about = first ? text('opening.trip', { trip: engineering(frame.trip, 's') }) : '';
     const clock = times.shown;
     return {
@@ -129,12 +130,13 @@ export class AxialView {
       contacts: frame.exact.contacts,
       drawn,
       duration: frame.duration,
+      ends: first ? field : null,
       field,
-      first,
       forces,
       largest,
       scale,
       strikes,
+      title,
       what,
     };
   }

@@ -11,6 +11,7 @@ import { weave } from './rows.js';
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Shown } from './rows.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
+/** @typedef {{ face: (t: number) => number, mass: (t: number) => number }} Ends  movement of struck face and striker */
 
 const HEAD = 44 * zoom; // pixels above the rows
 const FOOT = 10;
@@ -21,6 +22,7 @@ const LATER = 'rgba(255,255,255,.45)'; // over what has not happened yet
 const FLOW = 0.4; // of the colour of the struck end, between it and its force
 const LABEL = { peak: 26, narrow: 18, line: 17 }; // pixels
 const NARROW = 560; // of width
+const MARK = { wide: 5, least: 2 }; // pixels of a contact at the struck place
 
 /**
  * @typedef {object} Beside
@@ -28,7 +30,8 @@ const NARROW = 560; // of width
  * @property {Series[]} forces  the most important first
  * @property {[per: number, sign: string]} clock  how many of the unit in which times are written one is
  * @property {string} about  what that unit is
- * @property {boolean} first  whether the first place is the one that is struck
+ * @property {string} title
+ * @property {Ends | null} ends  where the first place is the one that is struck
  * @property {boolean} strikes  by a body that is drawn beside it
  * @typedef {Shown & Beside} Scene
  */
@@ -36,7 +39,7 @@ const NARROW = 560; // of width
 export class Section {
   image = make('canvas');
   /** @type {Scene | null} */ shown = null;
-  /** @type {Float64Array} */ ends = new Float64Array(0); // values of the first place, row by row
+  /** @type {Float64Array} */ ends = new Float64Array(0); // values at the struck place, row by row
   most = 0; // the end of the scale of forces [N]
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
 
@@ -88,6 +91,7 @@ export class Section {
     c.rect(0, this.box.top, width, this.box.tall);
     c.clip();
     this.#striker(c, shown);
+    if (!shown.ends && !shown.scale) this.#struck(c, shown);
     for (const series of shown.forces.toReversed()) this.#curve(c, series);
     this.#names(c, shown);
     c.restore();
@@ -109,11 +113,11 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #flow(c, { contacts, drawn, field, first, forces: [force], largest, scale }) {
+  #flow(c, { contacts, drawn, ends, forces: [force], largest, scale }) {
     const [start, end] = this.stretch;
     const rows = this.ends.length;
     const { base, tall, top } = this.box;
-    for (let row = 0; first && row < rows; row++) {
+    for (let row = 0; ends && row < rows; row++) {
       const t = start + ((row + 0.5) / rows) * (end - start);
       if (!contacts.some(([from, to]) => t >= from && t <= to)) continue;
       const y = top + (row / rows) * tall;
@@ -122,7 +126,7 @@ export class Section {
       c.globalAlpha = 1;
       c.fillRect(here, y, base - here, tall / rows + 0.6);
       c.globalAlpha = FLOW;
-      c.fillRect(base, y, drawn.left + field.face(t) * scale - base, tall / rows + 0.6);
+      c.fillRect(base, y, drawn.left + ends.face(t) * scale - base, tall / rows + 0.6);
     }
     c.globalAlpha = 1;
   }
@@ -131,7 +135,7 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #frame(c, { about, clock: [per, sign], drawn, first }) {
+  #frame(c, { about, clock: [per, sign], drawn, title }) {
     const { base, tall, top, track, width } = this.box;
     const [factor, unit] = scaled(this.most, 'N');
     c.font = letters(13);
@@ -158,10 +162,9 @@ export class Section {
     c.fillStyle = COLORS.ink;
     const force = text('opening.force', { unit });
     c.fillText(force, Math.max(base - c.measureText(force).width, 2), top - 8 - LABEL.line * zoom);
-    const rows = text('opening.rows', { first });
-    c.fillText(rows, drawn.left, top - 8);
+    c.fillText(title, drawn.left, top - 8);
     c.fillStyle = COLORS.faint;
-    const after = drawn.left + c.measureText(`${rows} `).width;
+    const after = drawn.left + c.measureText(`${title} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
     c.fillStyle = COLORS.edge;
     c.fillRect(width, top, 1, tall);
@@ -171,19 +174,42 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #striker(c, { drawn, duration, field, scale, strikes }) {
+  #striker(c, { drawn, duration, ends, scale, strikes }) {
     const [start, end] = this.stretch;
     const { tall } = this.box;
-    if (!strikes) return;
+    if (!strikes || !ends) return;
     c.strokeStyle = COLORS.ink;
     c.lineWidth = 1.4;
     c.beginPath();
     for (let k = 0; k <= tall; k++) {
       const t = start + (k / tall) * (end - start);
       if (t > duration) break;
-      c.lineTo(drawn.left + field.mass(t) * scale, this.y(t));
+      c.lineTo(drawn.left + ends.mass(t) * scale, this.y(t));
     }
     c.stroke();
+  }
+  /**
+   * The struck place of what is bent across, and when it is touched.
+   * @param {Context} c
+   * @param {Scene} scene
+   */
+  #struck(c, { contacts, drawn: { left, rest } }) {
+    const { tall, top } = this.box;
+    c.strokeStyle = COLORS.faint;
+    c.lineWidth = 1;
+    c.setLineDash([3, 4]);
+    c.beginPath();
+    c.moveTo(rest, top);
+    c.lineTo(rest, top + tall);
+    c.stroke();
+    c.setLineDash([]);
+    for (const [from, to] of contacts) {
+      const [y, high] = [this.y(from), Math.max(this.y(to) - this.y(from), MARK.least)];
+      c.fillStyle = COLORS.contact;
+      c.fillRect(0, y, left, high);
+      c.fillStyle = COLORS.ink;
+      c.fillRect(rest - MARK.wide / 2, y, MARK.wide, high);
+    }
   }
   /**
    * @param {Context} c
@@ -288,13 +314,14 @@ export class Section {
     c.fill();
     const [times_, unit] = scaled(this.most, 'N');
     c.font = letters(13, '600 ');
-    c.textBaseline = 'bottom';
+    const above = y - LABEL.line * zoom >= top; // else it would lie on what is written there
+    c.textBaseline = above ? 'bottom' : 'top';
     c.lineWidth = 4;
     c.strokeStyle = COLORS.panel;
     c.textAlign = 'left';
     const words = `${figures(Math.abs(value) < 1e-6 * this.most ? 0 : value * times_, 3)} ${unit}`;
-    c.strokeText(words, base + 6, y - 3);
-    c.fillText(words, base + 6, y - 3);
+    c.strokeText(words, base + 6, above ? y - 3 : y + 4);
+    c.fillText(words, base + 6, above ? y - 3 : y + 4);
   }
   /**
    * A hand on the picture sets the clock.
