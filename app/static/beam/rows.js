@@ -1,14 +1,14 @@
 // What the opening draws of a beam below its stage: place across, time down.
 import { unitOfTime } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
+import { called } from '../text/words.js';
 
 /** @import { Series } from '../charts/chart.js' */
-/** @import { BendingFrame } from '../messages.js' */
+/** @import { BeamFigures, BendingFrame } from '../messages.js' */
 /** @import { Scene } from '../opening/section.js' */
 /** @import { BeamField, What } from './field.js' */
 /** @import { BeamStage } from './stage.js' */
 
-const SHOWN = ['exact', 'other']; // curves of the force that stand on one scale
 const QUANTITIES = family('beam.colour');
 
 /**
@@ -26,7 +26,12 @@ export const hasForce = ({ halfForce, main, reference }) => !main.sudden || Bool
  * @returns {Scene | null}
  */
 export function sectionOf(frame, field, what, stage, series) {
-  const forces = series.filter(({ style }) => SHOWN.includes(style)).map((one) => ({ ...one, cursor: one.name }));
+  /** @type {Record<string, BeamFigures | null | undefined>} */
+  const named = { exact: frame.main, other: frame.reference }; // of others the force would leave the scale
+  const forces = series.flatMap((one) => {
+    const figures = named[one.style];
+    return figures ? [{ ...one, cursor: called(figures) }] : [];
+  });
   if (!field.has(what) || !forces[0]?.x.length) return null;
   const { contacts, duration } = frame;
   const way = what === 'shear' ? 'positive' : 'forward';

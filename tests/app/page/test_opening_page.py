@@ -5,11 +5,14 @@ import pytest
 from playwright.sync_api import expect
 
 import solvers
+from app.choices.request import Request
+from app.messages.transverse import chosen_method
 
 from .test_page import settled
 
 SIZES = [(1440, 900), (1280, 720), (820, 1180), (390, 844)]
 NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+SAMPLES = 40
 MODE = "() => strikewave.page.root.dataset.mode"
 BOXES = """() => Object.fromEntries(['.stages', '.section', '.ask', '.caption', '.player', '.foremost', '.closer'].map(
   (name) => [name, strikewave.page.root.querySelector(name).getBoundingClientRect().toJSON()]))"""
@@ -52,6 +55,54 @@ def test_the_rows_show_the_stress_that_the_library_says(open_page):
     assert smooth.sum() > 0.9 * rows
     error = np.abs(np.array(found["ends"]) * found["unit"] - stress)[smooth]
     assert error.max() < 0.02 * np.abs(stress).max()
+
+
+@pytest.mark.parametrize("scene", ["xylophone-bar", "figure-8.15"])
+def test_the_rows_of_a_beam_show_the_bending_moment_that_the_library_says(open_page, scene):
+    page = open_page(f"?scene={scene}&place=0.5&layout=opening")
+    opened(page)
+    found = page.evaluate(
+        """() => {
+          const { ends, shown: { drawn }, stretch } = strikewave.page.opening.section;
+          const { left, long, struck } = strikewave.page.beam.stage;
+          return { ends: [...ends], stretch, drawn, left, long, struck };
+        }"""
+    )
+    right = found["left"] + found["long"]
+    assert found["drawn"] == {"left": found["left"], "right": right, "rest": found["struck"]}
+    request = Request.of(page.header("chosen"))
+    solution = chosen_method(request)[0].solve(request.scene)
+    start, end = found["stretch"]
+    rows = len(found["ends"])
+    within = (np.arange(SAMPLES) + 0.5) / SAMPLES  # of the time of a row, which it averages
+    times = start + (np.arange(rows)[:, None] + within) / rows * (end - start)
+    place = np.array([request.scene.target.place])
+    moment = solution.motion.moment(times.ravel(), place)[:, 0].reshape(rows, SAMPLES).mean(axis=1)
+    error = np.abs(np.array(found["ends"]) - moment)
+    assert error.max() < 0.03 * np.abs(moment).max()
+
+
+def test_every_contact_of_a_hammer_is_seen_beside_the_rows(open_page):
+    page = open_page("?scene=hammer-on-cantilever&layout=opening")
+    opened(page)
+    names = page.tab.locator(".happens li:visible")
+    expect(names).to_have_count(8)
+    for number in range(2, 6):
+        expect(names.filter(has_text=f"Contact {number}")).to_have_count(1)
+    pushed = page.evaluate(
+        """() => {
+          const { section } = strikewave.page.opening;
+          const ratio = section.below.width / section.root.clientWidth;
+          const context = section.below.getContext('2d');
+          return strikewave.page.frame.contacts.map(([from, to]) => {
+            const [top, high] = [section.y(from) * ratio, Math.max((section.y(to) - section.y(from)) * ratio, 2)];
+            const wide = 12 * ratio; // beside the line of no force
+            const { data } = context.getImageData((section.box.base - 20) * ratio, top, wide, high);
+            return data.some((value, k) => k % 4 === 0 && value < 100);
+          });
+        }"""
+    )
+    assert pushed == [True] * 5
 
 
 def test_the_laboratory_is_one_click_away_and_is_remembered(open_page):
@@ -126,21 +177,21 @@ def test_events_stand_at_their_time(open_page):
 
 
 @pytest.mark.parametrize(
-    ("scene", "charts", "question"),
+    ("scene", "rows", "charts", "question"),
     [
-        ("free-rod", 0, "Nothing holds the rod."),
-        ("hammer-on-cantilever", 1, "One impact. Why five contacts?"),
-        ("four-bar", 1, "One link is struck."),
-        ("newtons-cradle", 1, "One ball strikes."),
-        ("brick-on-floor", 0, "Two bodies meet in a point."),
+        ("free-rod", 1, 0, "Nothing holds the rod."),
+        ("hammer-on-cantilever", 1, 0, "One impact. Why five contacts?"),
+        ("four-bar", 0, 1, "One link is struck."),
+        ("newtons-cradle", 0, 1, "One ball strikes."),
+        ("brick-on-floor", 0, 0, "Two bodies meet in a point."),
     ],
 )
-def test_every_kind_has_its_question_and_its_picture(open_page, scene, charts, question):
+def test_every_kind_has_its_question_and_its_picture(open_page, scene, rows, charts, question):
     page = open_page(f"?scene={scene}&layout=opening")
     opened(page)
     expect(page.tab.locator(".ask h2")).to_contain_text(question)
     expect(page.tab.locator(".strip .chart:visible")).to_have_count(charts)
-    expect(page.tab.locator(".section:visible")).to_have_count(1 if scene == "free-rod" else 0)
+    expect(page.tab.locator(".section:visible")).to_have_count(rows)
     assert 2 <= page.tab.locator(".leading:visible").count() <= 4
 
 
