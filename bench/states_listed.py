@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from app.views.registry import PANELS
-from tests.app.conftest import Page
+from tests.app.conftest import LABORATORY, Page
 from tests.app.fitting import LARGE
 
 BUSY = 90_000  # ms that an analysis may take
@@ -19,7 +19,7 @@ class State:
     """A state by its link and by what is done then."""
 
     name: str
-    query: str = ""
+    query: str = LABORATORY
     act: Callable[[Page], object] | None = None
     at: tuple[float, ...] = ()  # shares of the impact at which there is a picture
     scrolled: str = ""  # what is scrolled through, a picture for every window of it
@@ -209,6 +209,8 @@ BESIDE_IT = [
     State(name="record-moved-and-wide", act=partial(example, moved=True), scrolled=".record-panel", rest=1200),
     State(name="record-bad", act=partial(upload, text="time,force\n1,two\nthree\n"), fails=True),
     State(name="record-not-numbers", act=partial(upload, text="\x00\x01\x02" * 400), fails=True),
+    State(name="opening", query=""),
+    State(name="opening-beam", query="?scene=hammer-on-cantilever&layout=opening"),
     State(name="plan-wide-beside", query="?panel=tolerance", act=partial(wide, name="tolerance"), rest=1500),
     State(name="energy-wide", query="?panel=energy", act=partial(wide, name="energy"), rest=1500),
     State(name="two-analyses", query="?panel=energy,tolerance", rest=2000),

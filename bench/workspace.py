@@ -84,7 +84,7 @@ def _python_loop() -> float:
 def _first(browser, address: str) -> list:
     found = []
     for _ in range(VISITS):
-        page = Page(browser, address, drawn=False, reduced_motion="no-preference")
+        page = Page(browser, address, "", drawn=False, reduced_motion="no-preference")
         page.wait("() => window.strikewave?.page.player.playing && strikewave.page.painted > 1")
         found.append(page.evaluate(FIRST))
         page.context.close()

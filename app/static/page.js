@@ -73,7 +73,7 @@ export class Page {
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
     this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
-    this.controls = new Controls(model.spec, (name, value) => this.send(name, value));
+    this.controls = new Controls(model.spec, (name, value) => this.opening.stay(() => this.send(name, value)));
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = new Caption();
@@ -163,9 +163,8 @@ export class Page {
     this.history.later();
     this.waiter.settle();
     for (const { stack } of Object.values(this.views)) stack?.gather();
-    this.axial.stage.leads = this.opening.leads;
-    this.layout.strip.replaceChildren(...(this.strip ? [this.strip.root] : []));
-    this.root.classList.toggle('bare', !this.strip && !this.opening.shown);
+    for (const { stage } of Object.values(this.views)) if ('leads' in stage) stage.leads = this.opening.leads;
+    this.opening.lend();
     if (this.layout.mode === 'phone') this.layout.tabs.panel('controls').prepend(this.first.root);
     else this.story.root.before(this.first.root);
     for (const { stack } of Object.values(this.views)) stack?.arrange();
@@ -245,7 +244,7 @@ export class Page {
    */
   goTo(settings, done = () => {}) {
     this.player.rest();
-    this.changes.go(settings, done);
+    this.opening.stay(() => this.changes.go(settings, done));
   }
   #sent() {
     this.toast.root.hidden = true;
@@ -279,15 +278,17 @@ export class Page {
     this.root.classList.toggle('hangs', frame.kind === 'axial' && frame.impactor.kind === 'pendulum');
     this.view.load(this.frame);
     this.closer.later();
-    if (this.layout.strip.firstChild !== (this.strip?.root ?? null)) this.place();
+    if (!this.opening.placed) this.place();
     this.analyses.draw();
+    this.opening.draw();
     this.player.load(this.frame);
     if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();
     this.changes.arrived(this.frame);
     this.tell();
     const { strikewave } = /** @type {any} */ (window); // for tests and benches
-    Object.assign(window, { strikewave: { page: this, frames: (strikewave?.frames ?? 0) + 1 } });
+    const frames = (strikewave?.frames ?? 0) + 1;
+    Object.assign(window, { strikewave: { page: this, frames } });
   }
   /** Show a kind of impact in place of another. */
   turn() {
@@ -297,7 +298,6 @@ export class Page {
     this.layout.tabs.panel('numbers').replaceChildren(this.compare.summary.numbers, this.story.numbers);
     this.place();
   }
-  // What the address has opened is gone on with as if it had been opened by hand.
   resume() {
     this.resumed = true;
     document.getElementById('still')?.remove();
@@ -335,11 +335,6 @@ export class Page {
   }
   get story() {
     return this.view.story;
-  }
-  /** The chart that is seen below the stage where the others have no room. */
-  get strip() {
-    const lent = this.layout.mode === 'phone' || (this.opening.leads && !this.opening.shown);
-    return lent && this.view.strip && !this.view.strip.root.hidden ? this.view.strip : null;
   }
   drawCharts() {
     this.view.draw();
@@ -384,6 +379,7 @@ export class Page {
     this.view.zoom(start, end);
   }
   zoomed() {
+    this.opening.draw();
     this.closer.later();
     this.history.later();
     this.player.mark();

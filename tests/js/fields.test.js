@@ -121,6 +121,11 @@ test('a damped mode of a beam under a constant force settles as an oscillator do
     shape.forEach((value, j) => near(found[j], value * q, 1e-10));
     near(field.profile(t, 'moment')[2], shape[2] * q + force, 1e-8);
   }
+  const [span, parts] = [2e-3, 200];
+  let sum = 0;
+  for (let k = 0; k < parts; k++) sum += field.profile(4e-3 + (k / parts - 0.5) * span, 'moment')[1];
+  near(field.mean(4e-3, span, 'moment', new Float64Array(3))[1], sum / parts, 1e-8); // of what swings in that time
+  near(field.mean(4e-3, step, 'moment', new Float64Array(3))[1], field.profile(4e-3, 'moment')[1], 1e-12);
 });
 
 test('the stress at a place is that of the profiles there', () => {

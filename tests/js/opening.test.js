@@ -38,7 +38,14 @@ test('a row averages what passes in its time', () => {
 
 test('rows are woven between the moved ends of the body, and clear beside it', () => {
   const canvas = sheet();
-  const shown = { drawn: { left: 10, right: 90 }, duration: 2, field: step(), largest: 2, scale: 0, what: 'stress' };
+  const shown = {
+    drawn: { left: 10, right: 90, rest: 10 },
+    duration: 2,
+    field: step(),
+    largest: 2,
+    scale: 0,
+    what: 'stress',
+  };
   const ends = weave(canvas, shown, [0, 2], 100, 40);
   const color = (x, y) => [...canvas.picture.data.slice(4 * (100 * y + x), 4 * (100 * y + x) + 4)];
   const solid = (value) => [...palette.slice(shade(value, 2), shade(value, 2) + 3), 255];
@@ -53,8 +60,29 @@ test('rows are woven between the moved ends of the body, and clear beside it', (
 
 test('rows end where the solution does', () => {
   const canvas = sheet();
-  const shown = { drawn: { left: 0, right: 10 }, duration: 1, field: step(), largest: 2, scale: 0, what: 'stress' };
+  const shown = {
+    drawn: { left: 0, right: 10, rest: 0 },
+    duration: 1,
+    field: step(),
+    largest: 2,
+    scale: 0,
+    what: 'stress',
+  };
   weave(canvas, shown, [0, 2], 10, 20);
   assert.equal(canvas.picture.data[4 * (10 * 9 + 5) + 3], 255);
   assert.equal(canvas.picture.data[4 * (10 * 11 + 5) + 3], 0);
+});
+
+test('rows of what is bent across are at the places that it knows, and tell of the struck one', () => {
+  const mean = (t, span, what, out) => out.map((_, k) => (out[k] = k - 1 + t));
+  const field = { coarse: false, places: 5, mean, profile: () => assert.fail('nothing of it is displaced') };
+  const canvas = sheet();
+  const shown = { drawn: { left: 10, right: 90, rest: 50 }, duration: 1, field, largest: 4, scale: 0, what: 'moment' };
+  const ends = weave(canvas, shown, [0, 1], 100, 10);
+  assert.equal(ends.length, 10);
+  for (const [row, value] of ends.entries()) assert.ok(Math.abs(value - 1 - (row + 0.5) / 10) < 1e-12);
+  assert.deepEqual(
+    [9, 10, 89, 90].map((x) => canvas.picture.data[4 * x + 3]),
+    [0, 255, 255, 0],
+  );
 });

@@ -116,12 +116,16 @@ export class AxialView {
   get section() {
     if (!this.frame?.rods.length) return null;
     const { field, force, frame, stage, what } = this;
-    const forces = force.chart.content.series.filter(({ style }) => style !== 'raw');
+    const forces = force.chart.own.series.filter(({ style }) => style !== 'raw');
     if (field instanceof RigidField || !forces[0]?.x.length) return null;
     const { drawn, largest, scale } = stage;
     const first = frame.rods[0].from === 0;
     const strikes = first && frame.impactor.kind !== 'pulse';
-    const about = first ? text('opening.trip', { trip: engineering(frame.trip, 's') }) : '';
+    const title = text('opening.rows', { what: frame.rods.length > 1 ? 'rods' : 'rod' });
+    const about =
+      frame.rods.length === 1 && frame.rods[0].mirror
+        ? text('opening.trip', { trip: engineering(frame.trip, 's') })
+        : '';
     const clock = times.shown;
     return {
       about,
@@ -129,14 +133,15 @@ export class AxialView {
       contacts: frame.exact.contacts,
       drawn,
       duration: frame.duration,
+      ends: first ? field : null,
       field,
-      first,
       forces,
       held: frame.target.held && frame.target.support !== 'anechoic',
       largest,
       prediction: frame.prediction?.impactor ?? null,
       scale,
       strikes,
+      title,
       what,
     };
   }

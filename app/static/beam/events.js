@@ -1,5 +1,5 @@
 // What happens in an impact on a beam, one event after the other, and why.
-import { text } from '../text/catalogue.js';
+import { family, text } from '../text/catalogue.js';
 import { duration, figures, length, percent, speed } from '../text/format.js';
 
 /** @import { BendingFrame, Support } from '../messages.js' */
@@ -17,6 +17,7 @@ const HOLDERS = {
 };
 const NEAR = 0.2; // of its length from a support
 const HARD = 0.5; // movement of the struck place over that of the contact
+const NAMED = family('beam.named');
 
 /**
  * A sentence of the beam's catalogue, which takes what strikes and what is struck besides its values.
@@ -28,6 +29,19 @@ export const tell = (code, frame, values = {}) => {
   const { beam, impactor, main } = frame;
   const struck = beam.place > 0.999 * beam.length && beam.support !== 'free-free' ? 'tip' : 'place';
   return text(code, { striker: impactor.kind, struck, method: main.name, ...values });
+};
+
+/**
+ * An event by the code of its sentence, with its name in a few words where it has one.
+ * @param {number} t
+ * @param {string} code
+ * @param {BendingFrame} frame
+ * @param {Record<string, any>} [values]
+ * @returns {Event}
+ */
+const happens = (t, code, frame, values = {}) => {
+  const name = code in NAMED ? tell(`beam.named.${code}`, frame, values) : undefined;
+  return [t, tell(`beam.event.${code}`, frame, values), name];
 };
 
 /**
@@ -56,20 +70,18 @@ export function beamEvents(frame) {
   const { contacts, main } = frame;
   const last = contacts.length - 1;
   /** @type {Event[]} */
-  const found = [[contacts[0][0], firstTouch(frame)]];
-  contacts.slice(0, LISTED).forEach(([start, end], k) => {
-    if (k > 0) found.push([start, meeting(frame, k)]);
+  const found = [firstTouch(frame)];
+  contacts.slice(0, LISTED).forEach((_, k) => {
+    if (k > 0) found.push(meeting(frame, k));
     const parts = k === last || k === LISTED - 1 ? null : parting(frame, k);
-    if (parts) found.push([end, parts]);
+    if (parts) found.push(parts);
   });
-  if (last === LISTED) found.push([contacts[LISTED][0], tell('beam.event.caught-up', frame, { number: LISTED + 1 })]);
-  else if (last > LISTED) {
-    const numbers = { first: LISTED + 1, last: main.contacts };
-    found.push([contacts[LISTED][0], tell('beam.event.repeated', frame, numbers)]);
-  }
+  const numbers = { first: LISTED + 1, last: main.contacts, number: LISTED + 1 };
+  if (last >= LISTED)
+    found.push(happens(contacts[LISTED][0], last === LISTED ? 'caught-up' : 'repeated', frame, numbers));
   const turn = turningPoint(frame);
   if (turn && turn[0] < contacts[last][1]) found.push(turn);
-  if (main.contacts <= contacts.length) found.push([contacts[last][1], ending(frame)]);
+  if (main.contacts <= contacts.length) found.push(ending(frame));
   return found.sort((a, b) => a[0] - b[0]);
 }
 
@@ -85,10 +97,11 @@ const ratesAt = ({ rates }, k, end) =>
 
 /** @param {BendingFrame} frame */
 function firstTouch(frame) {
-  if (!frame.main.waves) return tell('beam.event.touches-waveless', frame);
+  const [[start]] = frame.contacts;
+  if (!frame.main.waves) return happens(start, 'touches-waveless', frame);
   const held = holding(frame);
-  if (held) return tell('beam.event.touches-held', frame, held);
-  return tell('beam.event.touches', frame, { rigid: frame.law.rigid });
+  if (held) return happens(start, 'touches-held', frame, held);
+  return happens(start, 'touches', frame, { rigid: frame.law.rigid });
 }
 
 /**
@@ -98,8 +111,9 @@ function firstTouch(frame) {
  */
 function meeting(frame, k) {
   const number = k + 1;
-  if ((ratesAt(frame, k, 0)?.[0] ?? 0) < 0) return tell('beam.event.overtaken', frame, { number });
-  return tell(k === 1 ? 'beam.event.caught-up-first' : 'beam.event.caught-up', frame, { number });
+  const [start] = frame.contacts[k];
+  if ((ratesAt(frame, k, 0)?.[0] ?? 0) < 0) return happens(start, 'overtaken', frame, { number });
+  return happens(start, k === 1 ? 'caught-up-first' : 'caught-up', frame, { number });
 }
 
 /**
@@ -115,11 +129,11 @@ function parting(frame, k) {
   const lasts = end > start ? duration(end - start) : text('beam.event.no-time');
   if (own < 0) {
     const values = { lasts, own: speed(-own), back: ahead < 0, ahead: speed(Math.abs(ahead)) };
-    return tell('beam.event.parts-back', frame, values);
+    return happens(end, 'parts-back', frame, values);
   }
   const given = percent(1 - own / frame.impactorRate[0]);
   const values = { lasts, given, own: speed(own), ahead: speed(ahead) };
-  return tell(k > 0 ? 'beam.event.parts-again' : 'beam.event.parts-first', frame, values);
+  return happens(end, k > 0 ? 'parts-again' : 'parts-first', frame, values);
 }
 
 /**
@@ -132,7 +146,7 @@ function turningPoint(frame) {
   const k = impactorRate.findIndex((rate, i) => i > 0 && rate <= 0);
   if (k < 0) return null;
   const bent = span.apparent > 0.7 * (span.half ?? Infinity);
-  return [time[k], tell('beam.event.turns', frame, { bent, moved: length(impactorPath[k]) })];
+  return happens(time[k], 'turns', frame, { bent, moved: length(impactorPath[k]) });
 }
 
 /**
@@ -141,10 +155,11 @@ function turningPoint(frame) {
  */
 function ending(frame) {
   const { contacts, main } = frame;
-  if (main.stillTouching) return tell('beam.event.still-touching', frame);
+  const [, end] = contacts[contacts.length - 1];
+  if (main.stillTouching) return happens(end, 'still-touching', frame);
   const leaves = main.final ?? 0;
   const way = Math.abs(leaves) < 5e-4 * frame.speed ? 'stands' : leaves < 0 ? 'back' : 'on';
-  return tell('beam.event.ends', frame, { last: contacts.length > 1, way, speed: speed(Math.abs(leaves)) });
+  return happens(end, 'ends', frame, { last: contacts.length > 1, way, speed: speed(Math.abs(leaves)) });
 }
 
 /**

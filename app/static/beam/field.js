@@ -15,6 +15,7 @@ const COLUMNS = 240; // of a picture
 const SAVED_NUMBERS = 20_000; // of states that are kept, to go back to
 const SPARSE = 7; // of so many values one tells where the colours end
 const SURVEYED = 96; // instants of the first look
+const MANY = 60; // modes, whose sum is dear
 const EVERY = 2; // of so many places one, at each of them
 
 /** @type {Record<string, Float64Array>} */
@@ -45,6 +46,7 @@ const forEach = (value) => ({
 const NOTHING = 1e-30;
 
 export class BeamField {
+  coarse = false; // dear to compute: fewer points will do
   largest = forEach(() => NOTHING); // values over the whole impact
   usual = forEach(() => NOTHING); // where the colours end
 
@@ -79,6 +81,16 @@ export class BeamField {
    */
   profile(_t, _what, out = new Float64Array(this.places), _first, _every) {
     return out;
+  }
+  /**
+   * Values about an instant, averaged over a span of time in which much of it may swing to and fro.
+   * @param {number} t
+   * @param {number} _span
+   * @param {What} what
+   * @param {Out} out
+   */
+  mean(t, _span, what, out) {
+    return this.profile(t, what, out);
   }
   // A first look over the whole impact: the largest value of everything, and where the colours end.
   survey() {
@@ -159,6 +171,8 @@ export class ModalBeamField extends BeamField {
     this.middle = list((i) => push[i] / omega[i] ** 2);
     this.q = new Float64Array(n);
     this.v = new Float64Array(n);
+    this.amounts = new Float64Array(n); // over a span
+    this.coarse = n > MANY;
     this.steps = this.forces.length;
     this.stride = Math.max(1, Math.ceil((this.steps * n) / SAVED_NUMBERS));
     this.rows = scratch(`${room} rows`, (Math.floor(this.steps / this.stride) + 1) * (2 * n + 2));
@@ -247,12 +261,16 @@ export class ModalBeamField extends BeamField {
     this.rigid = [rows[start + 2 * n], rows[start + 2 * n + 1]];
     this.at = row * this.stride;
   }
-  // The force about the instant reached, which the modes left out follow as if it were steady.
-  force() {
+  /**
+   * The force about an instant, which the modes left out follow as if it were steady.
+   * @param {number} [at]  in steps
+   * @param {number} [least]  steps to both sides
+   */
+  force(at = this.at, least = 1) {
     const { impulses, steps, h } = this;
-    const reach = Math.max(this.smoothing / (2 * h), 1);
-    const start = Math.max(this.at - reach, 0);
-    const end = Math.min(this.at + reach, steps);
+    const reach = Math.max(this.smoothing / (2 * h), least);
+    const start = Math.max(at - reach, 0);
+    const end = Math.min(at + reach, steps);
     const upTo = (/** @type {number} */ place) => {
       const k = Math.min(Math.floor(place), steps - 1);
       return impulses[k] + (place - k) * (impulses[k + 1] - impulses[k]);
@@ -266,12 +284,49 @@ export class ModalBeamField extends BeamField {
    */
   profile(t, what, out = new Float64Array(this.places), first = 0, every = 1) {
     this.seek(t);
+    const whole = what === 'velocity' ? this.rigid[1] : what === 'deflection' ? this.rigid[0] : 0;
+    const amounts = what === 'velocity' ? this.v : this.q;
+    return this.sum(what, amounts, whole, this.beside[what] ? this.force() : 0, out, first, every);
+  }
+  /**
+   * @param {number} t
+   * @param {number} span
+   * @param {What} what
+   * @param {Out} out
+   */
+  mean(t, span, what, out) {
+    const { amounts, h, steps } = this;
+    const last = Math.min(Math.round((t + span / 2) / h), steps);
+    this.seek(t - span / 2);
+    const first = this.at;
+    if (last - first < 2) return this.profile(t, what, out);
+    amounts.fill(0);
+    let whole = 0;
+    for (; this.at < last; this.seek((this.at + 1) * h)) {
+      const now = what === 'velocity' ? this.v : this.q;
+      for (let i = 0; i < now.length; i++) amounts[i] += now[i];
+      whole += what === 'velocity' ? this.rigid[1] : what === 'deflection' ? this.rigid[0] : 0;
+    }
+    const count = last - first;
+    for (let i = 0; i < amounts.length; i++) amounts[i] /= count;
+    const force = this.beside[what] ? this.force((first + last) / 2, count / 2) : 0;
+    return this.sum(what, amounts, whole / count, force, out, 0, 1);
+  }
+  /**
+   * Modes by how much there is of each, the beam as a whole, and what a force does by the modes left out.
+   * @param {What} what
+   * @param {Float64Array} amounts
+   * @param {number} whole
+   * @param {number} force
+   * @param {Out} out
+   * @param {number} first
+   * @param {number} every
+   */
+  sum(what, amounts, whole, force, out, first, every) {
     const { places } = this;
     const { rigidShape } = this.frame;
     const table = this.tables[what];
-    const amounts = what === 'velocity' ? this.v : this.q;
     const n = amounts.length;
-    const whole = what === 'velocity' ? this.rigid[1] : what === 'deflection' ? this.rigid[0] : 0;
     for (let j = first; j < places; j += every) out[j] = whole && rigidShape ? whole * rigidShape[j] : 0;
     for (let i = 0; i < n; i += 2) {
       // two modes at a time: half as many readings and writings of the sum
@@ -282,7 +337,6 @@ export class ModalBeamField extends BeamField {
       for (let j = first; j < places; j += every) out[j] += one * table[a + j] + two * table[b + j];
     }
     const beside = this.beside[what];
-    const force = beside ? this.force() : 0;
     if (beside && force) for (let j = first; j < places; j += every) out[j] += force * beside[j];
     return out;
   }

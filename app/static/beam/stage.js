@@ -4,26 +4,21 @@ import { between, roundBelow } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
-import { figures, prefixed } from '../text/format.js';
+import { figures } from '../text/format.js';
 import { diagrams } from './diagram.js';
 import { FIELDS } from './field.js';
+import { hasForce } from './rows.js';
 import { flown } from './flown.js';
+import { legend } from './legend.js';
 import { drawSupports } from './supports.js';
 
 /** @import { BendingFrame } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { BeamField, Out, What } from './field.js' */
 
-const UNITS = { moment: 'MPa', velocity: 'm/s', shear: 'N', deflection: 'mm' };
-const WAYS = [text('beam.stage.back'), text('beam.stage.forward')];
-const ENDS = {
-  moment: [text('beam.stage.tension'), text('beam.stage.compression')],
-  velocity: WAYS,
-  shear: ['−', '+'],
-  deflection: WAYS,
-}; // of the scale of colours
 const SMALL = letters(11);
 const LEAST_FOR_DIAGRAMS = [180, 140]; // pixels of height, below which their words would lie on each other; if narrow
+const LEADS = { left: 0.3, edge: [48, 30], thick: [0.09, 0.16], striker: [0.24, 84] }; // shares, pixels: if it leads
 
 /** @template {BendingFrame} [Shown=BendingFrame] */
 export class BeamStage {
@@ -40,6 +35,7 @@ export class BeamStage {
   stressUnit = 1; // MPa in N m
   // places of the picture, in pixels
   width = 0;
+  tall = 0;
   narrow = false;
   low = false;
   left = 0;
@@ -47,6 +43,8 @@ export class BeamStage {
   middle = 0;
   scale = 1; // pixels in a metre of deflection
   thick = 0;
+  leads = false; // the opening has the page
+  drawn = { left: 0, right: 0, rest: 0 }; // its ends, and where it is struck [px]
   hit = { x: 0, y: 0, size: 0, flew: false }; // where the impactor touches; whether it has left the picture
   /** @type {Striker | null} */ striker = null; // by which a hand takes hold
 
@@ -101,7 +99,11 @@ export class BeamStage {
   }
   /** Whether there are forces within the beam to draw, and room for them. */
   get diagrams() {
-    return !this.field.lengthwise && !this.low;
+    return !this.field.lengthwise && !this.low && !this.leading;
+  }
+  /** Whether the rows of the opening lie below it. */
+  get leading() {
+    return this.leads && !this.field.lengthwise && hasForce(this.frame);
   }
   /** Whether they stand beside the picture, not below it. */
   get beside() {
@@ -116,22 +118,36 @@ export class BeamStage {
     const { c, width, height } = sheet;
     const narrow = width < 560 * larger;
     this.width = width;
+    this.tall = height;
     this.narrow = narrow;
     this.low = height < LEAST_FOR_DIAGRAMS[Number(narrow)];
-    const margin = narrow ? 30 : 64;
     const { beside, diagrams: within } = this;
     const room = beside && within ? 0.54 * width : width;
     const top = within ? this.above(height) : height;
-    this.left = beside ? room + margin : margin;
-    this.long = width - this.left - (beside ? 20 : margin);
-    this.middle = 0.62 * top;
+    this.#places(width, room, top);
     this.scale = Math.min((this.factor * this.long) / frame.beam.length, (0.36 * top) / this.reach);
-    this.thick = Math.min(Math.max(((2 * frame.beam.halfDepth) / frame.beam.length) * this.long, 5), 0.1 * top);
     this.values = this.field.profile(t, this.what);
     this.moved = this.field.profile(t, 'deflection');
     this.picture(c, t, room, top, height);
     this.words(c, top);
     if (within) diagrams(c, this, t, beside ? 48 : top, beside ? height - 52 : height - top);
+  }
+  /**
+   * Where the beam lies, and how thick it is.
+   * @param {number} width
+   * @param {number} room  of its picture
+   * @param {number} top  height of that
+   */
+  #places(width, room, top) {
+    const { beside, frame, leading, narrow } = this;
+    const { beam } = frame;
+    const margin = leading ? LEADS.edge[Number(narrow)] : narrow ? 30 : 64;
+    this.left = leading ? LEADS.left * width : beside ? room + margin : margin;
+    this.long = width - this.left - (beside ? 20 : margin);
+    this.middle = 0.62 * top;
+    const [least, most] = leading ? LEADS.thick.map((share) => share * top) : [5, 0.1 * top];
+    this.thick = Math.min(Math.max(((2 * beam.halfDepth) / beam.length) * this.long, least), most);
+    this.drawn = { left: this.left, right: this.left + this.long, rest: this.struck };
   }
   /**
    * How high the picture is, of a height that it shares with the diagrams.
@@ -267,7 +283,8 @@ export class BeamStage {
     const { impactor } = frame;
     const x = this.struck;
     const y = this.face + between(frame.time, frame.impactorPath, t) * this.scale;
-    const size = Math.min(Math.max(44 * (impactor.mass / frame.beam.mass) ** (1 / 6), 18), 56);
+    const [usual, most] = this.leading ? [LEADS.striker[0] * this.tall, LEADS.striker[1]] : [44, 56];
+    const size = Math.min(Math.max(usual * (impactor.mass / frame.beam.mass) ** (1 / 6), 18), most);
     const flew = y < (impactor.kind === 'rod' ? 0.5 : 1) * size;
     this.hit = { x, y, size, flew };
     if (flew) {
@@ -327,7 +344,7 @@ export class BeamStage {
     c.fillText(words, 12, 18);
     const end = 12 + c.measureText(words).width;
     if (frame.staticShape && frame.staticPath && !narrow) c.fillText(text('beam.stage.dashed'), 12, top - 8);
-    if (this.coloured) this.#colours(c, end);
+    if (this.coloured) legend(c, this, end);
   }
   /** Whether anything has the colours of a field. */
   get coloured() {
@@ -348,36 +365,5 @@ export class BeamStage {
    */
   coloursAt(_x) {
     return 22;
-  }
-  /**
-   * The scale of colours, away from the impactor, which flies back over the struck place.
-   * @param {CanvasRenderingContext2D} c
-   * @param {number} end  of what is written at the left
-   */
-  #colours(c, end) {
-    const { narrow, what, width } = this;
-    const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
-    const { right } = this;
-    const room = right ? this.struck - 0.5 * this.hit.size - 6 - beside : width - end - 28;
-    const bar = Math.min((narrow ? 90 : 130) * larger, room);
-    const x = right ? beside : width - bar - 14;
-    const y = this.coloursAt(x);
-    const unit = what === 'moment' ? this.stressUnit : what === 'deflection' ? 1e3 : 1;
-    const largest = this.usual[what] * unit;
-    const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
-    const colours = c.createLinearGradient(x, 0, x + bar, 0);
-    for (let k = 0; k <= 6; k++) colours.addColorStop(k / 6, css(k / 3 - 1, 1));
-    c.fillStyle = colours;
-    c.fillRect(x, y, bar, 6);
-    c.fillStyle = COLORS.faint;
-    c.font = SMALL;
-    const [low, high] = ENDS[what];
-    const most = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
-    c.textAlign = 'right';
-    c.fillText(narrow ? most : high, x + bar, y - 4);
-    if (narrow) return; // a small picture has no room for more
-    c.fillText(most, x + bar, y + 18);
-    c.textAlign = 'left';
-    c.fillText(low, x, y - 4);
   }
 }

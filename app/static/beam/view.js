@@ -9,6 +9,7 @@ import { family, text } from '../text/catalogue.js';
 import { called } from '../text/words.js';
 import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
 import { fieldOf, FIELDS } from './field.js';
+import { hasForce, sectionOf } from './rows.js';
 import { BeamStage } from './stage.js';
 import { BeamStory } from './story.js';
 
@@ -145,8 +146,13 @@ export class BeamView {
   }
   /** Whether all impacts are impulses without duration, and there is nothing beside that has a force. */
   get withoutForce() {
-    const { halfForce, main, reference } = this.frame;
-    return main.sudden && !reference && !halfForce;
+    return !hasForce(this.frame);
+  }
+  /** What the opening draws over place and time; nothing of impulses, nor of what is struck along its length. */
+  get section() {
+    const { field, force, frame, stage } = this;
+    if (!stage.frame || !stage.leading) return null;
+    return sectionOf(frame, field, this.shown, stage, force.chart.content.series);
   }
   /** Its histories have become finer. */
   refine() {

@@ -37,6 +37,7 @@ export const movingEvents = (frame) =>
   frame.contacts.map(([start, , impulse], k) => [
     start,
     tell('event', frame, { number: k + 1, impulse: figures(impulse, 4), approach: speed(frame.speed) }),
+    tell('named', frame, { number: k + 1 }),
   ]);
 
 /** @param {MechanismFrame} frame  whether contacts last, by a law */

@@ -22,6 +22,20 @@ function tell(code, frame, values = {}) {
 }
 
 /**
+ * What happens to a mechanism, with its name in a few words.
+ * @param {number} t
+ * @param {string} code
+ * @param {MechanismFrame} frame
+ * @param {Record<string, any>} [values]
+ * @returns {Event}
+ */
+const happens = (t, code, frame, values = {}) => [
+  t,
+  tell(code, frame, values),
+  text(`beam.mechanism.named.${code}`, values),
+];
+
+/**
  * Velocities along the normal as a contact begins or ends, as far as they are known.
  * @param {MechanismFrame} frame
  * @param {number} k
@@ -46,20 +60,20 @@ export function mechanismEvents(frame) {
   const [first, over, impulse] = contacts[0];
   if (last === 0 && first === over) {
     const values = { approach: speed(approach), impulse: engineering(impulse, 'N s'), leaves };
-    return [[first, tell('impulse', frame, values)]];
+    return [happens(first, 'impulse', frame, values)];
   }
   /** @type {Event[]} */
-  const found = [[contacts[0][0], tell('meets', frame, { approach: speed(approach), bends })]];
+  const found = [happens(first, 'meets', frame, { approach: speed(approach), bends })];
   contacts.slice(0, LISTED).forEach(([start, end], k) => {
-    if (k > 0) found.push([start, tell('meets-again', frame, { number: k + 1, ...ratesAt(frame, k, 0) })]);
+    if (k > 0) found.push(happens(start, 'meets-again', frame, { number: k + 1, ...ratesAt(frame, k, 0) }));
     const lasts = end > start ? duration(end - start) : text('beam.event.no-time');
-    if (k < last) found.push([end, tell('parts', frame, { lasts, ...ratesAt(frame, k, 1) })]);
+    if (k < last) found.push(happens(end, 'parts', frame, { lasts, ...ratesAt(frame, k, 1) }));
   });
   if (last >= LISTED)
-    found.push([contacts[LISTED][0], tell('repeated', frame, { first: LISTED + 1, last: main.contacts })]);
-  if (main.stillTouching) found.push([contacts[last][1], text('beam.event.still-touching')]);
-  else if (main.contacts <= contacts.length)
-    found.push([contacts[last][1], tell('ends', frame, { leaves, last: last > 0 })]);
+    found.push(happens(contacts[LISTED][0], 'repeated', frame, { first: LISTED + 1, last: main.contacts }));
+  const [, end] = contacts[last];
+  if (main.stillTouching) found.push([end, text('beam.event.still-touching'), text('beam.named.still-touching')]);
+  else if (main.contacts <= contacts.length) found.push(happens(end, 'ends', frame, { leaves, last: last > 0 }));
   return found.sort((a, b) => a[0] - b[0]);
 }
 

@@ -24,6 +24,9 @@ export class MechanismStage extends BeamStage {
   get diagrams() {
     return !this.field.lengthwise && this.mechanism.bends && !this.narrow;
   }
+  get leading() {
+    return false; // rows of one link would say little of all of them
+  }
   get beside() {
     return !this.narrow; // a mechanism is about as high as wide
   }

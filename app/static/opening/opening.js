@@ -14,6 +14,7 @@ const PLAN = 'plan'; // under which is kept which of the two was seen last
 const WALK = 12; // steps in which a slider goes where a question sends it
 const STEP = 60; // ms between them
 const APART = 24; // pixels between two names of events, at least
+const LISTED = 44; // and above the first, where no clock stands beside them
 
 /** @typedef {'opening' | 'laboratory'} Plan */
 
@@ -34,6 +35,7 @@ export class Opening {
   tried = 0; // changes of this scene
   scene = '';
   due = true; // rows are to be drawn
+  /** @type {number | undefined} */ walking; // a slider, step by step
   /** @type {Event[]} */ events = [];
   /** @type {HTMLElement[]} */ names = [];
 
@@ -41,7 +43,7 @@ export class Opening {
   constructor(page) {
     this.page = page;
     this.section = new Section(page);
-    this.question = make('h2');
+    this.question = make('h2', { tabIndex: -1 });
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
     this.side = make('div', { className: 'aside' }, this.ask, this.change);
@@ -51,6 +53,7 @@ export class Opening {
     this.button = make('button', { type: 'button', className: 'to-opening', textContent: text('opening.back') });
     this.button.title = text('opening.back-about');
     this.button.onclick = () => this.turn('opening');
+    this.button.hidden = !alone;
   }
   /** Whether it is what is seen. */
   get leads() {
@@ -68,12 +71,42 @@ export class Opening {
   get shown() {
     return this.leads ? (this.page.view.section ?? null) : null;
   }
+  /** The chart that is seen below the stage where the others have no room. */
+  get #strip() {
+    const { layout, view } = this.page;
+    const lent = layout.mode === 'phone' || (this.leads && !this.shown);
+    return lent && view.strip && !view.strip.root.hidden ? view.strip.root : null;
+  }
+  get #bare() {
+    return this.leads && !this.#strip && !this.shown;
+  }
+  /** Put the chart there, or have the stage take its room. */
+  lend() {
+    const { layout, root } = this.page;
+    layout.strip.replaceChildren(...(this.#strip ? [this.#strip] : []));
+    root.classList.toggle('bare', this.#bare);
+  }
+  /** Whether it is there as this scene wants it. */
+  get placed() {
+    const { layout, root } = this.page;
+    return layout.strip.firstChild === this.#strip && root.classList.contains('bare') === this.#bare;
+  }
   /** @param {Plan} plan */
   turn(plan) {
     if (plan === this.plan) return;
     this.plan = plan;
-    keep(PLAN, plan);
+    if (alone) keep(PLAN, plan);
     this.page.layout.place();
+    this.load(this.page.frame);
+    (this.leads ? this.question : this.page.layout.centre).focus(); // what had the focus is gone
+  }
+  /**
+   * Something else is done: the slider that a question has sent off stays where it is.
+   * @param {() => void} act
+   */
+  stay(act) {
+    clearTimeout(this.walking);
+    act();
   }
   /**
    * Words, once the picture is drawn.
@@ -88,11 +121,15 @@ export class Opening {
     this.change.hidden = !changes.length;
     if (changes.length) this.change.textContent = `${changes[this.tried % changes.length].words} →`;
     this.page.controls.lead(leadingOf(frame));
-    this.#offer();
+    this.#offer(frame.source);
     this.#name();
+    this.#mark(this.page.player.t + this.page.player.start);
   }
-  /** Ways into the laboratory. */
-  #offer() {
+  /**
+   * Ways into the laboratory.
+   * @param {string} source  of the scene
+   */
+  #offer(source) {
     const { analyses, layout } = this.page;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ act) => {
       const button = make('button', { type: 'button', textContent });
@@ -104,7 +141,7 @@ export class Opening {
     };
     const offered = analyses.all.filter(({ button }) => !button.hidden && !button.disabled);
     const names = offered.map(({ button }) => button.textContent ?? '');
-    const said = names.join();
+    const said = [source, ...names].join();
     if (this.closer.dataset.said === said) return;
     this.closer.dataset.said = said;
     this.closer.replaceChildren(
@@ -112,6 +149,7 @@ export class Opening {
       enter(text('opening.laboratory'), () => layout.show('story')),
       enter(text('opening.numbers'), () => layout.show('numbers')),
       ...offered.map((view, k) => enter(names[k], () => analyses.open(view))),
+      make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
     );
   }
   /** Names of events, at their time. */
@@ -129,9 +167,10 @@ export class Opening {
   #place() {
     let last = -Infinity;
     const [, end] = this.section.stretch;
+    const { shown } = this.section;
     this.names.forEach((name, k) => {
       const [t] = this.events[k];
-      const top = Math.max(this.section.y(t), last + APART);
+      const top = Math.max(shown ? this.section.y(t) : LISTED, last + APART);
       name.hidden = t > end;
       if (!name.hidden) last = top;
       name.style.top = `${top}px`;
@@ -148,6 +187,10 @@ export class Opening {
     if (this.due) this.#place();
     this.due = false;
     this.section.show(t);
+    this.#mark(t);
+  }
+  /** @param {number} t */
+  #mark(t) {
     const latest = this.events.findLastIndex(([when]) => when <= t + 1e-6);
     this.names.forEach((name, k) => name.toggleAttribute('aria-current', k === latest));
   }
@@ -167,8 +210,8 @@ export class Opening {
     }
     const walk = (/** @type {number} */ step) => {
       page.choose(name, Number((from * (to / from) ** (step / WALK)).toPrecision(step < WALK ? 3 : 12)));
-      if (step < WALK) setTimeout(() => walk(step + 1), STEP);
+      if (step < WALK) this.walking = window.setTimeout(() => walk(step + 1), STEP);
     };
-    walk(1);
+    this.stay(() => walk(1));
   }
 }

@@ -9,6 +9,8 @@ const WHATS = family('opening.what-if');
 /** Sliders that lead, of those that act. */
 const LEADING = ['mass_ratio', 'law', 'restitution', 'modes', 'place', 'speed', 'friction', 'tilt', 'spin'];
 const FOUR = 4;
+/** @type {Record<string, number>} by which a question says that it changes */
+const FACTORS = { mass_ratio: 0.25, speed: 2 };
 
 /** @param {Frame} frame */
 export const leadingOf = ({ acting }) => LEADING.filter((name) => acting.includes(name)).slice(0, FOUR);
@@ -25,7 +27,7 @@ function axialQuestion(frame) {
   const { exact, impactor, rigid, rods, target } = frame;
   if (impactor.kind === 'pendulum') return text('opening.question.pendulum');
   if (target.row) return text('opening.question.row');
-  if (target.rotation) return text('opening.question.turning');
+  if (frame.turningBar) return text('opening.question.turning');
   if (!rods.length) return text('opening.question.compact', { sudden: exact.sudden });
   if (impactor.kind === 'pulse' || rods.length > 1) return text('opening.question.rods');
   if (rods[0].mirror <= 0) return text('opening.question.free');
@@ -43,14 +45,20 @@ export function questionOf(frame) {
 }
 
 /**
- * What could be changed, those first that a leading slider shows.
+ * What could be changed, of what a leading slider shows, where it is what the question says.
  * @param {Frame} frame
  * @returns {{ words: string, name: string, value: number | string }[]}
  */
 export function changesOf(frame) {
+  const { chosen } = frame;
   const leading = leadingOf(frame);
-  const rank = (/** @type {Try} */ [, name]) => (leading.includes(name) ? leading.indexOf(name) : FOUR);
+  const said = (/** @type {string} */ name, /** @type {number | string} */ value) =>
+    name === 'law'
+      ? chosen.law === 'rigid' && value === 'hertz'
+      : !(name in FACTORS) || Math.abs(Number(value) / (FACTORS[name] * Number(chosen[name])) - 1) < 1e-6;
+  const plain = (/** @type {Try} */ [, name, value]) => leading.includes(name) && said(name, value);
   return triesOf(frame)
-    .toSorted((a, b) => rank(a) - rank(b))
+    .filter(plain)
+    .toSorted(([, a], [, b]) => leading.indexOf(a) - leading.indexOf(b))
     .map(([words, name, value]) => ({ words: WHATS[name] ?? words, name, value }));
 }

@@ -3,7 +3,6 @@ import { contextOf } from '../charts/canvas.js';
 import { HATCHED } from '../charts/hatch.js';
 import { palette } from '../charts/styles.js';
 
-/** @import { Field, What } from '../axial/fields.js' */
 /** @import { Range } from '../charts/scale.js' */
 
 const FINE = { places: 121, rows: 300 }; // at most: so many are woven in the time of one frame
@@ -23,14 +22,22 @@ function pixelsOf(light) {
 const [PLAIN, LINED] = [pixelsOf(1), pixelsOf(LINE)];
 
 /**
+ * A field that has rows; displacement is asked of none that is bent across.
+ * @typedef {object} Rows
+ * @property {boolean} coarse  dear to compute: fewer points will do
+ * @property {number} [places]  at which alone it is known
+ * @property {(t: number, span: number, what: any, out: Float64Array) => unknown} mean
+ * @property {(t: number, what: any, out: Float64Array) => unknown} profile
+ */
+/**
  * What is drawn over place and time, with the picture of the bodies above it.
  * @typedef {object} Shown
- * @property {Field} field
- * @property {What} what
+ * @property {Rows} field
+ * @property {string} what
  * @property {number} largest  the end of the colours
  * @property {number} duration
- * @property {{ left: number, right: number }} drawn  where its ends are at rest [px]
- * @property {number} scale  pixels in a unit of displacement
+ * @property {{ left: number, right: number, rest: number }} drawn  where its ends are at rest, and is struck [px]
+ * @property {number} scale  pixels in a unit of displacement; none of what is bent across
  */
 
 /**
@@ -40,11 +47,12 @@ const [PLAIN, LINED] = [pixelsOf(1), pixelsOf(LINE)];
  * @param {Range} stretch
  * @param {number} width
  * @param {number} height
- * @returns {Float64Array}  the value at the first place, row by row
+ * @returns {Float64Array}  the value at the struck place, row by row
  */
 export function weave(canvas, { drawn, duration, field, largest, scale, what }, [start, end], width, height) {
-  const { places, rows: most } = field.coarse ? COARSE : FINE;
-  const rows = Math.min(most, height);
+  const most = field.coarse ? COARSE : FINE;
+  const rows = Math.min(most.rows, height);
+  const places = field.places ?? most.places;
   if (canvas.width !== width || canvas.height !== rows) Object.assign(canvas, { width, height: rows });
   const context = contextOf(canvas);
   const picture = context.createImageData(width, rows);
@@ -52,13 +60,15 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
   const [values, moved] = [new Float64Array(places), new Float64Array(places)];
   const ends = new Float64Array(rows);
   const each = (drawn.right - drawn.left) / (places - 1);
+  const struck = Math.round((drawn.rest - drawn.left) / each);
   const span = (end - start) / rows;
   for (let row = 0; row < rows; row++) {
     const t = start + (row + 0.5) * span;
     if (t > duration) break;
     field.mean(t, span, what, values);
-    field.profile(t, 'displacement', moved);
-    ends[row] = values[0];
+    if (scale) field.profile(t, 'displacement', moved);
+    else moved.fill(0);
+    ends[row] = values[struck];
     for (let k = 0; k < places; k++) moved[k] = drawn.left + k * each + moved[k] * scale;
     fill(pixels, width, row, moved, values, largest);
   }

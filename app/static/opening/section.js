@@ -11,6 +11,8 @@ import { weave } from './rows.js';
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Shown } from './rows.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
+/** @typedef {{ words: string, x: number, y: number, color: string, font: string, align: CanvasTextAlign }} Word */
+/** @typedef {{ face: (t: number) => number, mass: (t: number) => number }} Ends  movement of struck face and striker */
 
 const HEAD = 44 * zoom; // pixels above the rows
 const FOOT = 10;
@@ -22,6 +24,8 @@ const FLOW = 0.4; // of the colour of the struck end, between it and its force
 const LABEL = { peak: 26, narrow: 18, line: 17 }; // pixels
 const NARROW = 560; // of width
 const WALL = '#55636f';
+const TIMES = 10; // pixels before them
+const MARK = { wide: 5, least: 2 }; // pixels of a contact at the struck place
 
 /**
  * @typedef {object} Beside
@@ -29,18 +33,20 @@ const WALL = '#55636f';
  * @property {Series[]} forces  the most important first
  * @property {[per: number, sign: string]} clock  how many of the unit in which times are written one is
  * @property {string} about  what that unit is
- * @property {boolean} first  whether the first place is the one that is struck
+ * @property {string} title
+ * @property {Ends | null} ends  where the first place is the one that is struck
  * @property {boolean} strikes  by a body that is drawn beside it
- * @property {number | null} prediction  velocity of that body by rigid-body theory
- * @property {boolean} held  whether the last place is
+ * @property {number | null} [prediction]  velocity of that body by rigid-body theory
+ * @property {boolean} [held]  whether the last place is
  * @typedef {Shown & Beside} Scene
  */
 
 export class Section {
   image = make('canvas');
   /** @type {Scene | null} */ shown = null;
-  /** @type {Float64Array} */ ends = new Float64Array(0); // values of the first place, row by row
+  /** @type {Float64Array} */ ends = new Float64Array(0); // values at the struck place, row by row
   most = 0; // the end of the scale of forces [N]
+  /** @type {Word[]} */ words = []; // that are not paler before their time
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
 
   /** @param {Page} page */
@@ -80,6 +86,7 @@ export class Section {
     const base = shown.drawn.left - TRACK.gap * width;
     const track = base - Math.max(TRACK.edge * width, TRACK.least);
     this.box = { top: HEAD, tall: height - HEAD - FOOT, base, track, width };
+    this.words = [];
     this.#scale(shown);
     const [down, across] = [Math.max(Math.round(this.box.tall), 1), Math.round(width)];
     this.ends = weave(this.image, shown, this.stretch, across, down);
@@ -91,6 +98,7 @@ export class Section {
     c.rect(0, this.box.top, width, this.box.tall);
     c.clip();
     this.#striker(c, shown);
+    if (!shown.ends && !shown.scale) this.#struck(c, shown);
     for (const series of shown.forces.toReversed()) this.#curve(c, series);
     this.#names(c, shown);
     c.restore();
@@ -112,20 +120,21 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #flow(c, { contacts, drawn, field, first, forces: [force], largest, scale }) {
+  #flow(c, { contacts, drawn, ends, forces: [force], largest, scale }) {
     const [start, end] = this.stretch;
     const rows = this.ends.length;
     const { base, tall, top } = this.box;
-    for (let row = 0; first && row < rows; row++) {
+    for (let row = 0; ends && row < rows; row++) {
       const t = start + ((row + 0.5) / rows) * (end - start);
       if (!contacts.some(([from, to]) => t >= from && t <= to)) continue;
-      const y = top + (row / rows) * tall;
+      const y = Math.round(top + (row / rows) * tall);
+      const high = Math.round(top + ((row + 1) / rows) * tall) - y;
       const here = this.#x(between(force.x, force.y, t) * (force.factor ?? 1));
       c.fillStyle = css(this.ends[row], largest);
       c.globalAlpha = 1;
-      c.fillRect(here, y, base - here, tall / rows + 0.6);
+      c.fillRect(here, y, base - here, high);
       c.globalAlpha = FLOW;
-      c.fillRect(base, y, drawn.left + field.face(t) * scale - base, tall / rows + 0.6);
+      c.fillRect(base, y, drawn.left + ends.face(t) * scale - base, high);
     }
     c.globalAlpha = 1;
   }
@@ -134,7 +143,7 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #frame(c, { about, clock: [per, sign], drawn, first, held }) {
+  #frame(c, { about, clock: [per, sign], drawn, held, title }) {
     const { base, tall, top, track, width } = this.box;
     const [factor, unit] = scaled(this.most, 'N');
     c.font = letters(13);
@@ -156,15 +165,14 @@ export class Section {
     c.textAlign = 'left';
     marks.found.forEach((t, k) => {
       const words = `${localised(t.toFixed(marks.digits))}${k ? '' : ` ${sign}`}`;
-      c.fillText(words, 2, Math.min(this.y(t / per) + 4, top + tall - 2));
+      this.#say(words, TIMES, Math.min(this.y(t / per) + 4, top + tall - 2), COLORS.faint);
     });
     c.fillStyle = COLORS.ink;
     const force = text('opening.force', { unit });
     c.fillText(force, Math.max(base - c.measureText(force).width, 2), top - 8 - LABEL.line * zoom);
-    const rows = text('opening.rows', { first });
-    c.fillText(rows, drawn.left, top - 8);
+    c.fillText(title, drawn.left, top - 8);
     c.fillStyle = COLORS.faint;
-    const after = drawn.left + c.measureText(`${rows} `).width;
+    const after = drawn.left + c.measureText(`${title} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
     c.fillStyle = WALL;
     if (held) c.fillRect(drawn.right, top, 5, tall);
@@ -174,10 +182,10 @@ export class Section {
    * @param {Context} c
    * @param {Scene} scene
    */
-  #striker(c, { drawn, duration, field, prediction, scale, strikes }) {
+  #striker(c, { drawn, duration, ends, prediction = null, scale, strikes }) {
     const [start, end] = this.stretch;
     const { base, tall, top, width } = this.box;
-    if (!strikes) return;
+    if (!strikes || !ends) return;
     c.save();
     c.beginPath();
     c.rect(base, top, width, tall); // beside the force
@@ -192,11 +200,37 @@ export class Section {
     };
     c.strokeStyle = COLORS.ink;
     c.lineWidth = 1.4;
-    path((t) => field.mass(t));
+    path((t) => ends.mass(t));
     c.strokeStyle = COLORS.prediction;
     c.setLineDash([5, 4]);
     if (prediction !== null) path((t) => prediction * t);
     c.restore();
+    const gone = prediction === null ? 0 : (base - drawn.left) / (prediction * scale); // when it is at the force
+    if (gone > start && gone < end)
+      this.#say(text('opening.predicted'), base + 6, Math.min(this.y(gone) + 16 * zoom, top + tall - 6), COLORS.faint);
+  }
+  /**
+   * The struck place of what is bent across, and when it is touched.
+   * @param {Context} c
+   * @param {Scene} scene
+   */
+  #struck(c, { contacts, drawn: { left, rest } }) {
+    const { tall, top } = this.box;
+    c.strokeStyle = COLORS.faint;
+    c.lineWidth = 1;
+    c.setLineDash([3, 4]);
+    c.beginPath();
+    c.moveTo(rest, top);
+    c.lineTo(rest, top + tall);
+    c.stroke();
+    c.setLineDash([]);
+    for (const [from, to] of contacts) {
+      const [y, high] = [this.y(from), Math.max(this.y(to) - this.y(from), MARK.least)];
+      c.fillStyle = COLORS.contact;
+      c.fillRect(0, y, left, high);
+      c.fillStyle = COLORS.ink;
+      c.fillRect(rest - MARK.wide / 2, y, MARK.wide, high);
+    }
   }
   /**
    * @param {Context} c
@@ -226,16 +260,10 @@ export class Section {
     const { base, tall, top } = this.box;
     const named = forces.filter(({ cursor }) => cursor);
     c.font = letters(13, '600 ');
-    c.textAlign = 'right';
-    c.textBaseline = 'alphabetic';
-    c.lineWidth = 4;
-    c.strokeStyle = COLORS.panel;
     named.forEach(({ cursor = '', style }, k) => {
-      c.fillStyle = STYLES[style].color;
       const x = Math.max(base - 10, c.measureText(cursor).width + 16 * zoom);
       const y = top + tall - 8 - (named.length - 1 - k) * LABEL.line * zoom;
-      c.strokeText(cursor, x, y);
-      c.fillText(cursor, x, y);
+      this.#say(cursor, x, y, STYLES[style].color, c.font, 'right');
     });
   }
   /**
@@ -247,33 +275,41 @@ export class Section {
     let most = 0;
     for (let k = 1; k < y.length; k++) if (y[k] > y[most] * (1 + 1e-9)) most = k;
     const words = engineering(y[most] * factor, 'N', 3);
-    const size = this.box.width < NARROW ? LABEL.narrow : LABEL.peak;
-    const tall = size * zoom;
-    c.font = letters(size, '650 ');
+    const { base, tall: all, top: first, width } = this.box;
+    const tall = (width < NARROW ? LABEL.narrow : LABEL.peak) * zoom;
+    c.font = letters(tall / zoom, '650 ');
+    const { font } = c;
     const wide = c.measureText(words).width + 8;
     const [at, down] = [this.#x(y[most] * factor), this.y(x[most])];
     const beside = at - wide >= TRACK.least;
-    const left = beside ? at - wide : Math.max(Math.min(TRACK.least, this.box.base - wide), 18 * zoom);
+    const left = beside ? at - wide : Math.max(Math.min(TRACK.least, base - wide), 18 * zoom);
+    const high = tall + LABEL.line * zoom; // with what it is
     const clear = (/** @type {number} */ top) => {
       for (let k = 0; k < x.length; k++) {
         const py = this.y(x[k]);
-        if (py > top && py < top + tall && this.#x(y[k] * factor) < left + wide) return false;
+        if (py > top && py < top + high && this.#x(y[k] * factor) < left + wide) return false;
       }
-      return true;
+      return top >= first && top + high <= first + all;
     };
-    const { tall: all, top: first } = this.box;
-    const tops = [...(beside ? [down - tall / 2] : []), down - tall - 6, down + 8, first + 4, first + all - 4 * tall];
-    const top = tops.find((each) => each >= first && clear(each)) ?? down + 8;
-    c.textAlign = 'left';
-    c.textBaseline = 'middle';
-    c.lineWidth = 5;
-    c.strokeStyle = COLORS.panel;
-    c.strokeText(words, left, top + tall / 2);
+    const found = [...(beside ? [down - tall / 2] : []), down - high - 6, down + 8].find(clear);
+    const [side, top] = found === undefined ? [base + 8, Math.max(down - tall / 2, first)] : [left, found];
+    this.#say(words, side, top + 0.85 * tall, COLORS.ink, font);
+    this.#say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
     c.fillStyle = COLORS.ink;
-    c.fillText(words, left, top + tall / 2);
     c.beginPath();
     c.arc(at, down, 3.5, 0, 7);
     c.fill();
+  }
+  /**
+   * @param {string} words
+   * @param {number} x
+   * @param {number} y
+   * @param {string} color
+   * @param {string} font
+   * @param {CanvasTextAlign} align
+   */
+  #say(words, x, y, color, font = letters(13), align = 'left') {
+    this.words.push({ words, x, y, color, font, align });
   }
   /**
    * The instant of the clock: what is to come is paler.
@@ -288,6 +324,16 @@ export class Section {
     const y = Math.min(Math.max(this.y(t), top), top + tall);
     c.fillStyle = LATER;
     c.fillRect(0, y, width, top + tall - y);
+    c.textBaseline = 'alphabetic';
+    c.lineWidth = 4;
+    c.strokeStyle = COLORS.panel;
+    for (const each of this.words) {
+      c.font = each.font;
+      c.fillStyle = each.color;
+      c.textAlign = each.align;
+      c.strokeText(each.words, each.x, each.y);
+      c.fillText(each.words, each.x, each.y);
+    }
     c.strokeStyle = COLORS.cursor;
     c.lineWidth = 1.4;
     c.beginPath();
@@ -302,13 +348,14 @@ export class Section {
     c.fill();
     const [times_, unit] = scaled(this.most, 'N');
     c.font = letters(13, '600 ');
-    c.textBaseline = 'bottom';
+    const above = y - LABEL.line * zoom >= top; // else it would lie on what is written there
+    c.textBaseline = above ? 'bottom' : 'top';
     c.lineWidth = 4;
     c.strokeStyle = COLORS.panel;
     c.textAlign = 'left';
     const words = `${figures(Math.abs(value) < 1e-6 * this.most ? 0 : value * times_, 3)} ${unit}`;
-    c.strokeText(words, base + 6, y - 3);
-    c.fillText(words, base + 6, y - 3);
+    c.strokeText(words, base + 6, above ? y - 3 : y + 4);
+    c.fillText(words, base + 6, above ? y - 3 : y + 4);
   }
   /**
    * A hand on the picture sets the clock.

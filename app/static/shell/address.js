@@ -58,7 +58,7 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
   if (what && what !== usual) add('colour', what);
   if (gauge && !gauge.chart.root.hidden && gauge.asked !== null && gauge.asked !== gauge.usual)
     add('gauge', Number(gauge.asked.toPrecision(5)));
-  if (layout.mode !== 'phone' && layout.tabs.selected === 'numbers') add('tab', 'numbers');
+  if (['desk', 'tablet'].includes(layout.mode) && layout.tabs.selected === 'numbers') add('tab', 'numbers');
   if (compare.runs.length) add('kept', keptText(compare.runs, frame));
   if (compare.beside) add('beside', compare.beside.letter);
   if (compare.locked) add('locked', true);
@@ -71,7 +71,8 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
  */
 export function queryOf(page, moment = false) {
   const { frame, model } = page;
-  const said = [...choicesOf(model, frame), ...panelsOf(model), ...viewOf(page, moment)];
+  const panels = page.opening.leads ? [] : panelsOf(model); // which are seen in the laboratory alone
+  const said = [...choicesOf(model, frame), ...panels, ...viewOf(page, moment)];
   const query = new URLSearchParams([...said, ...page.opening.said(said.length > 0)]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);
 }

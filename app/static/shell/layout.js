@@ -36,7 +36,7 @@ export class Layout {
 
   /**
    * @param {{ bar: HTMLElement, choices: HTMLElement, pinned: HTMLElement[], charts: HTMLElement[] }} parts
-   * @param {{ ask: HTMLElement, parts: HTMLElement[], readonly leads: boolean }} opening
+   * @param {import('../opening/opening.js').Opening} opening
    * @param {() => void} changed  after anything has moved
    */
   constructor({ bar, choices, pinned, charts }, opening, changed) {
@@ -54,7 +54,7 @@ export class Layout {
     this.left = make('section', { className: 'dock left', ariaLabel: text('layout.left') });
     this.centre = make('main', { className: 'centre', tabIndex: -1 }, this.pinned);
     const skip = make('button', { type: 'button', className: 'skip', textContent: text('layout.skip') });
-    skip.onclick = () => this.centre.focus();
+    skip.onclick = () => (opening.leads ? opening.question : this.centre).focus();
     this.right = make('section', { className: 'dock right', ariaLabel: text('layout.right') }, this.tabs.root);
     this.right.append(...this.tabs.panels);
     this.grips = ['left', 'right', 'sheet'].map((name) => this.#grip(/** @type {any} */ (name)));
@@ -65,7 +65,9 @@ export class Layout {
     bar.prepend(this.folders.left);
     bar.append(this.folders.right);
     this.root = make('div', { className: 'page' }, skip, bar, this.left, this.centre, this.right, ...this.grips);
-    this.root.append(...opening.parts);
+    const [first, ...others] = opening.parts;
+    bar.after(first);
+    this.root.append(...others);
     this.root.classList.toggle('embedded', !alone);
     this.tabs.select('story');
     const moved = () => this.place();
@@ -132,7 +134,7 @@ export class Layout {
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
     root.style.setProperty('--sheet', `${100 * this.sheet}${alone ? 'dvh' : '%'}`);
-    this.left.hidden = this.mode === 'phone' || this.folded('left');
+    this.left.hidden = this.mode === 'phone' || (this.mode !== 'lead' && this.folded('left'));
     this.right.hidden = this.mode === 'desk' && (this.folded('right') || this.full);
     const menu = this.mode === 'desk' && this.tabs.selected === 'analysis' && this.spare;
     root.classList.toggle('spread', menu && !this.wide.hidden && !this.right.hidden);

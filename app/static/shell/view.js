@@ -15,7 +15,7 @@
 /**
  * What shows an impact of one kind.
  * @typedef {object} View
- * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null }} stage
+ * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null, leads?: boolean }} stage
  * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {HTMLElement[]} buttons  beside the caption

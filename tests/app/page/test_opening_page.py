@@ -5,11 +5,15 @@ import pytest
 from playwright.sync_api import expect
 
 import solvers
+from app.choices.request import Request
+from app.messages.transverse import chosen_method
 
+from .test_compare_page import set_and_wait
 from .test_page import settled
 
 SIZES = [(1440, 900), (1280, 720), (820, 1180), (390, 844)]
 NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+SAMPLES = 40
 MODE = "() => strikewave.page.root.dataset.mode"
 BOXES = """() => Object.fromEntries(['.stages', '.section', '.ask', '.caption', '.player', '.foremost', '.closer'].map(
   (name) => [name, strikewave.page.root.querySelector(name).getBoundingClientRect().toJSON()]))"""
@@ -52,6 +56,99 @@ def test_the_rows_show_the_stress_that_the_library_says(open_page):
     assert smooth.sum() > 0.9 * rows
     error = np.abs(np.array(found["ends"]) * found["unit"] - stress)[smooth]
     assert error.max() < 0.02 * np.abs(stress).max()
+
+
+@pytest.mark.parametrize("scene", ["xylophone-bar", "figure-8.15"])
+def test_the_rows_of_a_beam_show_the_bending_moment_that_the_library_says(open_page, scene):
+    page = open_page(f"?scene={scene}&place=0.5&layout=opening")
+    opened(page)
+    found = page.evaluate(
+        """() => {
+          const { ends, shown: { drawn }, stretch } = strikewave.page.opening.section;
+          const { left, long, struck } = strikewave.page.beam.stage;
+          return { ends: [...ends], stretch, drawn, left, long, struck };
+        }"""
+    )
+    right = found["left"] + found["long"]
+    assert found["drawn"] == {"left": found["left"], "right": right, "rest": found["struck"]}
+    request = Request.of(page.header("chosen"))
+    solution = chosen_method(request)[0].solve(request.scene)
+    start, end = found["stretch"]
+    rows = len(found["ends"])
+    within = (np.arange(SAMPLES) + 0.5) / SAMPLES  # of the time of a row, which it averages
+    times = start + (np.arange(rows)[:, None] + within) / rows * (end - start)
+    place = np.array([request.scene.target.place])
+    moment = solution.motion.moment(times.ravel(), place)[:, 0].reshape(rows, SAMPLES).mean(axis=1)
+    error = np.abs(np.array(found["ends"]) - moment)
+    assert error.max() < 0.03 * np.abs(moment).max()
+
+
+def test_every_contact_of_a_hammer_is_seen_beside_the_rows(open_page):
+    page = open_page("?scene=hammer-on-cantilever&layout=opening")
+    opened(page)
+    names = page.tab.locator(".happens li:visible")
+    expect(names).to_have_count(8)
+    for number in range(2, 6):
+        expect(names.filter(has_text=f"Contact {number}")).to_have_count(1)
+    pushed = page.evaluate(
+        """() => {
+          const { section } = strikewave.page.opening;
+          const ratio = section.below.width / section.root.clientWidth;
+          const context = section.below.getContext('2d');
+          return strikewave.page.frame.contacts.map(([from, to]) => {
+            const [top, high] = [section.y(from) * ratio, Math.max((section.y(to) - section.y(from)) * ratio, 2)];
+            const wide = 12 * ratio; // beside the line of no force
+            const { data } = context.getImageData((section.box.base - 20) * ratio, top, wide, high);
+            return data.some((value, k) => k % 4 === 0 && value < 100);
+          });
+        }"""
+    )
+    assert pushed == [True] * 5
+
+
+def test_the_rows_follow_a_slider(open_page):
+    page = open_page("")
+    opened(page)
+    state = "() => { const { ends, most, words } = strikewave.page.opening.section; return [[...ends], most, words]; }"
+    ends, _, words = page.evaluate(state)
+    set_and_wait(page, mass_ratio=0.3)
+    settled(page)
+    others, most, said = page.evaluate(state)
+    assert ends != others and words != said
+    peak = max(page.evaluate("() => [...strikewave.page.frame.exactForce]")) * page.header("forceUnit")
+    assert 0.2 < peak / most < 0.75  # the scale goes with it
+    heaviest = next(each["words"] for each in said if each["words"].endswith("kN"))
+    assert float(heaviest.split()[0]) == pytest.approx(peak / 1e3, rel=5e-3)
+
+
+def test_an_old_link_has_its_question_and_sliders_in_the_picture(open_page):
+    page = open_page("?scene=free-rod&mass_ratio=2")
+    page.tab.locator(".folder.left").click()
+    page.tab.get_by_role("button", name="Picture", exact=True).click()
+    expect(page.tab.locator(".ask h2")).to_contain_text("Nothing holds the rod.")
+    expect(page.tab.locator(".leading:visible")).to_have_count(4)
+    assert page.tab.locator(".closer button").count() > 3
+    set_and_wait(page, scene="fixed-rod")
+    expect(page.tab.locator(".ask h2")).to_contain_text("pushes?")
+
+
+def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(open_page):
+    page = open_page("?scene=bouncing-ball&layout=opening")
+    opened(page)
+    for scene, bare in (("rigid-pendulum", True), ("free-rod", False), ("brick-on-floor", True), ("four-bar", False)):
+        set_and_wait(page, scene=scene)
+        assert page.evaluate("() => strikewave.page.root.classList.contains('bare')") == bare, scene
+
+
+def test_a_slider_that_walks_stops_for_another_scene(open_page):
+    page = open_page("")
+    opened(page)
+    page.tab.get_by_role("button", name="What if it were").click()
+    page.evaluate("() => strikewave.page.controls.send('scene', 'two-unequal-rods')")
+    page.tab.wait_for_timeout(1200)
+    settled(page)
+    assert page.header("chosen")["scene"] == "two-unequal-rods"
+    assert page.header("chosen")["mass_ratio"] == page.header("own")["mass_ratio"]
 
 
 def test_the_laboratory_is_one_click_away_and_is_remembered(open_page):
@@ -126,21 +223,21 @@ def test_events_stand_at_their_time(open_page):
 
 
 @pytest.mark.parametrize(
-    ("scene", "charts", "question"),
+    ("scene", "rows", "charts", "question"),
     [
-        ("free-rod", 0, "Nothing holds the rod."),
-        ("hammer-on-cantilever", 1, "One impact. Why five contacts?"),
-        ("four-bar", 1, "One link is struck."),
-        ("newtons-cradle", 1, "One ball strikes."),
-        ("brick-on-floor", 0, "Two bodies meet in a point."),
+        ("free-rod", 1, 0, "Nothing holds the rod."),
+        ("hammer-on-cantilever", 1, 0, "One impact. Why five contacts?"),
+        ("four-bar", 0, 1, "One link is struck."),
+        ("newtons-cradle", 0, 1, "One ball strikes."),
+        ("brick-on-floor", 0, 0, "Two bodies meet in a point."),
     ],
 )
-def test_every_kind_has_its_question_and_its_picture(open_page, scene, charts, question):
+def test_every_kind_has_its_question_and_its_picture(open_page, scene, rows, charts, question):
     page = open_page(f"?scene={scene}&layout=opening")
     opened(page)
     expect(page.tab.locator(".ask h2")).to_contain_text(question)
     expect(page.tab.locator(".strip .chart:visible")).to_have_count(charts)
-    expect(page.tab.locator(".section:visible")).to_have_count(1 if scene == "free-rod" else 0)
+    expect(page.tab.locator(".section:visible")).to_have_count(rows)
     assert 2 <= page.tab.locator(".leading:visible").count() <= 4
 
 

@@ -51,7 +51,7 @@ def test_the_first_view_shows_the_story_of_the_fixed_rod(open_page):
     expect(page.tab.locator(".story table.figures")).to_contain_text("< 1e-9")
 
 
-PREDICTED = "Restitution (rigid bodies)"  # where it sets nothing else
+PREDICTED = "Restitution (rigid)"  # where it sets nothing else
 SLIDERS = {  # title of each, and where it is drawn to
     "": {
         "mass_ratio": ("Mass ratio", 0.2),

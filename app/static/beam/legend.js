@@ -1,0 +1,48 @@
+// The scale of the colours of a beam.
+import { letters, scale as larger } from '../charts/canvas.js';
+import { COLORS, css } from '../charts/styles.js';
+import { text } from '../text/catalogue.js';
+import { figures, prefixed } from '../text/format.js';
+
+/** @import { BeamStage } from './stage.js' */
+
+const UNITS = { moment: 'MPa', velocity: 'm/s', shear: 'N', deflection: 'mm' };
+const WAYS = [text('beam.stage.back'), text('beam.stage.forward')];
+const ENDS = {
+  moment: [text('beam.stage.tension'), text('beam.stage.compression')],
+  velocity: WAYS,
+  shear: ['−', '+'],
+  deflection: WAYS,
+}; // of the scale
+
+/**
+ * The scale, away from the impactor, which flies back over the struck place.
+ * @param {CanvasRenderingContext2D} c
+ * @param {BeamStage<any>} stage
+ * @param {number} end  of what is written at the left
+ */
+export function legend(c, stage, end) {
+  const { hit, narrow, right, stressUnit, struck, what, width } = stage;
+  const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
+  const room = right ? struck - 0.5 * hit.size - 6 - beside : width - end - 28;
+  const bar = Math.min((narrow ? 90 : 130) * larger, room);
+  const x = right ? beside : width - bar - 14;
+  const y = stage.coloursAt(x);
+  const unit = what === 'moment' ? stressUnit : what === 'deflection' ? 1e3 : 1;
+  const largest = stage.usual[what] * unit;
+  const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
+  const colours = c.createLinearGradient(x, 0, x + bar, 0);
+  for (let k = 0; k <= 6; k++) colours.addColorStop(k / 6, css(k / 3 - 1, 1));
+  c.fillStyle = colours;
+  c.fillRect(x, y, bar, 6);
+  c.fillStyle = COLORS.faint;
+  c.font = letters(11);
+  const [low, high] = ENDS[what];
+  const most = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
+  c.textAlign = 'right';
+  c.fillText(narrow ? most : high, x + bar, y - 4);
+  if (narrow) return; // a small picture has no room for more
+  c.fillText(most, x + bar, y + 18);
+  c.textAlign = 'left';
+  c.fillText(low, x, y - 4);
+}
