@@ -11,6 +11,7 @@ from . import bounces, convergence, joints, mode_change, plan, stability, stretc
 from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
+from .modes import modes_data, modes_figure, of_modes
 from .record import record_figure
 from .trust import trust_data, trust_figure
 
@@ -129,6 +130,8 @@ VIEWS = (  # in the order in which an address names them
     View("mode_change", mode_change.mode_change_data, kinds=MECHANISMS, depends_on=mode_change.of_struck_nodes,
          scenes=("table-6.10",)),
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
+    View("ringing", modes_data, figure=modes_figure, address="modes", panel="modes", kinds=AXIAL | BEAMS,
+         depends_on=of_modes),
     View("code"),
     View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file
 )  # fmt: skip

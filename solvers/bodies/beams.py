@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import validation
 from ..numerics.beams.clamped_frame import clamped_frame_modes
-from ..numerics.beams.modes import BeamLine, beam_modes, dispersion
+from ..numerics.beams.modes import BeamLine, attached_beam_modes, beam_modes, dispersion
 from ..numerics.beams.statics import static_compliance
 from ..numerics.elements.beam import beam_mesh
 from ..numerics.elements.mesh import Mesh
@@ -76,6 +76,10 @@ class Bending(AnyBody):
     def stress_source(self) -> tuple[str, float]:
         """M / W on the side that is struck."""
         return "moments", self.half_depth / self.second_moment
+
+    def joined_modes(self, count: int, mass: float) -> Modes:
+        """Of the beam and a rigid mass [kg] that rides on it where it is struck; see `attached_beam_modes`."""
+        return attached_beam_modes(self.line, self.support, self.place, count, mass, self.end_mass)
 
     @abstractmethod
     def halting_time(self, mass: float) -> float:

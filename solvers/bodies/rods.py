@@ -9,7 +9,7 @@ from typing import Any, Self
 from .. import validation
 from ..numerics.elements.mesh import Mesh, elements_of_rods, rod_mesh
 from ..numerics.modes import Modes
-from ..numerics.rods import attached_rod_modes, rod_modes
+from ..numerics.rods import attached_rod_modes, composite_rod_modes, rod_modes
 from ..text.notes import Note, Severity
 from ..validation import SceneError, allowed
 from .lumped import MASS_RANGE, read_impact_velocity, read_target_velocity
@@ -146,6 +146,13 @@ class Rod(Waveguide):
     def attached_modes(self, count: int, struck_end: bool) -> Modes:
         """Of the free rod, as a frame fixed to its struck or its far end and shapes clamped there give them."""
         return attached_rod_modes(self.length, self.mass, self.wave_speed, count, struck_end)
+
+    def joined_modes(self, count: int, mass: float) -> Modes:
+        """Of the rod and a rigid mass [kg] that stays on its struck end; see `numerics.rods.composite_rod_modes`.
+
+        Of rods that have modes of their own.
+        """
+        return composite_rod_modes(self.length, self.mass, self.wave_speed, self.fixed, count, mass)
 
     def mesh(self, elements: int, lumping: float = 0.0) -> Mesh:
         """Elements of equal length."""

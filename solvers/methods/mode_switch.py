@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ..bodies import Bending, Rod
-from ..numerics.beams.modes import attached_beam_modes
 from ..numerics.switching import beam as beam_switch
 from ..numerics.switching.beam import SwitchedBeam
 from ..numerics.switching.rod import MAX_PHASES, SwitchedModes
@@ -118,8 +117,7 @@ class ModeSwitch(Method):
             course = SwitchedModes(scene.mass_ratio, target.fixed, self.modes, self.smoothing)
         else:
             target = target.known_as(Bending)
-            place = target.line, target.support, target.place, self.modes
-            together = attached_beam_modes(*place, mass, end_mass=target.end_mass)
+            together = target.joined_modes(self.modes, mass)
             course = SwitchedBeam(together, target.modes(self.modes), mass, scene.speed, target.length)
         course.solve(limit)
         return course

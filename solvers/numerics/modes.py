@@ -30,6 +30,7 @@ class Modes:
     turns(x) (modes, x) [kg^-1/2 / m], of a beam: angles of the section, the slopes where it is not sheared;
     moments(x) [N m] and shears(x) [N], (modes, x), of a beam: M = E I psi', and V = M' where inertia is nothing, per
     unit of the modal coordinate [kg^1/2 m];
+    numbers (modes,), from 1 on, of each among the modes of the body; None: they are all, in their order;
     static_shapes(x) [m/N] and, of a beam, static_moments(x) [m] and static_shears(x) [-], (x,), by all modes under a
     steady force of 1 N where the body is struck, held by its inertia if it is free.
     """
@@ -49,6 +50,7 @@ class Modes:
     static_shapes: Callable[[np.ndarray], np.ndarray] | None = None
     static_moments: Callable[[np.ndarray], np.ndarray] | None = None
     static_shears: Callable[[np.ndarray], np.ndarray] | None = None
+    numbers: np.ndarray | None = None
 
     def left_out(self, field: str, x: np.ndarray) -> np.ndarray:
         """That field, "shapes", "moments" or "shears", of all modes left out under a steady force of 1 N, (x,).
@@ -87,6 +89,7 @@ class Modes:
             frequencies=self.frequencies[kept],
             at_contact=self.at_contact[kept],
             means=None if self.means is None else self.means[kept],
+            numbers=(np.arange(kept.size) + 1 if self.numbers is None else self.numbers)[kept],
             **fields,
         )
 

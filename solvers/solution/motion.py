@@ -7,6 +7,8 @@ from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
+from ..numerics.modes import Modes
+
 
 class Motion(Protocol):
     """The movement that a method found, at any time [s] and place [m] from the struck end.
@@ -129,6 +131,14 @@ class KnowsModes(Protocol):
     """Knows the modal coordinates of the target."""
 
     def target_state(self, time: np.ndarray) -> TargetState: ...
+
+
+@runtime_checkable
+class ShowsModes(KnowsModes, Protocol):
+    """Knows besides what shapes and frequencies these modes have, in the places of the target."""
+
+    @property
+    def target_modes(self) -> Modes: ...
 
 
 @runtime_checkable

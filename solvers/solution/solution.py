@@ -13,7 +13,8 @@ from ..scene import Scene
 from ..text.notes import Note, coded
 from ..validation import SceneError, allowed, plain
 from . import closures
-from .motion import ChangesModes, Joined, Motion
+from .motion import ChangesModes, Joined, Motion, ShowsModes
+from .target_modes import TargetModes
 
 if TYPE_CHECKING:
     from ..notebook.datasets import Dataset
@@ -211,6 +212,16 @@ class Solution:
             name: {part: values[start::3].tolist() for part, start in parts.items()}
             for name, values in getattr(change, what)._asdict().items()
         }
+
+    @property
+    def target_modes(self) -> TargetModes:
+        """Shapes, frequencies and masses of the target's modes, and how strongly each rings.
+
+        Raises SceneError where it was not solved by them, or where they have no shape along one body.
+        """
+        if not isinstance(self.motion, ShowsModes) or not self.scene.target.length:
+            raise SceneError("solution", self.method["name"], allowed("shapes-of-modes"))
+        return TargetModes(self.motion, self.scene.target.length)
 
     @property
     def known_motion(self) -> Motion:

@@ -40,6 +40,7 @@ MASS_CHANGES = (-1e-3, 1e-4)  # of the mass, by which the conditioning is tested
 # Change of the velocity over that of the mass: more is out of proportion; see `tests/solvers/studies/test_ensemble.py`.
 MAX_AMPLIFICATION = 10.0
 CHATTER_PERIODS = 3.0  # shortest kept periods; chatter under a law seldom breaks off for longer
+LISTED_MODES = 8  # of the target, whose frequencies the diagnostics have [Hz]
 REPEATED_STRIDE = 1_000  # steps between checkpoints of impacts that are repeated for their figures, not their fields
 CHECKPOINT_NUMBERS = 100_000  # doubles kept of each kind, from which fields at any time are rebuilt
 
@@ -124,6 +125,7 @@ class Modal(Method):
             "raw_contacts": len(motion.raw_contacts()[0]),
             "raw_peak_force": float(motion.record.contact_force.max()),
             "resolved_time": motion.pair.resolved_time,
+            "frequencies": (motion.pair.target.frequencies[:LISTED_MODES] / (2.0 * math.pi)).tolist(),
         }
         if isinstance(scene.impactor, Pivoted) and scene.impactor.bends:
             found["diagnostics"] |= pivot_figures(motion)

@@ -29,7 +29,7 @@ class ModalMotion:
 
     def __init__(self, scene: Scene, pair: Pair, step: float, stride: int, record: Record, parted: bool):
         self.scene, self.pair, self.step, self.stride, self.record = scene, pair, step, stride, record
-        self.parted = parted
+        self.parted, self.target_modes = parted, pair.target
         self.steps = record.contact_force.size
         self.duration = self.steps * step
         self._instants = np.arange(self.steps + 1) * step

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ..modes import Modes
+from ..modes import Modes, as_a_whole
 from . import banded
 from .mesh import STIFFNESS_ROUNDING, Mesh
 
@@ -49,7 +49,7 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
     def fields(field: Callable, rows: np.ndarray = full) -> Callable:
         return lambda x: rows @ field(x)
 
-    bent = carried(mesh, full, -(frequencies[:, None] ** 2) * full) if mesh.bends else {}
+    bent: dict[str, Any] = carried(mesh, full, -(frequencies[:, None] ** 2) * full) if mesh.bends else {}
     return Modes(
         frequencies=frequencies,
         at_contact=at_contact,
@@ -61,7 +61,7 @@ def mesh_modes(mesh: Mesh, count: int | None = None, massless: bool = False) -> 
         static_shapes=fields(mesh.shapes, _static(mesh, body)),
         **bent,
         **_static_fields(mesh),
-        **({} if whole is None else {"rigid_shape": lambda x: whole @ mesh.shapes(x)}),
+        rigid_shape=as_a_whole if whole is None else lambda x: whole @ mesh.shapes(x),
         rigid_mean=1.0 if whole is None else float(whole @ mesh.weights / mesh.total_mass),
     )
 
@@ -175,7 +175,7 @@ def _static(mesh: Mesh, body: Mesh) -> np.ndarray:
     return np.append((bent[0] if bent.size else 0.0) + 1.0 / mesh.neighbour, bent)
 
 
-def _static_fields(mesh: Mesh) -> dict[str, Callable]:
+def _static_fields(mesh: Mesh) -> dict[str, Any]:
     """Of a beam under a steady force of 1 N where it is struck, as `Modes` has them."""
     if not mesh.bends:
         return {}

@@ -13,7 +13,7 @@ from tests.app.command.calls import KEYS, answer, refusal, result
 from tests.catalog import T
 
 DIAGNOSTICS = {"energy_error", "momentum_error", "steps", "wall_time", "compile_time", "estimated_error"}
-MODAL_DIAGNOSTICS = {"raw_contacts", "raw_peak_force", "resolved_time"}
+MODAL_DIAGNOSTICS = {"raw_contacts", "raw_peak_force", "resolved_time", "frequencies"}
 SERIES = [
     "time_s", "contact_force_N", "impactor_position_m", "impactor_velocity_m_per_s", "struck_end_position_m",
     "target_mean_velocity_m_per_s",

@@ -165,3 +165,24 @@ def test_saved_data_is_read_back_by_the_panel_that_its_link_opens(open_page, tmp
     assert answer["at"] == pytest.approx(0.225) and answer["residual"] < 1e-2
     page.tab.get_by_role("button", name="Close: Compare with measured data").click()
     page.wait("() => !location.search.includes('panel=record')")
+
+
+def test_the_modes_of_a_rod_and_of_a_beam(open_page):
+    """Shapes and the table, of the rod alone and with the mass on it; of a beam by a law the first alone."""
+    page = open_page("?scene=fixed-rod&panel=modes")
+    panel, drawn = page.tab.locator(".analysis.ringing"), "strikewave.page.analyses.modes.figure.model('shapes')"
+    expect(panel.locator("tr[aria-current]")).to_contain_text("4.297 kHz", timeout=LONG)
+    assert panel.locator("tbody tr").count() == 8
+    expect(panel.get_by_role("status")).to_contain_text("Most of it rings in mode 1, at 4.297 kHz: 61 %")
+    page.wait(f"() => {drawn}?.data.y.length === 4", timeout=LONG)
+    panel.get_by_role("button", name="first 8").click()
+    page.wait(f"() => {drawn}.data.key[7]?.startsWith('8: 64.45')")
+    panel.get_by_role("button", name="with the mass on it").click()
+    expect(panel.locator("tbody tr").first).to_contain_text("2.353 kHz")
+    panel.get_by_role("button", name="Show the numbers").first.click()
+    expect(panel.get_by_role("columnheader", name="mode 8").first).to_be_visible()
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("hammer-on-cantilever"))
+    expect(panel.locator("tr[aria-current]")).to_contain_text("3.58 kHz", timeout=LONG)
+    expect(panel.get_by_role("button", name="with the mass on it")).to_be_hidden()
+    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("two-balls"))
+    expect(panel).to_be_hidden()

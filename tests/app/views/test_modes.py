@@ -1,0 +1,59 @@
+"""The modes of what is struck, as the page shows them."""
+
+import json
+
+import pytest
+from pytest import approx
+
+from app.choices.scene_of import own_choices
+from app.views.modes import MOST, modes_data, of_modes
+from tests.app.sentences import sentence
+
+
+def found(scene, **more):
+    return json.loads(modes_data(own_choices(scene) | more))
+
+
+@pytest.mark.parametrize("scene", ["fixed-rod", "free-rod", "hammer-on-cantilever", "figure-8.15", "xylophone-bar"])
+def test_every_mode_has_a_shape_a_frequency_a_mass_and_a_share(scene):
+    answer = found(scene)
+    alone = answer["sets"]["alone"]
+    count = min(MOST, answer["kept"])
+    assert [len(alone[key]) for key in ("number", "frequency", "mass", "shape")] == [count] * 4
+    assert len(answer["share"]) == len(answer["amplitude"]) == count
+    assert len(alone["shape"][0]) == len(answer["place"]) and len(answer["amplitude"][0]) == len(answer["time"])
+    assert alone["frequency"] == sorted(alone["frequency"]) and 0.0 <= sum(answer["share"]) < 100.001
+    for shape in alone["shape"]:
+        assert max(map(abs, shape)) == approx(1.0, abs=0.02)  # at the places that are sent
+
+
+def test_all_modes_kept_have_all_of_the_vibration():
+    assert sum(found("fixed-rod", modes=6)["share"]) == approx(100.0, abs=1e-3)
+
+
+def test_a_mass_that_stays_on_the_rod_slows_its_modes():
+    for scene in ("fixed-rod", "free-rod", "figure-8.15"):
+        sets = found(scene, law="rigid")["sets"]
+        pairs = list(zip(sets["together"]["frequency"], sets["alone"]["frequency"], strict=True))
+        assert all(both < alone for both, alone in pairs)
+    assert found("fixed-rod", law="hertz")["sets"]["together"] is None
+
+
+def test_a_free_rod_in_another_frame_has_other_modes():
+    """Those of shapes clamped at the struck end, by so many: they tend to the same."""
+    own = found("free-rod", modes=5)["sets"]["alone"]
+    other = found("free-rod", modes=5, floating_frame="attached")["sets"]["alone"]
+    assert own["frequency"][0] == approx(other["frequency"][0], rel=1e-2)
+    assert abs(own["frequency"][4] / other["frequency"][4] - 1.0) > 1e-2
+
+
+def test_what_has_no_modes_says_so():
+    assert "no modes with a shape" in sentence(found("two-balls")["error"])
+    assert found("stepped-rod")["error"]["code"] == "refusals.chain-of-rods"
+    assert found("rod-with-end-mass")["error"]["code"] == "refusals.open-rod"
+
+
+def test_it_does_not_depend_on_the_method_that_solves_the_impact():
+    own = own_choices("fixed-rod")
+    assert of_modes(own) == of_modes(own | {"method": "fe-nodal", "elements": 9})
+    assert of_modes(own) != of_modes(own | {"modes": 9})
