@@ -4,7 +4,7 @@ import { make } from './dom.js';
 
 const KEYS = ['play', 'step', 'event', 'pace', 'loop', 'keep', 'undo', 'redo', 'slider', 'zoom', 'help', 'close'];
 const FINGERS = ['clock', 'zoom', 'striker', 'events', 'tabs'];
-const PARTS = ['bar', 'picture', 'clock', 'controls', 'charts', 'story', 'numbers', 'analysis'];
+const PARTS = ['bar', 'picture', 'rows', 'closer', 'clock', 'controls', 'charts', 'story', 'numbers', 'analysis'];
 const DOCUMENTS = ['page', 'scenes', 'records', 'how-it-is-computed', 'how-exact', 'command-line'];
 
 /** Where the documentation is served, or nothing. */
