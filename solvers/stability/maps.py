@@ -96,12 +96,8 @@ class Map:
         words = {"integrator": self.integrator, "label": self.label, "limit_name": self.limit_name}
         found = {name: _plain(getattr(self, name)) for name in arrays}
         worst = {"failures": self.failures, "stopped": self.stopped, "worst_energy_error": self.worst_energy_error}
-        return (
-            words
-            | found
-            | {key: _plain(value) for key, value in worst.items()}
-            | {"reason": self.reason and str(self.reason)}
-        )
+        worst = {key: _plain(value) for key, value in worst.items()}
+        return words | found | worst | {"reason": self.reason and str(self.reason)}
 
 
 @dataclass(frozen=True)
@@ -345,8 +341,7 @@ def _map(name: str, number: int, first: Axis, columns: list[list[_Cell | None]])
             if outcome is not None:
                 error[i, j], velocity[i, j] = outcome.energy_error, outcome.velocity / cell.speed
                 chatter[i, j], steps[i, j] = outcome.touches - outcome.contacts, outcome.steps
-    words = library(spoken()).texts
-    long, bound_of = words[f"name.integrator-long.{name}"], words[f"name.integrator-limit.{name}"]
+    long, bound_of = (library(spoken()).texts[f"name.integrator-{what}.{name}"] for what in ("long", "limit"))
     return Map(
         name, long, bound_of, ending, error, chatter, velocity, steps, share,
         limit if first.name == "step" else None, reason,

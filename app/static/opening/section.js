@@ -6,12 +6,12 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 import { weave } from './rows.js';
+import { Words } from './words.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Shown } from './rows.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
-/** @typedef {{ words: string, x: number, y: number, color: string, font: string, align: CanvasTextAlign }} Word */
 /** @typedef {{ face: (t: number) => number, mass: (t: number) => number }} Ends  movement of struck face and striker */
 
 const HEAD = 44 * zoom; // pixels above the rows
@@ -46,7 +46,7 @@ export class Section {
   /** @type {Scene | null} */ shown = null;
   /** @type {Float64Array} */ ends = new Float64Array(0); // values at the struck place, row by row
   most = 0; // the end of the scale of forces [N]
-  /** @type {Word[]} */ words = []; // that are not paler before their time
+  words = new Words(); // that are not paler before their time
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
 
   /** @param {Page} page */
@@ -86,12 +86,13 @@ export class Section {
     const base = shown.drawn.left - TRACK.gap * width;
     const track = base - Math.max(TRACK.edge * width, TRACK.least);
     this.box = { top: HEAD, tall: height - HEAD - FOOT, base, track, width };
-    this.words = [];
+    this.words.all = [];
     this.#scale(shown);
     const [down, across] = [Math.max(Math.round(this.box.tall), 1), Math.round(width)];
     this.ends = weave(this.image, shown, this.stretch, across, down);
     c.drawImage(this.image, 0, this.box.top, width, this.box.tall);
     this.#flow(c, shown);
+    this.#peak(c, shown.forces[0]);
     this.#frame(c, shown);
     c.save();
     c.beginPath();
@@ -102,7 +103,6 @@ export class Section {
     for (const series of shown.forces.toReversed()) this.#curve(c, series);
     this.#names(c, shown);
     c.restore();
-    this.#peak(c, shown.forces[0]);
   }
   /**
    * The scale of forces stays while a peak can be read on it, so that a heavier mass is seen to push harder.
@@ -165,7 +165,7 @@ export class Section {
     c.textAlign = 'left';
     marks.found.forEach((t, k) => {
       const words = `${localised(t.toFixed(marks.digits))}${k ? '' : ` ${sign}`}`;
-      this.#say(words, TIMES, Math.min(this.y(t / per) + 4, top + tall - 2), COLORS.faint);
+      this.words.say(words, TIMES, Math.min(this.y(t / per) + 4, top + tall - 2), COLORS.faint);
     });
     c.fillStyle = COLORS.ink;
     const force = text('opening.force', { unit });
@@ -207,7 +207,12 @@ export class Section {
     c.restore();
     const gone = prediction === null ? 0 : (base - drawn.left) / (prediction * scale); // when it is at the force
     if (gone > start && gone < end)
-      this.#say(text('opening.predicted'), base + 6, Math.min(this.y(gone) + 16 * zoom, top + tall - 6), COLORS.faint);
+      this.words.say(
+        text('opening.predicted'),
+        base + 6,
+        Math.min(this.y(gone) + 16 * zoom, top + tall - 6),
+        COLORS.faint,
+      );
   }
   /**
    * The struck place of what is bent across, and when it is touched.
@@ -263,7 +268,7 @@ export class Section {
     named.forEach(({ cursor = '', style }, k) => {
       const x = Math.max(base - 10, c.measureText(cursor).width + 16 * zoom);
       const y = top + tall - 8 - (named.length - 1 - k) * LABEL.line * zoom;
-      this.#say(cursor, x, y, STYLES[style].color, c.font, 'right');
+      this.words.say(cursor, x, y, STYLES[style].color, c.font, 'right');
     });
   }
   /**
@@ -293,23 +298,12 @@ export class Section {
     };
     const found = [...(beside ? [down - tall / 2] : []), down - high - 6, down + 8].find(clear);
     const [side, top] = found === undefined ? [base + 8, Math.max(down - tall / 2, first)] : [left, found];
-    this.#say(words, side, top + 0.85 * tall, COLORS.ink, font);
-    this.#say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
+    this.words.say(words, side, top + 0.85 * tall, COLORS.ink, font);
+    this.words.say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
     c.fillStyle = COLORS.ink;
     c.beginPath();
     c.arc(at, down, 3.5, 0, 7);
     c.fill();
-  }
-  /**
-   * @param {string} words
-   * @param {number} x
-   * @param {number} y
-   * @param {string} color
-   * @param {string} font
-   * @param {CanvasTextAlign} align
-   */
-  #say(words, x, y, color, font = letters(13), align = 'left') {
-    this.words.push({ words, x, y, color, font, align });
   }
   /**
    * The instant of the clock: what is to come is paler.
@@ -324,16 +318,6 @@ export class Section {
     const y = Math.min(Math.max(this.y(t), top), top + tall);
     c.fillStyle = LATER;
     c.fillRect(0, y, width, top + tall - y);
-    c.textBaseline = 'alphabetic';
-    c.lineWidth = 4;
-    c.strokeStyle = COLORS.panel;
-    for (const each of this.words) {
-      c.font = each.font;
-      c.fillStyle = each.color;
-      c.textAlign = each.align;
-      c.strokeText(each.words, each.x, each.y);
-      c.fillText(each.words, each.x, each.y);
-    }
     c.strokeStyle = COLORS.cursor;
     c.lineWidth = 1.4;
     c.beginPath();
@@ -346,16 +330,10 @@ export class Section {
     c.beginPath();
     c.arc(this.#x(value), y, 4.5, 0, 7);
     c.fill();
-    const [times_, unit] = scaled(this.most, 'N');
-    c.font = letters(13, '600 ');
+    const [perUnit, unit] = scaled(this.most, 'N');
     const above = y - LABEL.line * zoom >= top; // else it would lie on what is written there
-    c.textBaseline = above ? 'bottom' : 'top';
-    c.lineWidth = 4;
-    c.strokeStyle = COLORS.panel;
-    c.textAlign = 'left';
-    const words = `${figures(Math.abs(value) < 1e-6 * this.most ? 0 : value * times_, 3)} ${unit}`;
-    c.strokeText(words, base + 6, above ? y - 3 : y + 4);
-    c.fillText(words, base + 6, above ? y - 3 : y + 4);
+    const said = `${figures(Math.abs(value) < 1e-6 * this.most ? 0 : value * perUnit, 3)} ${unit}`;
+    this.words.draw(c, said, base + 6, above ? y - 5 : y + 16 * zoom);
   }
   /**
    * A hand on the picture sets the clock.

@@ -170,7 +170,7 @@ def gated_page(browser, monkeypatch):
 )
 def test_a_view_that_must_be_compiled_says_so_at_once_and_then_appears(gated_page, button, work, there):
     mass_ratios.mass_ratio_data.cache_clear()
-    page, gate = gated_page("", work)
+    page, gate = gated_page("?layout=laboratory", work)
     sign = page.tab.locator(".waiting")
     expect(sign).to_be_hidden()
     page.analysis(button)

@@ -60,7 +60,7 @@ def test_a_typed_value_is_solved_linked_undone_reloaded_and_set_back(open_page):
     page.laid_out()
     assert page.header("chosen")["bodies"] == "target.length=0.6 target.material=aluminium"
     page.answered(body(page, 2).get_by_role("button", name="Reset").click)
-    page.wait("() => location.search === ''")
+    page.wait("() => location.search === '?layout=laboratory'")
     assert page.header("chosen")["mass_ratio"] == 1.0
 
 

@@ -59,7 +59,7 @@ class Hand:
         return self.root.locator(".tip").inner_text()
 
 
-@pytest.mark.parametrize("query", ["", "?scene=figure-8.15"])
+@pytest.mark.parametrize("query", ["?layout=laboratory", "?scene=figure-8.15"])
 def test_the_wheel_zooms_all_charts_about_the_pointer_and_back(open_page, query):
     page = open_page(query)
     hand, duration = Hand(page, "Contact force"), page.evaluate(DURATION)

@@ -43,9 +43,9 @@ WIDE, PHONE = (1440, 900), (390, 844)
 @pytest.mark.parametrize(
     "query, question, name, first, second, size, other",
     [
-        ("", "5 or 100 modes?", "modes", 5, 100, WIDE, PHONE),
-        ("", "Hertz or rigid?", "law", "rigid", "hertz", PHONE, WIDE),
-        ("", "Does a heavier hammer hit harder?", "mass_ratio", 1, 0.25, WIDE, PHONE),
+        ("?layout=laboratory", "5 or 100 modes?", "modes", 5, 100, WIDE, PHONE),
+        ("?layout=laboratory", "Hertz or rigid?", "law", "rigid", "hertz", PHONE, WIDE),
+        ("?layout=laboratory", "Does a heavier hammer hit harder?", "mass_ratio", 1, 0.25, WIDE, PHONE),
         ("?scene=hammer-on-cantilever", "5 or 100 modes?", "modes", 5, 100, PHONE, WIDE),
         ("?scene=stepped-rod", "Hertz or rigid?", "law", "rigid", "hertz", WIDE, PHONE),
         ("?scene=figure-10.4", "Clamped or free modes?", "floating_frame", "mean-axis", "attached", WIDE, PHONE),

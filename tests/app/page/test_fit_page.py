@@ -87,7 +87,9 @@ def test_of_a_striker_that_has_flown_off_a_beam_it_is_said_how_far(open_page):
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (820, 1180), (390, 844)], ids=str)
-@pytest.mark.parametrize("query", ["", "?scene=hammer-on-cantilever"])
+@pytest.mark.parametrize(
+    "query", ["", "?layout=laboratory", "?scene=hammer-on-cantilever", "?scene=hammer-on-cantilever&layout=opening"]
+)
 def test_large_letters_have_their_room(open_page, size, query):
     page = open_page(query, own=True, size=size)
     page.tab.add_init_script(LARGE)

@@ -109,7 +109,10 @@ def test_every_contact_of_a_hammer_is_seen_beside_the_rows(open_page):
 def test_the_rows_follow_a_slider(open_page):
     page = open_page("")
     opened(page)
-    state = "() => { const { ends, most, words } = strikewave.page.opening.section; return [[...ends], most, words]; }"
+    state = """() => {
+      const { ends, most, words } = strikewave.page.opening.section;
+      return [[...ends], most, words.all];
+    }"""
     ends, _, words = page.evaluate(state)
     set_and_wait(page, mass_ratio=0.3)
     settled(page)

@@ -53,7 +53,7 @@ def test_the_first_view_shows_the_story_of_the_fixed_rod(open_page):
 
 PREDICTED = "Restitution (rigid)"  # where it sets nothing else
 SLIDERS = {  # title of each, and where it is drawn to
-    "": {
+    "?layout=laboratory": {
         "mass_ratio": ("Mass ratio", 0.2),
         "speed": ("Impact speed", 0.9),
         "restitution": (PREDICTED, 0.3),

@@ -1,0 +1,70 @@
+// Words on a picture, none of which lies on another: those that are said first stand.
+import { contextOf, letters } from '../charts/canvas.js';
+import { COLORS } from '../charts/styles.js';
+import { make } from '../shell/dom.js';
+
+/** @typedef {{ words: string, x: number, y: number, color: string, font: string, align: CanvasTextAlign }} Word */
+
+const HALO = 4; // pixels
+
+/**
+ * @param {CanvasRenderingContext2D} c
+ * @param {Word} word
+ */
+function boxOf(c, { align, font, words, x, y }) {
+  c.font = font;
+  const { actualBoundingBoxAscent: up, actualBoundingBoxDescent: down, width } = c.measureText(words);
+  const left = align === 'right' ? x - width : x;
+  return [left, y - up, left + width, y + down];
+}
+
+/**
+ * @param {CanvasRenderingContext2D} c
+ * @param {Word} word
+ */
+function write(c, { align, color, font, words, x, y }) {
+  Object.assign(c, { font, textAlign: align, textBaseline: 'alphabetic', lineWidth: HALO });
+  c.strokeStyle = COLORS.panel;
+  c.strokeText(words, x, y);
+  c.fillStyle = color;
+  c.fillText(words, x, y);
+}
+
+export class Words {
+  /** @type {Word[]} */ all = [];
+  #ruler = contextOf(make('canvas'));
+
+  /**
+   * @param {string} words
+   * @param {number} x
+   * @param {number} y  of the line they stand on
+   * @param {string} color
+   * @param {string} [font]
+   * @param {CanvasTextAlign} [align]
+   */
+  say(words, x, y, color, font = letters(13), align = 'left') {
+    const word = { words, x, y, color, font, align };
+    if (this.#clear(word)) this.all.push(word);
+  }
+  /** @param {Word} word */
+  #clear(word) {
+    const [left, top, right, bottom] = boxOf(this.#ruler, word);
+    return this.all.every((each) => {
+      const [from, high, to, low] = boxOf(this.#ruler, each);
+      return right < from || left > to || bottom < high || top > low;
+    });
+  }
+  /**
+   * All of them, and what is said of the instant where it lies on none.
+   * @param {CanvasRenderingContext2D} c
+   * @param {string} now
+   * @param {number} x
+   * @param {number} y
+   */
+  draw(c, now, x, y) {
+    for (const each of this.all) write(c, each);
+    /** @type {Word} */
+    const word = { words: now, x, y, color: COLORS.cursor, font: letters(13, '600 '), align: 'left' };
+    if (this.#clear(word)) write(c, word);
+  }
+}
