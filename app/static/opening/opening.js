@@ -14,7 +14,6 @@ const PLAN = 'plan'; // under which is kept which of the two was seen last
 const WALK = 12; // steps in which a slider goes where a question sends it
 const STEP = 60; // ms between them
 const APART = 24; // pixels between two names of events, at least
-const LISTED = 44; // and above the first, where no clock stands beside them
 
 /** @typedef {'opening' | 'laboratory'} Plan */
 
@@ -170,7 +169,7 @@ export class Opening {
     const { shown } = this.section;
     this.names.forEach((name, k) => {
       const [t] = this.events[k];
-      const top = Math.max(shown ? this.section.y(t) : LISTED, last + APART);
+      const top = shown ? Math.max(this.section.y(t), last + APART) : 0; // without rows they are a list
       name.hidden = t > end;
       if (!name.hidden) last = top;
       name.style.top = `${top}px`;
