@@ -50,6 +50,7 @@ const SHEETS = [
   'beam/beam.css',
   ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
   'opening/opening.css',
+  'opening/dock.css',
   ...(alone ? [] : ['shell/embedded.css']),
 ];
 const NAME = 'Strikewave';

@@ -1,6 +1,8 @@
-// The opening view: one large picture, one question, a few sliders. All else is in the laboratory, one click away.
+// The opening view: one large picture, one question, a few sliders. All else is in a dock that slides in beside the
+// picture, one click away; the laboratory has it all at once.
 import { alone } from '../shell/home.js';
 import { make } from '../shell/dom.js';
+import { TITLES } from '../shell/layout.js';
 import { keep, kept } from '../shell/store.js';
 import { text } from '../text/catalogue.js';
 import { changesOf, leadingOf, questionOf } from './question.js';
@@ -10,23 +12,25 @@ import { Section } from './section.js';
 /** @import { Frame } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
-const PLAN = 'plan'; // under which is kept which of the two was seen last
+const PLAN = 'plan'; // under which is kept which of them was seen last
+/** @type {Plan[]} */
+const PLANS = ['opening', 'docks', 'laboratory'];
 const WALK = 12; // steps in which a slider goes where a question sends it
 const STEP = 60; // ms between them
 const APART = 24; // pixels between two names of events, at least
 
-/** @typedef {'opening' | 'laboratory'} Plan */
+/** @typedef {'opening' | 'docks' | 'laboratory'} Plan  `docks`: the opening with the dock beside its picture */
 
 /**
- * Which of the two a visitor sees first: links of before there was an opening lead to the laboratory.
+ * Which of them a visitor sees first: links of before there was an opening lead to the laboratory.
  * @param {string} search  of the address
  * @returns {Plan}
  */
 export function planOf(search) {
   if (!alone) return 'laboratory';
   const asked = new URLSearchParams(search).get('layout');
-  if (asked === 'opening' || asked === 'laboratory') return asked;
-  return search.length > 1 ? 'laboratory' : kept(PLAN, 'opening');
+  const plan = PLANS.find((name) => name === asked);
+  return plan ?? (search.length > 1 ? 'laboratory' : kept(PLAN, 'opening'));
 }
 
 export class Opening {
@@ -54,9 +58,13 @@ export class Opening {
     this.button.onclick = () => this.turn('opening');
     this.button.hidden = !alone;
   }
-  /** Whether it is what is seen. */
+  /** Whether its picture is what is seen. */
   get leads() {
-    return this.plan === 'opening';
+    return this.plan !== 'laboratory';
+  }
+  /** Whether the dock is beside it. */
+  get docked() {
+    return this.plan === 'docks';
   }
   /**
    * What a link says of it: what it would lead to otherwise is left out.
@@ -64,7 +72,7 @@ export class Opening {
    * @returns {[key: string, value: string][]}
    */
   said(more) {
-    return alone && this.leads === more ? [['layout', this.plan]] : [];
+    return alone && (this.docked || this.leads === more) ? [['layout', this.plan]] : [];
   }
   /** What its rows are of; nothing of bodies that have none. */
   get shown() {
@@ -97,7 +105,27 @@ export class Opening {
     if (alone) keep(PLAN, plan);
     this.page.layout.place();
     this.load(this.page.frame);
-    (this.leads ? this.question : this.page.layout.centre).focus(); // what had the focus is gone
+    const { centre, tabs } = this.page.layout;
+    (this.docked ? tabs.tab : this.leads ? this.question : centre)?.focus(); // what had the focus is gone
+    this.page.history.write();
+  }
+  /**
+   * Have the dock beside the picture.
+   * @param {string} tab  of it
+   */
+  look(tab) {
+    this.page.layout.tabs.select(tab);
+    this.turn('docks');
+    this.page.layout.show(tab); // where it was there already
+  }
+  /**
+   * Escape closes the dock.
+   * @param {KeyboardEvent} event
+   */
+  key({ key }) {
+    if (key !== 'Escape' || !this.docked) return false;
+    this.turn('opening');
+    return true;
   }
   /**
    * Something else is done: the slider that a question has sent off stays where it is.
@@ -120,34 +148,24 @@ export class Opening {
     this.change.hidden = !changes.length;
     if (changes.length) this.change.textContent = `${changes[this.tried % changes.length].words} →`;
     this.page.controls.lead(leadingOf(frame));
-    this.#offer(frame.source);
+    this.#offer(frame);
     this.#name();
     this.#mark(this.page.player.t + this.page.player.start);
   }
   /**
-   * Ways into the laboratory.
-   * @param {string} source  of the scene
+   * Ways to look closer.
+   * @param {Frame} frame
    */
-  #offer(source) {
-    const { analyses, layout } = this.page;
-    const enter = (/** @type {string} */ textContent, /** @type {() => void} */ act) => {
-      const button = make('button', { type: 'button', textContent });
-      button.onclick = () => {
-        this.turn('laboratory');
-        act();
-      };
-      return button;
-    };
-    const offered = analyses.all.filter(({ button }) => !button.hidden && !button.disabled);
-    const names = offered.map(({ button }) => button.textContent ?? '');
-    const said = [source, ...names].join();
-    if (this.closer.dataset.said === said) return;
-    this.closer.dataset.said = said;
+  #offer({ source }) {
+    if (this.closer.dataset.said === source) return;
+    this.closer.dataset.said = source;
+    const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
+      make('button', { type: 'button', textContent, onclick });
+    const tabs = Object.entries(TITLES).map(([tab, title]) => enter(title, () => this.look(tab)));
     this.closer.replaceChildren(
       make('span', { textContent: text('opening.closer') }),
-      enter(text('opening.laboratory'), () => layout.show('story')),
-      enter(text('opening.numbers'), () => layout.show('numbers')),
-      ...offered.map((view, k) => enter(names[k], () => analyses.open(view))),
+      ...tabs,
+      enter(text('opening.laboratory'), () => this.turn('laboratory')),
       make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
     );
   }

@@ -98,7 +98,7 @@ export class Analyses {
     if (!view.open) view.toggle();
     this.order = [...this.order.filter((each) => each !== view), view];
     this.arrange();
-    if (!this.#isWide(view) || this.layout.mode === 'phone') this.layout.show('analysis');
+    if (!this.#isWide(view) || this.layout.tabbed) this.layout.show('analysis');
     view.root.focus({ preventScroll: true });
   }
   /** @param {View} view */
@@ -132,7 +132,7 @@ export class Analyses {
     for (const view of this.all) view.take(frame);
     const opened = this.all.filter((view) => view.open && seen(view) && !this.order.includes(view)); // by the scene
     this.order.push(...opened);
-    if (opened.length && this.layout.mode === 'phone') this.layout.show('analysis');
+    if (opened.length && this.layout.tabbed) this.layout.show('analysis');
     if (this.order.map(seen).join() !== before) this.arrange();
   }
   // Those that are open from the first on.

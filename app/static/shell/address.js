@@ -46,7 +46,7 @@ function panelsOf(model) {
  * @param {boolean} moment  with the instant of the clock, also while it runs
  * @returns {[key: string, value: string][]}
  */
-function viewOf({ compare, frame, layout, player, view }, moment) {
+function viewOf({ compare, frame, layout, opening, player, view }, moment) {
   /** @type {[string, string][]} */
   const found = [];
   const add = (/** @type {string} */ key, /** @type {unknown} */ value) => found.push([key, String(value)]);
@@ -58,7 +58,8 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
   if (what && what !== usual) add('colour', what);
   if (gauge && !gauge.chart.root.hidden && gauge.asked !== null && gauge.asked !== gauge.usual)
     add('gauge', Number(gauge.asked.toPrecision(5)));
-  if (['desk', 'tablet'].includes(layout.mode) && layout.tabs.selected === 'numbers') add('tab', 'numbers');
+  const { selected } = layout.tabs;
+  if (opening.docked || (!layout.tabbed && selected === 'numbers')) add('tab', selected);
   if (compare.runs.length) add('kept', keptText(compare.runs, frame));
   if (compare.beside) add('beside', compare.beside.letter);
   if (compare.locked) add('locked', true);
@@ -71,7 +72,7 @@ function viewOf({ compare, frame, layout, player, view }, moment) {
  */
 export function queryOf(page, moment = false) {
   const { frame, model } = page;
-  const panels = page.opening.leads ? [] : panelsOf(model); // which are seen in the laboratory alone
+  const panels = page.opening.leads && !page.opening.docked ? [] : panelsOf(model); // where they are seen
   const said = [...choicesOf(model, frame), ...panels, ...viewOf(page, moment)];
   const query = new URLSearchParams([...said, ...page.opening.said(said.length > 0)]);
   return query.toString().replace(/%2C|%3A|%3B/g, (code) => PLAIN[/** @type {keyof typeof PLAIN} */ (code)]);

@@ -1,5 +1,6 @@
 // Undo and redo: every change of the choices is an entry of the browser's history, a drag is one, and so is whatever is
-// kept or kept no more. Back undoes, and does not leave the page before all is undone.
+// kept or kept no more, and a turn from the picture to the dock or the laboratory. Back undoes, and does not leave the
+// page before all is undone.
 import { make } from './dom.js';
 import { addressOf, choicesText, queryOf } from './address.js';
 import { alone, Steps } from './home.js';
@@ -21,6 +22,7 @@ const TOP = 'history'; // under which the last entry is kept while the page relo
  * @property {Chosen} chosen
  * @property {string} choices  what is chosen, as text
  * @property {Wanted[]} kept  solutions beside it
+ * @property {import('../opening/opening.js').Plan} plan  of the page
  */
 
 export class History {
@@ -109,15 +111,17 @@ export class History {
     const now = performance.now();
     const address = addressOf(queryOf(page));
     const moved = entry && choices !== entry.choices;
-    const others = entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []);
+    const { plan } = page.opening;
+    const turned = (entry?.plan ?? plan) !== plan;
+    const others = turned || (entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []));
     if (!entry || this.going || !(moved || others) || (!others && now - this.changed < PAUSE)) {
       if (moved) this.changed = now;
-      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, chosen, choices, kept: wanted }, address);
+      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, chosen, choices, kept: wanted, plan }, address);
     } else {
       if (moved) this.changed = now;
       this.top = entry.strikewave + 1;
       keep(TOP, this.top, true);
-      this.#put('pushState', { strikewave: this.top, chosen, choices, kept: wanted }, address);
+      this.#put('pushState', { strikewave: this.top, chosen, choices, kept: wanted, plan }, address);
     }
     this.#enable();
   }
@@ -149,6 +153,7 @@ export class History {
     const { entry, page } = this;
     if (!entry || !page.frame) return;
     this.going = true;
+    page.opening.turn(entry.plan ?? page.opening.plan);
     page.goTo(entry.chosen, async () => {
       await page.compare.recall(entry.kept ?? []);
       this.going = false;

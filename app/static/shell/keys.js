@@ -75,7 +75,7 @@ export function listenToKeys(page) {
       return;
     }
     if (taken(event)) return;
-    if (page.player.key(event) || page.compare.key(event)) event.preventDefault();
+    if (page.player.key(event) || page.compare.key(event) || page.opening.key(event)) event.preventDefault();
   };
   const place = alone ? document : page.root;
   place.addEventListener('keydown', /** @type {EventListener} */ (key));

@@ -1,6 +1,7 @@
-// Where everything is on the page. A wide window has a dock at either side of the centre; a narrower one has the second
-// dock as a sheet at its lower end; a phone has all but the stage in tabs, beside it where the window is low. Stage and
-// clock never leave, and what opens takes the place of the charts.
+// Where everything is on the page. In the opening one dock slides in beside the picture, with all else in its tabs.
+// In the laboratory a wide window has a dock at either side of the centre; a narrower one has the second dock as a
+// sheet at its lower end; a phone has all but the stage in tabs, beside it where the window is low. Stage and clock
+// never leave, and what opens takes the place of the charts.
 import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
@@ -15,17 +16,19 @@ const TABLET = 1100;
 const LOW = 800; // how high a tablet that lies is: what would be above one another has no room, and stands side by side
 const LARGE = window.matchMedia('(min-width: 1800px)');
 const BESIDE = ['story', 'numbers', 'analysis'];
-const ALL = ['controls', 'charts', ...BESIDE]; // in this order, whatever the order of the texts
+export const ALL = ['controls', 'charts', ...BESIDE]; // in this order, whatever the order of the texts
 const NAMES = family('layout.tab');
-const TITLES = Object.fromEntries(ALL.map((name) => [name, NAMES[name]]));
+export const TITLES = Object.fromEntries(ALL.map((name) => [name, NAMES[name]]));
 const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
 const CENTRE = 420; // pixels that the docks leave to the centre
 const USUAL = 0.58; // of the window that they take at most, unless they were sized, and of that the left one:
 const USUAL_LEFT = 0.4;
-const LEAST = { left: 220, right: 250 }; // pixels of a dock, in which its words fit
+const DOCK = { usual: 0.42, wide: 0.54 }; // shares of the window that the one beside the picture takes
+const LEAST = { left: 220, right: 250, dock: 320 }; // pixels of a dock, in which its words fit
 
 /** @typedef {'desk' | 'tablet' | 'phone' | 'lead'} Mode  `lead`: the opening, whose own sheet places its parts */
-/** @typedef {{ left?: number, right?: number, sheet?: number, folded?: Record<string, boolean> }} Sizes */
+/** @typedef {{ left?: number, right?: number, dock?: number, sheet?: number }} Pixels  and of the sheet the share */
+/** @typedef {Pixels & { folded?: Record<string, boolean> }} Sizes */
 
 export class Layout {
   /** @type {Mode} */ mode = 'desk';
@@ -56,7 +59,15 @@ export class Layout {
     const skip = make('button', { type: 'button', className: 'skip', textContent: text('layout.skip') });
     skip.onclick = () => (opening.leads ? opening.question : this.centre).focus();
     this.right = make('section', { className: 'dock right', ariaLabel: text('layout.right') }, this.tabs.root);
-    this.right.append(...this.tabs.panels);
+    const shut = make('button', {
+      type: 'button',
+      className: 'sign shut',
+      textContent: '×',
+      onclick: () => opening.turn('opening'),
+    });
+    shut.title = text('layout.shut');
+    shut.ariaLabel = shut.title;
+    this.right.append(shut, ...this.tabs.panels);
     this.grips = ['left', 'right', 'sheet'].map((name) => this.#grip(/** @type {any} */ (name)));
     this.folders = {
       left: this.#folder('left', text('layout.left'), '◧'),
@@ -86,6 +97,10 @@ export class Layout {
   get sheet() {
     return this.lent ? 0 : (this.sizes.sheet ?? SNAPS[1]);
   }
+  /** Whether all but picture and clock is in tabs. */
+  get tabbed() {
+    return this.mode === 'phone' || this.mode === 'lead';
+  }
   /** @returns {[width: number, height: number]} in pixels, of the window or of its place in another's page */
   get #room() {
     const { clientWidth, clientHeight } = this.root;
@@ -103,20 +118,29 @@ export class Layout {
     this.root.dataset.size = size;
     /** @type {Mode} */
     const mode = this.opening.leads ? 'lead' : size;
-    const phone = mode === 'phone';
     this.root.classList.toggle('across', across);
     if (mode !== this.mode || !this.choices.parentElement) {
       this.mode = mode;
       this.root.dataset.mode = mode;
       if (mode === 'lead') this.opening.ask.after(this.caption);
       else this.pinned.prepend(this.caption);
-      (phone ? this.tabs.panel('controls') : this.left).append(this.choices);
-      (phone ? this.tabs.panel('charts') : this.centre).append(this.charts);
-      if (phone) this.tabs.panel('analysis').prepend(this.wide);
+      const { tabbed } = this;
+      this.root.classList.toggle('tabbed', tabbed);
+      (tabbed ? this.tabs.panel('charts') : this.centre).append(this.charts);
+      if (tabbed) this.tabs.panel('analysis').prepend(this.wide);
       else this.centre.append(this.wide);
-      this.tabs.offer(phone ? ALL : BESIDE);
-      if (phone) this.tabs.select('controls');
+      this.charts.hidden = !this.wide.hidden && !tabbed;
+      this.tabs.offer(tabbed ? ALL : BESIDE);
+      if (mode === 'phone') this.tabs.select('controls');
     }
+    this.#settle();
+  }
+  /** After anything that decides what is seen. */
+  #settle() {
+    const { mode, opening, tabs } = this;
+    const tab = mode === 'phone' || (opening.docked && tabs.selected === 'controls');
+    const place = tab ? tabs.panel('controls') : this.left;
+    if (this.choices.parentElement !== place) place.append(this.choices);
     this.#measure();
     this.changed();
   }
@@ -126,16 +150,22 @@ export class Layout {
     const [whole] = this.#room;
     const room = whole - CENTRE;
     const usual = USUAL * whole;
-    const least = (/** @type {'left' | 'right'} */ name) => sizes[name] && Math.max(sizes[name], LEAST[name]);
+    const least = (/** @type {'left' | 'right' | 'dock'} */ name) => sizes[name] && Math.max(sizes[name], LEAST[name]);
     const left = Math.min(least('left') ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
     const wanted = least('right') ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
     const right = Math.min(wanted, room - left);
     const wide = this.mode === 'tablet' ? Math.min(248 * scale, room) : left;
     root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
+    const studied = this.tabs.selected === 'analysis' && !this.wide.hidden;
+    const dock = least('dock') ?? Math.max((studied ? DOCK.wide : DOCK.usual) * whole, LEAST.dock);
+    root.style.setProperty('--dock', `${Math.min(dock, room)}px`);
     root.style.setProperty('--sheet', `${100 * this.sheet}${alone ? 'dvh' : '%'}`);
     this.left.hidden = this.mode === 'phone' || (this.mode !== 'lead' && this.folded('left'));
-    this.right.hidden = this.mode === 'desk' && (this.folded('right') || this.full);
+    const { docked } = this.opening;
+    root.classList.toggle('docked', docked);
+    const away = this.mode === 'desk' && (this.folded('right') || this.full);
+    this.right.hidden = this.mode === 'lead' ? !docked : away;
     const menu = this.mode === 'desk' && this.tabs.selected === 'analysis' && this.spare;
     root.classList.toggle('spread', menu && !this.wide.hidden && !this.right.hidden);
     root.classList.toggle('closed', this.mode === 'tablet' && this.sheet === 0);
@@ -147,10 +177,11 @@ export class Layout {
     const label = text(`layout.size.${name}`);
     const size = () =>
       name === 'sheet' ? this.right.clientHeight : (name === 'left' ? this.left : this.right).clientWidth;
+    const own = () => (name === 'left' ? name : this.mode === 'lead' ? 'dock' : 'right');
     const resize = (/** @type {number} */ wanted) => {
       if (name === 'sheet') this.lent = false;
       if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / this.#room[1], 0), SNAPS[2]);
-      else this.sizes[name] = Math.max(wanted, LEAST[name]);
+      else this.sizes[own()] = Math.max(wanted, LEAST[own()]);
       this.#measure();
     };
     const rest = () => {
@@ -185,8 +216,7 @@ export class Layout {
   }
   #keep() {
     keep('docks', this.sizes);
-    this.#measure();
-    this.changed();
+    this.#settle();
   }
   /**
    * A tab was chosen by hand. The sheet opens for it, and closes when it is chosen again.
@@ -195,8 +225,7 @@ export class Layout {
    */
   #chosen(_name, again) {
     if (this.mode !== 'tablet') {
-      this.#measure();
-      this.changed();
+      this.#settle();
       return;
     }
     const closed = this.sheet === 0;
@@ -215,8 +244,7 @@ export class Layout {
       this.sizes.sheet ||= SNAPS[1];
     }
     if (this.mode === 'desk' && this.folded('right')) this.sizes.folded = { ...this.sizes.folded, right: false };
-    this.#measure();
-    this.changed();
+    this.#settle();
   }
   /**
    * Something takes the place of the charts, or gives it back.
@@ -228,10 +256,9 @@ export class Layout {
     this.spare = spare;
     if (taken === this.wide.hidden) this.lent = taken;
     this.wide.hidden = !taken;
-    this.charts.hidden = taken && this.mode !== 'phone';
+    this.charts.hidden = taken && !this.tabbed;
     this.root.classList.toggle('studying', taken);
     this.full = taken && full;
-    this.#measure();
-    this.changed();
+    this.#settle();
   }
 }

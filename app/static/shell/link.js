@@ -1,6 +1,7 @@
 // What an address says of the view, which the browser reads itself; the choices, the server reads.
 import { text } from '../text/catalogue.js';
 import { keptOf } from './kept.js';
+import { ALL } from './layout.js';
 import { refusalIn } from './model.js';
 
 /** @import { Page } from '../page.js' */
@@ -16,7 +17,7 @@ const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
  * @property {[number, number] | null} view  the stretch of time
  * @property {string | null} colour
  * @property {number | null} gauge  the place of which the stress is shown [m]
- * @property {boolean} numbers  their tab is open
+ * @property {string | null} tab  that is open
  * @property {Wanted[]} kept
  * @property {string | null} beside
  * @property {boolean} locked
@@ -53,7 +54,7 @@ export function readLink(search, { model, view }) {
     view: get('view', (value) => stretchOf(value.split(',').map(time))),
     colour: get('colour', (value) => view.whats?.find((what) => what === value) ?? null),
     gauge: get('gauge', (value) => (PLACE.test(value) ? Number(value) : null)),
-    numbers: get('tab', (value) => value === 'numbers' || null) ?? false,
+    tab: get('tab', (value) => ALL.find((name) => name === value) ?? null),
     kept,
     beside: get('beside', (value) => kept.find(({ letter }) => letter === value)?.letter ?? null),
     locked: get('locked', yes) ?? false,
@@ -76,14 +77,17 @@ function stretchOf([start, end, ...more]) {
  * @param {Link} link
  * @returns {boolean}  whether it says where the clock is
  */
-export function follow(page, { bad, beside, colour, gauge, kept, locked, numbers, playing, t, view: stretch }) {
+export function follow(page, { bad, beside, colour, gauge, kept, locked, playing, t, tab, view: stretch }) {
   const { compare, layout, player, view } = page;
   if (bad.length)
     page.complain([refusalIn(page.model), text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
   if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);
-  if (numbers && layout.mode !== 'phone') layout.tabs.select('numbers');
+  if (tab && layout.mode !== 'phone' && layout.tabs.offers(tab)) {
+    layout.tabs.select(tab);
+    layout.place();
+  }
   if (t !== null) player.seek(t);
   if (playing) player.toggle();
   const rest = () => {

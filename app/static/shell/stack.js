@@ -9,7 +9,7 @@ import { keep, kept } from './store.js';
 
 const LEAST = 148 * scale; // pixels that an open chart needs, its head included
 const LEAST_NARROW = 190 * scale; // where its head takes more lines
-const NARROW = 480; // pixels of width
+const NARROW = 540; // pixels of width
 const HEAD = 30 * scale; // of a folded one
 
 export class Stack {

@@ -31,6 +31,10 @@ export class Tabs {
       this.root.append(tab);
     }
   }
+  /** That is selected. */
+  get tab() {
+    return this.entries.get(this.selected)?.tab;
+  }
   get panels() {
     return [...this.entries.values()].map(({ panel }) => panel);
   }
@@ -56,6 +60,10 @@ export class Tabs {
   offer(names) {
     for (const [name, { tab }] of this.entries) tab.hidden = !names.includes(name);
     if (!names.includes(this.selected)) this.select(names[0]);
+  }
+  /** @param {string} name */
+  offers(name) {
+    return this.entries.get(name)?.tab.hidden === false;
   }
   /** @param {KeyboardEvent} event */
   #key(event) {

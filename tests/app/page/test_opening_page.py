@@ -154,26 +154,66 @@ def test_a_slider_that_walks_stops_for_another_scene(open_page):
     assert page.header("chosen")["mass_ratio"] == page.header("own")["mass_ratio"]
 
 
-def test_the_laboratory_is_one_click_away_and_is_remembered(open_page):
+def closer(page, name: str) -> None:
+    page.tab.locator(".closer").get_by_role("button", name=name, exact=True).click()
+
+
+def test_the_laboratory_is_one_click_away_is_remembered_and_back_leads_to_the_picture(open_page):
     page = open_page("")
     opened(page)
+    settled(page)
     assert page.evaluate(MODE) == "lead"
-    page.tab.locator(".closer").get_by_role("button", name="Numbers", exact=True).click()
-    expect(page.tab.get_by_role("tab", name="Numbers", exact=True)).to_be_visible()
-    page.wait("() => location.search === '?layout=laboratory&tab=numbers' || location.search === '?tab=numbers'")
-    page.tab.goto(page.tab.url.split("?")[0])
+    closer(page, "All charts and controls")
+    page.wait("() => location.search === '?layout=laboratory'")
+    page.tab.go_back()
+    page.wait(f"() => ({MODE})() === 'lead'")
+    page.tab.go_forward()
+    page.wait(f"() => ({MODE})() === 'desk'")
+    page.tab.goto(page.tab.url.split("?")[0])  # it is remembered
     page.laid_out()
     assert page.evaluate(MODE) == "desk"
     page.tab.get_by_role("button", name="Picture", exact=True).click()
     assert page.evaluate(MODE) == "lead"
 
 
-def test_an_analysis_is_one_click_away(open_page):
+@pytest.mark.parametrize("size", SIZES)
+def test_all_else_slides_in_beside_a_picture_that_stays(open_page, size):
+    page = open_page("", size=size)
+    opened(page)
+    settled(page)
+    chart = "() => strikewave.page.view.force.chart.area.clientHeight"
+    for tab in ("Charts", "Numbers", "Controls", "Analysis", "Story"):
+        closer(page, tab)
+        expect(page.tab.get_by_role("tab", name=tab, exact=True)).to_have_attribute("aria-selected", "true")
+        page.wait("(tab) => location.search === `?tab=${tab.toLowerCase()}&layout=docks`", tab)
+        boxes = page.evaluate(BOXES)
+        dock = page.tab.locator(".dock.right").bounding_box()
+        assert boxes[".stages"]["height"] > (100 if size[0] < 720 else 190), tab
+        beside = dock["x"] >= boxes[".stages"]["right"] - 1
+        assert dock["width"] >= 320 and dock["height"] > 250 and (beside or dock["y"] >= boxes[".stages"]["bottom"] - 1)
+        if tab == "Charts":
+            page.wait(f"() => ({chart})() > 80")
+        if tab == "Controls":
+            expect(page.tab.locator(".dock.right").get_by_label("Friction", exact=True)).to_have_count(1)
+        page.tab.keyboard.press("Escape")
+        expect(page.tab.locator(".dock.right")).to_be_hidden()
+        assert page.tab.locator(".ask h2").evaluate("element => element === element.getRootNode().activeElement")
+
+
+def test_an_analysis_opens_beside_the_picture_in_a_link_and_back_closes_the_dock(open_page):
     page = open_page("")
     opened(page)
-    page.tab.locator(".closer").get_by_role("button", name="Energy over time", exact=True).click()
+    settled(page)
+    closer(page, "Analysis")
+    page.tab.get_by_role("button", name="Energy over time", exact=True).click()
     expect(page.tab.locator(".analysis:visible")).to_have_count(1)
-    assert page.evaluate(MODE) == "desk"
+    page.wait("() => location.search === '?panel=energy&tab=analysis&layout=docks'")
+    page.tab.reload()
+    page.laid_out()
+    expect(page.tab.locator(".dock.right .analysis:visible")).to_have_count(1)
+    page.tab.go_back()
+    expect(page.tab.locator(".dock.right")).to_be_hidden()
+    assert page.evaluate(MODE) == "lead"
 
 
 def test_links_of_before_lead_to_the_laboratory_and_those_of_the_opening_to_it(open_page):
