@@ -240,7 +240,7 @@ export function push(c, at, middle, thick) {
   c.lineTo(at - 18, middle - 9);
   c.lineTo(at - 18, middle + 9);
   c.fill();
-  c.font = letters(12);
+  c.font = letters(13);
   c.textAlign = 'center';
   c.fillText(text('axial.stage.force'), at - 44, middle - thick * 0.3);
 }
@@ -269,7 +269,7 @@ export function runs(c, [x, y], way, name, width) {
   c.moveTo(x + 22 * way, y - 7);
   c.lineTo(x + 16 * way, y - 3);
   c.stroke();
-  c.font = letters(11);
+  c.font = letters(13);
   const room = way > 0 || x + 8 + c.measureText(name).width < width;
   c.textAlign = way > 0 || !room ? 'right' : 'left';
   c.fillText(name, room ? x - 8 * way : x - 26, y - 4); // beyond the arrow, where the picture ends behind it

@@ -158,7 +158,7 @@ export function cradle(c, frame, t, { rest, width, height, scale, size }) {
     frame.speed,
   );
   c.fillStyle = COLORS.faint;
-  c.font = letters(12);
+  c.font = letters(13);
   c.textAlign = 'right';
   c.fillText(text('axial.cradle.drawn'), width - 12, height - 10);
   return balls[0];
@@ -200,7 +200,7 @@ function pressed(c, one, next, share) {
  * @param {number} most
  */
 function speeds(c, balls, velocities, most) {
-  c.font = letters(11);
+  c.font = letters(13);
   c.textAlign = 'center';
   c.textBaseline = 'alphabetic';
   c.strokeStyle = c.fillStyle = COLORS.ink;

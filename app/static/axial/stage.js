@@ -262,7 +262,7 @@ export class Stage {
     c.textBaseline = 'alphabetic';
     const [below, above] = frame.rods.length ? this.scaleBar(c, width, height) : [width, width];
     c.fillStyle = c.strokeStyle = COLORS.faint;
-    c.font = letters(12);
+    c.font = letters(13);
     c.textAlign = 'left';
     if (factor) {
       const times = factor >= 1 ? grouped(factor) : localised(factor.toPrecision(1));
@@ -380,7 +380,7 @@ export class Stage {
     }
     hatch(c, [[x, x + 0.47 * bar]], y, 7);
     c.fillStyle = COLORS.faint;
-    c.font = letters(11);
+    c.font = letters(13);
     c.textAlign = 'left';
     const { what } = this;
     c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);

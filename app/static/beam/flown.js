@@ -48,14 +48,15 @@ export function awayOf(striker, distance) {
  * @param {string} striker
  * @param {Point} place  of its face
  * @param {number} scale  pixels in a metre
+ * @param {boolean} narrow  whether words at the upper edge leave it no room beside the way
  */
-export function flown(c, striker, [x, y], scale) {
+export function flown(c, striker, [x, y], scale, narrow) {
   arrow(c, [x, FLOWN + ARROW], [0, -ARROW], COLORS.edge);
   if (y >= 0) return; // just so
   const said = awayOf(striker, -y / scale);
-  c.font = letters(11);
+  c.font = letters(13);
   c.fillStyle = COLORS.faint;
   c.textBaseline = 'middle';
   c.textAlign = 'right';
-  c.fillText(said, x - 8, FLOWN + 0.6 * ARROW);
+  c.fillText(said, x - 8, FLOWN + (narrow ? 1.7 : 0.6) * ARROW);
 }

@@ -26,19 +26,20 @@ export function legend(c, stage, end) {
   const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
   const room = right ? struck - 0.5 * hit.size - 6 - beside : width - end - 28;
   const bar = Math.min((narrow ? 90 : 130) * larger, room);
-  const x = right ? beside : width - bar - 14;
-  const y = stage.coloursAt(x);
   const unit = what === 'moment' ? stressUnit : what === 'deflection' ? 1e3 : 1;
   const largest = stage.usual[what] * unit;
   const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
+  const most = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
+  c.font = letters(13);
+  const said = narrow ? c.measureText(most).width : 0; // above the colours, up to their end
+  const x = right ? beside + Math.max(said - bar, 0) : width - bar - 14;
+  const y = stage.coloursAt(x);
   const colours = c.createLinearGradient(x, 0, x + bar, 0);
   for (let k = 0; k <= 6; k++) colours.addColorStop(k / 6, css(k / 3 - 1, 1));
   c.fillStyle = colours;
   c.fillRect(x, y, bar, 6);
   c.fillStyle = COLORS.faint;
-  c.font = letters(11);
   const [low, high] = ENDS[what];
-  const most = `± ${figures(largest * factor)} ${prefix}${UNITS[what]}`;
   c.textAlign = 'right';
   c.fillText(narrow ? most : high, x + bar, y - 4);
   if (narrow) return; // a small picture has no room for more

@@ -16,7 +16,7 @@ import { drawSupports } from './supports.js';
 /** @import { Striker } from '../shell/striker.js' */
 /** @import { BeamField, Out, What } from './field.js' */
 
-const SMALL = letters(11);
+const SMALL = letters(13);
 const LEAST_FOR_DIAGRAMS = [180, 140]; // pixels of height, below which their words would lie on each other; if narrow
 const LEADS = { left: 0.3, edge: [48, 30], thick: [0.09, 0.16], striker: [0.24, 84] }; // shares, pixels: if it leads
 
@@ -288,7 +288,7 @@ export class BeamStage {
     const flew = y < (impactor.kind === 'rod' ? 0.5 : 1) * size;
     this.hit = { x, y, size, flew };
     if (flew) {
-      flown(c, impactor.kind, [x, y], this.scale);
+      flown(c, impactor.kind, [x, y], this.scale, this.narrow);
       return;
     }
     const fill = c.createLinearGradient(0, y - size, 0, y);
@@ -337,7 +337,7 @@ export class BeamStage {
   words(c, top) {
     const { frame, narrow } = this;
     c.fillStyle = COLORS.faint;
-    c.font = letters(12);
+    c.font = letters(13);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     const words = this.scaleWords;

@@ -9,13 +9,13 @@ import { COLORS } from './styles.js';
 /** @typedef {import('./scale.js').Range} Range */
 /** @typedef {import('./legend.js').Key} Key */
 
-export const FONT = letters(11);
-export const CHARACTER = 6 * scale; // pixels of a digit in it
+export const FONT = letters(13);
+export const CHARACTER = 7.1 * scale; // pixels of a digit in it
 
 export class Plot {
   /** @type {Range} */ x = [0, 1];
   /** @type {Range} */ y = [0, 1];
-  margin = { left: 46 * scale, right: 10, top: 6, bottom: 20 * scale };
+  margin = { left: 52 * scale, right: 10, top: 6, bottom: 20 * scale };
   width = 0;
   height = 0;
   ratio = 1;

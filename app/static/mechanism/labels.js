@@ -9,8 +9,8 @@ import { ARROW, arrow, awayOf } from '../beam/flown.js';
 /** @typedef {[left: number, top: number, right: number, bottom: number]} Box  in pixels */
 
 const PLACES = [0.5, 0.28, 0.72, 0.12, 0.88]; // along a link, the best first
-const FURTHER = [0, 12, 26]; // pixels from it, besides what the words need
-const HALF_LINE = 7; // pixels
+const FURTHER = [0, 12, 26, 44]; // pixels from it, besides what the words need
+const HALF_LINE = 9; // pixels
 const ROOM = 3; // pixels between words and what is drawn
 const PIN = 7; // pixels about a joint
 const GROUND = [16, 24]; // pixels beside and below one on the ground
@@ -134,7 +134,7 @@ export class Labels {
       });
       return beyond + under.length + boxes.filter((other) => overlap(box, other)).length;
     };
-    c.font = letters(11);
+    c.font = letters(13);
     c.textAlign = 'center';
     c.textBaseline = 'middle';
     c.lineWidth = 3;
@@ -184,7 +184,7 @@ export function gone(c, mechanism, [x, y]) {
   const far = Math.hypot(Math.max(-x, x - width, 0), Math.max(-y, y - height, 0)) / (scale * (flight || factor));
   if (!far) return; // just so
   const left = a < center[0];
-  c.font = letters(11);
+  c.font = letters(13);
   c.fillStyle = COLORS.faint;
   c.textBaseline = 'middle';
   c.textAlign = left ? 'left' : 'right';

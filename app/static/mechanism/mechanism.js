@@ -344,7 +344,7 @@ export class Mechanism {
    * @param {boolean} narrow  there is room for few words
    */
   words(c, x, y, narrow) {
-    c.font = letters(11);
+    c.font = letters(13);
     c.textAlign = 'left';
     c.textBaseline = 'bottom';
     c.fillStyle = COLORS.halfSpace;

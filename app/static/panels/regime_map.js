@@ -279,7 +279,7 @@ export class RegimeMap {
       c.fillRect(box.x - STRIP, box.y + (box.h * (79 - k)) / 80, STRIP - 8, box.h / 80 + 0.6);
     }
     c.fillStyle = '#5b6c7d';
-    c.font = letters(11);
+    c.font = letters(13);
     c.textAlign = 'center';
     c.textBaseline = 'top';
     c.fillText(text('map.rigid'), box.x - STRIP / 2 - 8, box.y + box.h + 5);

@@ -7,8 +7,8 @@ import { keep, kept } from './store.js';
 
 /** @import { Chart } from '../charts/chart.js' */
 
-const LEAST = 148 * scale; // pixels that an open chart needs, its head included
-const LEAST_NARROW = 190 * scale; // where its head takes more lines
+const LEAST = 156 * scale; // pixels that an open chart needs, its head included
+const LEAST_NARROW = 200 * scale; // where its head takes more lines
 const NARROW = 540; // pixels of width
 const HEAD = 30 * scale; // of a folded one
 

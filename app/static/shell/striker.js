@@ -173,7 +173,7 @@ export class Striker {
    * @param {CanvasTextAlign} align
    */
   #say(c, words, x, y, align = 'left') {
-    c.font = letters(12, 'bold ');
+    c.font = letters(13, 'bold ');
     c.textAlign = align;
     c.textBaseline = 'alphabetic';
     c.lineWidth = 3;

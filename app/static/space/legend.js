@@ -12,7 +12,7 @@ import { add, dot, size, times } from './vectors.js';
 /** @import { Box, Context, Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 
-const FONT = letters(12);
+const FONT = letters(13);
 /** @type {Point} */
 const PLACE = [12, 10]; // of the time
 const BUTTONS = [170, 34]; // pixels that they take at the upper right

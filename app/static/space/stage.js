@@ -25,7 +25,7 @@ const BOTH = ['target', 'impactor']; // the one that strikes is drawn last
 const INK = { impactor: '#33475b', target: '#2f6fa8' };
 const FILL = { impactor: [93, 108, 123], target: [120, 170, 212] };
 const CIRCLE = Array.from({ length: 49 }, (_, k) => [Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI)]);
-const FONT = letters(12);
+const FONT = letters(13);
 
 export class BodiesStage {
   /** @type {SpaceFrame} */ frame;

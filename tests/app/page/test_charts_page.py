@@ -40,7 +40,7 @@ class Hand:
 
     def at(self, across: float, down: float = 0.5) -> tuple[float, float]:
         box = self.area.bounding_box()
-        return box["x"] + 46 + across * (box["width"] - 56), box["y"] + 6 + down * (box["height"] - 26)
+        return box["x"] + 52 + across * (box["width"] - 62), box["y"] + 6 + down * (box["height"] - 26)
 
     def drag(self, start: float, end: float) -> None:
         self.mouse.move(*self.at(start))

@@ -181,7 +181,7 @@ def test_a_click_on_a_chart_sets_the_time_and_a_contact_can_be_looked_at_closely
     page = open_page()
     area = page.tab.locator(".chart-area").nth(1)
     box = area.bounding_box()
-    area.click(position={"x": 46 + (box["width"] - 56) * 0.25, "y": 40})
+    area.click(position={"x": 52 + (box["width"] - 62) * 0.25, "y": 40})
     assert page.evaluate("() => strikewave.page.player.t") == pytest.approx(0.25 * page.header("duration"), rel=0.02)
     page.turn_to("Numbers")
     page.tab.get_by_role("button", name="waves 2").click()
