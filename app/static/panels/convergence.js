@@ -1,6 +1,6 @@
 // The same impact at several resolutions: by modes, elements or steps, and by the restitution of balances.
 import { Figure } from '../charts/figure.js';
-import { SERIES } from '../charts/styles.js';
+import { signOf } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { family, named, said, text } from '../text/catalogue.js';
 import { Study, shown } from './trust.js';
@@ -100,7 +100,7 @@ class Convergence extends Study {
     const { counts: given, differences, kind, units, values } = found;
     const counts = kind === 'step' ? given.map((step) => MICRO * step) : given;
     const points = quantitiesOf(found).flatMap((name, k) => {
-      const { color, marker, size: scale } = SERIES[k % SERIES.length];
+      const { color, marker, size: scale } = signOf(k);
       return differences[name].flatMap((difference, i) => {
         const there = difference !== null && difference > LEAST && i < counts.length - 1;
         const value = shown(values[name][i], units[name]);
