@@ -1,7 +1,7 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
-import { times } from '../shell/times.js';
+import { times, unitOfTime } from '../shell/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { called, shortly } from '../text/words.js';
@@ -54,7 +54,7 @@ function turning({ speed, critical, stretch, strain, axial, bending, simplified 
  * @param {AxialFrame} frame
  */
 export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
-  const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
+  const [factor, unit] = unitOfTime(trip);
   const rigid = exact.sudden ? 'impulse' : 'contact';
   const bent = target.rotation ? 'turning' : rigid;
   const alone = exactBar ? 'pendulum' : bent;
