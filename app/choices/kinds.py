@@ -292,13 +292,17 @@ class OnMechanism(WithLaw):
         return [*(moving if able else []), *_bending_trials(chosen), *super().trials(scene, chosen, of_scene, notes)]
 
 
-_AXIAL = Axial()
-KINDS = {in_space: InSpace(), on_beam: OnBeam(), on_mechanism: OnMechanism()}  # by whether a scene is one
+KINDS = {  # by whether a scene is one; the first that holds
+    in_space: InSpace(),
+    on_beam: OnBeam(),
+    on_mechanism: OnMechanism(),
+    lambda _: True: Axial(),
+}
 
 
 def kind_of(scene: Scene) -> Kind:
     """Of a scene."""
-    return next((kind for holds, kind in KINDS.items() if holds(scene)), _AXIAL)
+    return next(kind for holds, kind in KINDS.items() if holds(scene))
 
 
 def moves_on(chosen: Values) -> bool:
