@@ -18,7 +18,7 @@ const WALK = 12; // steps in which a slider goes where a question sends it
 const STEP = 60; // ms between them
 const APART = 24; // pixels between two names of events, at least
 /** Sliders that lead, of those that act. */
-const LEADING = ['mass_ratio', 'law', 'restitution', 'modes', 'place', 'speed', 'friction', 'tilt', 'spin'];
+const LEADING = ['mass_ratio', 'law', 'restitution', 'modes', 'place', 'speed', 'friction', 'tilt'];
 const FOUR = 4;
 const WHATS = family('opening.what-if');
 
