@@ -44,7 +44,7 @@ function changesOf(frame) {
  * @param {string} search  of the address
  * @returns {Plan}
  */
-export function planOf(search) {
+function planOf(search) {
   if (!alone) return 'laboratory';
   const asked = new URLSearchParams(search).get('layout');
   const plan = PLANS.find((name) => name === asked);

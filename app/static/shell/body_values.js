@@ -17,7 +17,7 @@ const SI = family('body.unit');
 export const isCoordinate = (quantity) => quantity === 'x' || quantity === 'y';
 
 /** @param {string} key */
-export function partsOfKey(key) {
+function partsOfKey(key) {
   const [, part = '', quantity = ''] = PART.exec(key) ?? [];
   return { part, quantity };
 }
