@@ -8,18 +8,23 @@ modulus at 50 IRHD. Wood: Wood Handbook, Forest Products Laboratory FPL-GTR-190,
 12 % moisture, 13.5 GPa along the grain, 0.163 of that across it, radially.
 """
 
+from typing import Any
+
 from solvers import Scene, Waveguide
+from solvers.contact import Linear
 
 THICKNESS = 0.01  # h [m]
 MODULI = {"rubber": 2.2e6, "wood": 2.2e9}  # E [Pa]
 
 
-def cushions(scene: Scene) -> list[dict[str, float | str]]:
+def cushions(scene: Scene) -> list[dict[str, Any]]:
     """Every sheet that can lie on the struck face, as in `messages.schema`; none where that is no face of a rod."""
     if not isinstance(scene.target, Waveguide):
         return []
     per_modulus = scene.target.area / THICKNESS
-    return [
-        {"name": name, "modulus": modulus, "thickness": THICKNESS, "stiffness": modulus * per_modulus}
-        for name, modulus in MODULI.items()
-    ]
+    return [_cushion(name, modulus, modulus * per_modulus) for name, modulus in MODULI.items()]
+
+
+def _cushion(name: str, modulus: float, stiffness: float) -> dict[str, Any]:
+    settings = {"law": Linear.NAME, "linear_stiffness": float(f"{stiffness:.6g}")}
+    return {"name": name, "modulus": modulus, "thickness": THICKNESS, "stiffness": stiffness, "settings": settings}

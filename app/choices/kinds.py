@@ -18,7 +18,7 @@ from solvers.methods.multibody.method import Multibody
 
 from .beam import BEAM_CHOICES, on_beam, other_beam
 from .built_in import able_methods, base_of, keyed
-from .choices import LINKS, SOLVED_BY, Choices, within
+from .choices import LINKS, SOLVED_BY, Choices, accepts, within
 from .laws import contact_table, law_choices, law_values
 from .mechanism import mechanism_changes, mechanism_values, on_mechanism
 from .opened import Comparison, Trial
@@ -61,9 +61,9 @@ class Kind(ABC):
     def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
         """What can be tried, the most telling first, of which what acts is offered; `of_scene`: what its file names,
         `notes`: codes of what is noted on the solution."""
-        faster = within("speed", FASTER * chosen["speed"])
-        heavier = within("mass_ratio", chosen["mass_ratio"] / HEAVIER)
-        return [Trial("faster", "speed", faster), Trial("heavier", "mass_ratio", heavier), *of_scene]
+        faster, heavier = FASTER * chosen["speed"], chosen["mass_ratio"] / HEAVIER
+        found = Trial("faster", "speed", faster), Trial("heavier", "mass_ratio", heavier)
+        return [*(each for each in found if accepts(each.choice, each.value)), *of_scene]
 
     def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
         """What can be asked, likewise."""
@@ -221,8 +221,9 @@ class Axial(WithLaw):
         return scene.replace(changes) if changes else scene
 
     def trials(self, scene: Scene, chosen: Values, of_scene: Tries, notes: Collection[str]) -> list[Trial]:
-        laws = Trial("losing", "law", HuntCrossley.NAME), Trial("softer", "law", Hertz.NAME)
-        return [*super().trials(scene, chosen, of_scene, notes), *laws]
+        softer = [Trial("softer", "law", Hertz.NAME)] if scene.rigid_contact else []
+        losing = Trial("losing", "law", HuntCrossley.NAME)
+        return [*super().trials(scene, chosen, of_scene, notes), losing, *softer]
 
     def comparisons(self, scene: Scene, chosen: Values, own: Values) -> list[Comparison]:
         found = [Comparison.of("shapes", "shapes", *SHAPES), *super().comparisons(scene, chosen, own)]
@@ -291,13 +292,17 @@ class OnMechanism(WithLaw):
         return [*(moving if able else []), *_bending_trials(chosen), *super().trials(scene, chosen, of_scene, notes)]
 
 
-_AXIAL = Axial()
-KINDS = {in_space: InSpace(), on_beam: OnBeam(), on_mechanism: OnMechanism()}  # by whether a scene is one
+KINDS = {  # by whether a scene is one; the first that holds
+    in_space: InSpace(),
+    on_beam: OnBeam(),
+    on_mechanism: OnMechanism(),
+    lambda _: True: Axial(),
+}
 
 
 def kind_of(scene: Scene) -> Kind:
     """Of a scene."""
-    return next((kind for holds, kind in KINDS.items() if holds(scene)), _AXIAL)
+    return next(kind for holds, kind in KINDS.items() if holds(scene))
 
 
 def moves_on(chosen: Values) -> bool:

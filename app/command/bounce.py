@@ -39,15 +39,15 @@ def report(found: Bounces) -> str:
     rows = [_row(number, bounce) for number, bounce in enumerate(found.bounces, 1)]
     if len(rows) > SHOWN:
         rows[SHOWN - 1 : -1] = ["  " + text("bounce.more")]
-    end = {"ended": found.ended, "count": len(found.bounces), "cut": f"{found.cut:g}"}
+    end = {"ended": found.ended, "count": len(found.bounces), "cut": figure(found.cut, "g")}
     if found.rest_time is None or found.path is None:
         rest = text("bounce.restless")
     else:
-        rest = text("bounce.rest", time=f"{found.rest_time:.9g}", path=f"{found.path:.9g}")
+        rest = text("bounce.rest", time=figure(found.rest_time, ".9g"), path=figure(found.path, ".9g"))
     return "\n".join(
         [
             found.scene.title or text("printed.report.untitled"),
-            "  " + text("bounce.dropped", height=f"{found.height:g}", gravity=f"{found.gravity:g}"),
+            "  " + text("bounce.dropped", height=figure(found.height, "g"), gravity=figure(found.gravity, "g")),
             "",
             "".join(f"{head[name]:>{width}}" for name, width in WIDTHS.items()),
             *rows,

@@ -3,7 +3,6 @@
 import argparse
 import json
 import os
-import re
 import sys
 import threading
 import tomllib
@@ -15,23 +14,11 @@ import solvers
 from solvers import SceneError
 from solvers.jit.shortcuts import shorten
 
+from .parser import Parser, Refused
 from .serve import add_arguments as add_serve_arguments
 from .words import text
 
 QUIET_SECONDS = 3.0  # [s] until one line says what takes long
-
-
-class _Refused(Exception):
-    """A line for the user; the command ends with 2."""
-
-
-class _Parser(argparse.ArgumentParser):
-    def __init__(self, *arguments, **options):
-        super().__init__(*arguments, **options)
-        self._negative_number_matcher = re.compile(r"-\.?\d")  # -3e-4 is a value too, not an option, before 3.14
-
-    def error(self, message):
-        raise _Refused(text("run.see-help", message=message))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -43,7 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
             code = options.run(options)
         sys.stdout.flush()
         return code
-    except (_Refused, SceneError) as refusal:
+    except (Refused, SceneError) as refusal:
         line = " ".join(str(refusal).split())
         print(f"impact: {line}", file=sys.stderr)
         return 2
@@ -77,9 +64,9 @@ def _patience():
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="impact", description=text("help.impact"))
+    parser = Parser(prog="impact", description=text("help.impact"))
     parser.add_argument("--version", action="version", version=solvers.__version__, help=text("help.version"))
-    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=Parser)
 
     solve = commands.add_parser("solve", help=text("help.solve.about"))
     _scene_arguments(solve)

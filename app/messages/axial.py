@@ -40,15 +40,16 @@ from .encoding import (
 from .parts import common
 from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
-from .solutions import by_modes
+from .solutions import both, by_modes
 
 WAVE_NUMBERS = 4_800  # of the histories of all waves together
 MOTION_POINTS = 300  # of the motions of the impactor and of the struck face
 INSTANTS, PLACES = 110, 31  # of the fields of a method other than waves and modes
 
 
-def pack(request: Request, exact: Solution, other: Solution | None) -> bytes:
-    """The message for one scene on an axis."""
+def axial_frame(request: Request) -> bytes:
+    """The message for one scene on an axis, solved exactly and by the method shown beside it."""
+    exact, other = both(request)
     scene, trip = request.scene, request.scene.time_unit
     force_unit, stress_unit = _units(scene)
     arrays: dict[str, Any]

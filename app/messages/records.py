@@ -94,6 +94,7 @@ RECORDS: dict[str, Fields] = {
         "modulus": Field("number", "E [Pa]"),
         "thickness": Field("number", "h [m]"),
         "stiffness": Field("number", "k = E A / h [N/m]"),
+        "settings": Field("Chosen", "that put it there"),
     },
     "AxialFigures": FIGURES
     | {

@@ -2,24 +2,16 @@
 
 from typing import Any
 
-from solvers import RigidImpulse
-
 from ..choices.request import Request
-from .axial import pack
+from .axial import axial_frame
 from .beam import beam_frame
 from .mechanism.frame import mechanism_frame
-from .solutions import both
-from .space import bodies_frame
+from .space import space_frame
+
+FRAMES = {"axial": axial_frame, "beam": beam_frame, "mechanism": mechanism_frame, "bodies": space_frame}  # by kind
 
 
 def solve_frame(chosen: dict[str, Any]) -> bytes:
-    """Solve what is chosen, exactly and by the method shown beside it, and pack what the page draws."""
+    """Solve what is chosen, and pack what the page draws."""
     request = Request.of(chosen)
-    if request.kind == "bodies":
-        method = RigidImpulse(restitution=request.restitution, model=request.chosen["restitution_model"])
-        return bodies_frame(method.solve(request.scene), request)
-    if request.kind == "beam":
-        return beam_frame(request)
-    if request.kind == "mechanism":
-        return mechanism_frame(request)
-    return pack(request, *both(request))
+    return FRAMES[request.kind](request)

@@ -31,6 +31,12 @@ COURSE_POINTS = 400  # of sliding, at most
 ALIKE = 1e-6  # relative difference of the principal moments of what is drawn as a ball
 
 
+def space_frame(request: Request) -> bytes:
+    """The message for what is chosen."""
+    method = RigidImpulse(restitution=request.restitution, model=request.chosen["restitution_model"])
+    return bodies_frame(method.solve(request.scene), request)
+
+
 def bodies_frame(solution: Solution, request: Request | None = None) -> bytes:
     """The message for one impact between bodies in space."""
     scene = solution.scene

@@ -94,6 +94,7 @@ export interface Cushion {
   /** E [Pa] */ modulus: number;
   /** h [m] */ thickness: number;
   /** k = E A / h [N/m] */ stiffness: number;
+  /** that put it there */ settings: Chosen;
 }
 
 export interface AxialFigures extends Figures {

@@ -372,12 +372,19 @@ export class Page {
     return axis ? axis.view : [player.start, player.start + player.duration];
   }
   /**
-   * A stretch of time fills the views; without one all of it does.
+   * A stretch of time and some room about it fill the views; without one all of it does.
    * @param {number} [start]
    * @param {number} [end]
    */
   zoom(start, end) {
-    this.view.zoom(start, end);
+    const { axis, leastRoom = 0 } = this.view;
+    if (!axis) return;
+    if (start === undefined || end === undefined) {
+      axis.reset();
+      return;
+    }
+    axis.lookAt(start, end, leastRoom);
+    this.player.go(start);
   }
   zoomed() {
     this.opening.draw();

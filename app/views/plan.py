@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import param
 
-from solvers import METHODS, Modal, Plan, QuasiStatic, RegimeMap, Scene, Waves, plan, regime_map
+from solvers import METHODS, Modal, Plan, QuasiStatic, RegimeMap, RigidImpulse, Scene, Waves, plan, regime_map
 from solvers.regimes.models import QUESTIONS as QUANTITIES
 from solvers.regimes.models import family_of
 from solvers.regimes.plan import law_of
@@ -61,6 +61,10 @@ def _plan(found: Plan, scene: Scene) -> dict[str, Any]:
         "picked": found.candidates.index(found.chosen),
         "why": found.why.table(),
         "measured": found.measured,
+        "light": any(
+            candidate.changes["method"]["name"] == RigidImpulse.NAME and candidate.expected_error <= found.tolerance
+            for candidate in found.candidates
+        ),
         "modes": found.modes,
     }
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
+from ..choices.kinds import KINDS as EVERY
 from ..choices.opened import opening_of
 from ..choices.questions import Question
 from . import bounces, convergence, joints, mode_change, plan, stability, stretch, tolerance, tradeoff
@@ -15,8 +16,8 @@ from .modes import modes_data, modes_figure, of_modes
 from .record import record_figure
 from .trust import trust_data, trust_figure
 
+KINDS = frozenset(kind.NAME for kind in EVERY.values())
 OF_THE_METHOD = ("method", "modes", "elements", "motion_seconds", "motion_links")
-KINDS = frozenset(("axial", "beam", "mechanism", "bodies"))  # of scene, see app.choices.kinds
 
 
 def opened_with(scene: str, before: str = "") -> dict[str, Any]:

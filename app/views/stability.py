@@ -74,6 +74,7 @@ def _shown(found: Stability) -> dict[str, Any]:
         "step": _listed(step.values),
         "across": {"name": across.name, "values": _listed(across.values), "log": across.log},
         "here": _listed(np.array(found.here)),
+        "rigid": found.scene.rigid_contact,
         "kinds": KINDS,
         "notes": [note.table() for note in found.notes],
         "maps": [_one(each) for each in found.maps.values()],

@@ -7,7 +7,7 @@ from typing import Any
 
 import param
 
-from solvers import Scene, TradeOff, Waves, stored_tradeoff, tradeoff
+from solvers import METHODS, Scene, TradeOff, Waves, stored_tradeoff, tradeoff
 from solvers.accuracy.calibration import calibrate, known
 from solvers.accuracy.refinement import ladders
 from solvers.provenance import machine
@@ -81,7 +81,9 @@ def _shown(found: TradeOff) -> dict[str, Any]:
     reference = table["reference"] or {"note": None, "uncertainty": {}}
     return {
         "points": [
-            {key: row[key] for key in SHOWN} | {"exact": row["method"]["name"] == Waves.NAME} for row in table["points"]
+            {key: row[key] for key in SHOWN}
+            | {"exact": row["method"]["name"] == Waves.NAME, "rank": list(METHODS).index(row["method"]["name"])}
+            for row in table["points"]
         ],
         "reference": {"note": reference["note"], "uncertainty": reference["uncertainty"]},
         "remarks": table["remark_codes"],

@@ -2,10 +2,9 @@
 
 import math
 import textwrap
-from collections.abc import Sequence
 from typing import Any
 
-from .words import family, named, shown, text
+from .words import family, named, shown, text, vector
 
 LEAST_REPORTED = 1e-3  # [s] of compiling kernels, or of loading compiled ones
 
@@ -19,8 +18,8 @@ def report(solution: Any) -> str:
     lines = [
         title_of(solution),
         *_told(scene),
-        line("solve.mass-ratio", f"{scene.mass_ratio:.6g}"),
-        f"  {_unit_name(scene):32}{trip * 1e6:.6g} us",
+        line("solve.mass-ratio", shown(scene.mass_ratio, ".6g")),
+        f"  {_unit_name(scene):32}{shown(trip * 1e6, '.6g')} us",
         line("solve.method", method_line(solution)),
         "",
         f"  {head['contact']:<7}{head['start']:>14}{head['end']:>14}{head['impulse']:>17}{head['peak-force']:>18}",
@@ -36,16 +35,16 @@ def report(solution: Any) -> str:
         *_rotation(solution),
     ]
     if solution.peak_indentation is not None:
-        lines.append(f"  {text('solve.indentation'):21}{solution.peak_indentation * 1e6:.6g} um")
+        lines.append(f"  {text('solve.indentation'):21}{shown(solution.peak_indentation * 1e6, '.6g')} um")
     lines += ["", "  " + text("solve.restitution")]
     for key, value in solution.restitution.items():
-        shown = text("report.not-defined") if value is None else f"{value:.6f}"
-        lines.append(f"    {named('restitution', key):30}{shown}")
+        known = text("report.not-defined") if value is None else shown(value, ".6f")
+        lines.append(f"    {named('restitution', key):30}{known}")
     lines += ["", "  " + text("solve.energy")]
     initial = solution.energy["initial"]
     for key, value in solution.energy.items():
         if key != "initial":
-            lines.append(f"    {named('energy', key):30}{100 * value / initial:10.5f}")
+            lines.append(f"    {named('energy', key):30}{shown(100 * value / initial, '10.5f')}")
     residuals = [_residual(name, found[f"{name}_error"]) for name in ("energy", "momentum")]
     residuals.append(f"{text('solve.error')} {_estimate(found['estimated_error'])}")
     lines += [
@@ -60,7 +59,7 @@ def report(solution: Any) -> str:
 def brief(solution: Any) -> str:
     """One line, whatever there is to say."""
     moves, notes = solution.impactor_velocity, len(solution.notes)
-    velocity = "-" if moves is None else (_vector(moves) if isinstance(moves, tuple) else f"{moves:+.6g}") + " m/s"
+    velocity = "-" if moves is None else (vector(moves) if isinstance(moves, tuple) else shown(moves, "+.6g")) + " m/s"
     title = textwrap.shorten(title_of(solution), 60, placeholder=" ...")
     found = {"method": solution.method["name"], "velocity": velocity, "contacts": len(solution.contacts)}
     return text("solve.brief", title=title, peak=solution.peak_force, notes=notes, **found)
@@ -76,7 +75,7 @@ def _contact_time(solution: Any) -> str:
 
 def _leaving(solution: Any) -> list[str]:
     """How fast both bodies go at the end."""
-    target = f"{solution.target_velocity:+.8g} m/s   ({text('solve.centre-of-mass')})"
+    target = f"{shown(solution.target_velocity, '+.8g')} m/s   ({text('solve.centre-of-mass')})"
     if solution.impactor_velocity is None:
         impactor = "  " + text("solve.prescribed")
     else:
@@ -88,10 +87,10 @@ def _leaving(solution: Any) -> list[str]:
         else:  # what it meets moves, too, and may be what makes it fast
             share = text("solve.came-at", velocity=before)
         share = text("solve.centre-of-mass") if solution.scene.impactor.kind == "mechanism" else share
-        impactor = f"  {text('solve.impactor-leaves'):21}{solution.impactor_velocity:+.8g} m/s"
+        impactor = f"  {text('solve.impactor-leaves'):21}{shown(solution.impactor_velocity, '+.8g')} m/s"
         impactor += f"   ({share})" if share else ""
     balls = [
-        f"    {text('solve.ball', number=number):19}{velocity:+.8g} m/s"
+        f"    {text('solve.ball', number=number):19}{shown(velocity, '+.8g')} m/s"
         for number, velocity in enumerate(solution.ball_velocities or [], 1)
     ]
     moves = f"  {text('solve.target-moves'):21}{target}"
@@ -102,10 +101,10 @@ def _jointed(solution: Any) -> list[str]:
     """How the links of a mechanism go on, and what its joints give."""
     lines = []
     for name, link in (solution.links or {}).items():
-        moves = text("solve.link-moves", velocity=_vector(link["final_velocity"]), spin=link["final_spin"])
+        moves = text("solve.link-moves", velocity=vector(link["final_velocity"]), spin=link["final_spin"])
         lines.append(f"  {text('solve.link', name=name):21}{moves}")
     for number, joint in enumerate(solution.reactions or []):
-        gives = text("solve.joint-gives", impulse=_vector(joint["impulse"]), moment=joint["moment_impulse"])
+        gives = text("solve.joint-gives", impulse=vector(joint["impulse"]), moment=joint["moment_impulse"])
         lines.append(f"  {text('solve.joint', number=number):21}{gives}")
     return lines + _changed(solution)
 
@@ -123,7 +122,8 @@ def _changed(solution: Any) -> list[str]:
             continue
         lines += ["", "  " + title]
         for name, values in change.items():
-            lines.append(f"    {named('projection', name):26}" + "".join(f"{value:14.7g}" for value in values[way]))
+            parts = (shown(value, "14.7g") for value in values[way])
+            lines.append(f"    {named('projection', name):26}" + "".join(parts))
     return lines
 
 
@@ -134,8 +134,8 @@ def _rotation(solution: Any) -> list[str]:
         return []
     lines = [
         f"  {text('solve.frequencies'):21}{_listed(found['frequencies'])} rad/s",
-        f"  {text('solve.critical-speed'):21}{found['critical_speed']:.8g} rad/s",
-        f"  {text('solve.steady-stretch'):21}{found['steady_stretch'] * 1e6:.6g} um",
+        f"  {text('solve.critical-speed'):21}{shown(found['critical_speed'], '.8g')} rad/s",
+        f"  {text('solve.steady-stretch'):21}{shown(found['steady_stretch'] * 1e6, '.6g')} um",
     ]
     if "simplified" in found:
         lines.append(f"  {text('solve.bending'):21}{_listed(found['bending']['frequencies'])} rad/s")
@@ -145,7 +145,7 @@ def _rotation(solution: Any) -> list[str]:
 
 def _listed(frequencies: list[float | None]) -> str:
     """The lowest three."""
-    return ", ".join(text("solve.unstable") if each is None else f"{each:.8g}" for each in frequencies[:3])
+    return ", ".join(text("solve.unstable") if each is None else shown(each, ".8g") for each in frequencies[:3])
 
 
 def _swinging(solution: Any) -> list[str]:
@@ -154,8 +154,8 @@ def _swinging(solution: Any) -> list[str]:
     for swing in solution.swings.values():
         felt = text("solve.felt", mass=swing.felt_mass)
         lines += [
-            f"  {text('solve.pendulum-turns'):21}{swing.spin:+.8g} rad/s   ({felt})",
-            f"  {text('solve.pivot-gives'):21}{swing.pivot_impulse:+.8g} N s",
+            f"  {text('solve.pendulum-turns'):21}{shown(swing.spin, '+.8g')} rad/s   ({felt})",
+            f"  {text('solve.pivot-gives'):21}{shown(swing.pivot_impulse, '+.8g')} N s",
         ]
     return lines
 
@@ -165,7 +165,7 @@ def line(code: str, value: str) -> str:
 
 
 def _residual(name: str, value: float) -> str:
-    return f"{text(f'residual.{name}')} {value:+.1e}"
+    return f"{text(f'residual.{name}')} {shown(value, '+.1e')}"
 
 
 def _note(note: Any) -> str:
@@ -196,9 +196,9 @@ def _bodies_report(solution: Any) -> str:
         title_of(solution),
         *_told(scene),
         line("solve.method", method_line(solution)),
-        line("bodies.normal", _vector(scene.normal)),
-        line("bodies.approach", f"{scene.speed:+.8g} m/s"),
-        line("bodies.effective-mass", f"{solution.effective_mass:.8g} kg"),
+        line("bodies.normal", vector(scene.normal)),
+        line("bodies.approach", f"{shown(scene.speed, '+.8g')} m/s"),
+        line("bodies.effective-mass", f"{shown(solution.effective_mass, '.8g')} kg"),
         line("solve.in-contact", _contact_time(solution)),
         *_pushes(solution),
     ]
@@ -209,12 +209,12 @@ def _bodies_report(solution: Any) -> str:
         if body.kind == "body":
             whens = [text("bodies.when", body=name, when=when) for when in ("before", "after")]
             for when, *moves in zip(whens, (body.velocity, velocity), (body.spin, spin), strict=True):
-                shown = dict(zip(("velocity", "spin"), map(_vector, moves), strict=True))
-                lines.append(f"  {when:{max(map(len, whens)) + 3}}{text('bodies.moves', **shown)}")
+                said = text("bodies.moves", **dict(zip(("velocity", "spin"), map(vector, moves), strict=True)))
+                lines.append(f"  {when:{max(map(len, whens)) + 3}}{said}")
         else:
             lines.append("  " + text("bodies.stop", body=name))
     lines += ["", "  " + text("bodies.energy")]
-    lines += [f"    {named('energy', key):30}{value:14.8g}" for key, value in energy.items()]
+    lines += [f"    {named('energy', key):30}{shown(value, '14.8g')}" for key, value in energy.items()]
     lines += _models(solution)
     residuals = [_residual(name, found[f"{name}_error"]) for name in ("energy", "momentum", "angular_momentum")]
     lines += ["", "  " + "   ".join(residuals), *(_note(note) for note in solution.notes)]
@@ -224,10 +224,10 @@ def _bodies_report(solution: Any) -> str:
 def _pushes(solution: Any) -> list[str]:
     """The impulse; with friction as a vector, and how the bodies slide."""
     if solution.sliding is None:
-        return [line("bodies.impulse", f"{solution.impulse:.8g} N s")]
+        return [line("bodies.impulse", f"{shown(solution.impulse, '.8g')} N s")]
     lines = [
-        line("bodies.friction", f"{solution.scene.friction:.6g}"),
-        line("bodies.impulse-on-target", f"{_vector(solution.impulse)} N s"),
+        line("bodies.friction", shown(solution.scene.friction, ".6g")),
+        line("bodies.impulse-on-target", f"{vector(solution.impulse)} N s"),
     ]
     for number, each in enumerate(solution.sliding):
         code = "bodies.sliding" if number == 0 else "bodies.then"
@@ -242,12 +242,8 @@ def _models(solution: Any) -> list[str]:
     lines = ["", "  " + text("bodies.models")]
     for name, found in solution.models.items():
         values = {"parting": found["restitution"]["newton_at_contact"], **found["energy"]}
-        lines.append(f"    {name:10}{_vector(found['impulse']):34}{text('bodies.model', **values)}")
+        lines.append(f"    {name:10}{vector(found['impulse']):34}{text('bodies.model', **values)}")
     return lines
-
-
-def _vector(values: Sequence[float]) -> str:
-    return "(" + ", ".join(f"{value + 0.0:.6g}" for value in values) + ")"
 
 
 def title_of(solution: Any) -> str:
@@ -282,5 +278,5 @@ def _estimate(error: float | None) -> str:
 
 def method_line(solution: Any) -> str:
     options = {key: value for key, value in solution.method.items() if key != "name" and value is not None}
-    shown = {key: f"{value:g}" if type(value) in (int, float) else value for key, value in options.items()}
-    return solution.method["name"] + "".join(f", {key} {value}" for key, value in shown.items())
+    said = {key: shown(value, "g") if type(value) in (int, float) else value for key, value in options.items()}
+    return solution.method["name"] + "".join(f", {key} {value}" for key, value in said.items())

@@ -6,7 +6,7 @@ from typing import Any
 
 from ..text.catalogue import library, spoken
 from .report import line, method_line, title_of
-from .words import family, named, shown, text
+from .words import family, named, shown, text, vector
 
 COLUMNS = {  # and how wide they are
     "contacts": 8,
@@ -31,7 +31,7 @@ def sweep(key: str, rows: list[dict[str, Any]]) -> str:
 def _line(row: dict[str, Any], width: int) -> str:
     velocity = row["impactor"]["final_velocity"]
     if isinstance(velocity, list):  # of a body in space
-        velocity = "(" + ", ".join(f"{part + 0.0:.4g}" for part in velocity) + ")"
+        velocity = vector(velocity, ".4g")
     peak = None if row["peak_force"] is None else row["peak_force"] / 1e3
     cells = [
         (row["contacts"], "d"), (row["impulse"], ".6g"), (peak, ".6g"), (1e6 * row["contact_time"], ".6g"),
@@ -93,10 +93,10 @@ def comparison(found: Any) -> str:
     head, units = family("compare.head"), family("compare.unit")
     lines = [
         title_of(exact),
-        line("solve.mass-ratio", f"{scene.mass_ratio:.6g}"),
+        line("solve.mass-ratio", shown(scene.mass_ratio, ".6g")),
         line("compare.reference", method_line(exact)),
         line("compare.contacts", textwrap.shorten(periods, 200, placeholder=" ...")),
-        f"  {text('compare.moving', moving=moving):32}{found.rebound:+.8g} m/s{_uncertainty(exact)}",
+        f"  {text('compare.moving', moving=moving):32}{shown(found.rebound, '+.8g')} m/s{_uncertainty(exact)}",
         "",
         f"  {head['method']:38}{head['rebound']:>10}{head['first']:>13}{head['true']:>7}{head['listed']:>8}"
         f"{head['raw']:>6}{head['force']:>10}{head['resolved']:>10}{head['time']:>9}",

@@ -1,5 +1,6 @@
 """What is printed of results, by the codes below `printed` in `solvers/text/*/`."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from ..text.catalogue import library, spoken
@@ -26,3 +27,9 @@ def shown(value: Any, form: str) -> str:
     if value is None:
         return "-"
     return value if isinstance(value, str) else written(value, form, spoken())
+
+
+def vector(values: Sequence[float], form: str = ".6g") -> str:
+    """Numbers in brackets; where a comma stands in each, semicolons are between them."""
+    parts = [shown(float(value) + 0.0, form) for value in values]
+    return f"({('; ' if any(',' in part for part in parts) else ', ').join(parts)})"

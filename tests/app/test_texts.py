@@ -11,6 +11,7 @@ import pytest
 import app
 from app.choices.choices import Choices
 from app.text.catalogues import LANGUAGES, command, page, script
+from solvers import LAWS, METHODS
 from solvers.text.catalogue import SOURCE, library
 from solvers.text.messages import engineering, terms_in
 
@@ -56,6 +57,13 @@ def test_what_the_browser_asks_for_is_there():
 
 def test_what_is_there_is_asked_for():
     assert {code for code in OWN if code not in ASKED and not made(code)} == set()
+
+
+def test_the_browser_decides_by_no_name_of_a_law_or_a_method():
+    """What is so of one is said by the message: a law or a method that is added changes no line of the browser's."""
+    names = "|".join([*LAWS, *METHODS])
+    decided = rf"[!=]== '(?:{names})'|'(?:{names})' [!=]==|^ *'(?:{names})': .*"
+    assert re.findall(decided, SOURCES, re.M) == []
 
 
 def test_every_term_has_a_name_on_the_page():

@@ -20,6 +20,7 @@ const rod = (changed = {}, peakForce = 1e4) => {
     final: -0.7,
     restitution: { newton: 0.7 },
     energy: { initial: 2, target_vibration: 1 },
+    travelling: true,
   };
   const chosen = { scene: 'fixed-rod', mass_ratio: 1, speed: 1, law: 'rigid', modes: 50, restitution: 0.8, ...changed };
   const acting = ['scene', 'method', 'mass_ratio', 'speed', 'law', 'modes', 'restitution'];

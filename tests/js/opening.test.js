@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { WaveField } from '../../app/static/axial/fields.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
-import { pushesOf } from '../../app/static/opening/question.js';
+import { pushesOf } from '../../app/static/axial/story.js';
 import { weave } from '../../app/static/opening/rows.js';
 
 const ROD = { from: 0, to: 2, transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 1 };

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { eventsOf } from '../../app/static/axial/events.js';
-import { unitsOf } from '../../app/static/axial/story.js';
+import { seenIn, unitsOf } from '../../app/static/axial/story.js';
 import { mechanismEvents } from '../../app/static/mechanism/resting_story.js';
-import { seenIn } from '../../app/static/shell/first.js';
+import { seenIn as linksSeenIn } from '../../app/static/mechanism/story.js';
 
 /**
  * As much of the message of a struck mechanism as is told.
@@ -33,13 +33,13 @@ test('an impulse in no time is one event, which says how large it is', () => {
 });
 
 test('what is seen promises no bending of links that do not bend', () => {
-  assert.doesNotMatch(seenIn(mechanism()), /bending|bends, the/);
+  assert.doesNotMatch(linksSeenIn(mechanism()), /bending|bends, the/);
   const moving = mechanism({ main: { name: 'multibody' }, moving: { rigid: null } });
-  assert.doesNotMatch(seenIn(moving), /bend/);
+  assert.doesNotMatch(linksSeenIn(moving), /bend/);
   const flexible = { struck: 0, links: [{ name: 'bar', flexible: true }] };
-  assert.match(seenIn({ ...moving, mechanism: flexible }), /how the struck link bends/);
-  assert.doesNotMatch(seenIn({ ...moving, mechanism: flexible, moving: { rigid: { code: '' } } }), /bend/);
-  assert.match(seenIn(mechanism({ main: { name: 'modal' }, mechanism: flexible })), /bending of that link/);
+  assert.match(linksSeenIn({ ...moving, mechanism: flexible }), /how the struck link bends/);
+  assert.doesNotMatch(linksSeenIn({ ...moving, mechanism: flexible, moving: { rigid: { code: '' } } }), /bend/);
+  assert.match(linksSeenIn(mechanism({ main: { name: 'modal' }, mechanism: flexible })), /bending of that link/);
 });
 
 /**

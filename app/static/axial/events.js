@@ -8,7 +8,7 @@ import { drawnRigid, toldOf } from './drawn.js';
 
 const JUMPS = 6; // of the force in one contact that are listed; later ones are small
 const GAPS = 4; // times that they close, that are listed
-const SLOW = 4; // T that a contact lasts at least for its rod to follow as a whole
+export const SLOW = 4; // T that a contact lasts at least for its rod to follow as a whole
 const STANDS = 5e-4; // of the impact speed; what is slower stands
 const NAMED = family('axial.named');
 

@@ -357,7 +357,7 @@ export class Stage {
     const place = outward ? 2 * trip : 2 - 2 * trip;
     const i = Math.round(place * (SLICES - 1));
     const x = left + place * length + this.moved[i] * this.scale;
-    const name = text('axial.stage.wave', { rigid: this.frame.chosen.law === 'rigid' });
+    const name = text('axial.stage.wave', { rigid: this.frame.rigid });
     runs(c, [x, top - 9], outward ? 1 : -1, name, sizeOf(this.root)[0]);
   }
   /**

@@ -1,12 +1,12 @@
 // What happened, in words and figures: events, contact table, answers of both methods beside the classical one.
 import { headOf, make, rowOf } from '../shell/dom.js';
 import { contactHead, Warnings, Events, heading, lookCloser, noteOf, scrolled, showEnergy } from '../shell/story.js';
-import { times } from '../shell/times.js';
+import { times, unitOfTime } from '../shell/times.js';
 import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
-import { shortly } from '../text/words.js';
+import { called, shortly } from '../text/words.js';
 import { toldOf } from './drawn.js';
-import { eventsOf } from './events.js';
+import { eventsOf, SLOW } from './events.js';
 
 /** @import { AxialFigures, AxialFrame, Rotation } from '../messages.js' */
 
@@ -54,7 +54,7 @@ function turning({ speed, critical, stretch, strain, axial, bending, simplified 
  * @param {AxialFrame} frame
  */
 export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
-  const [factor, unit] = trip < 1e-3 ? [1e6, 'µs'] : [1e3, 'ms'];
+  const [factor, unit] = unitOfTime(trip);
   const rigid = exact.sudden ? 'impulse' : 'contact';
   const bent = target.rotation ? 'turning' : rigid;
   const alone = exactBar ? 'pendulum' : bent;
@@ -67,7 +67,44 @@ export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
   return own === undefined ? units : `${text('axial.pendulum', { own, felt })} ${units}`;
 }
 
+/**
+ * What it shows.
+ * @param {AxialFrame} frame
+ */
+export function seenIn({ exact, impactor, rods, target }) {
+  const shown = rods.length ? 'waves' : exact.sudden ? 'impulse' : 'force';
+  if (impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
+  if (rods.length) return text(rods.length > 1 ? 'first.seen.rods' : 'first.seen.rod');
+  return target.rotation ? text('first.seen.turning') : text('first.seen.compact', { shown });
+}
+
+/**
+ * How often a rod that is fixed pushes its striker: at first touch, and whenever the front is back or they meet again.
+ * @param {AxialFrame} frame
+ */
+export const pushesOf = ({ exact: { contacts }, rigid }) =>
+  contacts.reduce((sum, [from, to]) => sum + (rigid && from === 0 ? Math.max(Math.ceil(to - 1e-9), 1) : 1), 0);
+
+/**
+ * The one question that it asks.
+ * @param {AxialFrame} frame
+ */
+function questionOf(frame) {
+  const { exact, impactor, rigid, rods, target } = frame;
+  if (impactor.kind === 'pendulum') return text('opening.question.pendulum');
+  if (target.row) return text('opening.question.row');
+  if (frame.turningBar) return text('opening.question.turning');
+  if (!rods.length) return text('opening.question.compact', { sudden: exact.sudden });
+  if (impactor.kind === 'pulse' || rods.length > 1) return text('opening.question.rods');
+  if (rods[0].mirror <= 0) return text('opening.question.free');
+  const slow = !rigid && exact.contacts.length === 1 && exact.contacts[0][1] >= SLOW;
+  return text('opening.question.fixed', { pushes: pushesOf(frame), slow });
+}
+
 export class Story {
+  seen = seenIn;
+  question = questionOf;
+
   /** @type {AxialFrame} */ frame;
 
   /**
@@ -153,7 +190,7 @@ export class Story {
     }
     row('solved', (s) => pretty(s.diagnostics.wall_time * 1e3));
     const column = (/** @type {AxialFigures} */ s) =>
-      s.name === 'modal' && modalForce ? text('method.modal.modes', { modes: Number(chosen.modes) }) : shortly(s);
+      s === other && modalForce ? called({ ...s, modes: Number(chosen.modes) }) : shortly(s);
     const meaning = family('axial.meaning');
     const lines = rows.map(([name, ...cells]) =>
       rowOf([text(`axial.row.${name}`), ...cells], { title: meaning[name] ?? '' }),
@@ -166,7 +203,7 @@ export class Story {
     const { chosen, exact, prediction, match, target } = this.frame;
     if (target.row) return [text('axial.match.row')];
     if (!prediction) return [text('axial.match.nothing-strikes')];
-    if (exact.name === 'rigid') return [text('axial.match.no-waves', { restitution: Number(chosen.restitution) })];
+    if (exact.sudden) return [text('axial.match.no-waves', { restitution: Number(chosen.restitution) })];
     const says = text('axial.match.says', {
       restitution: Number(chosen.restitution),
       predicted: signed(prediction.impactor),

@@ -19,13 +19,12 @@ import { Story } from './story.js';
 /** @import { AxialFrame } from '../messages.js' */
 /** @import { Field, What } from './fields.js' */
 
-const LEAST_ROOM = 1e-4; // of the whole impact, about what is looked at closely
-
 export class AxialView {
   /** @type {What} */ what = 'stress'; // that the colours show
   usual = 'stress';
   whats = ['stress', 'velocity'];
   after = 2e-4;
+  leastRoom = 1e-4;
   /** @type {AxialFrame} */ frame;
   /** @type {Field} */ exactField;
   /** @type {Field | null} */ #otherField = null; // made when it is first asked for
@@ -195,19 +194,6 @@ export class AxialView {
     if (this.frame) this.#gaugeStress();
     if (this.frame?.rods.length) this.spaceTime.look();
     for (const { chart } of this.charts) if (!chart.root.hidden) chart.redraw();
-  }
-  /**
-   * A stretch and some room about it fill the views; all of the impact without one.
-   * @param {number} [start]
-   * @param {number} [end]
-   */
-  zoom(start, end) {
-    if (start === undefined || end === undefined) {
-      this.axis.reset();
-      return;
-    }
-    this.axis.lookAt(start, end, LEAST_ROOM);
-    this.page.player.go(start);
   }
   /** Histories as a table to save. */
   rows(points = 2000) {

@@ -140,7 +140,7 @@ export class BeamField {
 }
 
 /** The modal field: the browser carries the same oscillators through the same forces as the server did. */
-export class ModalBeamField extends BeamField {
+class ModalBeamField extends BeamField {
   at = 0; // number of the step that is reached
   saved = 0; // rows of displacements, rates and the two of the whole, one every `stride` steps
 
@@ -343,7 +343,7 @@ export class ModalBeamField extends BeamField {
 }
 
 /** Fields sampled by the server, for methods whose fields cannot be rebuilt here; closer together at first. */
-export class SampledBeamField extends BeamField {
+class SampledBeamField extends BeamField {
   /**
    * @param {BendingFrame} frame
    * @param {string} room

@@ -46,6 +46,14 @@ export class BeamStory {
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
     this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside, this.source);
   }
+  /** @param {Shown} _frame */
+  seen(_frame) {
+    return text('first.seen.beam');
+  }
+  /** @param {Shown} frame */
+  question({ contacts }) {
+    return text('opening.question.beam', { contacts: contacts.length });
+  }
   /** @param {Shown} frame */
   load(frame) {
     this.frame = frame;

@@ -39,7 +39,6 @@ import { BeamStory } from './story.js';
 const SLOW_SECONDS = 16;
 const SLOW_CONTACTS = 4;
 const OF_BENDING = ['moment', 'shear'];
-const LEAST_ROOM = 1e-5; // of the whole impact, about what is looked at closely
 
 /** @template {BendingFrame} [Shown=BendingFrame] */
 export class BeamView {
@@ -47,6 +46,7 @@ export class BeamView {
   usual = 'moment';
   whats = FIELDS;
   after = 1e-9;
+  leastRoom = 1e-5;
   linkUnit = 1e-3; // s
   /** @type {Shown} */ frame;
   /** @type {BeamField} */ field;
@@ -214,19 +214,6 @@ export class BeamView {
   zoomed() {
     this.#offer();
     this.draw();
-  }
-  /**
-   * A stretch and some room about it fill the views; all of the impact without one.
-   * @param {number} [start]
-   * @param {number} [end]
-   */
-  zoom(start, end) {
-    if (start === undefined || end === undefined) {
-      this.axis.reset();
-      return;
-    }
-    this.axis.lookAt(start, end, LEAST_ROOM);
-    this.page.player.go(start);
   }
   // The first contacts, filling the views, and slowly.
   slowly() {

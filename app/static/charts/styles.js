@@ -17,29 +17,28 @@ export const COLORS = {
 };
 
 /**
- * What stands for each method, wherever methods are set side by side: the marker is one of Bokeh's, and as large as the
- * others by a factor.
+ * What stands for methods or quantities that are set side by side, by their rank among them: the marker is one of
+ * Bokeh's, and as large as the others by a factor.
  * @typedef {{ color: string, marker: string, size: number }} Sign
- * @type {Record<string, Sign>}
+ * @type {Sign[]}
  */
-export const METHODS = {
-  waves: { color: COLORS.waves, marker: 'circle', size: 1 },
-  modal: { color: COLORS.modal, marker: 'square', size: 0.9 },
-  'mode-switch': { color: '#a4243b', marker: 'diamond', size: 1.5 },
-  'fe-nodal': { color: '#2e7d4f', marker: 'triangle', size: 1.15 },
-  'fe-modal': { color: '#7c9a54', marker: 'inverted_triangle', size: 1.15 },
-  'quasi-static': { color: '#7a5ea8', marker: 'hex', size: 1.1 },
-  balance: { color: '#b08900', marker: 'star', size: 1.6 },
-  rigid: { color: '#6b7785', marker: 'plus', size: 1.1 },
-};
-/** What stands for quantities in one figure, in order. */
-export const SERIES = [
-  ...Object.values(METHODS),
+const SIGNS = [
+  { color: COLORS.waves, marker: 'circle', size: 1 },
+  { color: COLORS.modal, marker: 'square', size: 0.9 },
+  { color: '#a4243b', marker: 'diamond', size: 1.5 },
+  { color: '#2e7d4f', marker: 'triangle', size: 1.15 },
+  { color: '#7c9a54', marker: 'inverted_triangle', size: 1.15 },
+  { color: '#b08900', marker: 'star', size: 1.6 },
+  { color: '#7a5ea8', marker: 'hex', size: 1.1 },
+  { color: '#6b7785', marker: 'plus', size: 1.1 },
   { color: '#4f9bd8', marker: 'circle_x', size: 1 },
   { color: '#33475b', marker: 'square_x', size: 1 },
 ];
-/** @type {Sign} */
-export const OTHER = { color: '#333333', marker: 'circle', size: 1 };
+/**
+ * The sign of a rank; more than there are begin again.
+ * @param {number} rank
+ */
+export const signOf = (rank) => SIGNS[rank % SIGNS.length];
 
 /**
  * @typedef {object} Style

@@ -63,7 +63,7 @@ const listed = (misses, what, grazing = false) =>
  * @param {string} name
  */
 export function ofResolution(now, kept, name) {
-  const { contacts, final, name: reference, peakForce } = now.exact;
+  const { contacts, final, peakForce, travelling } = now.exact;
   const misses = [kept, now].flatMap(({ chosen, other }) =>
     other?.peakForce && peakForce
       ? [
@@ -81,7 +81,7 @@ export function ofResolution(now, kept, name) {
   misses.sort((a, b) => a.count - b.count);
   const jumps = now.rigid && now.rods.length > 0;
   const values = { contacts: contacts.length, velocity: signed(final ?? 0), force: engineering(peakForce, 'N') };
-  const exact = text('compare.verdict.exact', { ...values, waves: reference === 'waves' });
+  const exact = text('compare.verdict.exact', { ...values, waves: travelling });
   const grazing = [now, kept].some((frame) => warnsOfCount(frame));
   const why = jumps && name === 'modes' ? [text('compare.verdict.jumps', { grazing })] : [];
   const first = verdict(misses, contacts.length, name, jumps, grazing);

@@ -4,12 +4,11 @@ import { alone } from '../shell/home.js';
 import { make } from '../shell/dom.js';
 import { TITLES } from '../shell/layout.js';
 import { keep, kept } from '../shell/store.js';
-import { text } from '../text/catalogue.js';
-import { changesOf, leadingOf, questionOf } from './question.js';
+import { family, text } from '../text/catalogue.js';
 import { Section } from './section.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../messages.js' */
+/** @import { Frame, Try } from '../messages.js' */
 /** @import { Event } from '../shell/story.js' */
 
 const PLAN = 'plan'; // under which is kept which of them was seen last
@@ -18,15 +17,34 @@ const PLANS = ['opening', 'docks', 'laboratory'];
 const WALK = 12; // steps in which a slider goes where a question sends it
 const STEP = 60; // ms between them
 const APART = 24; // pixels between two names of events, at least
+/** Sliders that lead, of those that act. */
+const LEADING = ['mass_ratio', 'law', 'restitution', 'modes', 'place', 'speed', 'friction', 'tilt'];
+const FOUR = 4;
+const WHATS = family('opening.what-if');
 
 /** @typedef {'opening' | 'docks' | 'laboratory'} Plan  `docks`: the opening with the dock beside its picture */
+
+/** @param {Frame} frame */
+const leadingOf = ({ acting }) => LEADING.filter((name) => acting.includes(name)).slice(0, FOUR);
+
+/**
+ * The changes that answer the question best: those of what can be tried that a leading slider shows.
+ * @param {Frame} frame
+ */
+function changesOf(frame) {
+  const leading = leadingOf(frame);
+  const place = (/** @type {Try} */ [, name]) => leading.indexOf(name);
+  return frame.opens.trials
+    .filter((each) => each[0] in WHATS && place(each) >= 0)
+    .toSorted((one, other) => place(one) - place(other));
+}
 
 /**
  * Which of them a visitor sees first: links of before there was an opening lead to the laboratory.
  * @param {string} search  of the address
  * @returns {Plan}
  */
-export function planOf(search) {
+function planOf(search) {
   if (!alone) return 'laboratory';
   const asked = new URLSearchParams(search).get('layout');
   const plan = PLANS.find((name) => name === asked);
@@ -143,10 +161,10 @@ export class Opening {
     if (!this.leads) return;
     if (this.scene !== frame.chosen.scene) this.tried = 0;
     this.scene = String(frame.chosen.scene);
-    this.question.textContent = questionOf(frame);
+    this.question.textContent = this.page.view.story.question(frame);
     const changes = changesOf(frame);
     this.change.hidden = !changes.length;
-    if (changes.length) this.change.textContent = `${changes[this.tried % changes.length].words} →`;
+    if (changes.length) this.change.textContent = `${WHATS[changes[this.tried % changes.length][0]]} →`;
     this.page.controls.lead(leadingOf(frame));
     this.#offer(frame);
     this.#name();
@@ -215,14 +233,13 @@ export class Opening {
   #change() {
     const { page } = this;
     const changes = changesOf(page.frame);
-    const { name, value } = changes[this.tried % changes.length] ?? {};
+    const [, name, value] = changes[this.tried % changes.length] ?? [];
     if (name === undefined || value === undefined) return;
     this.tried += 1;
-    const { low, high, options, whole } = page.model.spec[name];
-    const from = Number(page.frame.chosen[name]);
-    const to = Math.min(Math.max(Number(value), low ?? 0), high ?? 0);
+    const { options, whole } = page.model.spec[name];
+    const [from, to] = [Number(page.frame.chosen[name]), Number(value)];
     if (options || whole || !(from > 0 && to > 0)) {
-      page.choose(name, options ? value : to);
+      page.choose(name, value);
       return;
     }
     const walk = (/** @type {number} */ step) => {

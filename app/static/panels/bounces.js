@@ -49,14 +49,11 @@ class Bounces extends Panel {
   constructor(page) {
     super(page, 'bounces', text('bounces.button'), text('bounces.title'), text('bounces.heading'), ['bounce_gravity']);
     const [metres, acceleration] = [text('bounces.metres'), text('bounces.acceleration')];
-    this.height = unitField(text('bounces.height'), { sign: 'm', many: metres, times: 1 }, ...HEIGHTS, (height) =>
+    this.height = unitField(text('bounces.height'), { sign: 'm', many: metres }, ...HEIGHTS, (height) =>
       this.#drop(height, page.model.bounce_gravity),
     );
-    this.gravity = unitField(
-      text('bounces.gravity'),
-      { sign: 'm/s²', many: acceleration, times: 1 },
-      ...GRAVITIES,
-      (gravity) => this.#pull(gravity),
+    this.gravity = unitField(text('bounces.gravity'), { sign: 'm/s²', many: acceleration }, ...GRAVITIES, (gravity) =>
+      this.#pull(gravity),
     );
     this.stopper = new Stopper(page.model, 'bounces_running', () => this.fill());
     const form = make('div', { className: 'record-form' }, this.height.root, this.gravity.root, this.stopper.root);

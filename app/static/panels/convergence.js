@@ -1,8 +1,9 @@
 // The same impact at several resolutions: by modes, elements or steps, and by the restitution of balances.
 import { Figure } from '../charts/figure.js';
-import { SERIES } from '../charts/styles.js';
+import { signOf } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { family, named, said, text } from '../text/catalogue.js';
+import { factorOf } from '../text/units.js';
 import { Study, shown } from './trust.js';
 
 /** @import { Page } from '../page.js' */
@@ -26,7 +27,6 @@ import { Study, shown } from './trust.js';
 /** @typedef {Words & Columns} Orders */
 const SCALED = ['s', 'm', 'N', 'Pa']; // units that values have prefixes of
 const KINDS = ['modes', 'elements', 'step', 'restitution'];
-const MICRO = 1e6; // of the steps in the figure
 const DIAMETER = 8; // pixels of a marker
 const LEAST = 1e-8; // share of a value that is more than none
 const SETTLING = new Set(['same-for-all', 'converges', 'vanishes', 'settled', 'contacts-settle']); // have a limit
@@ -98,9 +98,9 @@ class Convergence extends Study {
   drawn(found) {
     if (!found?.differences || !this.figure || !this.changed) return;
     const { counts: given, differences, kind, units, values } = found;
-    const counts = kind === 'step' ? given.map((step) => MICRO * step) : given;
+    const counts = kind === 'step' ? given.map((step) => step / factorOf('s', 'µs')) : given;
     const points = quantitiesOf(found).flatMap((name, k) => {
-      const { color, marker, size: scale } = SERIES[k % SERIES.length];
+      const { color, marker, size: scale } = signOf(k);
       return differences[name].flatMap((difference, i) => {
         const there = difference !== null && difference > LEAST && i < counts.length - 1;
         const value = shown(values[name][i], units[name]);

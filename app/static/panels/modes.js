@@ -1,6 +1,6 @@
 // The natural modes of what is struck: shapes, frequencies and masses, and which of them rings after the impact.
 import { Figure } from '../charts/figure.js';
-import { SERIES } from '../charts/styles.js';
+import { signOf } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { shownIn } from '../shell/times.js';
 import { family, said, text } from '../text/catalogue.js';
@@ -151,7 +151,7 @@ class ModeShapes extends Panel {
     this.figure?.fill(name, {
       x: drawn.map(() => x),
       y: drawn,
-      colour: drawn.map((_, k) => SERIES[k].color),
+      colour: drawn.map((_, k) => signOf(k).color),
       key: drawn.map((_, k) => text('modes.key', { number: number[k], frequency: hertz(frequency[k]) })),
       mode: drawn.map((_, k) => number[k]),
     });

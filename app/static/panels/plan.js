@@ -26,9 +26,9 @@ import { percentField } from './unit_field.js';
  * @property {Note} why
  * @property {{ contact_time?: number, mass_ratio?: number }} groups  what is known of them
  * @property {boolean} measured
+ * @property {boolean} light  whether rigid bodies are exact enough
  */
 
-const RIGID = 'rigid-impulse'; // among the models
 const QUESTIONS = family('name.question');
 
 /**
@@ -49,7 +49,7 @@ export function choose(page, choices) {
  */
 function aboutMap(map, measured) {
   const struck = named('family', map.family);
-  return text('map.about', { struck, hertz: map.law === 'hertz', measured, question: QUESTIONS[map.question] });
+  return text('map.about', { struck, law: map.law, measured, question: QUESTIONS[map.question] });
 }
 
 /**
@@ -57,13 +57,12 @@ function aboutMap(map, measured) {
  * @param {Frame} frame
  * @param {Plan} found
  */
-function ruleOf(frame, { candidates, chosen, groups }) {
+function ruleOf(frame, { groups, light }) {
   const beam = 'main' in frame;
   if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
   if (frame.kind === 'mechanism') return ''; // of which no such time is known
   const { contact_time: lasts } = groups;
   if (lasts === undefined) return '';
-  const light = candidates.some(({ error, model }) => model.name === RIGID && (error ?? 1) <= chosen.plan_tolerance);
   const rule = text('plan.rule', { beam, light, rigid: lasts === 0, time: pretty(lasts) });
   return `${text('plan.around', { beam })} ${rule}`;
 }

@@ -7,7 +7,7 @@ import { served } from '../shell/home.js';
 import { commaOf, numberInput } from '../shell/number_field.js';
 import { said, text } from '../text/catalogue.js';
 import { figures, localised, signed } from '../text/format.js';
-import { typed } from '../text/units.js';
+import { factorOf, typed } from '../text/units.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame, Frame } from '../messages.js' */
@@ -31,8 +31,8 @@ import { typed } from '../text/units.js';
 
 const LIMIT = 2e6; // bytes
 const EXAMPLE = { scene: 'bronze-rod-steel-ball', at: '1.0', kind: 'strain' };
-/** @type {Record<Kind, [factor: number, unit: string]>} */
-const UNITS = { strain: [1e6, 'µm/m'], stress: [1e-6, 'MPa'], force: [1e-3, 'kN'] };
+/** @type {Record<Kind, [si: string, sign: string]>} */
+const UNITS = { strain: ['m/m', 'µm/m'], stress: ['Pa', 'MPa'], force: ['N', 'kN'] };
 const KINDS = ['file', 'strain', 'stress', 'force']; // of values, the first of them as the file says
 const STEPS = 1000; // of the sliders
 const ROWS = 21; // of the table
@@ -320,10 +320,11 @@ class Measurement {
   /** @param {Compared} answer */
   #plot(answer) {
     const { later, larger } = this;
-    const [factor, unit] = UNITS[answer.kind];
+    const [si, unit] = UNITS[answer.kind];
+    const factor = factorOf(si, unit);
     const { time, model } = answer.computed;
-    const values = answer.values.map((value) => value * larger * factor);
-    const computed = model.map((value) => value * factor);
+    const values = answer.values.map((value) => (value * larger) / factor);
+    const computed = model.map((value) => value / factor);
     const { kind } = answer;
     this.figure.fill('computed', { time, value: computed });
     this.figure.fill('measured', { time: answer.time.map((t) => t + later), value: values });
@@ -337,7 +338,8 @@ class Measurement {
   #numbers() {
     const { answer, later, larger } = this;
     if (!answer) return [[]];
-    const [factor, unit] = UNITS[answer.kind];
+    const [si, unit] = UNITS[answer.kind];
+    const factor = factorOf(si, unit);
     const last = answer.time.length - 1;
     const rows = Array.from({ length: ROWS }, (_, k) => Math.round((k / (ROWS - 1)) * last));
     return [
@@ -345,7 +347,7 @@ class Measurement {
       ...rows.map((i) => {
         const t = answer.time[i] + later;
         const values = [answer.values[i] * larger, this.model(answer, t)];
-        return [signed(t), ...values.map((value) => (Number.isFinite(value) ? figures(factor * value, 4) : '–'))];
+        return [signed(t), ...values.map((value) => (Number.isFinite(value) ? figures(value / factor, 4) : '–'))];
       }),
     ];
   }

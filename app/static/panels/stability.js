@@ -19,7 +19,7 @@ const SIGNS = { dot: '∙', triangle: '△', dash: '−', cross: '+', x: '×' };
  * Whether the scene has no place along this axis: a rigid contact among stiffnesses.
  * @param {Maps} maps
  */
-const placeless = ({ across, chosen }) => across.name === 'contact_stiffness' && chosen.law === 'rigid';
+const placeless = ({ across, rigid }) => across.name === 'contact_stiffness' && rigid;
 
 class Stability extends Panel {
   /** @type {Maps | null} */ known = null; // the maps that are shown

@@ -32,6 +32,7 @@ import { family, named, said, text } from '../text/catalogue.js';
  * @property {number[]} step  times the highest frequency [rad]
  * @property {{ name: string, values: number[], log: boolean }} across
  * @property {[step: number, across: number]} here
+ * @property {boolean} rigid  whether nothing gives way at the contact
  * @property {string[]} kinds
  * @property {Note[]} notes
  * @property {OneMap[]} maps
@@ -155,10 +156,10 @@ export class Small {
    * @param {Cell} cell
    */
   words(map, [i, j]) {
-    const { across, chosen, step } = this.found;
+    const { across, rigid, step } = this.found;
     const kind = this.kind(map, [i, j]);
     const value = figures(across.values[j], 3);
-    const what = text('stability.one', { across: across.name, value, rigid: chosen.law === 'rigid' });
+    const what = text('stability.one', { across: across.name, value, rigid });
     const limit = map.limit?.[j] ?? null;
     return text('stability.run', {
       ...{ step: figures(step[i], 2), what, kind, steps: map.steps[i][j], chatter: map.chatter[i][j] },

@@ -1,6 +1,6 @@
 // Speed against accuracy: wall time and error of every method from coarse to fine; the best of them are joined.
 import { Figure } from '../charts/figure.js';
-import { METHODS, OTHER } from '../charts/styles.js';
+import { signOf } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { described, family, said, text } from '../text/catalogue.js';
 import { figures, share } from '../text/format.js';
@@ -16,6 +16,7 @@ import { Panel, QUANTITIES, showMethod, shown } from './panel.js';
  * @property {string} label
  * @property {string} ladder  rows of one ladder differ in resolution only
  * @property {Shown} method
+ * @property {number} rank  of the method among all
  * @property {boolean} exact
  * @property {number} wall_time  [s]
  * @property {[least: number, most: number] | null} [spread]  of several runs
@@ -70,8 +71,6 @@ const contactsOf = (row) => text('panel.found-of', { found: row.true_contacts_fo
 const errorIn = (quantity) => text('tradeoff.error-in', { quantity: QUANTITIES[quantity] });
 const COLUMNS = family('tradeoff.column');
 const ROWS = family('tradeoff.row'); // of one point
-/** @param {Row} row */
-const lookOf = ({ method }) => METHODS[method.name] ?? OTHER;
 
 /**
  * Where it was measured, against what, and how far.
@@ -256,7 +255,7 @@ class TradeOff extends Panel {
     figure.fill('ladders', {
       times: joined.map(({ time }) => time),
       sizes: joined.map(({ size }) => size),
-      colour: ladders.map((own) => lookOf(own[0]).color),
+      colour: ladders.map((own) => signOf(own[0].rank).color),
     });
     figure.fill('front', column(this.front()));
     figure.fill('rest', column(this.rest()));
@@ -264,7 +263,7 @@ class TradeOff extends Panel {
     figure.fill('claims', {
       ...column(claimed),
       claim: claimed.map((p) => 100 * Number(p.estimated_error)),
-      colour: claimed.map((p) => lookOf(p).color),
+      colour: claimed.map((p) => signOf(p.rank).color),
       label: claimed.map((p) => described(p.label)),
       claimed: claimed.map((p) => share(Number(p.estimated_error))),
     });
@@ -272,9 +271,9 @@ class TradeOff extends Panel {
     const here = points.map((p) => shown(this.page, p.method));
     figure.fill('points', {
       ...column(points),
-      colour: points.map((p) => lookOf(p).color),
-      marker: points.map((p) => lookOf(p).marker),
-      diameter: points.map((p) => lookOf(p).size * (p.best_for.includes(quantity) ? BEST : USUAL)),
+      colour: points.map((p) => signOf(p.rank).color),
+      marker: points.map((p) => signOf(p.rank).marker),
+      diameter: points.map((p) => signOf(p.rank).size * (p.best_for.includes(quantity) ? BEST : USUAL)),
       edge: points.map((p, k) => (here[k] ? PICKED : p.best_for.includes(quantity) ? '#1c2733' : '#fff')),
       width: here.map((each) => (each ? 2.5 : 1)),
       label: points.map((p) => described(p.label)),

@@ -3,12 +3,12 @@ import { make } from '../shell/dom.js';
 import { NumberField } from '../shell/number_field.js';
 import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
+import { factorOf } from '../text/units.js';
 
 /**
  * @typedef {object} Unit
  * @property {string} sign
  * @property {string} many  "percent", of the label
- * @property {number} times  what is shown over what is sent
  * @property {string} [si]  the unit that is sent, where it is another one
  */
 
@@ -27,9 +27,10 @@ import { localised } from '../text/format.js';
  * @param {(value: number) => void} send
  * @returns {UnitField}
  */
-export function unitField(control, { sign, many, times, si = sign }, low, high, send) {
-  const written = (/** @type {number} */ value) => localised(String(Number((times * value).toPrecision(4))));
-  const field = new NumberField({ control, sign, si, factor: 1 / times }, () => [low, high], written, send);
+export function unitField(control, { sign, many, si = sign }, low, high, send) {
+  const factor = factorOf(si, sign);
+  const written = (/** @type {number} */ value) => localised(String(Number((value / factor).toPrecision(4))));
+  const field = new NumberField({ control, sign, si, factor }, () => [low, high], written, send);
   field.input.ariaLabel = text('panel.field', { label: control, unit: many });
   const unit = make('span', { className: 'unit', textContent: sign });
   const label = make('label', { className: 'part' }, control, field.input, unit);
@@ -45,7 +46,7 @@ export function unitField(control, { sign, many, times, si = sign }, low, high, 
  * @param {(value: number) => void} send
  */
 export const percentField = (label, low, high, send) =>
-  unitField(label, { sign: '%', many: text('panel.percent'), times: 100, si: '1' }, low, high, send);
+  unitField(label, { sign: '%', many: text('panel.percent'), si: '1' }, low, high, send);
 
 /**
  * A time [s], shown in milliseconds.
@@ -55,4 +56,4 @@ export const percentField = (label, low, high, send) =>
  * @param {(value: number) => void} send
  */
 export const msField = (label, low, high, send) =>
-  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), times: 1000, si: 's' }, low, high, send);
+  unitField(label, { sign: 'ms', many: text('panel.milliseconds'), si: 's' }, low, high, send);

@@ -254,7 +254,7 @@ export class Bodies {
  * Why what was typed cannot be, or nothing.
  * @param {number} value  in SI units
  * @param {string} given
- * @param {import('./body_values.js').Unit} unit
+ * @param {import('../text/units.js').Unit} unit
  * @param {{ quantity: string, low: number | null, high: number | null }} bounds
  */
 function refusalOf(value, given, unit, { quantity, low, high }) {

@@ -1,50 +1,15 @@
 // Values of bodies: as one text of keys and SI values, in units that a person uses, and in words.
 import { family, named, text } from '../text/catalogue.js';
 import { engineering, figures, localised } from '../text/format.js';
-import { factorOf, signsOf, typed } from '../text/units.js';
+import { shownUnit, signsOf, typed } from '../text/units.js';
 import { jointOf } from '../text/words.js';
 
 /** @import { Frame, PartRecord } from '../messages.js' */
-/** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
+/** @import { Unit } from '../text/units.js' */
 
 const PART = /^(impactor|target(?:\.(?:rods|links|joints)\.\d+)?)\.(.+)$/;
 const DIGITS = 6; // of a value in its field
 const SI = family('body.unit');
-/**
- * By SI unit: the units that are shown, each from a size on.
- * @type {Record<string, [sign: string, from: number][]>}
- */
-const SHOWN = {
-  m: [
-    ['µm', 0],
-    ['mm', 1e-4],
-    ['m', 1],
-  ],
-  'm²': [
-    ['mm²', 0],
-    ['m²', 0.1],
-  ],
-  'm⁴': [
-    ['mm⁴', 0],
-    ['cm⁴', 1e-7],
-    ['m⁴', 1e-2],
-  ],
-  kg: [
-    ['mg', 0],
-    ['g', 1e-3],
-    ['kg', 1],
-  ],
-  Pa: [
-    ['MPa', 0],
-    ['GPa', 5e9],
-  ],
-  'N/m': [
-    ['N/m', 0],
-    ['kN/m', 1e3],
-    ['MN/m', 1e6],
-  ],
-};
-
 /**
  * Of a joint; 0 is no small length of it.
  * @param {string} quantity
@@ -52,7 +17,7 @@ const SHOWN = {
 export const isCoordinate = (quantity) => quantity === 'x' || quantity === 'y';
 
 /** @param {string} key */
-export function partsOfKey(key) {
+function partsOfKey(key) {
   const [, part = '', quantity = ''] = PART.exec(key) ?? [];
   return { part, quantity };
 }
@@ -80,12 +45,7 @@ export const isBodyKey = (key) => PART.test(key);
  * @param {number} size
  * @returns {Unit}
  */
-export function unitOf(quantity, size) {
-  const si = SI[quantity] ?? '';
-  const least = Math.abs(size || (isCoordinate(quantity) ? 1e-3 : 0));
-  const [sign] = (SHOWN[si] ?? []).findLast(([, from]) => least >= from * (1 - 1e-9)) ?? [si];
-  return { sign, factor: factorOf(si, sign) };
-}
+export const unitOf = (quantity, size) => shownUnit(SI[quantity] ?? '', size || (isCoordinate(quantity) ? 1e-3 : 0));
 
 /**
  * A number for a field, in this unit.

@@ -30,5 +30,5 @@ export class Caption {
 }
 
 /** @param {string[]} sentences */
-export const longestOf = (sentences) =>
+const longestOf = (sentences) =>
   sentences.reduce((longest, each) => (each.length > longest.length ? each : longest), '');

@@ -9,7 +9,6 @@ import { Slider } from './slider.js';
 /** @import { Spec } from './model.js' */
 
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
-const DIGITS = 6; // of the stiffness of a cushion
 const LONGER_TITLE = 72; // beyond which it is everywhere
 
 /**
@@ -135,12 +134,11 @@ export class Controls {
   #cushion(frame) {
     const cushions = frame.kind === 'axial' ? frame.cushions : [];
     this.cushions.hidden = !cushions.length;
-    const on = (/** @type {Cushion} */ { stiffness: k }) =>
-      frame.chosen.law === 'linear' && Math.abs(Number(frame.chosen.linear_stiffness) - k) < 1e-3 * k;
+    const on = (/** @type {Cushion} */ { settings }) =>
+      Object.entries(settings).every(([name, value]) => frame.chosen[name] === value);
     const buttons = cushions.map((cushion) => {
       const act = () => {
-        const settings = { law: 'linear', linear_stiffness: Number(cushion.stiffness.toPrecision(DIGITS)) };
-        for (const [name, value] of Object.entries(settings)) {
+        for (const [name, value] of Object.entries(cushion.settings)) {
           this.show(name, value);
           this.send(name, value);
         }
@@ -194,11 +192,17 @@ const inSpaceNote = ({ chosen, friction }) =>
   text('controls.in-space', { model: friction > 0 ? chosen.restitution_model : '' });
 
 /**
+ * Whether the chosen method is one of repeated balances.
+ * @param {AxialFrame} frame
+ */
+const balances = ({ chosen, exact, other }) =>
+  [exact, other].some((one) => one?.name === chosen.method && !one.byLaw && !one.sudden);
+
+/**
  * Whether the restitution sets nothing but the prediction of rigid bodies.
  * @param {Frame} frame
  */
-const predicts = (frame) =>
-  frame.kind === 'axial' && !frame.damps && frame.chosen.method !== 'balance' && !frame.exact.sudden;
+const predicts = (frame) => frame.kind === 'axial' && !frame.damps && !balances(frame) && !frame.exact.sudden;
 
 /**
  * What the restitution does in an impact along an axis.
@@ -209,10 +213,10 @@ function axialNote(frame, exact) {
   const { chosen, damps, leastRestitution: least, match, nominal, yields } = frame;
   const method = String(chosen.method);
   const raised = Number(chosen.restitution) < least;
-  if (frame.exact.name === 'rigid') return text('controls.of-contact');
+  if (frame.exact.sudden) return text('controls.of-contact');
   const acts = damps
     ? text('controls.of-contact-and-prediction', { least, nominal, raised })
-    : method === 'balance'
+    : balances(frame)
       ? text('controls.of-balances-and-prediction')
       : text('controls.of-prediction', { yields });
   const refused = method === exact ? null : frame.refusals[method];

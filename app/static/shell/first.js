@@ -5,40 +5,13 @@ import { make } from './dom.js';
 import { keep, kept } from './store.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { Frame } from '../messages.js' */
+/** @import { Frame, Try } from '../messages.js' */
 
-const SEEN = family('first.seen');
 const TRIES = family('first.tries');
-
-/**
- * What this impact shows.
- * @param {Frame} frame
- */
-export function seenIn(frame) {
-  if (frame.kind === 'mechanism') {
-    if (frame.main.sudden) return SEEN['rigid-links'];
-    const bends = frame.mechanism.links.some(({ flexible }) => flexible) && !frame.moving?.rigid;
-    if (frame.moving) return bends ? SEEN.moving : SEEN['moving-rigid'];
-    return SEEN.mechanism;
-  }
-  if (frame.kind !== 'axial') return SEEN[frame.kind];
-  const shown = frame.rods.length ? 'waves' : frame.exact.sudden ? 'impulse' : 'force';
-  if (frame.impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
-  if (!frame.rods.length && frame.target.rotation) return SEEN.turning;
-  if (!frame.rods.length) return text('first.seen.compact', { shown });
-  return frame.rods.length > 1 ? SEEN.rods : SEEN.rod;
-}
-
-/**
- * What could be tried with it, the most telling first.
- * @param {Frame} frame
- * @returns {[words: string, choice: string, value: number | string][]}
- */
-export const triesOf = ({ opens }) => opens.trials.map(([say, choice, value]) => [TRIES[say], choice, value]);
 
 export class First {
   kind = '';
-  /** @type {ReturnType<typeof triesOf>} */ offered = [];
+  /** @type {Try[]} */ offered = [];
 
   /** @param {Page} page */
   constructor(page) {
@@ -61,17 +34,17 @@ export class First {
   /** @param {Frame} frame */
   load(frame) {
     if (this.root.hidden) return;
-    const tries = triesOf(frame).slice(0, 3);
-    const seen = seenIn(frame);
-    const kind = [frame.chosen.scene, seen, ...tries.map(([words]) => words)].join();
+    const tries = frame.opens.trials.slice(0, 3);
+    const seen = this.page.view.story.seen(frame);
+    const kind = [frame.chosen.scene, seen, ...tries.map(([say]) => say)].join();
     this.offered = tries;
     if (kind === this.kind) return; // what the buttons do changes with every solve, what they say does not
     this.kind = kind;
     this.seen.textContent = seen;
     this.compare.hidden = !questionsOf(frame).length;
     this.tries.replaceChildren(
-      ...tries.map(([textContent], k) => {
-        const act = make('button', { type: 'button', className: 'when', textContent });
+      ...tries.map(([say], k) => {
+        const act = make('button', { type: 'button', className: 'when', textContent: TRIES[say] });
         act.onclick = () => this.#try(k);
         return make('li', {}, act);
       }),

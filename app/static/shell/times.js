@@ -1,5 +1,6 @@
 // In which unit times are written, on the whole page: T, in which an impact along an axis counts them, or seconds.
 import { figures } from '../text/format.js';
+import { shownUnit } from '../text/units.js';
 import { keep, kept } from './store.js';
 
 /** @import { AxialFrame } from '../messages.js' */
@@ -13,7 +14,10 @@ const NAME = 'seconds';
  * @param {number} seconds
  * @returns {[factor: number, unit: string]}
  */
-export const unitOfTime = (seconds) => (seconds < 1e-3 ? [1e6, 'µs'] : seconds < 1 ? [1e3, 'ms'] : [1, 's']);
+export function unitOfTime(seconds) {
+  const { factor, sign } = shownUnit('s', seconds);
+  return [1 / factor, sign];
+}
 
 /**
  * How an axis is written that ends there: how many of the unit shown its own has, and the sign of that.

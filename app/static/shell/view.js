@@ -20,6 +20,7 @@
  * @property {number} after  an event, by which what it has changed is seen
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
+ * @property {number} [leastRoom]  about what is looked at closely, as a share of the whole impact
  * @property {number} [linkUnit]  in which links count its times; 1 by default
  * @property {{ root: HTMLElement }} [colours]  the choice of what they show
  * @property {Stack} [stack]  charts over time
@@ -40,7 +41,6 @@
  * @property {() => void} [refine]  after histories of the frame have become finer
  * @property {() => void} draw
  * @property {(t: number) => void} show
- * @property {(start?: number, end?: number) => void} zoom
  * @property {() => { names: string[], values: number[][] }} [rows]  histories as a table, if there are any
  */
 
@@ -50,6 +50,8 @@
  * @property {HTMLElement} root  in words
  * @property {HTMLElement} numbers
  * @property {Events} events
+ * @property {(frame: any) => string} seen  what the kind shows, to one who sees it first
+ * @property {(frame: any) => string} question  the one that it asks
  * @property {(frame: any) => void} load
  * @property {(t: number) => void} at
  */

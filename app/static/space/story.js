@@ -44,6 +44,8 @@ function feltOf({ figures }) {
 }
 
 export class SpaceStory {
+  seen = () => text('first.seen.bodies');
+  question = () => text('opening.question.bodies');
   constructor() {
     this.units = make('p', { className: 'symbols' });
     this.figures = make('table', { className: 'figures' });

@@ -62,5 +62,4 @@ export class SpaceView {
   draw() {
     for (const part of this.charts) if (!part.chart.root.hidden) part.draw();
   }
-  zoom() {}
 }

@@ -130,7 +130,9 @@ export function scaled(size, unit) {
   return [factor, `${prefix}${unit}`];
 }
 
-const PREFIXES = ['n', 'µ', 'm', '', 'k', 'M', 'G'];
+/** By a thousand each. */
+export const PREFIXES = { n: 1e-9, µ: 1e-6, m: 1e-3, '': 1, k: 1e3, M: 1e6, G: 1e9 };
+const SIGNS = Object.keys(PREFIXES);
 
 /**
  * A value in SI units with the prefix that suits it: 100 µs rather than 0.0001 s. As in solvers/text/messages.py.
@@ -142,7 +144,7 @@ export function engineering(value, unit, digits = 3) {
   if (!rounded) return `0 ${unit}`;
   const power = Number(rounded.toExponential().split('e')[1]);
   const step = Math.min(Math.max(Math.floor(power / 3), -3), 3);
-  return `${figures(rounded / 1000 ** step, digits)} ${PREFIXES[step + 3]}${unit}`;
+  return `${figures(rounded / 1000 ** step, digits)} ${SIGNS[step + 3]}${unit}`;
 }
 
 /** @param {number} seconds */

@@ -1,9 +1,11 @@
-// The units in which numbers can be typed, and what was typed as a number in the unit that is sent. Columns of records
-// have a list of their own: solvers/records/files.py.
+// The units in which numbers are shown and can be typed, and what was typed as a number in the unit that is sent. What
+// columns of records can be in, which Python alone reads, is said in solvers/records/files.py.
 
-import { DECIMAL } from './format.js';
+import { DECIMAL, PREFIXES } from './format.js';
 
-const PREFIXES = { n: 1e-9, µ: 1e-6, m: 1e-3, c: 1e-2, k: 1e3, M: 1e6, G: 1e9 };
+/** @typedef {{ sign: string, factor: number }} Unit  what is shown times the factor is in SI units */
+
+const MULTIPLES = { ...PREFIXES, c: 1e-2 };
 const [INCH, FOOT, POUND, GRAVITY] = [0.0254, 0.3048, 0.45359237, 9.80665];
 const POUND_FORCE = POUND * GRAVITY;
 
@@ -17,7 +19,7 @@ const POUND_FORCE = POUND * GRAVITY;
 const prefixed = (prefixes, unit, factor = 1, power = 1) =>
   Object.fromEntries(
     [...prefixes].map((prefix) => {
-      const times = prefix === ' ' ? 1 : PREFIXES[/** @type {keyof typeof PREFIXES} */ (prefix)];
+      const times = prefix === ' ' ? 1 : MULTIPLES[/** @type {keyof typeof MULTIPLES} */ (prefix)];
       return [`${prefix.trim()}${unit}`, Number((factor * times ** power).toPrecision(15))];
     }),
   );
@@ -40,6 +42,20 @@ const UNITS = {
   s: { ...prefixed('nµm ', 's'), min: 60 },
   '°': { '°': 1, deg: 1, rad: 180 / Math.PI },
   1: { '%': 0.01 }, // a share
+  'm/m': prefixed('µ', 'm/m'),
+};
+/**
+ * By SI unit: the units that a value is shown in, each from a size on.
+ * @type {Record<string, [sign: string, from: number][]>}
+ */
+const SHOWN = {
+  m: Object.entries({ µm: 0, mm: 1e-4, m: 1 }),
+  'm²': Object.entries({ 'mm²': 0, 'm²': 0.1 }),
+  'm⁴': Object.entries({ 'mm⁴': 0, 'cm⁴': 1e-7, 'm⁴': 1e-2 }),
+  kg: Object.entries({ mg: 0, g: 1e-3, kg: 1 }),
+  Pa: Object.entries({ MPa: 0, GPa: 5e9 }),
+  'N/m': Object.entries({ 'N/m': 0, 'kN/m': 1e3, 'MN/m': 1e6 }),
+  s: Object.entries({ µs: 0, ms: 1e-3, s: 1 }),
 };
 /** @type {Record<string, string>} */
 const ALSO = { '"': 'in', '″': 'in', inch: 'in', inches: 'in', "'": 'ft', '′': 'ft', feet: 'ft', foot: 'ft' };
@@ -62,6 +78,17 @@ const unitsOf = (si) => (Object.hasOwn(UNITS, si) ? UNITS[si] : si ? { [si]: 1 }
  * @param {string} sign
  */
 export const factorOf = (si, sign) => unitsOf(si)[sign] ?? 1;
+
+/**
+ * The unit in which a value of this size is shown.
+ * @param {string} si
+ * @param {number} size
+ * @returns {Unit}
+ */
+export function shownUnit(si, size) {
+  const [sign] = (SHOWN[si] ?? []).findLast(([, from]) => Math.abs(size) >= from * (1 - 1e-9)) ?? [si];
+  return { sign, factor: factorOf(si, sign) };
+}
 
 /**
  * The units that a refusal offers.

@@ -21,26 +21,17 @@ export const called = ({ name, modes, elements, model }) =>
  * What a choice is called, its unit, and what its options are called.
  * @typedef {{ title: string, unit?: string, beside?: string, options?: Record<string, string> }} Label
  */
-/** @type {Record<string, string>} */
-const OPTIONS = {
-  method: 'method-choice',
-  ...Object.fromEntries(
-    ['floating_frame', 'law', 'motion_links', 'restitution_model', 'shapes', 'support', 'theory'].map((name) => [
-      name,
-      name,
-    ]),
-  ),
-};
+export const METHODS = family('name.method-choice');
+
 /** @param {string} name */
 const labelOf = (name) => ({
   title: text(`control.${name}`),
   unit: family('unit')[name],
   beside: family('beside')[name],
-  options: name in OPTIONS ? family(`name.${OPTIONS[name]}`) : undefined,
+  options: name === 'method' ? METHODS : family(`name.${name}`), // of a list
 });
 /** @type {Record<string, Label>} */
 export const LABELS = Object.fromEntries(Object.keys(family('control')).map((name) => [name, labelOf(name)]));
-export const METHODS = family('name.method-choice');
 
 export const GROUND = 'ground'; // as the link that stands still is called
 /**

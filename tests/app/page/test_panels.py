@@ -17,7 +17,7 @@ from app.views import stability as stability_view
 from app.views.stability import KINDS, kinds_of, stability_data, stability_kernels
 from app.views.tolerance import QUESTIONS, auto_data, nearest_choices
 from app.views.tradeoff import stored_data, tradeoff_data
-from solvers import load, stored_tradeoff
+from solvers import METHODS, load, stored_tradeoff
 from solvers.stability.maps import NOT_RUN, Map
 from tests.app.sentences import sentence
 
@@ -41,6 +41,7 @@ def test_a_built_in_scene_shows_its_table_at_once():
     assert [point["label"] for point in found["points"]] == [point.label for point in own.points]
     front = {point["label"] for point in found["points"] if "peak-force" in point["best_for"]}
     assert front == {point.label for point in own.front("peak-force")}
+    assert all(list(METHODS)[point["rank"]] == point["method"]["name"] for point in found["points"])
     assert found["reference"]["note"] == own.reference.note.table() and found["machine"] == own.machine
     assert json.loads(stored_data(asked("free-rod") | {"mass_ratio": 1.7}))["points"] == []
 
