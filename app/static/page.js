@@ -25,6 +25,7 @@ import { decode } from './shell/message.js';
 import { Opening } from './opening/opening.js';
 import { Player } from './shell/player.js';
 import { copyLink, saveData } from './shell/share.js';
+import { SHEETS } from './shell/sheets.js';
 import { Striker } from './shell/striker.js';
 import { Symbols } from './shell/symbols.js';
 import { Toast } from './shell/toast.js';
@@ -39,20 +40,6 @@ import { text } from './text/catalogue.js';
 /** @import { Event } from './shell/story.js' */
 /** @import { View } from './shell/view.js' */
 
-// Styles of the component, which lives in a shadow root; a later sheet wins over an earlier one.
-const SHEETS = [
-  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first', 'help', 'phone'].map(
-    (name) => `shell/${name}.css`,
-  ),
-  'charts/charts.css',
-  'compare/compare.css',
-  'space/stage.css',
-  'beam/beam.css',
-  ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
-  'opening/opening.css',
-  'opening/dock.css',
-  ...(alone ? [] : ['shell/embedded.css']),
-];
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
 
