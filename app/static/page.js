@@ -365,13 +365,8 @@ export class Page {
    */
   zoom(start, end) {
     const { axis, leastRoom = 0 } = this.view;
-    if (!axis) return;
-    if (start === undefined || end === undefined) {
-      axis.reset();
-      return;
-    }
-    axis.lookAt(start, end, leastRoom);
-    this.player.go(start);
+    axis?.lookAt(start, end, leastRoom);
+    if (axis && start !== undefined) this.player.go(start);
   }
   zoomed() {
     this.opening.draw();

@@ -81,12 +81,16 @@ export class Axis {
   }
 
   /**
-   * Show a stretch and some room about it, as far as the whole reaches.
-   * @param {number} start
-   * @param {number} end
+   * Show a stretch and some room about it, as far as the whole reaches; all of it without a stretch.
+   * @param {number | undefined} start
+   * @param {number | undefined} end
    * @param {number} least  room, as a share of the whole
    */
   lookAt(start, end, least) {
+    if (start === undefined || end === undefined) {
+      this.reset();
+      return;
+    }
     const [first, last] = this.whole;
     const room = Math.max(ROOM * (end - start), least * (last - first));
     this.show([Math.max(first, start - room), Math.min(last, end + room)]);
