@@ -282,7 +282,6 @@ WINDOWS = [
     State(name="docks-narrow", act=narrow),
     State(name="sheet-down", act=lambda page: sheet(page, 0)),
     State(name="sheet-up", act=lambda page: sheet(page, 0.8)),
-    State(name="first-hidden", act=lambda page: page.evaluate("() => { strikewave.page.first.root.hidden = true; }")),
 ]
 SCHEMES = [
     State(name=f"{scheme}-{scene or 'first'}", query=query, at=(0.5,), act=partial(turned, tab=tab), rest=1500,

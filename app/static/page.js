@@ -13,7 +13,6 @@ import { Closer } from './shell/closer.js';
 import { cameBack, Connection } from './shell/connection.js';
 import { Controls } from './shell/controls.js';
 import { make } from './shell/dom.js';
-import { First } from './shell/first.js';
 import { Help } from './shell/help.js';
 import { History } from './shell/history.js';
 import { alone } from './shell/home.js';
@@ -90,7 +89,6 @@ export class Page {
     this.layout = this.arrange();
     this.root = this.layout.root;
     this.analyses.settle(this.layout);
-    this.first = new First(this);
     this.symbols = new Symbols(this.root);
     this.history.watch(this.root);
     for (const { stage } of Object.values(this.views))
@@ -153,8 +151,6 @@ export class Page {
     for (const { stack } of Object.values(this.views)) stack?.gather();
     for (const { stage } of Object.values(this.views)) if ('leads' in stage) stage.leads = this.opening.leads;
     this.opening.lend();
-    if (this.layout.mode === 'phone') this.layout.tabs.panel('controls').prepend(this.first.root);
-    else this.story.root.before(this.first.root);
     for (const { stack } of Object.values(this.views)) stack?.arrange();
     requestAnimationFrame(() => this.redraw());
   }
@@ -282,7 +278,7 @@ export class Page {
   turn() {
     this.root.dataset.kind = this.frame.kind;
     for (const view of Object.values(this.views)) view.hide(view !== this.view);
-    this.layout.tabs.panel('story').replaceChildren(this.compare.summary.root, this.first.root, this.story.root);
+    this.layout.tabs.panel('story').replaceChildren(this.compare.summary.root, this.story.root);
     this.layout.tabs.panel('numbers').replaceChildren(this.compare.summary.numbers, this.story.numbers);
     this.place();
   }
@@ -307,7 +303,6 @@ export class Page {
       this.bodies.load(this.frame);
       this.story.load(this.frame);
       this.story.at(this.player.t + this.player.start);
-      this.first.load(this.frame);
       this.opening.load(this.frame);
       this.compare.tell(this.frame);
       for (const root of [this.story.root, this.story.numbers]) this.symbols.mark(root);

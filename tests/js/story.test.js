@@ -2,9 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { eventsOf } from '../../app/static/axial/events.js';
-import { seenIn, unitsOf } from '../../app/static/axial/story.js';
+import { unitsOf } from '../../app/static/axial/story.js';
 import { mechanismEvents } from '../../app/static/mechanism/resting_story.js';
-import { seenIn as linksSeenIn } from '../../app/static/mechanism/story.js';
 
 /**
  * As much of the message of a struck mechanism as is told.
@@ -30,16 +29,6 @@ test('an impulse in no time is one event, which says how large it is', () => {
     mechanism({ main: { name: 'modal', contacts: 1, final: 0 }, contacts: [[0, 1, 1, 1]] }),
   );
   assert.equal(lasting.length, 2);
-});
-
-test('what is seen promises no bending of links that do not bend', () => {
-  assert.doesNotMatch(linksSeenIn(mechanism()), /bending|bends, the/);
-  const moving = mechanism({ main: { name: 'multibody' }, moving: { rigid: null } });
-  assert.doesNotMatch(linksSeenIn(moving), /bend/);
-  const flexible = { struck: 0, links: [{ name: 'bar', flexible: true }] };
-  assert.match(linksSeenIn({ ...moving, mechanism: flexible }), /how the struck link bends/);
-  assert.doesNotMatch(linksSeenIn({ ...moving, mechanism: flexible, moving: { rigid: { code: '' } } }), /bend/);
-  assert.match(linksSeenIn(mechanism({ main: { name: 'modal' }, mechanism: flexible })), /bending of that link/);
 });
 
 /**
@@ -102,16 +91,6 @@ test('of rods that are drawn rigid no waves are told', () => {
   assert.equal(events.length, 2);
   assert.doesNotMatch(events.map(([, sentence]) => sentence).join(' '), /wave|front/i);
   assert.match(events[1][1], /in no time.*goes back at 0.5/);
-});
-
-test('charts of force are promised where there are any', () => {
-  /** @type {any} */
-  const pendulum = { kind: 'axial', impactor: { kind: 'pendulum' }, target: {}, rods: [], exact: { sudden: true } };
-  assert.doesNotMatch(seenIn(pendulum), /force/);
-  assert.match(seenIn({ ...pendulum, exact: { name: 'compliant' } }), /force/);
-  assert.match(seenIn({ ...pendulum, rods: [{}] }), /waves/);
-  const across = { ...pendulum, impactor: { kind: 'mass' }, target: { rotation: {} }, exact: { name: 'converged' } };
-  assert.match(seenIn(across), /turns about an axis/);
 });
 
 test('where the force jumps, it is said over how long modes spread the jump', () => {

@@ -68,17 +68,6 @@ export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
 }
 
 /**
- * What it shows.
- * @param {AxialFrame} frame
- */
-export function seenIn({ exact, impactor, rods, target }) {
-  const shown = rods.length ? 'waves' : exact.sudden ? 'impulse' : 'force';
-  if (impactor.kind === 'pendulum') return text('first.seen.pendulum', { shown });
-  if (rods.length) return text(rods.length > 1 ? 'first.seen.rods' : 'first.seen.rod');
-  return target.rotation ? text('first.seen.turning') : text('first.seen.compact', { shown });
-}
-
-/**
  * How often a rod that is fixed pushes its striker: at first touch, and whenever the front is back or they meet again.
  * @param {AxialFrame} frame
  */
@@ -102,7 +91,6 @@ function questionOf(frame) {
 }
 
 export class Story {
-  seen = seenIn;
   question = questionOf;
 
   /** @type {AxialFrame} */ frame;

@@ -46,10 +46,6 @@ export class BeamStory {
     this.numbers = make('div', { className: 'story' }, heading(text('story.contacts')), scrolled(this.table));
     this.numbers.append(heading(text('story.after')), scrolled(this.answers), this.beside, this.source);
   }
-  /** @param {Shown} _frame */
-  seen(_frame) {
-    return text('first.seen.beam');
-  }
   /** @param {Shown} frame */
   question({ contacts }) {
     return text('opening.question.beam', { contacts: contacts.length });

@@ -10,17 +10,6 @@ import { Joints, mechanismEvents, mechanismReasons } from './resting_story.js';
 /** @import { Page } from '../page.js' */
 /** @import { BeamFigures, MechanismFrame } from '../messages.js' */
 
-/**
- * What it shows.
- * @param {MechanismFrame} frame
- */
-export function seenIn({ main, mechanism, moving }) {
-  if (main.sudden) return text('first.seen.rigid-links');
-  if (!moving) return text('first.seen.mechanism');
-  const bends = mechanism.links.some(({ flexible }) => flexible) && !moving.rigid;
-  return text(bends ? 'first.seen.moving' : 'first.seen.moving-rigid');
-}
-
 /** @extends {BeamStory<MechanismFrame>} */
 export class MechanismStory extends BeamStory {
   /** @param {Page} page */
@@ -28,10 +17,6 @@ export class MechanismStory extends BeamStory {
     super(page);
     this.joints = new Joints();
     this.source.before(this.joints.root);
-  }
-  /** @param {MechanismFrame} frame */
-  seen(frame) {
-    return seenIn(frame);
   }
   /** @param {MechanismFrame} frame */
   question({ moving }) {

@@ -28,15 +28,13 @@ const WHATS = family('opening.what-if');
 const leadingOf = ({ acting }) => LEADING.filter((name) => acting.includes(name)).slice(0, FOUR);
 
 /**
- * The changes that answer the question best: those of what can be tried that a leading slider shows.
+ * What can be tried, first what a leading slider shows.
  * @param {Frame} frame
  */
 function changesOf(frame) {
   const leading = leadingOf(frame);
-  const place = (/** @type {Try} */ [, name]) => leading.indexOf(name);
-  return frame.opens.trials
-    .filter((each) => each[0] in WHATS && place(each) >= 0)
-    .toSorted((one, other) => place(one) - place(other));
+  const place = (/** @type {Try} */ [, name]) => (leading.includes(name) ? leading.indexOf(name) : FOUR);
+  return frame.opens.trials.toSorted((one, other) => place(one) - place(other));
 }
 
 /**

@@ -2,7 +2,7 @@
 import { alone } from './home.js';
 
 export const SHEETS = [
-  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'first', 'help', 'phone'].map(
+  ...['lab', 'layout', 'controls', 'bodies', 'player', 'story', 'terms', 'help', 'phone'].map(
     (name) => `shell/${name}.css`,
   ),
   'charts/charts.css',

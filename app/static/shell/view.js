@@ -50,7 +50,6 @@
  * @property {HTMLElement} root  in words
  * @property {HTMLElement} numbers
  * @property {Events} events
- * @property {(frame: any) => string} seen  what the kind shows, to one who sees it first
  * @property {(frame: any) => string} question  the one that it asks
  * @property {(frame: any) => void} load
  * @property {(t: number) => void} at

@@ -44,7 +44,6 @@ function feltOf({ figures }) {
 }
 
 export class SpaceStory {
-  seen = () => text('first.seen.bodies');
   question = () => text('opening.question.bodies');
   constructor() {
     this.units = make('p', { className: 'symbols' });

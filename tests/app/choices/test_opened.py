@@ -21,7 +21,7 @@ def test_every_scene_is_opened_by_what_there_is():
     for name in SCENES:
         opening = opening_of(name)
         assert all(f"compare.question.{each.question}" in texts for each in opening.comparisons), name
-        assert all(f"first.tries.{each.say}" in texts for each in opening.trials), name
+        assert all(f"opening.what-if.{each.say}" in texts for each in opening.trials), name
     assert opening_of("figure-6.9").charts == ("reactions",) and opening_of("figure-6.9").until == 1e-3
     assert opening_of("figure-8.7").time == 2e-5
     assert opening_of("free-rod").trials == (("fixed", "scene", "fixed-rod"),)

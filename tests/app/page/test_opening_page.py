@@ -143,6 +143,21 @@ def test_a_scene_without_rows_gives_its_room_to_the_picture_and_takes_it_back(op
         assert page.evaluate("() => strikewave.page.root.classList.contains('bare')") == bare, scene
 
 
+def test_what_is_offered_is_done_and_the_next_is_offered(open_page):
+    page = open_page("?scene=fixed-rod&layout=opening")
+    opened(page)
+    offers = [page.header("opens")["trials"]]
+    change = page.tab.locator(".what-if")
+    for _ in range(4):
+        if change.inner_text() == "What if nothing held the far end? →":
+            break
+        said = change.inner_text()
+        change.click()
+        page.wait("(said) => !strikewave.page.asked && strikewave.page.opening.change.textContent !== said", said)
+    page.answered(change.click)
+    assert page.header("chosen")["scene"] == "free-rod" and len(offers[0]) > 2
+
+
 def test_a_slider_that_walks_stops_for_another_scene(open_page):
     page = open_page("")
     opened(page)

@@ -233,18 +233,6 @@ def test_the_still_shows_what_the_library_says():
     assert np.corrcoef(red, values)[0, 1] < -0.95  # colours are linear piece by piece
 
 
-def test_what_is_offered_to_be_tried_can_be(open_page):
-    page = open_page()
-    tries = page.tab.locator(".first li button")
-    expect(tries).to_have_count(3)
-    page.answered(tries.nth(0).click)
-    assert page.header("chosen")["speed"] == 2
-    page.answered(tries.nth(2).click)
-    assert page.header("chosen")["scene"] == "free-rod"
-    settled(page)
-    expect(tries.nth(2)).to_contain_text("Hold the far end")
-
-
 def test_symbols_explain_themselves_to_pointer_and_keyboard(open_page):
     page = open_page()
     tip = page.tab.get_by_role("tooltip")
