@@ -19,6 +19,7 @@ import { alone } from './shell/home.js';
 import { listenToKeys } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
+import { Scenes } from './shell/scenes.js';
 import { refusalIn } from './shell/model.js';
 import { decode } from './shell/message.js';
 import { Opening } from './opening/opening.js';
@@ -47,7 +48,6 @@ export class Page {
   /** @type {number} */ telling = 0;
   saidAt = 0;
   resumed = false;
-  ready = false;
   painted = 0; // frames so far
 
   /**
@@ -60,7 +60,8 @@ export class Page {
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
     this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
-    this.controls = new Controls(model.spec, (name, value) => this.opening.stay(() => this.send(name, value)));
+    const open = () => this.scenes.open();
+    this.controls = new Controls(model.spec, (name, value) => this.opening.stay(() => this.send(name, value)), open);
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = new Caption();
@@ -89,6 +90,7 @@ export class Page {
     this.layout = this.arrange();
     this.root = this.layout.root;
     this.analyses.settle(this.layout);
+    this.scenes = new Scenes(this);
     this.symbols = new Symbols(this.root);
     this.history.watch(this.root);
     for (const { stage } of Object.values(this.views))
@@ -105,7 +107,6 @@ export class Page {
     this.root.inert = true; // until there is a scene
     this.take();
     if (model.refused && this.toast.root.hidden) this.complain(refusalIn(model));
-    this.ready = true;
   }
   /** Everything in its place. */
   arrange() {
@@ -116,8 +117,7 @@ export class Page {
     const copy = act('copy-link', () => copyLink(this));
     const save = act('save-data', () => saveData(this));
     save.title = text('page.save-data-about');
-    const scene = this.controls.fields.scene.root;
-    const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), scene);
+    const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), this.controls.scene.root);
     const { redoing, undoing } = this.history;
     bar.append(make('div', { className: 'keep' }, this.opening.button, undoing, redoing, copy, save, this.help.button));
     const choices = make('div', { className: 'choices' }, this.controls.root);
@@ -171,8 +171,8 @@ export class Page {
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      const field = this.bodies.refused(why) || (!goal && this.controls.refused(sent, why));
-      if (!field) this.complain(why);
+      if (this.scenes.refused(why) || this.bodies.refused(why)) return;
+      if (goal || !this.controls.refused(sent, why)) this.complain(why);
     });
     for (const name of this.names)
       model.on(name, () => {
@@ -300,10 +300,8 @@ export class Page {
       this.saidAt = performance.now();
       this.telling = 0;
       this.controls.arrange(this.frame);
-      this.bodies.load(this.frame);
-      this.story.load(this.frame);
+      for (const part of [this.bodies, this.story, this.opening, this.scenes]) part.load(this.frame);
       this.story.at(this.player.t + this.player.start);
-      this.opening.load(this.frame);
       this.compare.tell(this.frame);
       for (const root of [this.story.root, this.story.numbers]) this.symbols.mark(root);
       this.say();
