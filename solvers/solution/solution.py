@@ -19,6 +19,7 @@ from .target_modes import TargetModes
 if TYPE_CHECKING:
     from ..notebook.datasets import Dataset
     from ..notebook.plots import Drawn
+    from .spectrum import Spectrum
 
 
 @dataclass(frozen=True)
@@ -222,6 +223,24 @@ class Solution:
         if not isinstance(self.motion, ShowsModes) or not self.scene.target.length:
             raise SceneError("solution", self.method["name"], allowed("shapes-of-modes"))
         return TargetModes(self.motion, self.scene.target.length)
+
+    def spectrum(
+        self,
+        what: str = "contact_force",
+        place: float | None = None,
+        window: str = "none",
+        frequency: ArrayLike | None = None,
+    ) -> "Spectrum":
+        """How much there is of each `frequency` [Hz] in a history: one that `dataset` has, or a field of it at a
+        `place` [m], its first one by default; up to 200 periods in the time solved by default. Under a `window` "none",
+        or "hann", by which a vibration that is cut off at the end does not spread over other frequencies.
+
+        Error: rounding for the contact force of waves and of modes; a field is sampled 16 times in the shortest period.
+        Raises SceneError for what the solution does not have, and above a frequency of 12500 periods in its time.
+        """
+        from . import spectrum  # which most solutions are not asked
+
+        return spectrum.spectrum(self, what, place, window, frequency)
 
     @property
     def known_motion(self) -> Motion:
