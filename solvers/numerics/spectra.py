@@ -3,6 +3,7 @@
 import numpy as np
 
 SMALL = 1e-3  # of a phase, below which its power series is as exact as rounding
+SAME = 1e-9  # by which steps of an even grid differ
 AT_ONCE = 2_000_000  # values of frequencies times samples
 
 
@@ -13,18 +14,19 @@ def transform(time: np.ndarray, values: np.ndarray, frequency: np.ndarray) -> np
     Error: rounding, at any frequency: each stretch is integrated in closed form.
     """
     step = np.diff(time)
-    there = step > 0.0
+    there = (step > 0.0) & ((values[1:] != 0.0) | (values[:-1] != 0.0))
     step, middle = step[there], (0.5 * (time[1:] + time[:-1]))[there]
     mean, half = (0.5 * (values[1:] + values[:-1]))[there], (0.5 * np.diff(values))[there]
+    if not step.size:
+        return np.zeros(frequency.size, complex)
+    width = step[:1] if np.ptp(step) <= SAME * step[0] else step  # what is even takes a third of the time
     found = np.empty(frequency.size, complex)
     rows = max(1, AT_ONCE // max(step.size, 1))
     for start in range(0, frequency.size, rows):
         turns = frequency[start : start + rows, None]
-        phase = np.pi * turns * step  # half of that of a stretch
-        even, odd = np.sinc(turns * step), _odd(phase)
-        found[start : start + rows] = np.sum(
-            step * (mean * even - 1j * half * odd) * np.exp(-2j * np.pi * turns * middle), axis=1
-        )
+        even, odd = np.sinc(turns * width), _odd(np.pi * turns * width)  # of half the phase of a stretch
+        turned = np.exp(-2j * np.pi * turns * middle)
+        found[start : start + rows] = np.sum(width * (mean * even - 1j * half * odd) * turned, axis=1)
     return found
 
 

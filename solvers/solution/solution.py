@@ -232,7 +232,7 @@ class Solution:
         frequency: ArrayLike | None = None,
     ) -> "Spectrum":
         """How much there is of each `frequency` [Hz] in a history: one that `dataset` has, or a field of it at a
-        `place` [m], its first one by default; up to 200 periods in the time solved by default. Under a `window` "none",
+        `place` [m], its first one by default; up to 100 periods in the time solved by default. Under a `window` "none",
         or "hann", by which a vibration that is cut off at the end does not spread over other frequencies.
 
         Error: rounding for the contact force of waves and of modes; a field is sampled 16 times in the shortest period.

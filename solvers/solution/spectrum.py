@@ -11,10 +11,10 @@ from ..numerics import spectra
 from ..validation import SceneError, allowed, choice, number
 from .motion import ShowsModes
 
-LINES = 200  # periods in all of the time solved, of the highest frequency that is usual
+LINES = 100  # periods in all of the time solved, of the highest frequency that is usual
 FINER = 4  # lines that are usual, in the width of one
 PER_PERIOD = 16  # samples of the highest frequency
-LEAST, MOST = 4_000, 200_000  # samples
+LEAST, MOST = 2_000, 200_000  # samples
 WINDOWS = {"none": spectra.transform, "hann": spectra.hann}
 
 

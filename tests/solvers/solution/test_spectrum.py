@@ -14,7 +14,7 @@ def test_at_no_frequency_the_force_is_its_impulse():
     found = solution.spectrum()
     assert found.unit == "N" and found.place is None and found.modes.size == 0
     assert found.density[0] == approx(solution.impulse, rel=1e-3)  # the force is straight between its samples
-    assert found.frequency[-1] == approx(200.0 / solution.duration)
+    assert found.frequency[-1] == approx(100.0 / solution.duration)
 
 
 def test_a_rod_that_strikes_an_equal_one_pushes_by_a_rectangle():
