@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..notebook.datasets import Dataset
     from ..notebook.plots import Drawn
     from .spectrum import Spectrum
+    from .touch import Touch
 
 
 @dataclass(frozen=True)
@@ -241,6 +242,13 @@ class Solution:
         from . import spectrum  # which most solutions are not asked
 
         return spectrum.spectrum(self, what, place, window, frequency)
+
+    def touch(self, time: ArrayLike) -> "Touch | None":
+        """Radius and mean pressure of the circle on which the bodies touch, at instants (time,) [s] that ascend; None
+        where the law is neither `hertz` nor `plastic-power`, or both bodies are flat. Raises SceneError as above."""
+        from . import touch  # likewise
+
+        return touch.touch(self, time)
 
     @property
     def known_motion(self) -> Motion:

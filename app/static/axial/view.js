@@ -231,7 +231,7 @@ export class AxialView {
     for (const part of this.charts) if (!part.chart.root.hidden) part.cursor(t);
     if (!frame.cycleDepth) return;
     const moved = between(frame.motionTime, frame.exactMass, t) - between(frame.motionTime, frame.exactEnd, t);
-    this.cycle.mark(moved * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit);
+    this.cycle.mark(moved * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit, t * frame.trip);
   }
   // Another stretch of time fills the views.
   zoomed() {

@@ -243,7 +243,7 @@ export class BeamView {
   point(part, t) {
     const { time, impactorPath, struckPath, cycleDepth } = this.frame;
     if (!(part instanceof Cycle)) part.cursor?.(t);
-    else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t));
+    else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t), t);
   }
   /** A phone has no room for both buttons beside the caption. */
   #offer() {
