@@ -251,6 +251,7 @@ export class Cycle {
   /** @type {[factor: number, unit: string]} */ across = [1e6, 'µm']; // how the indentation is shown
   /** @type {{ depth: Numbers, force: Numbers, name: string, style: Series['style'] }[]} */ kept = [];
   /** @type {CycleFrame} */ frame;
+  touch = make('output', { className: 'readout touch', ariaLive: 'off' }); // a line of its own
   reach = 0; // indentation that the axis is to reach, in any case [m]
 
   constructor() {
@@ -266,10 +267,12 @@ export class Cycle {
       points: true,
     });
     this.chart.root.classList.add('cycle');
+    this.chart.head.append(this.touch);
   }
   /** @param {CycleFrame} frame */
   load(frame) {
     this.frame = frame;
+    this.touch.hidden = !frame.blowTime;
     this.chart.root.hidden = !frame.cycleDepth;
     if (!frame.cycleDepth) return;
     const depth = frame.cycleDepth;
@@ -306,8 +309,8 @@ export class Cycle {
     const { chart } = this;
     const [factor, unit] = this.across;
     const deep = `${figures(Math.max(depth, 0) * factor)} ${unit}`;
-    const said = [deep, `${figures(force * chart.factor)} ${chart.unitShown}`, touchAt(this.frame, time)];
-    chart.mark(depth * factor, force, said.filter(Boolean).join('   '));
+    chart.mark(depth * factor, force, `${deep}   ${figures(force * chart.factor)} ${chart.unitShown}`);
+    this.touch.textContent = touchAt(this.frame, time);
   }
 }
 
