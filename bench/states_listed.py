@@ -44,6 +44,7 @@ ANALYSES = {  # by the name in an address: a scene that has much to show in it
     "trust": "hammer-on-cantilever", "convergence": "hammer-on-cantilever", "methods": "fixed-rod",
     "stability": "fixed-rod", "bounces": "bouncing-ball", "joints": "bent-rods", "stretch": "figure-5.24",
     "mode_change": "table-6.10", "ratios": "fixed-rod", "modes": "hammer-on-cantilever", "code": "fixed-rod",
+    "spectrum": "hammer-on-cantilever",
 }  # fmt: skip
 FOR_BEAMS = ("energy", "needs", "tolerance", "stability", "bounces")
 REFUSED = "?scene=fixed-rod&mass_ratio=2 kg&speed=99999&modes=few&t=never&kept=Z&colour=red"

@@ -14,7 +14,7 @@ from solvers.validation import a_number, allowed, choice, flag, number, required
 from .bodies import LONGEST as LONGEST_BODIES
 from .choices import SCENES, Choices, accepts
 
-CHARTS = ("waves", "force", "moments", "moved", "stress", "reactions", "energy", "hodograph", "course")  # over time
+CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "reactions", "energy", "hodograph", "course")
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
 FARTHEST, LONGEST = 1e6, 1e9  # [m], [s]
 COMPARED = ("question", "first", "second", "alone")  # keys of a comparison

@@ -89,7 +89,7 @@ def axial_frame(request: Request) -> bytes:
         "modes": request.modes,
         "step": None if marched is None else marched.step / trip,
         "attached": other is not None and other.method.get("frame") == "attached",
-        "exact": _figures(exact) | {"name": _known_as(exact)},
+        "exact": _figures(exact) | {"name": known_as(exact)},
         "gaps": _gaps(exact),
         "lastBall": _last_ball(exact),
         "other": None if other is None else _figures(other) | {"notes": coded(_once(other))},
@@ -108,7 +108,7 @@ def axial_frame(request: Request) -> bytes:
 
 def _head(scene: Scene, exact: Solution, other: Solution | None) -> str:
     """Of saved histories, in which each solution has columns of its own name."""
-    named = {_known_as(exact): exact.method} | ({} if other is None else {other.method["name"]: other.method})
+    named = {known_as(exact): exact.method} | ({} if other is None else {other.method["name"]: other.method})
     methods = {name.replace("-", "_"): method for name, method in named.items()}
     return saved_head(scene, exact.method, exact.duration, methods)
 
@@ -149,7 +149,7 @@ def _gone(solution: Solution, time: np.ndarray) -> np.ndarray:
     return gone[before >= time[0]]
 
 
-def _known_as(exact: Solution) -> str:
+def known_as(exact: Solution) -> str:
     """What the page calls the solution that others are measured by: modes are many, or those of bodies as wholes."""
     if exact.method["name"] != Modal.NAME:
         return exact.method["name"]

@@ -109,7 +109,17 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, np.ndarray
         "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
         "blowDepth": depth,
         "blowForce": force,
+        **_touch(exact, time),
     }
+
+
+def _touch(exact: Solution, time: np.ndarray) -> dict[str, np.ndarray]:
+    """The circle on which two smooth bodies touch in it, and the pressure there; nothing by other laws."""
+    if (found := exact.touch(time)) is None:
+        return {}
+    pressure = found.pressure if found.greatest is None else found.greatest
+    flow = {} if found.greatest is not None or not found.strength else {"blowFlow": found.pressure / found.strength}
+    return {"blowTime": time, "blowRadius": found.radius, "blowPressure": pressure, **flow}
 
 
 def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:

@@ -34,6 +34,10 @@ CYCLE: Fields = optional(
         "cycleUnloading": Field("(cycle)", "and back [N]"),
         "blowDepth": Field("(impact)", "indentation in this impact [m]"),
         "blowForce": Field("(impact)", "force in it [N]"),
+        "blowTime": Field("(impact)", "of two smooth bodies that touch in a point [s]"),
+        "blowRadius": Field("(impact)", "of the circle on which they touch [m]"),
+        "blowPressure": Field("(impact)", "the greatest there, the mean of a contact that flows [Pa]"),
+        "blowFlow": Field("(impact)", "that mean over the yield strength"),
     }
 )
 STRIKER = Field("Striking")

@@ -240,6 +240,10 @@ export interface Bending extends Common {
   /** (cycle) and back [N] */ cycleUnloading?: Numbers;
   /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
   /** (impact) force in it [N] */ blowForce?: Numbers;
+  /** (impact) of two smooth bodies that touch in a point [s] */ blowTime?: Numbers;
+  /** (impact) of the circle on which they touch [m] */ blowRadius?: Numbers;
+  /** (impact) the greatest there, the mean of a contact that flows [Pa] */ blowPressure?: Numbers;
+  /** (impact) that mean over the yield strength */ blowFlow?: Numbers;
   /** why the chosen method is not shown */ refused: Note | null;
   /** 1: the unit of its times [s] */ trip: number;
   /** of the impact [m/s] */ speed: number;
@@ -325,6 +329,10 @@ export interface AxialFrame extends Common {
   /** (cycle) and back [N] */ cycleUnloading?: Numbers;
   /** (impact) indentation in this impact [m] */ blowDepth?: Numbers;
   /** (impact) force in it [N] */ blowForce?: Numbers;
+  /** (impact) of two smooth bodies that touch in a point [s] */ blowTime?: Numbers;
+  /** (impact) of the circle on which they touch [m] */ blowRadius?: Numbers;
+  /** (impact) the greatest there, the mean of a contact that flows [Pa] */ blowPressure?: Numbers;
+  /** (impact) that mean over the yield strength */ blowFlow?: Numbers;
   /** T, the round trip of a wave or the time of a contact [s] */ trip: number;
   /** from left to right; none if no wave runs */ rods: RodRecord[];
   impactor: Striking;

@@ -8,7 +8,7 @@ from typing import Any
 from ..choices.kinds import KINDS as EVERY
 from ..choices.opened import opening_of
 from ..choices.questions import Question
-from . import bounces, convergence, joints, mode_change, plan, stability, stretch, tolerance, tradeoff
+from . import bounces, convergence, joints, mode_change, plan, spectrum, stability, stretch, tolerance, tradeoff
 from .energy import energy_data, energy_figure, of_impacts
 from .mass_ratios import one_rod_support, ratios_data, ratios_figure
 from .methods import methods_table
@@ -133,6 +133,7 @@ VIEWS = (  # in the order in which an address names them
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
     View("ringing", modes_data, figure=modes_figure, address="modes", panel="modes", kinds=AXIAL | BEAMS,
          depends_on=of_modes),
+    View("spectrum", spectrum.spectrum_data, asked=spectrum.QUESTIONS, kinds=AXIAL | BEAMS, rests=True),
     View("code"),
     View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file
 )  # fmt: skip

@@ -19,6 +19,8 @@ from .target_modes import TargetModes
 if TYPE_CHECKING:
     from ..notebook.datasets import Dataset
     from ..notebook.plots import Drawn
+    from .spectrum import Spectrum
+    from .touch import Touch
 
 
 @dataclass(frozen=True)
@@ -222,6 +224,31 @@ class Solution:
         if not isinstance(self.motion, ShowsModes) or not self.scene.target.length:
             raise SceneError("solution", self.method["name"], allowed("shapes-of-modes"))
         return TargetModes(self.motion, self.scene.target.length)
+
+    def spectrum(
+        self,
+        what: str = "contact_force",
+        place: float | None = None,
+        window: str = "none",
+        frequency: ArrayLike | None = None,
+    ) -> "Spectrum":
+        """How much there is of each `frequency` [Hz] in a history: one that `dataset` has, or a field of it at a
+        `place` [m], its first one by default; up to 100 periods in the time solved by default. Under a `window` "none",
+        or "hann", by which a vibration that is cut off at the end does not spread over other frequencies.
+
+        Error: rounding for the contact force of waves and of modes; a field is sampled 16 times in the shortest period.
+        Raises SceneError for what the solution does not have, and above a frequency of 12500 periods in its time.
+        """
+        from . import spectrum  # which most solutions are not asked
+
+        return spectrum.spectrum(self, what, place, window, frequency)
+
+    def touch(self, time: ArrayLike) -> "Touch | None":
+        """Radius and mean pressure of the circle on which the bodies touch, at instants (time,) [s] that ascend; None
+        where the law is neither `hertz` nor `plastic-power`, or both bodies are flat. Raises SceneError as above."""
+        from . import touch  # likewise
+
+        return touch.touch(self, time)
 
     @property
     def known_motion(self) -> Motion:

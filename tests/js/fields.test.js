@@ -2,9 +2,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { attachedModes } from '../../app/static/axial/attached_modes.js';
-import { Field, RigidField, SampledField, WaveField } from '../../app/static/axial/fields.js';
+import { Field, RigidField, WaveField } from '../../app/static/axial/fields.js';
 import { ModalField } from '../../app/static/axial/modal_field.js';
-import { fieldOf } from '../../app/static/beam/field.js';
+import { SampledField } from '../../app/static/axial/sampled_field.js';
+import { fieldOf } from '../../app/static/beam/field_of.js';
+import { between } from '../../app/static/charts/scale.js';
 
 const near = (found, expected, error) =>
   assert.ok(Math.abs(found - expected) <= error, `${found} is not ${expected} within ${error}`);
@@ -128,22 +130,80 @@ test('a damped mode of a beam under a constant force settles as an oscillator do
   near(field.mean(4e-3, step, 'moment', new Float64Array(3))[1], field.profile(4e-3, 'moment')[1], 1e-12);
 });
 
-test('the stress at a place is that of the profiles there', () => {
-  const frame = { duration: 2, rods: [{ ...ROD, mirror: -1 }], f0Time: [0, 2], f0: [1, 1], exactForce: [1], ...still };
-  const { x, y } = new WaveField(frame).stressAt(0.5, [0, 2]);
-  const told = (t) => y[x.findIndex((each) => each >= t)];
-  assert.deepEqual([0.1, 0.2, 0.8, 0.95, 1.5].map(told), [0, 1, 1, 0, 0]);
+const STEP = { duration: 2, f0Time: [0, 2], f0: [1, 1], exactForce: [1], ...still };
+const pairs = ({ x, y }) => Array.from(x, (each, k) => [each, y[k]]);
+/** Pairs that are those expected, fronts to a part in 1e8. */
+const nearly = (found, expected) => {
+  assert.equal(found.length, expected.length, JSON.stringify(found));
+  found.forEach((pair, k) => pair.forEach((value, i) => near(value, expected[k][i], 1e-8)));
+};
+
+test('a front is a vertical step over place and over time', () => {
+  const field = new WaveField({ ...STEP, rods: [{ ...ROD, mirror: -1 }] });
+  const front = [
+    [0, 1],
+    [1.2, 1],
+    [1.2, 0],
+    [2, 0],
+  ];
+  nearly(pairs(field.along(0.3, 'stress')), front);
+  nearly(pairs(field.along(0.3, 'velocity')), front); // in units in which rho c is 1
+  nearly(pairs(field.over(1.2, [0, 0.5], 'stress')), [
+    [0, 0],
+    [0.3, 0],
+    [0.3, 1],
+    [0.5, 1],
+  ]);
+  const moved = field.along(0.3, 'displacement');
+  nearly(pairs(moved).slice(0, 2), [
+    [0, 0.3],
+    [1.2, 0],
+  ]);
+});
+
+test('two waves apart add up to the stress and differ by the velocity, in every rod', () => {
+  const second = { ...ROD, from: 2, to: 3, impedance: 0.5, area: 0.25, transit: 0.25, mirror: 0 };
+  const waves = { f0Time: [0, 2], f0: [1, 1], g0Time: [0, 0.5, 0.5, 2], g0: [0, 0, -1 / 3, -1 / 3] };
+  const on = { f1Time: [0, 0.5, 0.5, 2], f1: [0, 0, 2 / 3, 2 / 3], g1Time: [0, 2], g1: [0, 0] };
+  const rods = [{ ...ROD, mirror: 0 }, second];
+  const field = new WaveField({ duration: 2, rods, exactForce: [1], ...waves, ...on, ...still });
+  const [stress, velocity, right, left] = ['stress', 'velocity', 'right', 'left'].map((w) => field.along(0.6, w));
+  const at = ({ x, y }, place) => between(x, y, place);
+  for (const place of [0.1, 1.3, 1.7, 2.2, 2.39, 2.41, 2.9]) {
+    const { area, impedance } = rods[Number(place > 2)];
+    near(at(right, place) + at(left, place), at(stress, place), 1e-8);
+    near(((at(right, place) - at(left, place)) * area) / impedance, at(velocity, place), 1e-8);
+  }
+  near(at(right, 1.8), 1, 1e-12); // one third of the force has come back as tension, two thirds have gone on
+  near(at(left, 1.8), -1 / 3, 1e-12);
+  near(at(right, 2.1), 8 / 3, 1e-12);
+  near(at(left, 2.1), 0, 1e-12);
+});
+
+test('fields that know no waves have them from stress and velocity, without the velocity the rod has anyway', () => {
+  const rod = { ...ROD, impedance: 0.5, area: 0.25, drift: 0.1 };
+  const frame = { duration: 10, rods: [rod], shapes: { fieldStress: [2, 3] }, ...still };
+  const even = (value) => Array(6).fill(value);
+  const tables = { fieldStress: even(4), fieldVelocity: even(1.1), fieldDisplacement: even(0) };
+  const field = new SampledField({ ...frame, ...tables }, 'other');
+  for (const found of [field.along(5, 'right'), field.over(1, [0, 10], 'right')]) near(found.y[1], 3, 1e-12);
+  for (const found of [field.along(5, 'left'), field.over(1, [0, 10], 'left')]) near(found.y[1], 1, 1e-12);
+});
+
+test('histories at a place are those of the profiles there', () => {
   const sampled = { duration: 10, rods: [ROD], shapes: { fieldStress: [2, 3] }, ...still };
   const tables = { fieldStress: [0, 1, 2, 4, 5, 6], fieldVelocity: [0], fieldDisplacement: [0] };
-  const { x: times, y: found } = new SampledField({ ...sampled, ...tables }, 'other').stressAt(1.5, [0, 10]);
-  assert.deepEqual(
-    [[...times], [...found]],
-    [
-      [0, 10],
-      [1.5, 5.5],
-    ],
-  );
-  assert.equal(new Field({ duration: 2, ...still }, 'exact').stressAt(0, [0, 2]), null);
+  nearly(pairs(new SampledField({ ...sampled, ...tables }, 'other').over(1.5, [0, 10], 'stress')), [
+    [0, 1.5],
+    [10, 5.5],
+  ]);
+  assert.equal(new Field({ duration: 2, ...still }, 'exact').over(0, [0, 2], 'stress'), null);
+  const own = { duration: 2, rods: [{ ...ROD, mirror: -1 }], modes: 4, step: 0.01, modalForce: Array(200).fill(0.7) };
+  const field = new ModalField({ ...own, ...still });
+  for (const what of ['stress', 'velocity', 'displacement']) {
+    const { x, y } = field.over(1.5, [0, 2], what);
+    for (const k of [40, 250]) near(y[k], field.profile(x[k], what, new Float64Array(5))[3], 1e-5);
+  }
 });
 
 test('a frame fixed to the struck end has the frequencies, shapes and stresses of solvers.numerics.rods', () => {

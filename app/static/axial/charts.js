@@ -11,6 +11,7 @@ import { figures, scaled, signed } from '../text/format.js';
 import { called } from '../text/words.js';
 import { betweenOf, forcesOf, movementsOf } from './cradle.js';
 import { drawnFromOther } from './drawn.js';
+import { touchAt } from './touch.js';
 import { RigidField } from './fields.js';
 
 /** @import { Axis } from '../charts/axis.js' */
@@ -18,6 +19,7 @@ import { RigidField } from './fields.js';
 /** @import { Range, Samples } from '../charts/scale.js' */
 /** @import { AxialFrame, Numbers } from '../messages.js' */
 /** @import { Field, What } from './fields.js' */
+/** @import { CycleFrame } from './touch.js' */
 
 const COLUMNS = 480;
 const ROWS = 121;
@@ -248,6 +250,8 @@ export class Force {
 export class Cycle {
   /** @type {[factor: number, unit: string]} */ across = [1e6, 'µm']; // how the indentation is shown
   /** @type {{ depth: Numbers, force: Numbers, name: string, style: Series['style'] }[]} */ kept = [];
+  /** @type {CycleFrame} */ frame;
+  touch = make('output', { className: 'readout touch', ariaLive: 'off' }); // a line of its own
   reach = 0; // indentation that the axis is to reach, in any case [m]
 
   constructor() {
@@ -263,9 +267,12 @@ export class Cycle {
       points: true,
     });
     this.chart.root.classList.add('cycle');
+    this.chart.head.append(this.touch);
   }
-  /** @param {Pick<AxialFrame, 'cycleDepth' | 'cycleLoading' | 'cycleUnloading' | 'blowDepth' | 'blowForce'>} frame */
+  /** @param {CycleFrame} frame */
   load(frame) {
+    this.frame = frame;
+    this.touch.hidden = !frame.blowTime;
     this.chart.root.hidden = !frame.cycleDepth;
     if (!frame.cycleDepth) return;
     const depth = frame.cycleDepth;
@@ -296,12 +303,14 @@ export class Cycle {
    * This impact at one instant: depth [m] and force [N].
    * @param {number} depth
    * @param {number} force
+   * @param {number} time  [s]
    */
-  mark(depth, force) {
+  mark(depth, force, time) {
     const { chart } = this;
     const [factor, unit] = this.across;
     const deep = `${figures(Math.max(depth, 0) * factor)} ${unit}`;
     chart.mark(depth * factor, force, `${deep}   ${figures(force * chart.factor)} ${chart.unitShown}`);
+    this.touch.textContent = touchAt(this.frame, time);
   }
 }
 

@@ -1,7 +1,8 @@
 // The fields of a message: of its exact solution, and of the method beside it.
 import { drawnFromOther } from './drawn.js';
-import { Field, RigidField, SampledField, WaveField } from './fields.js';
+import { Field, RigidField, WaveField } from './fields.js';
 import { ModalField } from './modal_field.js';
+import { SampledField } from './sampled_field.js';
 
 /** @import { AxialFrame } from '../messages.js' */
 

@@ -1,28 +1,19 @@
 // Fields of an impact along an axis, rebuilt from the message. Time in round trips T, places in m from the struck end,
 // displacement in v T, velocity in v, stress in v sqrt(E rho); compression positive.
-import { between } from '../charts/scale.js';
+import { between, evenly } from '../charts/scale.js';
 import { given, arrayOf } from '../shell/message.js';
 import { Mirrored, Wave } from './wave.js';
 
 /** @import { Range, Samples } from '../charts/scale.js' */
 /** @import { AxialFrame, Numbers, RodRecord } from '../messages.js' */
 
-const SAMPLES = 2000; // of a stress over time, by waves
+const POINTS = 240; // along the bodies, where no fronts are known
+const NEXT = 1e-9; // of T, to both sides of a front
+const JUMP = 1e-6; // the least that the message has twice
 
 /** @typedef {'stress' | 'velocity' | 'displacement'} What */
+/** @typedef {What | 'right' | 'left'} Part  the waves of stress that run either way, of which the stress is the sum */
 /** @typedef {(column: number, values: Float64Array) => void} Visit */
-
-/**
- * Values at instants spread evenly over a stretch of time.
- * @param {Range} stretch
- * @param {number} count
- * @param {(t: number) => number} value
- * @returns {Samples}
- */
-export function evenly([start, end], count, value) {
-  const x = Float64Array.from({ length: count + 1 }, (_, k) => start + (k / count) * (end - start));
-  return { x, y: x.map(value) };
-}
 
 /**
  * What colours are in units of [SI].
@@ -88,13 +79,54 @@ export class Field {
       visit(c, this.profile(start + ((c + 0.5) / columns) * (end - start), what, column));
   }
   /**
-   * The stress at a place over a stretch of time; nothing where it is not known.
-   * @param {number} _place  [m]
-   * @param {Range} _stretch
+   * Values over places [m] at one instant; where a place stands twice, a jump.
+   * @param {number} t
+   * @param {Part} what
    * @returns {Samples | null}
    */
-  stressAt(_place, _stretch) {
+  along(t, what) {
+    return this.#apart(what, (part) => {
+      const values = this.profile(t, part, new Float64Array(POINTS + 1));
+      return evenly([this.from, this.to], POINTS, (_, k) => values[k]);
+    });
+  }
+  /**
+   * Values over a stretch of time at a place; nothing where they are not known.
+   * @param {number} place  [m]
+   * @param {Range} stretch
+   * @param {Part} what
+   * @returns {Samples | null}
+   */
+  over(place, stretch, what) {
+    return this.#apart(what, (part) => this.history(place, stretch, part), place);
+  }
+  /**
+   * @param {number} _place
+   * @param {Range} _stretch
+   * @param {What} _what
+   * @returns {Samples | null}
+   */
+  history(_place, _stretch, _what) {
     return null;
+  }
+  /**
+   * Read a quantity, or one of the two waves from stress s and velocity v: (s + rho c v) / 2 runs to the right,
+   * (s - rho c v) / 2 to the left.
+   * @param {Part} what
+   * @param {(what: What) => Samples | null} read
+   * @param {number} [place]  of all that is read
+   * @returns {Samples | null}
+   */
+  #apart(what, read, place) {
+    if (what !== 'right' && what !== 'left') return read(what);
+    const [stress, velocity] = [read('stress'), read('velocity')];
+    if (!stress || !velocity) return null;
+    const way = what === 'right' ? 1 : -1;
+    const y = Float64Array.from(Array.from(stress.x), (x, k) => {
+      const { area, drift, impedance } = rodAt(this.frame.rods, place ?? x);
+      return (stress.y[k] + (way * (velocity.y[k] - drift) * impedance) / area) / 2;
+    });
+    return { x: stress.x, y };
   }
   /**
    * Displacement of the struck end.
@@ -118,6 +150,14 @@ export class Field {
     return between(this.frame.motionTime, this.masses, t);
   }
 }
+
+/**
+ * The rod at a place.
+ * @template {RodRecord} Found
+ * @param {Found[]} rods
+ * @param {number} place
+ */
+const rodAt = (rods, place) => rods.findLast(({ from }) => from <= place) ?? rods[0];
 
 /** @typedef {RodRecord & { f: Wave, g: Wave | Mirrored }} Rod */
 
@@ -214,15 +254,83 @@ export class WaveField extends Field {
     return out;
   }
   /**
+   * With every front where it is.
+   * @param {number} t
+   * @param {Part} what
+   */
+  along(t, what) {
+    /** @type {{ x: number[], y: number[] }} */
+    const found = { x: [], y: [] };
+    for (const rod of this.rods) {
+      const { f, from, g, to, transit } = rod;
+      const lates = f.corners([t - transit, t]).map((sent) => t - sent);
+      for (const sent of g.corners([t - transit, t])) lates.push(sent - t + transit);
+      const place = (/** @type {number} */ late) => from + (late / transit) * (to - from);
+      stepped(found, lates, [0, transit], place, (late) => valueIn(rod, what, t, late));
+    }
+    return found;
+  }
+  /**
    * @param {number} place
    * @param {Range} stretch
+   * @param {Part} what
    */
-  stressAt(place, stretch) {
-    const rod = this.rods.findLast(({ from }) => from <= place) ?? this.rods[0];
-    const { f, g, transit, area, from, to } = rod;
-    const s = ((place - from) / (to - from)) * transit;
-    return evenly(stretch, SAMPLES, (t) => (f.exactly(t - s) + g.exactly(t - transit + s)) / area);
+  over(place, [start, end], what) {
+    const rod = rodAt(this.rods, place);
+    const { f, from, g, to, transit } = rod;
+    const late = ((place - from) / (to - from)) * transit;
+    const later = (/** @type {Wave | Mirrored} */ wave, /** @type {number} */ by) =>
+      wave.corners([start - by, end - by]).map((sent) => sent + by);
+    /** @type {{ x: number[], y: number[] }} */
+    const found = { x: [], y: [] };
+    const instants = [...later(f, late), ...later(g, transit - late)];
+    stepped(
+      found,
+      instants,
+      [start, end],
+      (t) => t,
+      (t) => valueIn(rod, what, t, late),
+    );
+    return found;
   }
+}
+
+/**
+ * A value in a rod, where the wave of its left end comes so late.
+ * @param {Rod} rod
+ * @param {Part} what
+ * @param {number} t
+ * @param {number} late
+ */
+function valueIn({ area, drift, f, g, impedance, transit }, what, t, late) {
+  const [there, back] = [t - late, t - transit + late];
+  if (what === 'displacement') return drift * t + (f.total(there) - g.total(back)) / impedance;
+  const right = what === 'left' ? 0 : f.sharp(there);
+  const left = what === 'right' ? 0 : g.sharp(back);
+  return what === 'velocity' ? drift + (right - left) / impedance : (right + left) / area;
+}
+
+/**
+ * Add the values at corners between two ends; where they jump, those on both sides.
+ * @param {{ x: number[], y: number[] }} found
+ * @param {number[]} corners
+ * @param {Range} ends
+ * @param {(at: number) => number} place
+ * @param {(at: number) => number} value
+ */
+function stepped({ x, y }, corners, [first, last], place, value) {
+  const inside = corners.filter((at) => at > first + 2 * NEXT && at < last - 2 * NEXT).sort((a, b) => a - b);
+  const add = (/** @type {number} */ at, /** @type {number[]} */ ...values) => {
+    y.push(...values);
+    while (x.length < y.length) x.push(place(at));
+  };
+  add(first, value(first + NEXT));
+  for (const at of inside) {
+    const [before, after] = [value(at - NEXT), value(at + NEXT)];
+    if (Math.abs(after - before) > JUMP) add(at, before, after);
+    else add(at, after);
+  }
+  add(last, value(last - NEXT));
 }
 
 /** Rods as rigid lines, by a method that tells no places apart: a body that is held stays, whatever its face does. */
@@ -237,6 +345,10 @@ export class RigidField extends Field {
   face(t) {
     return this.frame.target.held ? 0 : this.end(t);
   }
+  /** It tells no places apart. */
+  along() {
+    return null;
+  }
   /**
    * @param {number} t
    * @param {What} what
@@ -246,71 +358,5 @@ export class RigidField extends Field {
     const meet = Math.round((-this.from / (this.to - this.from)) * out.length); // of two rods
     out.fill(0);
     return what === 'displacement' ? out.fill(this.mass(t), 0, meet).fill(this.face(t), meet) : out;
-  }
-}
-
-/** Fields sampled by the server, for methods whose fields cannot be rebuilt here. */
-export class SampledField extends Field {
-  coarse = true;
-
-  /**
-   * @param {AxialFrame} frame
-   * @param {'exact' | 'other'} solution
-   */
-  constructor(frame, solution) {
-    super(frame, solution);
-    const exact = solution === 'exact';
-    this.from = frame.rods[0]?.from ?? 0;
-    this.to = frame.rods.at(-1)?.to ?? 0;
-    this.tables = {
-      stress: given(exact ? frame.exactStress : frame.fieldStress, 'stress'),
-      velocity: given(exact ? frame.exactVelocity : frame.fieldVelocity, 'velocity'),
-      displacement: given(exact ? frame.exactDisplacement : frame.fieldDisplacement, 'displacement'),
-    };
-    const [instants, places] = frame.shapes[exact ? 'exactStress' : 'fieldStress'];
-    this.instants = instants;
-    this.places = places;
-  }
-  /**
-   * The largest anywhere.
-   * @param {What} what
-   */
-  largest(what) {
-    return this.tables[what].reduce((/** @type {number} */ most, value) => Math.max(most, Math.abs(value)), 1e-12);
-  }
-  /**
-   * @param {number} t
-   * @param {What} what
-   * @param {Float64Array} out
-   */
-  profile(t, what, out) {
-    const { frame, instants, places } = this;
-    const n = out.length - 1;
-    const field = this.tables[what];
-    const row = Math.min(Math.max(t / frame.duration, 0), 1) * (instants - 1);
-    const i = Math.min(Math.floor(row), instants - 2);
-    const a = row - i;
-    for (let k = 0; k <= n; k++) {
-      const place = (k / n) * (places - 1);
-      const j = Math.min(Math.floor(place), places - 2);
-      const b = place - j;
-      const p = i * places + j;
-      out[k] =
-        (1 - a) * ((1 - b) * field[p] + b * field[p + 1]) +
-        a * ((1 - b) * field[p + places] + b * field[p + places + 1]);
-    }
-    return out;
-  }
-  /** @param {number} place */
-  stressAt(place) {
-    const along = (this.to > this.from ? (place - this.from) / (this.to - this.from) : 0) * (this.places - 1);
-    const j = Math.min(Math.max(Math.floor(along), 0), this.places - 2);
-    const row = (/** @type {number} */ i) => i * this.places + j;
-    const { stress } = this.tables;
-    const last = this.instants - 1;
-    return evenly([0, this.frame.duration], last, (t) => {
-      const p = row(Math.round((t / this.frame.duration) * last));
-      return stress[p] + (along - j) * (stress[p + 1] - stress[p]);
-    });
   }
 }

@@ -1,13 +1,14 @@
 // The field of one rod by its modes.
 import { attachedModes } from './attached_modes.js';
 import { given } from '../shell/message.js';
-import { evenly, Field } from './fields.js';
+import { evenly } from '../charts/scale.js';
+import { Field } from './fields.js';
 
 /** @import { AxialFrame } from '../messages.js' */
 /** @import { Range } from '../charts/scale.js' */
 /** @import { What } from './fields.js' */
 
-const SAMPLES = 12; // of a stress, in the shortest period
+const SAMPLES = 12; // of a history, in the shortest period
 const [LEAST_SAMPLES, MOST_SAMPLES] = [400, 2400];
 const SAVED_NUMBERS = 400_000; // of states that are kept, to go back to
 
@@ -117,16 +118,31 @@ export class ModalField extends Field {
     return made;
   }
   /**
+   * How much there is of a mode.
+   * @param {number} i
+   * @param {What} what
+   */
+  amount(i, what) {
+    if (what === 'displacement') return this.q[i];
+    return (what === 'stress' ? this.q[i] : this.w[i]) * this.omega[i];
+  }
+  /** @param {What} what  of the rod as a whole */
+  whole(what) {
+    return what === 'stress' ? 0 : what === 'velocity' ? this.rigid[1] : this.rigid[0];
+  }
+  /**
    * @param {number} place
    * @param {Range} stretch
+   * @param {What} what
    */
-  stressAt(place, [start, end]) {
-    const { sines } = this.rows(Float64Array.of((place - this.from) / (this.to - this.from)));
+  history(place, [start, end], what) {
+    const { cosines, sines } = this.rows(Float64Array.of((place - this.from) / (this.to - this.from)));
+    const shape = what === 'stress' ? sines : cosines;
     const count = Math.min(Math.max(SAMPLES * this.omega.length * (end - start), LEAST_SAMPLES), MOST_SAMPLES);
     return evenly([start, end], Math.ceil(count), (t) => {
       this.seek(t);
-      let sum = 0;
-      for (let i = 0; i < sines.length; i++) sum += this.q[i] * this.omega[i] * sines[i];
+      let sum = this.whole(what);
+      for (let i = 0; i < shape.length; i++) sum += this.amount(i, what) * shape[i];
       return sum;
     });
   }
@@ -139,12 +155,11 @@ export class ModalField extends Field {
     this.seek(t);
     const points = out.length;
     const { cosines, sines } = this.table(points);
-    out.fill(what === 'stress' ? 0 : what === 'velocity' ? this.rigid[1] : this.rigid[0]);
+    const shape = what === 'stress' ? sines : cosines;
+    out.fill(this.whole(what));
     for (let i = 0; i < this.omega.length; i++) {
-      const shape = what === 'stress' ? sines : cosines;
-      const amplitude =
-        what === 'stress' ? this.q[i] * this.omega[i] : what === 'velocity' ? this.w[i] * this.omega[i] : this.q[i];
-      for (let j = 0, k = i * points; j < points; j++, k++) out[j] += amplitude * shape[k];
+      const amount = this.amount(i, what);
+      for (let j = 0, k = i * points; j < points; j++, k++) out[j] += amount * shape[k];
     }
     return out;
   }

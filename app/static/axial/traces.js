@@ -33,7 +33,7 @@ export function tracesOf(frame, field, { drawn: { left, right } }, stretch) {
   const seen = (bars ?? []).flatMap((number, k) => {
     const { from, to } = frame.rods[number];
     const place = (from + to) / 2;
-    const stress = field.stressAt(place, stretch);
+    const stress = field.over(place, stretch, 'stress');
     return stress ? [{ place, stress, name: text('opening.gauge', { number: k + 1 }) }] : [];
   });
   const most = Math.max(...seen.flatMap(({ stress }) => Array.from(stress.y, Math.abs)));

@@ -1,9 +1,10 @@
 // Everything that is shown of an impact along one axis: stage, views over time, contact law, story.
 import { Axis } from '../charts/axis.js';
+import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
-import { times } from '../shell/times.js';
+import { TRIPS, times } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { byOf, called } from '../text/words.js';
@@ -12,7 +13,6 @@ import { cradleRows } from './cradle_rows.js';
 import { drawnFromOther } from './drawn.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
 import { RigidField, unitOf } from './fields.js';
-import { Gauge } from './gauge.js';
 import { Moments } from './moments.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
@@ -20,9 +20,21 @@ import { tracesOf } from './traces.js';
 import { barOf, tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
+/** @import { Source } from '../charts/gauge.js' */
 /** @import { AxialFrame } from '../messages.js' */
 /** @import { Scene } from '../opening/section.js' */
 /** @import { Field, What } from './fields.js' */
+
+/** @type {Record<string, import('../charts/gauge.js').Quantity>} */
+const QUANTITIES = {
+  stress: { unit: 'Pa', parts: ['stress'], factor: ({ stressUnit }) => stressUnit },
+  waves: { unit: 'Pa', parts: ['right', 'left'], factor: ({ stressUnit }) => stressUnit },
+  velocity: { unit: 'm/s', parts: ['velocity'], factor: ({ speed }) => speed },
+  displacement: { unit: 'm', parts: ['displacement'], factor: ({ speed, trip }) => speed * trip },
+};
+
+/** @param {{ name: string }} figures */
+const keyOf = ({ name }) => name.replaceAll('-', '_');
 
 export class AxialView {
   /** @type {What} */ what = 'stress'; // that the colours show
@@ -44,8 +56,13 @@ export class AxialView {
     this.force = new Force(this.axis, go);
     this.displacements = new Displacements(this.axis, go);
     this.moments = new Moments(this.axis, go);
-    this.gauge = new Gauge(this.axis, go, page);
-    this.charts = [this.spaceTime, this.force, this.displacements, this.moments, this.gauge];
+    this.gauge = new Gauge({
+      ...{ axis: this.axis, xUnit: TRIPS, quantities: QUANTITIES, names: family('gauge.quantity'), go },
+      written: (t) => times.written(t),
+      move: (place) => this.gaugeAt(place),
+      turned: () => page.history.later(),
+    });
+    this.charts = [this.spaceTime, this.force, this.displacements, this.moments, ...this.gauge.parts];
     this.cycle = new Cycle();
     this.story = new Story(
       (t) => page.player.seek(t + this.after),
@@ -62,8 +79,9 @@ export class AxialView {
     this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
     this.spaceTime.chart.title.after(this.colours.root);
-    const [waves, force, moved, moments, stress] = this.charts.map(({ chart }) => chart);
-    this.stack = new Stack('axial', { waves, force, moments, moved, stress }, () => page.redraw(), ['stress']);
+    const [waves, force, moved, moments, stress, along] = this.charts.map(({ chart }) => chart);
+    const charts = { waves, force, moments, moved, stress, along };
+    this.stack = new Stack('axial', charts, () => page.redraw(), ['stress', 'along']);
     this.strip = force; // is seen on a phone, whatever else is
     this.buttons = [this.whole];
     this.story.numbers.prepend(this.cycle.chart.root);
@@ -93,7 +111,7 @@ export class AxialView {
     this.force.load(frame);
     this.displacements.load(frame);
     this.moments.load(frame);
-    this.gauge.load(frame);
+    this.#gauge();
     this.stack.lead(frame.chosen.scene, frame.opens.charts);
     this.cycle.load(frame);
     this.dress();
@@ -106,6 +124,7 @@ export class AxialView {
     this.force.load(frame);
     this.displacements.load(frame);
     this.moments.load(frame);
+    this.#gauge();
     this.dress();
     this.show(this.page.player.t);
   }
@@ -190,17 +209,42 @@ export class AxialView {
     this.draw();
   }
   draw() {
-    this.#gaugeStress();
-    for (const { chart } of [...this.charts, this.cycle]) if (!chart.root.hidden) chart.draw();
+    for (const part of [...this.charts, this.cycle]) if (!part.chart.root.hidden) part.draw();
+    this.#mark();
   }
-  /** What is shown of one place is computed while it is seen; the x-t diagram says where that is. */
-  #gaugeStress() {
-    const { frame, gauge, spaceTime } = this;
-    const seen = Boolean(frame.rods.length) && !this.stack.root.hidden && this.stack.shows('stress');
-    if (seen) gauge.follow(this.exactField, frame.other ? this.otherField : null);
-    if (frame.rods.length) spaceTime.mark(seen ? gauge.place : null);
+  /** The x-t diagram says where the gauge is while that is seen. */
+  #mark() {
+    if (this.frame?.rods.length) this.spaceTime.mark(this.gauge.seen ? this.gauge.place : null);
   }
-  /** @param {number} place  of which the stress is shown [m] */
+  #gauge() {
+    const { chosen, exact, opens, rods } = this.frame;
+    const reach = /** @type {[number, number]} */ (rods.length ? [rods[0].from, rods[rods.length - 1].to] : [0, 0]);
+    const body = { scene: chosen.scene, frame: this.frame, contacts: exact.contacts, usual: opens.place, reach };
+    this.gauge.load(body, () => this.read(this.frame));
+  }
+  /**
+   * Its solutions as a gauge reads them, the exact one first.
+   * @param {AxialFrame} frame
+   * @returns {Source[]}
+   */
+  read(frame) {
+    const own = frame === this.frame;
+    const { exact, other } = frame;
+    /** @type {Source[]} */
+    const found = [
+      {
+        ...{ frame, name: called(exact), key: keyOf(exact), style: 'exact', second: 'struck' },
+        field: own ? this.exactField : exactFieldOf(frame),
+      },
+    ];
+    if (other)
+      found.push({
+        ...{ frame, name: called(other), key: keyOf(other), style: 'other', second: 'dashedOther' },
+        field: own ? this.otherField : otherFieldOf(frame),
+      });
+    return found;
+  }
+  /** @param {number} place  of the gauge [m] */
   gaugeAt(place) {
     this.gauge.asked = place;
     this.draw();
@@ -221,14 +265,18 @@ export class AxialView {
     for (const part of this.charts) if (!part.chart.root.hidden) part.cursor(t);
     if (!frame.cycleDepth) return;
     const moved = between(frame.motionTime, frame.exactMass, t) - between(frame.motionTime, frame.exactEnd, t);
-    this.cycle.mark(moved * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit);
+    this.cycle.mark(moved * frame.speed * frame.trip, this.force.at(t) * frame.forceUnit, t * frame.trip);
   }
   // Another stretch of time fills the views.
   zoomed() {
     this.whole.hidden = !this.axis.zoomed;
-    if (this.frame) this.#gaugeStress();
-    if (this.frame?.rods.length) this.spaceTime.look();
-    for (const { chart } of this.charts) if (!chart.root.hidden) chart.redraw();
+    if (!this.frame) return;
+    if (this.frame.rods.length) this.spaceTime.look();
+    for (const part of this.charts) {
+      if (part.chart.root.hidden) continue;
+      part.draw();
+      part.cursor(this.page.player.t);
+    }
   }
   /** Histories as a table to save. */
   rows(points = 2000) {
@@ -236,20 +284,16 @@ export class AxialView {
     const length = frame.speed * frame.trip;
     const fields = frame.other ? [this.exactField, this.otherField] : [this.exactField];
     const forces = frame.other ? [this.force.exact, this.force.other] : [this.force.exact];
-    const named = fields.map(({ solution }) => frame[solution]?.name.replaceAll('-', '_'));
-    const places = named.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
-    const gauged = frame.rods.length
-      ? fields.map((field) => field.stressAt(this.gauge.place, [0, frame.duration]))
-      : [];
-    const where = `at_${Number((1e3 * this.gauge.place).toPrecision(5))}_mm`;
-    const stresses = named.flatMap((name, k) => (gauged[k] ? [`compression_${name}_${where}_Pa`] : []));
-    const names = ['time_s', ...named.map((name) => `force_${name}_N`), ...places, ...stresses];
+    const own = this.read(frame).map(({ key }) => key);
+    const places = own.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
+    const { columns } = this.gauge;
+    const names = ['time_s', ...own.map((name) => `force_${name}_N`), ...places, ...columns.map(({ name }) => name)];
     const values = Array.from({ length: points + 1 }, (_, k) => {
       const t = (k / points) * frame.duration;
       const force = forces.map((each) => (each ? between(each.x, each.y, t) : NaN) * frame.forceUnit);
       const moved = fields.flatMap((field) => [field.mass(t) * length, field.end(t) * length]);
-      const pressed = gauged.flatMap((each) => (each ? [between(each.x, each.y, t) * frame.stressUnit] : []));
-      return [t * frame.trip, ...force, ...moved, ...pressed];
+      const gauge = columns.map(({ at }) => at(t));
+      return [t * frame.trip, ...force, ...moved, ...gauge];
     });
     return { names, values };
   }

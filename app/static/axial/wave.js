@@ -1,5 +1,7 @@
 // Waves that run through a rod, as the picture reads them.
+import { between, indexAt } from '../charts/scale.js';
 
+/** @import { Range } from '../charts/scale.js' */
 /** @import { Numbers } from '../messages.js' */
 
 const CELLS = 8192; // of the time that is shown
@@ -16,6 +18,7 @@ export class Wave {
    * @param {number} duration
    */
   constructor(time, value, duration) {
+    this.history = { x: time, y: value }; // at a jump a time stands twice
     this.duration = duration;
     this.perTrip = CELLS / duration;
     this.value = new Float64Array(CELLS + 1);
@@ -70,6 +73,25 @@ export class Wave {
   exactly(t) {
     return t < 0 ? 0 : this.value[Math.min(Math.floor(t * this.perTrip), CELLS)];
   }
+  /**
+   * As the message has it, with every jump where it is.
+   * @param {number} t
+   */
+  sharp(t) {
+    return t < 0 ? 0 : between(this.history.x, this.history.y, t);
+  }
+  /**
+   * The instants in a stretch of time between which it is straight, its beginning among them.
+   * @param {Range} stretch
+   * @returns {number[]}
+   */
+  corners([start, end]) {
+    const { x } = this.history;
+    const found = start <= 0 && end >= 0 ? [0] : [];
+    for (let k = indexAt(x, start); k < x.length && x[k] <= end; k++)
+      if (x[k] >= start && x[k] !== found[found.length - 1]) found.push(x[k]);
+    return found;
+  }
   /** @param {number} t */
   total(t) {
     if (t <= 0) return 0;
@@ -98,6 +120,14 @@ export class Mirrored {
   /** @param {number} t */
   exactly(t) {
     return this.sign * this.wave.exactly(t - this.transit);
+  }
+  /** @param {number} t */
+  sharp(t) {
+    return this.sign * this.wave.sharp(t - this.transit);
+  }
+  /** @param {Range} stretch */
+  corners([start, end]) {
+    return this.wave.corners([start - this.transit, end - this.transit]).map((t) => t + this.transit);
   }
   /** @param {number} t */
   total(t) {

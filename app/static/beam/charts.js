@@ -32,7 +32,7 @@ const ENDS = {
  * @typedef {{ time: number[], force: Spread, displacement: Spread }} Band
  */
 
-const UNITS = { moment: 'N m', velocity: 'm/s', shear: 'N', deflection: 'm' };
+export const UNITS = { moment: 'N m', velocity: 'm/s', shear: 'N', deflection: 'm' };
 const BAND = 'rgba(122,94,168,.14)';
 const WIDE = 'rgba(122,94,168,.09)';
 const SPREAD = 'rgba(122,94,168,.3)';

@@ -1,9 +1,9 @@
 // Fields of a struck beam, rebuilt from the message, in SI units.
 // Deflection is positive the way the impactor goes; M = EI y'', V = dM/dx.
-import { indexAt } from '../charts/scale.js';
+import { evenly } from '../charts/scale.js';
 import { arrayOf, given } from '../shell/message.js';
 
-/** @import { Range } from '../charts/scale.js' */
+/** @import { Range, Samples } from '../charts/scale.js' */
 /** @import { BendingFrame } from '../messages.js' */
 
 /** @typedef {'moment' | 'velocity' | 'shear' | 'deflection'} What */
@@ -16,6 +16,7 @@ const SAVED_NUMBERS = 20_000; // of states that are kept, to go back to
 const SPARSE = 7; // of so many values one tells where the colours end
 const SURVEYED = 96; // instants of the first look
 const MANY = 60; // modes, whose sum is dear
+const MOMENTS = 1200; // of a history at a place
 const EVERY = 2; // of so many places one, at each of them
 
 /** @type {Record<string, Float64Array>} */
@@ -56,6 +57,8 @@ export class BeamField {
    */
   constructor(frame, room) {
     this.frame = frame;
+    this.from = 0;
+    this.to = frame.beam?.length ?? 0;
     this.places = frame.places;
     this.room = room;
   }
@@ -81,6 +84,36 @@ export class BeamField {
    */
   profile(_t, _what, out = new Float64Array(this.places), _first, _every) {
     return out;
+  }
+  /**
+   * Values over places [m] at one instant.
+   * @param {number} t
+   * @param {What} what
+   * @returns {Samples | null}
+   */
+  along(t, what) {
+    if (!this.has(what)) return null;
+    const row = this.profile(t, what, scratch('along', this.places));
+    return evenly([0, this.frame.beam.length], this.places - 1, (_, j) => row[j]);
+  }
+  /**
+   * Values over a stretch of time at a place [m], straight between those of the field.
+   * @param {number} place
+   * @param {Range} stretch
+   * @param {What} what
+   * @returns {Samples | null}
+   */
+  over(place, stretch, what) {
+    if (!this.has(what)) return null;
+    const { places } = this;
+    const share = (place / this.frame.beam.length) * (places - 1);
+    const j = Math.min(Math.max(Math.floor(share), 0), places - 2);
+    const row = scratch('over', places);
+    return evenly(stretch, MOMENTS, (t) => {
+      this.profile(t, what, row, j, places);
+      this.profile(t, what, row, j + 1, places);
+      return row[j] + (share - j) * (row[j + 1] - row[j]);
+    });
   }
   /**
    * Values about an instant, averaged over a span of time in which much of it may swing to and fro.
@@ -140,7 +173,7 @@ export class BeamField {
 }
 
 /** The modal field: the browser carries the same oscillators through the same forces as the server did. */
-class ModalBeamField extends BeamField {
+export class ModalBeamField extends BeamField {
   at = 0; // number of the step that is reached
   saved = 0; // rows of displacements, rates and the two of the whole, one every `stride` steps
 
@@ -340,45 +373,4 @@ class ModalBeamField extends BeamField {
     if (beside && force) for (let j = first; j < places; j += every) out[j] += force * beside[j];
     return out;
   }
-}
-
-/** Fields sampled by the server, for methods whose fields cannot be rebuilt here; closer together at first. */
-class SampledBeamField extends BeamField {
-  /**
-   * @param {BendingFrame} frame
-   * @param {string} room
-   */
-  constructor(frame, room) {
-    super(frame, room);
-    this.time = given(frame.fieldTime, 'fieldTime');
-    this.tables = {
-      deflection: given(frame.fieldDeflection, 'fieldDeflection'),
-      velocity: given(frame.fieldVelocity, 'fieldVelocity'),
-      moment: given(frame.fieldMoment, 'fieldMoment'),
-      shear: given(frame.fieldShear, 'fieldShear'),
-    };
-    this.survey();
-  }
-  /**
-   * @param {number} t
-   * @param {What} what
-   * @param {Out} out
-   */
-  profile(t, what, out = new Float64Array(this.places), first = 0, every = 1) {
-    const { places, time } = this;
-    const table = this.tables[what];
-    const low = Math.min(indexAt(time, t), time.length - 2);
-    const part = Math.min(Math.max((t - time[low]) / (time[low + 1] - time[low]), 0), 1);
-    const [a, b] = [low * places, (low + 1) * places];
-    for (let j = first; j < places; j += every) out[j] = (1 - part) * table[a + j] + part * table[b + j];
-    return out;
-  }
-}
-
-/**
- * @param {BendingFrame} frame
- * @param {string} [room]  of a field that is shown beside another
- */
-export function fieldOf(frame, room = '') {
-  return frame.modalForce ? new ModalBeamField(frame, room) : new SampledBeamField(frame, room);
 }

@@ -1,20 +1,25 @@
 // Everything that is shown of an impact on a beam: stage, views over time, dispersion, contact law, story.
 import { Cycle } from '../axial/charts.js';
 import { Axis } from '../charts/axis.js';
+import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
 import { make, segments } from '../shell/dom.js';
 import { InView } from '../shell/in_view.js';
 import { Stack } from '../shell/stack.js';
+import { SECONDS } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
+import { engineering } from '../text/format.js';
 import { called } from '../text/words.js';
-import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion } from './charts.js';
-import { fieldOf, FIELDS } from './field.js';
+import { BeamForce, BeamMotion, BeamSpaceTime, Dispersion, UNITS } from './charts.js';
+import { FIELDS } from './field.js';
+import { fieldOf } from './field_of.js';
 import { hasForce, sectionOf } from './rows.js';
 import { BeamStage } from './stage.js';
 import { BeamStory } from './story.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Chart } from '../charts/chart.js' */
+/** @import { Source } from '../charts/gauge.js' */
 /** @import { BendingFrame } from '../messages.js' */
 /** @import { Band } from './charts.js' */
 /** @import { BeamField, What } from './field.js' */
@@ -36,6 +41,9 @@ import { BeamStory } from './story.js';
  * @property {Record<string, Part>} more  charts over time, by name
  */
 
+const QUANTITIES = Object.fromEntries(
+  FIELDS.map((what) => [what, { unit: UNITS[what], parts: [what], factor: () => 1 }]),
+);
 const SLOW_SECONDS = 16;
 const SLOW_CONTACTS = 4;
 const OF_BENDING = ['moment', 'shear'];
@@ -70,11 +78,17 @@ export class BeamView {
     this.dispersion = new Dispersion();
     this.cycle = new Cycle();
     this.charts = [this.spaceTime, this.force, this.motion];
+    const names = family('beam.colour');
+    this.gauge = new Gauge({
+      ...{ axis: this.axis, xUnit: SECONDS, quantities: QUANTITIES, names, go },
+      written: (t) => engineering(t, 's'),
+      move: (place) => this.gaugeAt(place),
+      turned: () => page.history.later(),
+    });
     this.axis.watch(() => this.zoomed());
     /** @type {Part[]} */
-    const all = [...this.charts, ...Object.values(more), this.cycle, this.dispersion];
+    const all = [...this.charts, ...Object.values(more), ...this.gauge.parts, this.cycle, this.dispersion];
     this.inView = new InView(all, (part) => this.paint(part));
-    const names = family('beam.colour');
     this.colours = segments(
       text('stage.colour-shows'),
       FIELDS,
@@ -89,8 +103,9 @@ export class BeamView {
     this.spaceTime.chart.title.after(this.colours.root);
     const { chart: force } = this.force;
     const beside = Object.fromEntries(Object.entries(more).map(([key, { chart }]) => [key, chart]));
-    const charts = { waves: this.spaceTime.chart, force, ...beside, moved: this.motion.chart };
-    this.stack = new Stack(name, charts, () => page.redraw());
+    const { along, over } = this.gauge;
+    const charts = { waves: this.spaceTime.chart, force, ...beside, moved: this.motion.chart, stress: over, along };
+    this.stack = new Stack(name, charts, () => page.redraw(), ['stress', 'along']);
     this.strip = force;
     this.buttons = [this.slow, this.whole];
     this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
@@ -133,13 +148,37 @@ export class BeamView {
     this.force.load(frame);
     this.motion.load(frame);
     this.force.chart.root.hidden = this.withoutForce;
+    const { beam, chosen, contacts, opens } = frame;
+    const has = (/** @type {string} */ what) => this.shows(what) && this.field.has(/** @type {What} */ (what));
+    const reach = /** @type {[number, number]} */ ([0, FIELDS.some(has) ? beam.length : 0]);
+    const body = { scene: chosen.scene, frame, contacts, usual: opens.place ?? beam.place, reach };
+    this.gauge.load(body, () => this.read(frame), has);
+  }
+  /**
+   * Its solution as a gauge reads it.
+   * @param {Shown} frame
+   * @param {string} [room]  of a field that is shown beside another
+   * @returns {Source[]}
+   */
+  read(frame, room) {
+    const name = called(frame.main);
+    const field = frame === this.frame ? this.field : this.fieldsOf(frame, room);
+    return [{ frame, name, key: name.replaceAll(/\W+/g, '_'), style: 'exact', second: 'struck', field }];
+  }
+  /** @param {number} place  of the gauge [m] */
+  gaugeAt(place) {
+    this.gauge.asked = place;
+    this.draw();
+    this.show(this.page.player.t);
+    this.page.history.later();
   }
   /**
    * @param {Shown} frame
+   * @param {string} [room]
    * @returns {BeamField}
    */
-  fieldsOf(frame) {
-    return fieldOf(frame);
+  fieldsOf(frame, room) {
+    return fieldOf(frame, room);
   }
   /** Charts of which a phone always shows the first that there is. */
   get usualStrip() {
@@ -191,6 +230,8 @@ export class BeamView {
   /** @param {Part} part */
   paint(part) {
     if (!this.frame) return;
+    const { gauge, spaceTime } = this;
+    if (part === spaceTime) spaceTime.content.rules = gauge.seen ? [gauge.place / this.frame.beam.length] : [];
     part.draw(this.band);
     this.point(part, this.page.player.t);
   }
@@ -207,7 +248,7 @@ export class BeamView {
   point(part, t) {
     const { time, impactorPath, struckPath, cycleDepth } = this.frame;
     if (!(part instanceof Cycle)) part.cursor?.(t);
-    else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t));
+    else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t), t);
   }
   /** A phone has no room for both buttons beside the caption. */
   #offer() {
@@ -230,13 +271,15 @@ export class BeamView {
   /** Histories as a table to save. */
   rows(points = 2000) {
     const { frame } = this;
-    const name = called(frame.main).replaceAll(/\W+/g, '_');
+    const [{ key: name }] = this.read(frame);
     const moved = [frame.impactorPath, frame.struckPath, frame.impactorRate, frame.struckRate];
+    const gauged = this.gauge.seen ? this.gauge.columns : [];
     const columns = ['impactor_m', 'struck_place_m', 'impactor_m_per_s', 'struck_place_m_per_s'];
     const values = Array.from({ length: points + 1 }, (_, k) => {
       const t = (k / points) * frame.duration;
-      return [t, this.force.at(t), ...moved.map((history) => between(frame.time, history, t))];
+      const gauge = gauged.map(({ at }) => at(t));
+      return [t, this.force.at(t), ...moved.map((history) => between(frame.time, history, t)), ...gauge];
     });
-    return { names: ['time_s', `force_${name}_N`, ...columns], values };
+    return { names: ['time_s', `force_${name}_N`, ...columns, ...gauged.map((each) => each.name)], values };
   }
 }

@@ -59,6 +59,7 @@ import { Tools } from './tools.js';
  * @property {number[]} [rules]  dashed lines across
  * @property {Key[]} [keys]  of the legend, besides the names
  * @property {string} [unit]  in place of the unit of the chart
+ * @property {Range} [range]  of y in that unit, in place of one that follows the series
  * @property {string} [xUnit]  in place of that of the axis
  * @property {string} [readout]  in the head, where no clock writes there
  */
@@ -75,7 +76,8 @@ import { Tools } from './tools.js';
  * @property {[below: number, above: number]} [pad]  room about the range, as shares of it
  * @property {Range} [y]  in place of a range that follows the series
  * @property {(unit: string, xUnit: string) => string} [caption]  beside the title; the unit by default
- * @property {(x: number) => void} [go]  set the clock
+ * @property {(x: number) => void} [go]  set the clock, or what else its line stands for
+ * @property {'clock' | 'place'} [moves]  what that is
  * @property {boolean} [points]  single samples are read, not all values at one x
  */
 
@@ -159,7 +161,8 @@ export class Chart extends Plot {
       const { zero, pad = [0.08, 0.08] } = options;
       const unit = content.unit ?? options.unit ?? '';
       const held = this.held?.[unit];
-      const [low, high] = held ?? rangeOf(content.series, axis.view, { zoomed: axis.zoomed, zero, pad });
+      const [low, high] =
+        held ?? content.range ?? rangeOf(content.series, axis.view, { zoomed: axis.zoomed, zero, pad });
       if (this.held && !held) this.held[unit] = [low, high];
       const most = Math.max(Math.abs(low), Math.abs(high));
       [this.factor, this.unitShown] = scaled(most, unit);

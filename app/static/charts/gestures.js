@@ -32,7 +32,7 @@ export function listen(chart) {
   area.tabIndex = 0;
   area.role = 'application';
   const about = chart.below.ariaLabel ?? '';
-  area.ariaLabel = text('chart.keys', { about, clock: Boolean(chart.options.go) });
+  area.ariaLabel = text('chart.keys', { about, moves: chart.options.go ? (chart.options.moves ?? 'clock') : 'none' });
   const pointers = new Pointers(chart);
   area.onpointerdown = (event) => pointers.down(event);
   area.onpointermove = (event) => pointers.move(event);

@@ -96,6 +96,18 @@ export function between(x, y, t) {
 export const even = (count, end) => Float64Array.from({ length: count }, (_, k) => (k / (count - 1)) * end);
 
 /**
+ * Values at instants spread evenly over a stretch of time.
+ * @param {Range} stretch
+ * @param {number} count
+ * @param {(t: number, k: number) => number} value  there, and at which of them
+ * @returns {Samples}
+ */
+export function evenly([start, end], count, value) {
+  const x = Float64Array.from({ length: count + 1 }, (_, k) => start + (k / count) * (end - start));
+  return { x, y: x.map(value) };
+}
+
+/**
  * Samples of a history, if there is one.
  * @param {ArrayLike<number> | undefined} x
  * @param {ArrayLike<number> | undefined} y

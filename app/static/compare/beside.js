@@ -2,7 +2,8 @@
 import { fieldOf as fieldOfRods } from '../axial/field_of.js';
 import { unitOf } from '../axial/fields.js';
 import { Stage } from '../axial/stage.js';
-import { fieldOf as fieldOfBeam, FIELDS } from '../beam/field.js';
+import { FIELDS } from '../beam/field.js';
+import { fieldOf as fieldOfBeam } from '../beam/field_of.js';
 import { BeamStage } from '../beam/stage.js';
 import { linkField } from '../mechanism/field.js';
 import { MechanismStage } from '../mechanism/stage.js';

@@ -3,8 +3,8 @@ import { KEPT } from '../charts/styles.js';
 import { called } from '../text/words.js';
 import { comparable, kindsOf } from './settings.js';
 
-/** @import { Kept } from '../axial/gauge.js' */
 /** @import { Series, Stretches } from '../charts/chart.js' */
+/** @import { Source } from '../charts/gauge.js' */
 /** @import { Samples } from '../charts/scale.js' */
 /** @import { View } from '../shell/view.js' */
 /** @import { AxialFrame, BendingFrame, Frame } from '../messages.js' */
@@ -51,15 +51,25 @@ function dressOf({ frame, letter }, which) {
     : { name: `${letter}, ${otherOf(frame)}`, style: `kept${letter}Dashed` };
 }
 
+/** @type {WeakMap<Frame, Source[]>} */
+const read = new WeakMap(); // of what is kept, whose fields are made once
 /**
- * What a gauge on the rods tells of it.
+ * What a gauge tells of it.
+ * @param {View} view
  * @param {Frame} now
  * @param {Run} run
- * @returns {Kept[]}
+ * @returns {Source[]}
  */
-function toldOf(now, run) {
-  const { frame } = run;
-  return frame.kind === 'axial' ? drawnOf(now, run).map((which) => ({ frame, which, ...dressOf(run, which) })) : [];
+function sourcesOf(view, now, run) {
+  const { frame, letter } = run;
+  const known = read.get(frame) ?? view.read?.(frame, `read ${letter}`) ?? [];
+  read.set(frame, known);
+  const thin = /** @type {const} */ (`kept${letter}Thin`);
+  const both = /** @type {const} */ (['exact', 'other']);
+  return drawnOf(now, run).flatMap((which) => {
+    const source = known[both.indexOf(which)];
+    return source ? [{ ...source, ...dressOf(run, which), second: thin }] : [];
+  });
 }
 
 /**
@@ -114,7 +124,7 @@ export function layOver(view, now, all) {
       : [],
   );
   view.reactions?.keep(runs);
-  if (view.gauge) view.gauge.kept = runs.flatMap((run) => toldOf(now, run));
+  if (view.gauge) view.gauge.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
   view.dispersion?.chart.lay('main' in now ? runs.flatMap((run) => dispersionOf(run)) : []);
 }
 

@@ -1,5 +1,6 @@
 // Fields of the struck link of a mechanism.
-import { BeamField, fieldOf } from '../beam/field.js';
+import { BeamField } from '../beam/field.js';
+import { fieldOf } from '../beam/field_of.js';
 import { bendingOf } from './bending.js';
 
 /** @import { Out, What } from '../beam/field.js' */

@@ -36,9 +36,12 @@ export class MechanismView extends BeamView {
     root.hidden = !links[struck].flexible;
     title.textContent = text(this.field.lengthwise ? 'beam.chart.waves-along' : 'beam.chart.waves');
   }
-  /** @param {MechanismFrame} frame */
-  fieldsOf(frame) {
-    return linkField(frame);
+  /**
+   * @param {MechanismFrame} frame
+   * @param {string} [room]
+   */
+  fieldsOf(frame, room) {
+    return linkField(frame, room);
   }
   get busy() {
     const { contacts, duration, moving } = this.frame;

@@ -17,7 +17,8 @@ const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
  * @property {boolean} playing
  * @property {[number, number] | null} view  the stretch of time
  * @property {string | null} colour
- * @property {number | null} gauge  the place of which the stress is shown [m]
+ * @property {number | null} gauge  its place [m]
+ * @property {string | null} read  what the gauge reads
  * @property {string | null} tab  that is open
  * @property {Wanted[]} kept
  * @property {string | null} beside
@@ -55,6 +56,7 @@ export function readLink(search, { model, view }) {
     playing: get('playing', yes) ?? false,
     view: get('view', (value) => stretchOf(value.split(',').map(time))),
     colour: get('colour', (value) => view.whats?.find((what) => what === value) ?? null),
+    read: get('read', (value) => view.gauge?.whats.find((what) => what === value) ?? null),
     gauge: get('gauge', (value) => (PLACE.test(value) ? Number(value) : null)),
     tab: get('tab', (value) => ALL.find((name) => name === value) ?? null),
     kept,
@@ -80,11 +82,13 @@ function stretchOf([start, end, ...more]) {
  * @param {Link} link
  * @returns {boolean}  whether it says where the clock is
  */
-export function follow(page, { bad, beside, colour, gallery, gauge, kept, locked, playing, t, tab, view: stretch }) {
+export function follow(page, link) {
+  const { bad, beside, colour, gallery, gauge, kept, locked, playing, read, t, tab, view: stretch } = link;
   const { compare, layout, player, view } = page;
   if (bad.length)
     page.complain([refusalIn(page.model), text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
+  if (read) view.gauge?.read(read);
   if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);
   if (gallery !== null) page.scenes.open(gallery);

@@ -34,6 +34,7 @@ export class Stack {
     for (const [key, chart] of this.charts) {
       const button = make('button', { type: 'button', className: 'fold', onclick: () => this.#toggle(key) });
       chart.head.prepend(button);
+      chart.root.classList.toggle('late', late.includes(key));
       this.buttons.push(button);
     }
     this.gather();

@@ -3,7 +3,7 @@
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Cycle } from '../axial/charts.js' */
-/** @import { Gauge } from '../axial/gauge.js' */
+/** @import { Gauge, Source } from '../charts/gauge.js' */
 /** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
@@ -32,7 +32,8 @@
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
  * @property {Reactions} [reactions]
- * @property {(place: number) => void} [gaugeAt]  have the stress shown of another place [m]
+ * @property {(place: number) => void} [gaugeAt]  move it to another place [m]
+ * @property {(frame: any, room?: string) => Source[]} [read]  as a gauge reads its solutions; in a room beside others
  * @property {Dispersion} [dispersion]
  * @property {() => void} dress  pictures in their colours and to their scale
  * @property {string} [what]  that the colours show
