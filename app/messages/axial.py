@@ -37,6 +37,7 @@ from .encoding import (
     refusals,
     whole_numbers,
 )
+from .fall import fall_fields
 from .parts import common
 from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
@@ -58,7 +59,8 @@ def axial_frame(request: Request) -> bytes:
     arrays |= _histories(request, exact, other, carried is not None)
     if turns(scene.target):
         rods, arrays = turning_rod(scene.target), arrays | turning_fields(exact, stress_unit, scene.speed * trip)
-    arrays |= cycle(exact) | _balances(other, trip, force_unit)
+    fall, falls = fall_fields(request, exact)
+    arrays |= cycle(exact) | _balances(other, trip, force_unit) | falls
     marched = carried or (None if other is None else _of_frame(other))
     if carried is not None:
         arrays["modalForce"] = carried.record.contact_force / force_unit
@@ -100,7 +102,7 @@ def axial_frame(request: Request) -> bytes:
         "exponent": exponent_of(scene.contact),
         "leastRestitution": LEAST_RESTITUTION,
         "cushions": [] if scene.prescribed_force else cushions(scene),
-    }
+    } | fall
     return packed(header, arrays)
 
 

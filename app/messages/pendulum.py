@@ -28,7 +28,8 @@ def pendulum_fields(body: AnyBody) -> dict[str, float]:
 
 
 def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit: float) -> dict[str, Any]:
-    """Displacements of the face that strikes, and of a bar that bends from its pivot on, where the method knows them.
+    """Displacements of the face that strikes, and displacements and bending moments [N m] of a bar that bends, from its
+    pivot on, where the method knows them.
 
     Of such a bar the face is not where its turning as a whole has it.
     """
@@ -36,7 +37,12 @@ def striker_arrays(name: str, solution: Solution, time: np.ndarray, length_unit:
     if isinstance(body, FlexiblePendulum) and isinstance(motion, ModalMotion):
         x = np.append(np.linspace(NO_PLACE, body.length, PLACES), body.place)
         moved = motion.displacement(time, -x) / length_unit
-        return {f"{name}Mass": moved[:, -1], f"{name}Bar": whole_numbers(moved[:, :-1])}
+        bent = motion.moment(time, -x[:-1])
+        return {
+            f"{name}Mass": moved[:, -1],
+            f"{name}Bar": whole_numbers(moved[:, :-1]),
+            f"{name}Bend": whole_numbers(bent),
+        }
     face = motion.impactor_position(time)
     if isinstance(body, FlexiblePendulum) and isinstance(motion, ElementMotion):
         face = motion.end_position(time) + np.interp(time, motion.time, motion.course.indentation)

@@ -148,6 +148,11 @@ RECORDS: dict[str, Fields] = {
         "low": Field("number | null", "that it may be; None of a material"),
         "high": Field("number | null"),
     },
+    "FallRecord": {
+        "height": Field("number", "of the release [m]"),
+        "gravity": Field("number", "[m/s2]"),
+        "rest": Field("number | null", "when it lies still, from the release on; None: never [s]"),
+    },
     "RodRecord": {
         "from": Field("number", "from the struck face [m]"),
         "to": Field("number", "[m]"),

@@ -74,6 +74,12 @@ AXIAL: Fields = {
     "exactForce": Field("(exact force)", "[Z v]"),
     **optional(
         {
+            "fall": Field("FallRecord", "of a body that is dropped"),
+            "fallTime": Field("(fallen)", "from its release on [s]"),
+            "fallHeight": Field("(fallen)", "parabola by parabola [m]"),
+            "bounces": Field(
+                "(bounces, 4)", "time from the release on [s], impulse [N s], height after it [m], restitution"
+            ),
             "f#Time": Field("(wave f#)", "of the wave that the left end of rod # sends; at a jump twice [T]"),
             "f#": Field("(wave f#)", "[Z v]"),
             "g#Time": Field("(wave g#)", "likewise of its right end, unless that only mirrors"),
@@ -88,6 +94,8 @@ AXIAL: Fields = {
             ),
             "exactBar": Field("(motion, bar places)", "of a pendulum that bends, from its pivot on [v T]"),
             "otherBar": Field("(motion, bar places)", "likewise [v T]"),
+            "exactBend": Field("(motion, bar places)", "bending moment there [N m]"),
+            "otherBend": Field("(motion, bar places)", "likewise [N m]"),
             "momentTime": Field("(moments)", "[T]"),
             "exactMoments": Field("(moments, 3)", "of a bar that bends: at its pivot, half way, at the contact [N m]"),
             "otherMoments": Field("(moments, 3)", "[N m]"),
@@ -227,6 +235,8 @@ BODIES: Fields = {
             "slideParting": Field("(course)", "velocity at which the touching points part [m/s]"),
             "slideAlong": Field("(course)", "at which the impactor slides on the target, in the picture [m/s]"),
             "slideAside": Field("(course)", "and towards who looks [m/s]"),
+            "slidePush": Field("(course)", "size of the impulse of friction [N s]"),
+            "slideSpin": Field("(course)", "of the impactor, about the line towards who looks [rad/s]"),
         }
     ),
 }

@@ -13,7 +13,7 @@ from solvers import Body, RigidImpulse, Scene, Solution, Wall
 from solvers.bodies import in_space
 from solvers.contact.friction import MODELS
 from solvers.numerics.rigid.friction import sliding_path
-from solvers.numerics.rigid.impulses import principal, strike
+from solvers.numerics.rigid.impulses import inverse_inertia, principal, strike
 from solvers.numerics.rigid.rotation import rotations
 from solvers.scenes.saved import saved_head
 
@@ -111,12 +111,28 @@ def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str,
     before = in_space(scene.impactor), in_space(scene.target)
     path, frame = sliding_path(*before, normal, float(scene.friction or 0.0), method["restitution"], law, COURSE_POINTS)
     slides = -path[:, 1:] @ frame
+    pushes, spins = _pushed(*before, slides - slides[0])
     return {
+        "slidePush": np.linalg.norm(pushes - np.outer(pushes @ normal, normal), axis=1),
+        "slideSpin": spins @ toward,
         "slidePress": path[:, 0],
         "slideParting": path[:, 1],
         "slideAlong": slides @ along,
         "slideAside": slides @ aside,
     }
+
+
+def _pushed(impactor: Any, target: Any, change: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Impulses on the impactor [N s] and its spins [rad/s], (course, 3), by which the points that touch move otherwise
+    by `change` (course, 3) [m/s]."""
+    inverse, turns = np.zeros((3, 3)), np.zeros((3, 3))
+    for body in (target, impactor):
+        arm = -np.array(body.centre, float)
+        cross = np.array([[0.0, -arm[2], arm[1]], [arm[2], 0.0, -arm[0]], [-arm[1], arm[0], 0.0]])
+        turns = inverse_inertia(body) @ cross
+        inverse += np.eye(3) / body.mass - cross @ turns
+    pushes = np.linalg.solve(inverse, change.T).T
+    return pushes, np.array(impactor.spin) + pushes @ turns.T
 
 
 def _masses(scene: Scene) -> list[list[Any]]:

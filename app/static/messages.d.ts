@@ -154,6 +154,12 @@ export interface ValueRecord {
   high: number | null;
 }
 
+export interface FallRecord {
+  /** of the release [m] */ height: number;
+  /** [m/s2] */ gravity: number;
+  /** when it lies still, from the release on; null: never [s] */ rest: number | null;
+}
+
 export interface RodRecord {
   /** from the struck face [m] */ from: number;
   /** [m] */ to: number;
@@ -351,6 +357,10 @@ export interface AxialFrame extends Common {
   /** (motion, balls) force of every contact of a row, from the impactor's on [Z v] */ exactRowForce?: Numbers;
   /** (exact force) at a jump twice [T] */ exactTime: Numbers;
   /** (exact force) [Z v] */ exactForce: Numbers;
+  /** of a body that is dropped */ fall?: FallRecord;
+  /** (fallen) from its release on [s] */ fallTime?: Numbers;
+  /** (fallen) parabola by parabola [m] */ fallHeight?: Numbers;
+  /** (bounces, 4) time from the release on [s], impulse [N s], height after it [m], restitution */ bounces?: Numbers;
   /** (motion) [v T] */ otherMass?: Numbers;
   /** (motion) [v T] */ otherEnd?: Numbers;
   /** (other force) [T] */ otherTime?: Numbers;
@@ -359,6 +369,8 @@ export interface AxialFrame extends Common {
   /** (steps) likewise, for the fields alone: its history is that of the other force [Z v] */ fieldForce?: Numbers;
   /** (motion, bar places) of a pendulum that bends, from its pivot on [v T] */ exactBar?: Numbers;
   /** (motion, bar places) likewise [v T] */ otherBar?: Numbers;
+  /** (motion, bar places) bending moment there [N m] */ exactBend?: Numbers;
+  /** (motion, bar places) likewise [N m] */ otherBend?: Numbers;
   /** (moments) [T] */ momentTime?: Numbers;
   /** (moments, 3) of a bar that bends: at its pivot, half way, at the contact [N m] */ exactMoments?: Numbers;
   /** (moments, 3) [N m] */ otherMoments?: Numbers;
@@ -421,6 +433,8 @@ export interface SpaceFrame extends Common {
   /** (course) velocity at which the touching points part [m/s] */ slideParting?: Numbers;
   /** (course) at which the impactor slides on the target, in the picture [m/s] */ slideAlong?: Numbers;
   /** (course) and towards who looks [m/s] */ slideAside?: Numbers;
+  /** (course) size of the impulse of friction [N s] */ slidePush?: Numbers;
+  /** (course) of the impactor, about the line towards who looks [rad/s] */ slideSpin?: Numbers;
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }
 

@@ -4,6 +4,7 @@ import { BeamView } from './beam/view.js';
 import { whenResized } from './charts/canvas.js';
 import { watchScrolling } from './charts/gestures.js';
 import { Compare } from './compare/compare.js';
+import { FallView, falls } from './fall/view.js';
 import { MechanismView } from './mechanism/view.js';
 import { Analyses } from './panels/panels.js';
 import { Bodies } from './shell/bodies.js';
@@ -78,8 +79,9 @@ export class Page {
     this.beam = new BeamView(this);
     this.mechanism = new MechanismView(this);
     this.space = new SpaceView(this);
-    /** @type {Record<Frame['kind'], View>} */
-    this.views = { axial: this.axial, beam: this.beam, mechanism: this.mechanism, bodies: this.space };
+    const { axial, beam, mechanism, space: bodies } = this;
+    /** @type {Record<Frame['kind'] | 'fall', View>} */
+    this.views = { axial, beam, mechanism, bodies, fall: new FallView(this) };
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
     this.opening = new Opening(this);
@@ -258,14 +260,14 @@ export class Page {
     this.root.inert = false;
     this.analyses.take(this.frame);
     this.compare.take(data, this.frame);
-    if (this.root.dataset.kind !== this.frame.kind) this.turn();
+    if (this.root.dataset.kind !== this.kind) this.turn();
     this.root.classList.toggle('hangs', frame.kind === 'axial' && frame.impactor.kind === 'pendulum');
     this.view.load(this.frame);
     this.closer.later();
     if (!this.opening.placed) this.place();
     this.analyses.draw();
     this.opening.draw();
-    this.player.load(this.frame);
+    this.player.load(this.view.clock?.(this.frame) ?? this.frame);
     if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();
     this.changes.arrived(this.frame);
@@ -276,7 +278,7 @@ export class Page {
   }
   /** Show a kind of impact in place of another. */
   turn() {
-    this.root.dataset.kind = this.frame.kind;
+    this.root.dataset.kind = this.kind;
     for (const view of Object.values(this.views)) view.hide(view !== this.view);
     this.layout.tabs.panel('story').replaceChildren(this.compare.summary.root, this.story.root);
     this.layout.tabs.panel('numbers').replaceChildren(this.compare.summary.numbers, this.story.numbers);
@@ -311,8 +313,12 @@ export class Page {
     if (!this.saidAt) write();
     else this.telling = window.setTimeout(write, Math.max(40, this.saidAt + READ - performance.now()));
   }
+  /** Of the view: that of the frame, unless the opening shows what the laboratory does not. */
+  get kind() {
+    return this.opening.plan === 'opening' && falls(this.frame) ? 'fall' : this.frame.kind;
+  }
   get view() {
-    return this.views[this.frame.kind];
+    return this.views[this.kind];
   }
   get story() {
     return this.view.story;

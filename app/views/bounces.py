@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import param
 
-from solvers import METHODS, Bounces, bounces
+from solvers import METHODS, bounces
 from solvers.accuracy.reference import exact_solution
 from solvers.bodies.drop import STANDARD_GRAVITY
 from solvers.methods.base import Method, SceneNotSupported, never
@@ -15,13 +15,13 @@ from solvers.provenance import clock
 
 from ..choices.questions import Question
 from ..choices.request import Request
+from ..messages.fall import flights
 from ..messages.transverse import method_at_impact
 from ..text.refusals import Refused
 from .answering import answering
 
 CUT, MOST = 1e-4, 100  # of the first height; impacts that are solved
 BUDGET_SECONDS = 8.0  # after which no other impact is begun
-FINE, INSTANTS = 20, (33, 9)  # flights that are drawn finely; instants of these, and of later ones
 QUESTIONS = {
     "bounce_gravity": Question(
         param.Number(default=STANDARD_GRAVITY, bounds=(0.01, 1e3), doc="under which it falls [m/s2]"), "gravity"
@@ -64,24 +64,6 @@ def method_of(request: Request) -> Method:
         return method_at_impact(request).without_estimate()
     options = dict(exact_solution(request.scene, request.restitution).method)
     return METHODS[options.pop("name")].read(options).without_estimate()
-
-
-def flights(found: Bounces) -> tuple[np.ndarray, np.ndarray]:
-    """Times since the release [s] and heights [m], parabola by parabola, at nought while it touches and after rest."""
-    fall = np.linspace(0.0, found.bounces[0].time, INSTANTS[0])
-    times, heights = [fall], [found.height - 0.5 * found.gravity * fall**2]
-    heights[0][-1] = 0.0  # to rounding
-    for number, bounce in enumerate(found.bounces):
-        if bounce.rebound <= 0.0:
-            break
-        shares = np.linspace(0.0, 1.0, INSTANTS[number >= FINE])
-        begin = bounce.time + (bounce.contact_time or 0.0)
-        times.append(begin + 2.0 * bounce.rebound / found.gravity * shares)
-        heights.append(4.0 * bounce.height * shares * (1.0 - shares))
-    if found.rest_time is not None and found.rest_time > times[-1][-1]:
-        times.append(np.array([found.rest_time]))
-        heights.append(np.zeros(1))
-    return np.concatenate(times), np.concatenate(heights)
 
 
 def _listed(values: np.ndarray) -> list[float]:

@@ -2,9 +2,12 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { WaveField } from '../../app/static/axial/fields.js';
+import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
-import { pushesOf } from '../../app/static/axial/story.js';
+import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
 import { weave } from '../../app/static/opening/rows.js';
+import { placed } from '../../app/static/opening/tracks.js';
+import { courseOf, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
 
 const ROD = { from: 0, to: 2, transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 1 };
 const STILL = { motionTime: [0, 2], exactMass: [0, 0], exactEnd: [0, 0], otherMass: [0, 0], otherEnd: [0, 0] };
@@ -85,4 +88,80 @@ test('rows of what is bent across are at the places that it knows, and tell of t
     [9, 10, 89, 90].map((x) => canvas.picture.data[4 * x + 3]),
     [0, 255, 255, 0],
   );
+});
+
+test('bodies apart are woven as wide as they are, with the push that goes through each', () => {
+  const canvas = sheet();
+  const field = { coarse: false, pieces: (t) => [[10 + 20 * t, 30 + 20 * t, 0, 4], [50, 70, 4, 0]] }; // prettier-ignore
+  const drawn = { left: 10, right: 70, rest: 30 };
+  weave(canvas, { drawn, duration: 1, field, largest: 4, scale: 0, what: 'push' }, [0, 1], 100, 10);
+  const alpha = (x, y) => canvas.picture.data[4 * (100 * y + x) + 3];
+  const red = (x, y) => canvas.picture.data[4 * (100 * y + x)];
+  const edges = (y) => Array.from({ length: 99 }, (_, x) => x).filter((x) => alpha(x, y) !== alpha(x + 1, y));
+  assert.deepEqual(edges(0), [10, 30, 49, 69]); // at t = 0.05 the first has come a pixel
+  assert.deepEqual(
+    edges(9),
+    [28, 48, 49, 69].filter((x, k, all) => all.indexOf(x) === k),
+  );
+  assert.equal(red(28, 0), palette[shade(4 * 0.875, 4)]); // 17.5 of 20 pixels along it
+  assert.ok(red(13, 0) > red(28, 0) && red(52, 0) < red(66, 0)); // darker, the harder it is pressed
+});
+
+test('tracks share the room by what they take, and the last ones give way where there is little', () => {
+  const tracks = [1, 2, 1].map((share) => ({ title: '', share, range: [0, 1] }));
+  const all = placed(tracks, 0, 860, { top: 0, tall: 10 });
+  const wide = all.map(({ place: { left, right } }) => right - left);
+  assert.equal(wide.length, 3);
+  assert.ok(Math.abs(wide[1] - 2 * wide[0]) < 1e-9 && Math.abs(all[2].place.right - 860) < 1e-9);
+  assert.equal(placed(tracks, 0, 220, { top: 0, tall: 10 }).length, 2);
+  assert.equal(placed(tracks, 0, 60, { top: 0, tall: 10 }).length, 1);
+});
+
+const FALL = { height: 1, gravity: 9.81, rest: 1.355 };
+const bounced = (rows, fall = FALL) => ({
+  fall,
+  bounces: Float64Array.from(rows.flat()),
+  fallTime: [0, 1.3],
+  fallHeight: [1, 0],
+});
+
+test('a dropped body is let go, bounces, and lies still after all of its bounces', () => {
+  const rows = [[0.452, 0.2, 0.25, 0.5], [0.904, 0.1, 0.0625, 0.5]]; // prettier-ignore
+  const events = fallEvents(fallOf(bounced(rows)));
+  assert.deepEqual(
+    events.map(([t]) => t),
+    [0, 0.452, 0.904, 1.355],
+  );
+  assert.match(events[1][1], /4\.43\sm\/s\..*0\.5\s.*25\.0\s%/);
+  assert.match(events[2][1], /2\.21\sm\/s/); // it has fallen from a quarter
+  assert.equal(fallEvents(fallOf(bounced(rows, { ...FALL, rest: null }))).length, 3);
+  assert.equal(fallOf({}), null);
+});
+
+const COURSE = {
+  friction: 0.5,
+  sliding: [
+    { kind: 'slip', until: 1 },
+    { kind: 'stick', until: 4 },
+  ],
+  slidePress: Float64Array.of(0, 1, 2, 4),
+  slideParting: Float64Array.of(-3, -1.5, 0, 3),
+  slideAlong: Float64Array.of(3, 0, 0, 0),
+  slideAside: Float64Array.of(4, 0, 0, 0),
+  slidePush: Float64Array.of(0, 0.5, 0.5, 0.5),
+  slideSpin: Float64Array.of(9, 5, 5, 5),
+};
+
+test('the clock of an impact without time is its impulse', () => {
+  const { series } = slideTracks(COURSE).tracks[1];
+  assert.deepEqual(Array.from(series[0].x), [-1, 0, 0.5, 1, 2, 3]);
+  assert.deepEqual(Array.from(series[0].y), [5, 5, 0, 0, 0, 0]); // its size: 3 along, 4 aside
+  assert.deepEqual([-0.5, 0, 1.2, 2, 2.5].map(movedAt), [-0.5, 0, 0, 0, 0.5]);
+  const events = courseOf(COURSE, 'They touch.');
+  assert.deepEqual(
+    events.map(([t]) => t),
+    [0, 0.5, 1, 2],
+  );
+  assert.match(events[1][1], /grips/);
+  assert.equal(slideTracks({ friction: 0, sliding: [] }), null);
 });

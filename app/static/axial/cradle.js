@@ -93,7 +93,7 @@ let known = null;
  * @param {AxialFrame} frame
  * @returns {Row}
  */
-function rowOf(frame) {
+export function rowOf(frame) {
   if (known?.time === frame.motionTime) return known;
   const row = given(frame.target.row, 'row');
   const paths = pathsOf(frame);
@@ -118,7 +118,7 @@ export const swing = (height) => LIFT * (MIDDLE * height - TOP);
  * @param {AxialFrame} frame
  * @param {number} t
  * @param {{ rest: number, width: number, height: number, scale: number, size: number }} place  the first face at rest
- * @returns {{ x: number, y: number }}  of the striker
+ * @returns {Hung[]}  the striker first
  */
 export function cradle(c, frame, t, { rest, width, height, scale, size }) {
   const { deepest, forces, paths, radii, strongest, velocities } = rowOf(frame);
@@ -161,7 +161,7 @@ export function cradle(c, frame, t, { rest, width, height, scale, size }) {
   c.font = letters(13);
   c.textAlign = 'right';
   c.fillText(text('axial.cradle.drawn'), width - 12, height - 10);
-  return balls[0];
+  return balls;
 }
 
 /**
@@ -177,6 +177,7 @@ function line(c, from, to) {
 }
 
 /** @typedef {{ x: number, y: number, size: number }} Ball */
+/** @typedef {Ball & { hung: number }} Hung  and where its string is fixed */
 
 /**
  * That two press each other, and how much of the most it is.
@@ -214,6 +215,6 @@ function speeds(c, balls, velocities, most) {
       line(c, [x + half - head, below + 3], [x + half, below + 6]);
       line(c, [x + half - head, below + 9], [x + half, below + 6]);
     }
-    c.fillText(Math.abs(share) < 5e-4 ? '0' : figures(velocities[k], 2), x, below + 10 + 12 * zoom);
+    c.fillText(Math.abs(share) < 5e-4 ? '0' : figures(velocities[k], 2), x, below + 10 + 14 * zoom);
   });
 }

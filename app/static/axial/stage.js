@@ -14,6 +14,7 @@ import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js
 
 /** @import { AxialFrame, RodRecord } from '../messages.js' */
 /** @import { Striker } from '../shell/striker.js' */
+/** @import { Hung } from './cradle.js' */
 /** @import { Field, What } from './fields.js' */
 
 const SLICES = 241;
@@ -22,11 +23,12 @@ const BODY = 56; // pixels of a striker as heavy as what it strikes
 const PRESSED = 0.16; // of the striker that the deepest indentation may take
 const REACH = 0.16; // of what is drawn that the largest movement takes
 const [EDGE, ONWARD] = [6, 36]; // pixels left at the edges, and of the sign of an endless rod
+const NARROW = 560; // pixels of width
 const LEAST_ROOM = 12; // pixels in which anything can move
 const HUNG = 0.68; // of its height: where a pendulum strikes, so that it is seen
-const LEADS = { left: 0.3, thick: [0.42, 132], gap: 0.075 }; // shares and pixels, where the picture leads
+const LEADS = { left: 0.3, bends: 0.44, thick: [0.42, 132], gap: 0.075 }; // shares and pixels, where the picture leads
 const FACE = 0.45; // of the picture: where a body without length is struck
-const ROW = [0.34, 0.5]; // of it: where a row of balls is struck, and how much of it that and the striker may take
+const ROW = { struck: 0.34, leads: 0.44, most: 0.5 }; // of it: where a row of balls is struck; what it takes at most
 
 export class Stage {
   /** @type {AxialFrame} */ frame;
@@ -40,6 +42,7 @@ export class Stage {
   scale = 1; // pixels in a unit of displacement
   leads = false; // the rows of the opening lie below it
   drawn = { left: 0, right: 0, rest: 0 }; // where rods are at rest, and the struck face [px]
+  /** @type {Hung[]} */ row = []; // balls as they hang
   values = new Float64Array(SLICES);
   moved = new Float64Array(SLICES);
 
@@ -101,7 +104,7 @@ export class Stage {
     if (target.row) {
       const radii = [impactor.radius ?? target.row[0], ...target.row];
       const sum = radii.reduce((a, b) => a + b);
-      const unit = Math.min(most / Math.max(...radii), (ROW[1] * width) / sum);
+      const unit = Math.min(most / Math.max(...radii), (ROW.most * width) / sum);
       return [unit * radii[0], unit * radii[1]];
     }
     if (target.shape === 'ball' && target.radius && impactor.kind === 'sphere' && impactor.radius) {
@@ -120,7 +123,8 @@ export class Stage {
   #places(width) {
     const { impactor, target } = this.frame;
     const rod = impactor.kind === 'rod';
-    const left = (this.leads ? LEADS.left : rod ? 0.08 : width < 560 ? 0.25 : 0.21) * width;
+    const bends = this.frame.exactBend && width > NARROW; // its bar is laid flat at the left
+    const left = (this.leads ? (bends ? LEADS.bends : LEADS.left) : rod ? 0.08 : width < NARROW ? 0.25 : 0.21) * width;
     if (target.held && target.support !== 'anechoic') return [left, width - (target.rotation ? 66 : 30)];
     return [left, (rod ? 0.86 : 0.82) * width];
   }
@@ -142,7 +146,7 @@ export class Stage {
     const thick = this.#thick(height);
     const [size, struck] = this.#sizes(width, height);
     const [left, right] = this.#places(width);
-    const struckAt = (frame.target.row ? ROW[0] : FACE) * width;
+    const struckAt = (frame.target.row ? (this.leads ? ROW.leads : ROW.struck) : FACE) * width;
     const beyond = frame.target.support === 'anechoic' ? ONWARD : frame.target.endMass ? 0.8 * thick : 0;
     const behind = ['rod', 'pulse'].includes(impactor.kind) ? 0 : size;
     /** @type {[number, number]} */
@@ -166,7 +170,8 @@ export class Stage {
       struckBody(c, frame, { face, middle, size: impactor.kind === 'pendulum' ? 2 * WIDTH : struck, meet }, width);
     const contact = this.touching(t);
     if (frame.target.row) {
-      const { x, y } = cradle(c, frame, t, { rest, width, height, scale: this.scale, size });
+      this.row = cradle(c, frame, t, { rest, width, height, scale: this.scale, size });
+      const [{ x, y }] = this.row;
       this.striker?.draw(c, { x, y, width: size, height: size, way: [1, 0], sized: false });
     } else if (impactor.kind === 'pulse') {
       if (contact) push(c, rest, middle, thick);
@@ -369,7 +374,7 @@ export class Stage {
   scaleBar(c, width, height) {
     const bar = Math.min(150, width * 0.3);
     const x = width - bar - 16;
-    const y = height - 8 - 14 * zoom;
+    const y = height - 8 - 16 * zoom;
     const unit = this.what === 'stress' ? this.frame.stressUnit / 1e6 : this.frame.speed;
     const largest = this.largest * unit;
     const show = (/** @type {number} */ v) =>
@@ -386,7 +391,7 @@ export class Stage {
     c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
     c.textAlign = 'right';
     const words = text('axial.stage.most', { what, value: `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}` });
-    c.fillText(words, x + bar, y + 7 + 11 * zoom);
+    c.fillText(words, x + bar, y + 7 + 13 * zoom);
     return [x + bar - c.measureText(words).width, x];
   }
 }

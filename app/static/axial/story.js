@@ -6,7 +6,8 @@ import { localised, percent, pretty, signed } from '../text/format.js';
 import { family, numeral, said, text } from '../text/catalogue.js';
 import { called, shortly } from '../text/words.js';
 import { toldOf } from './drawn.js';
-import { eventsOf, SLOW } from './events.js';
+import { eventsOf } from './events.js';
+import { questionOf } from './question.js';
 
 /** @import { AxialFigures, AxialFrame, Rotation } from '../messages.js' */
 
@@ -65,29 +66,6 @@ export function unitsOf({ exact, exactBar, impactor, rods, target, trip }) {
   const { rotation } = target;
   if (rotation) return `${units} ${turning(rotation)}`;
   return own === undefined ? units : `${text('axial.pendulum', { own, felt })} ${units}`;
-}
-
-/**
- * How often a rod that is fixed pushes its striker: at first touch, and whenever the front is back or they meet again.
- * @param {AxialFrame} frame
- */
-export const pushesOf = ({ exact: { contacts }, rigid }) =>
-  contacts.reduce((sum, [from, to]) => sum + (rigid && from === 0 ? Math.max(Math.ceil(to - 1e-9), 1) : 1), 0);
-
-/**
- * The one question that it asks.
- * @param {AxialFrame} frame
- */
-function questionOf(frame) {
-  const { exact, impactor, rigid, rods, target } = frame;
-  if (impactor.kind === 'pendulum') return text('opening.question.pendulum');
-  if (target.row) return text('opening.question.row');
-  if (frame.turningBar) return text('opening.question.turning');
-  if (!rods.length) return text('opening.question.compact', { sudden: exact.sudden });
-  if (impactor.kind === 'pulse' || rods.length > 1) return text('opening.question.rods');
-  if (rods[0].mirror <= 0) return text('opening.question.free');
-  const slow = !rigid && exact.contacts.length === 1 && exact.contacts[0][1] >= SLOW;
-  return text('opening.question.fixed', { pushes: pushesOf(frame), slow });
 }
 
 export class Story {

@@ -6,7 +6,9 @@ import { Stack } from '../shell/stack.js';
 import { times } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
+import { byOf, called } from '../text/words.js';
 import { Cycle, Displacements, Force, SpaceTime } from './charts.js';
+import { cradleRows } from './cradle_rows.js';
 import { drawnFromOther } from './drawn.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
 import { RigidField, unitOf } from './fields.js';
@@ -14,9 +16,12 @@ import { Gauge } from './gauge.js';
 import { Moments } from './moments.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
+import { tracesOf } from './traces.js';
+import { barOf, tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { AxialFrame } from '../messages.js' */
+/** @import { Scene } from '../opening/section.js' */
 /** @import { Field, What } from './fields.js' */
 
 export class AxialView {
@@ -111,10 +116,17 @@ export class AxialView {
   get otherField() {
     return (this.#otherField ??= otherFieldOf(this.frame));
   }
+  get leading() {
+    return this.frame.exactBend ? ['modes', 'speed'] : [];
+  }
   /** What the opening draws over place and time; nothing of bodies that no wave runs through. */
   get section() {
-    if (!this.frame?.rods.length) return null;
+    if (!this.frame) return null;
     const { field, force, frame, stage, what } = this;
+    if (frame.target.row && stage.row.length) return this.#row(cradleRows(frame, stage));
+    if (!frame.rods.length) return tracksOf(frame, field, force.chart.own.series);
+    const drawnOf = drawnFromOther(frame) ? (frame.other ?? frame.exact) : frame.exact;
+    const by = byOf(called(drawnOf), frame.exact.diagnostics.estimated_error);
     const forces = force.chart.own.series.filter(({ style }) => style !== 'raw');
     if (field instanceof RigidField || !forces[0]?.x.length) return null;
     const { drawn, largest, scale } = stage;
@@ -128,6 +140,7 @@ export class AxialView {
     const clock = times.shown;
     return {
       about,
+      by,
       clock,
       contacts: frame.exact.contacts,
       drawn,
@@ -141,7 +154,29 @@ export class AxialView {
       scale,
       strikes,
       title,
+      traces: tracesOf(frame, field, stage, this.axis.view),
+      tracks: barOf(frame, field.solution),
       what,
+    };
+  }
+  /**
+   * What it draws of a row of balls.
+   * @param {ReturnType<typeof cradleRows>} rows
+   * @returns {Scene}
+   */
+  #row(rows) {
+    const { force, frame } = this;
+    const { contacts, diagnostics } = frame.exact;
+    return {
+      ...rows,
+      ...{ about: text('opening.pressed'), title: text('opening.rows', { what: 'row' }), what: 'push', scale: 0 },
+      by: byOf(called(frame.exact), diagnostics.estimated_error),
+      clock: times.shown,
+      contacts,
+      duration: frame.duration,
+      ends: null,
+      forces: force.chart.own.series,
+      strikes: false,
     };
   }
   // Colours of stage and x-t diagram.
@@ -201,14 +236,14 @@ export class AxialView {
     const length = frame.speed * frame.trip;
     const fields = frame.other ? [this.exactField, this.otherField] : [this.exactField];
     const forces = frame.other ? [this.force.exact, this.force.other] : [this.force.exact];
-    const called = fields.map(({ solution }) => frame[solution]?.name.replaceAll('-', '_'));
-    const places = called.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
+    const named = fields.map(({ solution }) => frame[solution]?.name.replaceAll('-', '_'));
+    const places = named.flatMap((name) => [`impactor_${name}_m`, `struck_face_${name}_m`]);
     const gauged = frame.rods.length
       ? fields.map((field) => field.stressAt(this.gauge.place, [0, frame.duration]))
       : [];
     const where = `at_${Number((1e3 * this.gauge.place).toPrecision(5))}_mm`;
-    const stresses = called.flatMap((name, k) => (gauged[k] ? [`compression_${name}_${where}_Pa`] : []));
-    const names = ['time_s', ...called.map((name) => `force_${name}_N`), ...places, ...stresses];
+    const stresses = named.flatMap((name, k) => (gauged[k] ? [`compression_${name}_${where}_Pa`] : []));
+    const names = ['time_s', ...named.map((name) => `force_${name}_N`), ...places, ...stresses];
     const values = Array.from({ length: points + 1 }, (_, k) => {
       const t = (k / points) * frame.duration;
       const force = forces.map((each) => (each ? between(each.x, each.y, t) : NaN) * frame.forceUnit);

@@ -20,9 +20,9 @@ const SIGNS = /** @type {const} */ ([
   ['rgba(66,133,200,.38)', 0],
 ]);
 const SMALL = letters(13);
-const HEAD = 15 * scale; // pixels of what is written above a diagram
+const HEAD = 17 * scale; // pixels of what is written above a diagram
 const REACH = 0.72; // of the room to both sides that the end of the scale takes
-const TICKS = 13 * scale; // pixels between the places of values at the side, below which they are in the title
+const TICKS = 15 * scale; // pixels between the places of values at the side, below which they are in the title
 const APART = 14; // pixels between a label and the largest value, whose place is left out where there are fewer
 
 /**

@@ -25,7 +25,7 @@ export function legend(c, stage, end) {
   const { hit, narrow, right, stressUnit, struck, what, width } = stage;
   const beside = Math.max(end + 14, narrow ? 0 : 0.3 * width);
   const room = right ? struck - 0.5 * hit.size - 6 - beside : width - end - 28;
-  const bar = Math.min((narrow ? 90 : 130) * larger, room);
+  const bar = Math.min((narrow ? 90 : 160) * larger, room);
   const unit = what === 'moment' ? stressUnit : what === 'deflection' ? 1e3 : 1;
   const largest = stage.usual[what] * unit;
   const [factor, prefix] = what === 'shear' ? prefixed(largest) : [1, ''];
@@ -43,7 +43,7 @@ export function legend(c, stage, end) {
   c.textAlign = 'right';
   c.fillText(narrow ? most : high, x + bar, y - 4);
   if (narrow) return; // a small picture has no room for more
-  c.fillText(most, x + bar, y + 18);
+  c.fillText(most, x + bar, y + 20);
   c.textAlign = 'left';
   c.fillText(low, x, y - 4);
 }

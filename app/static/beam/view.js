@@ -112,7 +112,8 @@ export class BeamView {
   load(frame) {
     this.frame = frame;
     const { chosen, opens } = frame;
-    this.axis.open(chosen.scene, this.page.compare.span(frame), opens.until && opens.until / frame.trip);
+    const until = opens.until ?? this.busy;
+    this.axis.open(chosen.scene, this.page.compare.span(frame), until && until / frame.trip);
     this.#offer();
     this.take();
     this.cycle.load(frame);
@@ -147,6 +148,10 @@ export class BeamView {
   /** Whether all impacts are impulses without duration, and there is nothing beside that has a force. */
   get withoutForce() {
     return !hasForce(this.frame);
+  }
+  /** Until when most of it happens [s], where that is but a small part of what is shown. @returns {number | null} */
+  get busy() {
+    return null;
   }
   /** What the opening draws over place and time; nothing of impulses, nor of what is struck along its length. */
   get section() {

@@ -25,7 +25,6 @@ const HEAD = 44; // pixels, of words and colours above
 const FOOT = 26; // of a support below the lowest link
 const NODE = 2.2; // radius
 const ROUNDING = 1e-9; // of what the contact gives, below which a joint bears nothing
-const SCALE_LETTERS = 12 / 11; // of what stands above, which is written larger
 
 export class Mechanism {
   factor = 1; // by which movement is drawn larger
@@ -353,7 +352,7 @@ export class Mechanism {
     const code = narrow ? 'beam.stage.reactions-short' : 'beam.stage.reactions';
     const arrows = this.largest ? text(code, { sudden: this.sudden, most }) : '';
     c.fillText(arrows, x, y);
-    const wide = Math.max(c.measureText(arrows).width, c.measureText(this.scaleWords).width * SCALE_LETTERS);
+    const wide = Math.max(c.measureText(arrows).width, c.measureText(this.scaleWords).width);
     this.labels.draw(c, [[0, 0, x + wide, y], ...(this.away ? [this.away] : [])]);
   }
 }

@@ -22,7 +22,7 @@ const OVER = 2; // times the height of these curves, which those of rigid links 
  * @param {number} joints
  * @param {Kind} kind
  */
-const valuesOf = (reactions, joints, kind) =>
+export const valuesOf = (reactions, joints, kind) =>
   Array.from({ length: joints }, (_, n) =>
     Float64Array.from({ length: reactions.length / (3 * joints) }, (_row, k) => {
       const [x, y, moment] = reactions.subarray(3 * (k * joints + n));

@@ -19,8 +19,8 @@ export class MechanismStory extends BeamStory {
     this.source.before(this.joints.root);
   }
   /** @param {MechanismFrame} frame */
-  question({ moving }) {
-    return text('opening.question.mechanism', { moving: Boolean(moving) });
+  question({ main, moving }) {
+    return text('opening.question.mechanism', { moving: Boolean(moving), contacts: main.contacts });
   }
   /** @param {MechanismFrame} frame */
   load(frame) {

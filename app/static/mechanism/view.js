@@ -7,9 +7,12 @@ import { linkField } from './field.js';
 import { Reactions } from './reactions.js';
 import { MechanismStage } from './stage.js';
 import { MechanismStory } from './story.js';
+import { tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { MechanismFrame } from '../messages.js' */
+
+const BUSY = { room: 1.4, most: 0.3 }; // after the last impact; of the whole
 
 /** @extends {BeamView<MechanismFrame>} */
 export class MechanismView extends BeamView {
@@ -36,6 +39,19 @@ export class MechanismView extends BeamView {
   /** @param {MechanismFrame} frame */
   fieldsOf(frame) {
     return linkField(frame);
+  }
+  get busy() {
+    const { contacts, duration, moving } = this.frame;
+    const last = BUSY.room * (contacts.at(-1)?.[0] ?? 0);
+    return this.page.opening.leads && moving && last > 0 && last < BUSY.most * duration ? last : null;
+  }
+  get leading() {
+    return this.frame.mechanism.links.some(({ flexible }) => flexible) ? ['modes', 'mass_ratio'] : [];
+  }
+  /** What the opening draws of it over time: its picture shows all links, so that rows of one would say little. */
+  get section() {
+    const { axis, field, force, frame, stage } = this;
+    return stage.frame ? tracksOf(frame, field, force.chart.content.series, axis.view, stage.usual.moment) : null;
   }
   get usualStrip() {
     const [force, moved] = super.usualStrip;

@@ -25,15 +25,19 @@ const WHATS = family('opening.what-if');
 
 /** @typedef {'opening' | 'docks' | 'laboratory'} Plan  `docks`: the opening with the dock beside its picture */
 
-/** @param {Frame} frame */
-const leadingOf = ({ acting }) => LEADING.filter((name) => acting.includes(name)).slice(0, FOUR);
+/**
+ * @param {Frame} frame
+ * @param {string[]} [first]  that go before others
+ */
+const leadingOf = ({ acting }, first = []) =>
+  [...new Set([...first, ...LEADING])].filter((name) => acting.includes(name)).slice(0, FOUR);
 
 /**
  * What can be tried, first what a leading slider shows.
  * @param {Frame} frame
+ * @param {string[]} leading
  */
-function changesOf(frame) {
-  const leading = leadingOf(frame);
+function changesOf(frame, leading) {
   const place = (/** @type {Try} */ [, name]) => (leading.includes(name) ? leading.indexOf(name) : FOUR);
   return frame.opens.trials.toSorted((one, other) => place(one) - place(other));
 }
@@ -75,6 +79,13 @@ export class Opening {
     this.button.title = text('opening.back-about');
     this.button.onclick = () => this.turn('opening');
     this.button.hidden = !alone;
+  }
+  get #leading() {
+    const { frame, view } = this.page;
+    return leadingOf(frame, view.leading);
+  }
+  get #changes() {
+    return changesOf(this.page.frame, this.#leading);
   }
   /** Whether its picture is what is seen. */
   get leads() {
@@ -122,10 +133,21 @@ export class Opening {
     this.plan = plan;
     if (alone) keep(PLAN, plan);
     this.page.layout.place();
+    this.#turned();
     this.load(this.page.frame);
     const { centre, tabs } = this.page.layout;
     (this.docked ? tabs.tab : this.leads ? this.question : centre)?.focus(); // what had the focus is gone
     this.page.history.write();
+  }
+  /** Opening and laboratory may show the same frame otherwise. */
+  #turned() {
+    const { page } = this;
+    if (page.root.dataset.kind !== page.kind) {
+      page.turn();
+      page.view.load(page.frame);
+    }
+    page.player.load(page.view.clock?.(page.frame) ?? page.frame);
+    page.tell();
   }
   /**
    * Have the dock beside the picture.
@@ -162,10 +184,10 @@ export class Opening {
     if (this.scene !== frame.chosen.scene) this.tried = 0;
     this.scene = String(frame.chosen.scene);
     this.question.textContent = questionOf(frame, this.page.view.story);
-    const changes = changesOf(frame);
+    const changes = this.#changes;
     this.change.hidden = !changes.length;
     if (changes.length) this.change.textContent = `${WHATS[changes[this.tried % changes.length][0]]} →`;
-    this.page.controls.lead(leadingOf(frame));
+    this.page.controls.lead(this.#leading);
     this.#offer(frame);
     this.#name();
     this.#mark(this.page.player.t + this.page.player.start);
@@ -206,7 +228,8 @@ export class Opening {
     this.names.forEach((name, k) => {
       const [t] = this.events[k];
       const top = shown ? Math.max(this.section.y(t), last + APART) : 0; // without rows they are a list
-      name.hidden = t > end;
+      const { tall, top: first } = this.section.box;
+      name.hidden = t > end || (Boolean(shown) && top > first + tall);
       if (!name.hidden) last = top;
       name.style.top = `${top}px`;
     });
@@ -232,7 +255,7 @@ export class Opening {
   /** The change that is offered: a slider walks there, so that one sees what it does. */
   #change() {
     const { page } = this;
-    const changes = changesOf(page.frame);
+    const changes = this.#changes;
     const [, name, value] = changes[this.tried % changes.length] ?? [];
     if (name === undefined || value === undefined) return;
     this.tried += 1;

@@ -8,6 +8,7 @@ import { palette } from '../charts/styles.js';
 const FINE = { places: 121, rows: 300 }; // at most: so many are woven in the time of one frame
 const COARSE = { places: 61, rows: 200 }; // of a field that costs a sum for each mode
 const DIAGONALS = 6; // pixels between two lines over what is negative
+const EDGE = 0xffb2a598; // of a body: blue, green and red from the left
 const LINE = 0.86; // of the light around, that such a line has
 
 /**
@@ -28,7 +29,9 @@ const [PLAIN, LINED] = [pixelsOf(1), pixelsOf(LINE)];
  * @property {number} [places]  at which alone it is known
  * @property {(t: number, span: number, what: any, out: Float64Array) => unknown} mean
  * @property {(t: number, what: any, out: Float64Array) => unknown} profile
+ * @property {(t: number) => Piece[]} [pieces]  of bodies apart, in place of both
  */
+/** @typedef {[from: number, to: number, first: number, last: number]} Piece  its ends [px], and the values there */
 /**
  * What is drawn over place and time, with the picture of the bodies above it.
  * @typedef {object} Shown
@@ -65,6 +68,10 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
   for (let row = 0; row < rows; row++) {
     const t = start + (row + 0.5) * span;
     if (t > duration) break;
+    if (field.pieces) {
+      for (const piece of field.pieces(t)) one(pixels, width, row, piece, largest);
+      continue;
+    }
     field.mean(t, span, what, values);
     if (scale) field.profile(t, 'displacement', moved);
     else moved.fill(0);
@@ -74,6 +81,20 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
   }
   context.putImageData(picture, 0, 0);
   return ends;
+}
+
+/**
+ * A body that moves as one, with its edges.
+ * @param {Uint32Array} pixels
+ * @param {number} width
+ * @param {number} row
+ * @param {Piece} piece
+ * @param {number} largest
+ */
+function one(pixels, width, row, [from, to, first, last], largest) {
+  fill(pixels, width, row, Float64Array.of(from, to), Float64Array.of(first, last), largest);
+  for (const x of [Math.ceil(from - 0.5), Math.ceil(to - 0.5) - 1])
+    if (x >= 0 && x < width) pixels[row * width + x] = EDGE;
 }
 
 /**

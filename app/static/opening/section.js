@@ -1,23 +1,26 @@
-// Below the bodies: their rows over time, which runs down, and the contact force beside them on the same clock.
+// Below the bodies: their rows over time, which runs down, and beside them contact force and tracks on the same clock.
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
 import { between, ticks } from '../charts/scale.js';
 import { COLORS, css, STYLES } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
+import { feet, striker, struck, traces } from './beside.js';
 import { weave } from './rows.js';
+import { dot, drawTrack, placed } from './tracks.js';
 import { Words } from './words.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Shown } from './rows.js' */
+/** @import { Place, Track } from './tracks.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {{ face: (t: number) => number, mass: (t: number) => number }} Ends  movement of struck face and striker */
 
 const HEAD = 44 * zoom; // pixels above the rows
 const FOOT = 10;
-// The track of the force: shares of the width, pixels left for times, and how much of it a peak takes.
-const TRACK = { edge: 0.06, least: 44 * zoom, gap: 0.05, most: 0.72 };
+// The track of the force: shares of the width, pixels left for times, how much of it a peak takes, and share of others.
+const TRACK = { edge: 0.06, least: 44 * zoom, gap: 0.05, most: 0.72, beside: 0.4 };
 const KEEP = [0.3, 1]; // shares of the scale between which a peak leaves it as it is
 const LATER = 'rgba(255,255,255,.45)'; // over what has not happened yet
 const FLOW = 0.4; // of the colour of the struck end, between it and its force
@@ -25,20 +28,31 @@ const LABEL = { peak: 26, narrow: 18, line: 17 }; // pixels
 const NARROW = 560; // of width
 const WALL = '#55636f';
 const TIMES = 10; // pixels before them
-const MARK = { wide: 5, least: 2 }; // pixels of a contact at the struck place
 
+/**
+ * @typedef {object} Over  what all share
+ * @property {[per: number, sign: string]} clock  how many of the unit in which times are written one is
+ * @property {string} by  which solution it is of
+ * @property {Track[]} [tracks]  beside the force; where nothing lies as it is drawn above, in its place
+ */
 /**
  * @typedef {object} Beside
  * @property {import('../charts/marks.js').Span[]} contacts
  * @property {Series[]} forces  the most important first
- * @property {[per: number, sign: string]} clock  how many of the unit in which times are written one is
- * @property {string} about  what that unit is
+ * @property {string} about  what the unit of time is
  * @property {string} title
  * @property {Ends | null} ends  where the first place is the one that is struck
  * @property {boolean} strikes  by a body that is drawn beside it
  * @property {number | null} [prediction]  velocity of that body by rigid-body theory
  * @property {boolean} [held]  whether the last place is
- * @typedef {Shown & Beside} Scene
+ * @property {Trace[]} [traces]  what gauges would tell, where they are
+ * @property {{ about: string, all: { x: number, words: string }[] }} [feet]  what is said at the end of the rows
+ */
+/** @typedef {{ name: string, at: number, x: ArrayLike<number>, moved: number[] }} Trace  at a place [px] */
+/**
+ * @typedef {Over & Shown & Beside} Woven  rows below what is drawn
+ * @typedef {Over & { drawn: null, tracks: Track[], timed?: [from: number, to: number] }} Tracked  nothing but tracks
+ * @typedef {Woven | Tracked} Scene
  */
 
 export class Section {
@@ -47,6 +61,7 @@ export class Section {
   /** @type {Float64Array} */ ends = new Float64Array(0); // values at the struck place, row by row
   most = 0; // the end of the scale of forces [N]
   words = new Words(); // that are not paler before their time
+  /** @type {{ track: Track, place: Place }[]} */ tracks = [];
   box = { top: HEAD, tall: 1, base: 1, track: 1, width: 1 }; // pixels
 
   /** @param {Page} page */
@@ -83,30 +98,51 @@ export class Section {
     const sheet = shown && cleared(this.below, this.root);
     if (!shown || !sheet) return;
     const { c, width, height } = sheet;
-    const base = shown.drawn.left - TRACK.gap * width;
-    const track = base - Math.max(TRACK.edge * width, TRACK.least);
-    this.box = { top: HEAD, tall: height - HEAD - FOOT, base, track, width };
     this.words.all = [];
+    const top = HEAD + (shown.drawn ? 0 : LABEL.line * zoom); // another line for which solution it is
+    const down = { top, tall: height - top - FOOT };
+    let left = Math.max(TRACK.edge * width, TRACK.least);
+    const base = shown.drawn ? shown.drawn.left - TRACK.gap * width : width - FOOT;
+    const tracks = shown.drawn && width < NARROW ? [] : (shown.tracks ?? []);
+    const right = shown.drawn ? left + TRACK.beside * (base - left) : base;
+    this.tracks = tracks.length ? placed(tracks, left, right, down) : [];
+    if (this.tracks.length) left = right + TRACK.least;
+    this.box = { ...down, base, track: base - left, width };
+    this.ends = new Float64Array(0);
+    if (shown.drawn) this.#woven(c, shown);
+    else this.#clock(c, shown);
+    for (const { track, place } of this.tracks)
+      drawTrack(c, track, place, { y: (t) => this.y(t), stretch: this.stretch }, this.words);
+  }
+  /**
+   * Rows below what is drawn, and the force beside them.
+   * @param {Context} c
+   * @param {Woven} shown
+   */
+  #woven(c, shown) {
+    const { width } = this.box;
     this.#scale(shown);
     const [down, across] = [Math.max(Math.round(this.box.tall), 1), Math.round(width)];
     this.ends = weave(this.image, shown, this.stretch, across, down);
     c.drawImage(this.image, 0, this.box.top, width, this.box.tall);
     this.#flow(c, shown);
-    this.#peak(c, shown.forces[0]);
+    this.#peak(c, shown);
     this.#frame(c, shown);
     c.save();
     c.beginPath();
     c.rect(0, this.box.top, width, this.box.tall);
     c.clip();
-    this.#striker(c, shown);
-    if (!shown.ends && !shown.scale) this.#struck(c, shown);
+    striker(c, this, shown);
+    if (!shown.ends && !shown.scale && !shown.feet) struck(c, this, shown);
     for (const series of shown.forces.toReversed()) this.#curve(c, series);
     this.#names(c, shown);
+    feet(this, shown);
+    traces(c, this, shown);
     c.restore();
   }
   /**
    * The scale of forces stays while a peak can be read on it, so that a heavier mass is seen to push harder.
-   * @param {Scene} scene
+   * @param {Woven} scene
    */
   #scale({ forces: [{ factor = 1, y }] }) {
     let peak = 0;
@@ -118,7 +154,7 @@ export class Section {
   /**
    * From the struck end into the force, while they touch.
    * @param {Context} c
-   * @param {Scene} scene
+   * @param {Woven} scene
    */
   #flow(c, { contacts, drawn, ends, forces: [force], largest, scale }) {
     const [start, end] = this.stretch;
@@ -141,9 +177,10 @@ export class Section {
   /**
    * Scales of force and time, and what they are of.
    * @param {Context} c
-   * @param {Scene} scene
+   * @param {Woven} scene
    */
-  #frame(c, { about, clock: [per, sign], drawn, held, title }) {
+  #frame(c, scene) {
+    const { about, by, drawn, held, title } = scene;
     const { base, tall, top, track, width } = this.box;
     const [factor, unit] = scaled(this.most, 'N');
     c.font = letters(13);
@@ -160,82 +197,43 @@ export class Section {
       c.stroke();
       c.fillText(localised(String(force)), x, top - 6);
     }
-    const [start, end] = this.stretch;
-    const marks = ticks(start * per, end * per, tall / (60 * zoom));
-    c.textAlign = 'left';
-    marks.found.forEach((t, k) => {
-      const words = `${localised(t.toFixed(marks.digits))}${k ? '' : ` ${sign}`}`;
-      this.words.say(words, TIMES, Math.min(this.y(t / per) + 4, top + tall - 2), COLORS.faint);
-    });
+    this.#clock(c, scene);
     c.fillStyle = COLORS.ink;
+    c.textAlign = 'left';
     const force = text('opening.force', { unit });
-    c.fillText(force, Math.max(base - c.measureText(force).width, 2), top - 8 - LABEL.line * zoom);
+    const long = c.measureText(force).width;
+    const from = Math.max(base - long, 2);
+    c.fillText(force, from, top - 8 - LABEL.line * zoom);
     c.fillText(title, drawn.left, top - 8);
     c.fillStyle = COLORS.faint;
     const after = drawn.left + c.measureText(`${title} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
+    const beside = Math.max(drawn.left, from + long + 12);
+    c.fillText(by, beside, top - 8 - LABEL.line * zoom, width - beside);
     c.fillStyle = WALL;
     if (held) c.fillRect(drawn.right, top, 5, tall);
   }
   /**
-   * The face of the striker.
+   * Times at the left; where there are tracks alone also which solution they are of.
    * @param {Context} c
    * @param {Scene} scene
    */
-  #striker(c, { drawn, duration, ends, prediction = null, scale, strikes }) {
-    const [start, end] = this.stretch;
-    const { base, tall, top, width } = this.box;
-    if (!strikes || !ends) return;
-    c.save();
-    c.beginPath();
-    c.rect(base, top, width, tall); // beside the force
-    c.clip();
-    const path = (/** @type {(t: number) => number} */ moved) => {
-      c.beginPath();
-      for (let k = 0; k <= tall; k++) {
-        const t = start + (k / tall) * (end - start);
-        if (t <= duration) c.lineTo(drawn.left + moved(t) * scale, this.y(t));
-      }
-      c.stroke();
-    };
-    c.strokeStyle = COLORS.ink;
-    c.lineWidth = 1.4;
-    path((t) => ends.mass(t));
-    c.strokeStyle = COLORS.prediction;
-    c.setLineDash([5, 4]);
-    if (prediction !== null) path((t) => prediction * t);
-    c.restore();
-    const gone = prediction === null ? 0 : (base - drawn.left) / (prediction * scale); // when it is at the force
-    if (gone > start && gone < end)
-      this.words.say(
-        text('opening.predicted'),
-        base + 6,
-        Math.min(this.y(gone) + 16 * zoom, top + tall - 6),
-        COLORS.faint,
-      );
-  }
-  /**
-   * The struck place of what is bent across, and when it is touched.
-   * @param {Context} c
-   * @param {Scene} scene
-   */
-  #struck(c, { contacts, drawn: { left, rest } }) {
-    const { tall, top } = this.box;
-    c.strokeStyle = COLORS.faint;
-    c.lineWidth = 1;
-    c.setLineDash([3, 4]);
-    c.beginPath();
-    c.moveTo(rest, top);
-    c.lineTo(rest, top + tall);
-    c.stroke();
-    c.setLineDash([]);
-    for (const [from, to] of contacts) {
-      const [y, high] = [this.y(from), Math.max(this.y(to) - this.y(from), MARK.least)];
-      c.fillStyle = COLORS.contact;
-      c.fillRect(0, y, left, high);
-      c.fillStyle = COLORS.ink;
-      c.fillRect(rest - MARK.wide / 2, y, MARK.wide, high);
-    }
+  #clock(c, scene) {
+    const { by, drawn } = scene;
+    const [per, sign] = scene.clock;
+    const { tall, top, width } = this.box;
+    const [start, end] = (!scene.drawn && scene.timed) || this.stretch;
+    const marks = ticks(start * per, end * per, (this.y(end) - this.y(start)) / (60 * zoom));
+    marks.found.forEach((t, k) => {
+      const words = `${localised(t.toFixed(marks.digits)).replace('-', '−')}${k ? '' : ` ${sign}`}`;
+      this.words.say(words, TIMES, Math.min(this.y(t / per) + 4, top + tall - 2), COLORS.faint);
+    });
+    if (drawn) return;
+    c.font = letters(13);
+    c.fillStyle = COLORS.faint;
+    c.textAlign = 'right';
+    c.textBaseline = 'alphabetic';
+    c.fillText(by, width - FOOT, LABEL.line * zoom - 3);
   }
   /**
    * @param {Context} c
@@ -259,7 +257,7 @@ export class Section {
   /**
    * What the curves are, in their colours, where they have come to rest.
    * @param {Context} c
-   * @param {Scene} scene
+   * @param {Woven} scene
    */
   #names(c, { forces }) {
     const { base, tall, top } = this.box;
@@ -274,20 +272,21 @@ export class Section {
   /**
    * The peak, beside the curve where it leaves room.
    * @param {Context} c
-   * @param {Series} series
+   * @param {Woven} scene
    */
-  #peak(c, { factor = 1, x, y }) {
+  #peak(c, { contacts, forces: [{ factor = 1, x, y }] }) {
     let most = 0;
     for (let k = 1; k < y.length; k++) if (y[k] > y[most] * (1 + 1e-9)) most = k;
     const words = engineering(y[most] * factor, 'N', 3);
     const { base, tall: all, top: first, width } = this.box;
-    const tall = (width < NARROW ? LABEL.narrow : LABEL.peak) * zoom;
+    const tall = (width < NARROW || this.tracks.length ? LABEL.narrow : LABEL.peak) * zoom;
     c.font = letters(tall / zoom, '650 ');
     const { font } = c;
     const wide = c.measureText(words).width + 8;
     const [at, down] = [this.#x(y[most] * factor), this.y(x[most])];
-    const beside = at - wide >= TRACK.least;
-    const left = beside ? at - wide : Math.max(Math.min(TRACK.least, base - wide), 18 * zoom);
+    const edge = this.tracks.length ? this.box.track : TRACK.least;
+    const beside = at - wide >= edge;
+    const left = beside ? at - wide : Math.max(Math.min(edge, base - wide), this.tracks.length ? edge : 18 * zoom);
     const high = tall + LABEL.line * zoom; // with what it is
     const clear = (/** @type {number} */ top) => {
       for (let k = 0; k < x.length; k++) {
@@ -296,7 +295,9 @@ export class Section {
       }
       return top >= first && top + high <= first + all;
     };
-    const found = [...(beside ? [down - tall / 2] : []), down - high - 6, down + 8].find(clear);
+    const found = [...(beside ? [down - tall / 2] : []), down - high - 6, down + 8, this.y(contacts[0][1]) + 8].find(
+      clear,
+    );
     const [side, top] = found === undefined ? [base + 8, Math.max(down - tall / 2, first)] : [left, found];
     this.words.say(words, side, top + 0.85 * tall, COLORS.ink, font);
     this.words.say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
@@ -324,6 +325,11 @@ export class Section {
     c.moveTo(0, y);
     c.lineTo(width, y);
     c.stroke();
+    for (const { track, place } of this.tracks) dot(c, track, place, t, y);
+    if (!shown.drawn) {
+      this.words.draw(c, '', 0, 0);
+      return;
+    }
     const [{ factor = 1, x, y: force }] = shown.forces;
     const value = between(x, force, t) * factor;
     c.fillStyle = COLORS.cursor;

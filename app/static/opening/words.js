@@ -14,7 +14,7 @@ const HALO = 4; // pixels
 function boxOf(c, { align, font, words, x, y }) {
   c.font = font;
   const { actualBoundingBoxAscent: up, actualBoundingBoxDescent: down, width } = c.measureText(words);
-  const left = align === 'right' ? x - width : x;
+  const left = x - (align === 'right' ? width : align === 'center' ? width / 2 : 0);
   return [left, y - up, left + width, y + down];
 }
 

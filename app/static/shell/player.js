@@ -23,10 +23,12 @@ const EARLY = 0.01; // of the whole
 const LEAST = 1e-9; // of the whole, that is more than rounding
 const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means the event before the last
 
+/** @typedef {(t: number) => string} Said  what the clock says, if not the time */
 /**
  * What the clock needs of a message.
  * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens'>
- *   | Pick<SpaceFrame, 'kind' | 'duration' | 'chosen' | 'opens'>
+ *   | (Pick<AxialFrame, 'duration' | 'trip' | 'chosen' | 'opens'> & { kind: 'fall' })
+ *   | (Pick<SpaceFrame, 'kind' | 'duration' | 'chosen' | 'opens'> & { start?: number, length?: number, said?: Said })
  *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens' | 'contacts'>
  *   | Pick<MechanismFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens' | 'contacts' | 'moving'>} Clocked
  */
@@ -37,6 +39,7 @@ const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means
  */
 function opening(frame) {
   if (frame.kind === 'bodies') return 1.7;
+  if (frame.kind === 'fall') return 0.36 * frame.duration;
   if (frame.kind === 'axial') return Math.min(0.36, 0.4 * frame.duration);
   const [[start, end]] = frame.contacts;
   return start + 0.9 * (end - start);
@@ -73,7 +76,8 @@ export class Player {
   waits = 0; // until when the clock stands
   scene = '';
   stands = false; // the scene is to be seen at an instant of its own
-  /** @type {Frame['kind'] | null} */ was = null;
+  /** @type {Said | null} */ said = null;
+  /** @type {Frame['kind'] | 'fall' | null} */ was = null;
 
   /**
    * `show(t)` draws the instant t [round trips].
@@ -143,8 +147,10 @@ export class Player {
   load(frame) {
     if (frame.kind === 'axial') times.load(frame);
     // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
-    this.start = frame.kind === 'bodies' ? -1 : 0;
-    this.duration = frame.kind === 'bodies' ? 2 : frame.duration;
+    const { start = -1, length = 2, said = null } = frame.kind === 'bodies' ? frame : { start: 0 };
+    this.start = start;
+    this.said = said;
+    this.duration = frame.kind === 'bodies' ? length : frame.duration;
     this.trip = frame.kind === 'bodies' ? frame.duration : frame.trip;
     // long impacts play in about half a minute; on a beam, where no wave comes back as it went, all of them in less
     this.inTrips = frame.kind === 'axial';
@@ -335,7 +341,8 @@ export class Player {
     this.clock.dataset.term = this.inTrips && !times.inSeconds ? 'T' : '';
     const [perTrip, chosen] = times.shown;
     const trips = times.inSeconds ? '' : ` = ${seconds}`;
-    this.clock.textContent = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : seconds;
+    const time = this.inTrips ? `${signed(this.t * perTrip)} ${chosen}${trips}` : seconds;
+    this.clock.textContent = this.said ? this.said(now) : time;
     this.scrub.ariaValueText = this.clock.textContent;
     this.show(now);
   }

@@ -8,6 +8,7 @@
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Scene } from '../opening/section.js' */
+/** @import { Clocked } from './player.js' */
 /** @import { Stack } from './stack.js' */
 /** @import { Events } from './story.js' */
 /** @import { Striker } from './striker.js' */
@@ -18,6 +19,8 @@
  * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null, leads?: boolean }} stage
  * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
+ * @property {string[]} [leading]  choices that lead there before others
+ * @property {(frame: any) => Clocked} [clock]  what is played, if not the message as it is
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
  * @property {number} [leastRoom]  about what is looked at closely, as a share of the whole impact

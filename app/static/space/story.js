@@ -3,12 +3,14 @@ import { make, rowOf } from '../shell/dom.js';
 import { Warnings, Events, heading, noteOf, scrolled } from '../shell/story.js';
 import { pretty } from '../text/format.js';
 import { said, text } from '../text/catalogue.js';
+import { courseOf, impulseAt, wayOf } from './tracks.js';
 import { dot } from './vectors.js';
 
 const BODIES = ['impactor', 'target'];
 const ALIKE = 1e-9; // difference of two masses that are one
 
 /** @import { SpaceFrame } from '../messages.js' */
+/** @import { Page } from '../page.js' */
 
 /** @param {number | number[] | null} value */
 function written(value) {
@@ -44,8 +46,16 @@ function feltOf({ figures }) {
 }
 
 export class SpaceStory {
-  question = () => text('opening.question.bodies');
-  constructor() {
+  /** @param {SpaceFrame} frame */
+  question = (frame) => text('opening.question.bodies', { way: wayOf(frame) });
+  /** @type {SpaceFrame} */ frame;
+
+  /**
+   * @param {Page} page
+   * @param {() => boolean} slow  whether the clock runs through the impact
+   */
+  constructor(page, slow) {
+    this.slow = slow;
     this.units = make('p', { className: 'symbols' });
     this.figures = make('table', { className: 'figures' });
     this.trust = make('p', { className: 'trust' });
@@ -59,14 +69,16 @@ export class SpaceStory {
       scrolled(this.figures),
       this.trust,
     );
-    this.events = new Events(() => {}, String, 0);
+    const reached = (/** @type {number} */ t) => impulseAt(this.frame, t);
+    this.events = new Events((t) => page.player.seek(t - page.player.start), reached, 1e-9);
   }
   /** @param {SpaceFrame} frame */
   load(frame) {
     const { figures, notes, source, title } = frame;
+    this.frame = frame;
     const touch = touchOf(frame);
     this.units.textContent = `${touch} ${feltOf(frame)}`;
-    this.events.load([[0, touch]]);
+    this.events.load(this.slow() ? courseOf(frame, touch) : [[0, touch]]);
     const rows = figures.map(([name, value, unit]) => rowOf([text(`space.row.${name}`), written(value), unit]));
     this.figures.replaceChildren(make('tbody', {}, ...rows));
     this.warnings.load(notes.map(said));

@@ -6,19 +6,21 @@ import { Course, Hodograph } from './charts.js';
 import { LOOKS } from './hands.js';
 import { BodiesStage } from './stage.js';
 import { SpaceStory } from './story.js';
+import { CLOCK, impulseAt, movedAt, tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { SpaceFrame } from '../messages.js' */
 
 export class SpaceView {
   after = 0;
+  leading = ['friction', 'spin', 'restitution', 'speed'];
   /** @type {SpaceFrame} */ frame;
 
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
     this.stage = new BodiesStage();
-    this.story = new SpaceStory();
+    this.story = new SpaceStory(page, () => this.slow);
     this.charts = [new Hodograph(), new Course()];
     const [hodograph, course] = this.charts.map(({ chart }) => chart);
     this.stack = new Stack('bodies', { hodograph, course }, () => page.redraw());
@@ -50,6 +52,18 @@ export class SpaceView {
     this.dress();
     this.draw();
   }
+  /** Whether the clock runs through the impact: in the opening, where the contact slides. */
+  get slow() {
+    return this.page.opening.leads && Boolean(this.frame?.slidePress);
+  }
+  /** @param {SpaceFrame} frame */
+  clock(frame) {
+    if (!this.slow) return frame;
+    return { ...frame, ...CLOCK, said: (/** @type {number} */ t) => impulseAt(frame, t) };
+  }
+  get section() {
+    return this.slow ? tracksOf(this.frame) : null;
+  }
   dress() {
     this.page.compare.dress('');
     this.stage.load(this.frame);
@@ -57,7 +71,7 @@ export class SpaceView {
   }
   /** @param {number} t */
   show(t) {
-    this.stage.draw(t);
+    this.stage.draw(this.slow ? movedAt(t) : t);
   }
   draw() {
     for (const part of this.charts) if (!part.chart.root.hidden) part.draw();

@@ -1,5 +1,6 @@
 // What choices and their values are called on the page.
 import { family, methodOf, text } from './catalogue.js';
+import { share } from './format.js';
 
 /** @typedef {{ name: string, modes?: number | null, elements?: number | null, model?: string | null }} Called */
 
@@ -16,6 +17,13 @@ export const called = ({ name, modes, elements, model }) =>
     : elements && 'elements' in family(`method.${name}`)
       ? text(`method.${name}.elements`, { elements })
       : methodOf(name, model ?? '');
+
+/**
+ * Of which solution a picture is, and how wrong that may be.
+ * @param {string} method  what it is called
+ * @param {number | null} error  estimated of the rebound, of the impact speed
+ */
+export const byOf = (method, error) => text('opening.by', { method, error: error ? share(error) : 'none' });
 
 /**
  * What a choice is called, its unit, and what its options are called.

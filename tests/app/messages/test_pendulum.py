@@ -51,6 +51,11 @@ def test_the_bar_bends_where_it_strikes(bent):
     depth = arrays["exactMass"] - bent.motion.end_position(time)
     assert depth.max() == approx(bent.peak_indentation, rel=1e-2)
     assert arrays["exactBar"][0][:, 0] == approx(np.zeros(101), abs=1e-15)
+    struck = bent.scene.impactor.place
+    along = np.linspace(1e-300, bent.scene.impactor.length, 25)
+    k = int(np.argmin(np.abs(along - struck)))
+    bending, unit = arrays["exactBend"]
+    assert bending[:, k] * unit == approx(bent.motion.moment(time, -along[[k]])[:, 0], abs=unit)
     whole = bent.motion.impactor_position(time)
     assert np.abs(arrays["exactMass"] - whole).max() > 1e-5
     assert pendulum_fields(bent.scene.target) == {}

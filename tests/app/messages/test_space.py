@@ -188,3 +188,18 @@ def test_the_stage_draws(stage, name):
         assert inked > 300
         # the impulse is drawn from the impact on, if there is one
         assert (red > 50) == (t >= 0.0 and np.any(solution.impulse))
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if SCENES[name].friction])
+def test_friction_gives_the_impulse_and_the_spin_that_are_solved(name):
+    message = bodies_frame(solvers.solve(SCENES[name]))
+    header, found = read_header(message), arrays(message)
+    push, normal = np.array(header["push"]), np.array(header["normal"])
+    toward = np.cross(header["across"], header["up"])
+    body = header["bodies"]["impactor"]
+    size = np.linalg.norm(push)
+    assert found["slidePush"][-1] == approx(np.linalg.norm(push - (push @ normal) * normal), rel=1e-4, abs=1e-6 * size)
+    spins = [np.array(body[when]["spin"]) @ toward for when in ("before", "after")]
+    assert found["slideSpin"][[0, -1]] == approx(spins, rel=1e-4, abs=1e-6)
+    cone = header["friction"] * found["slidePress"]
+    assert np.all(found["slidePush"] <= cone + 1e-5 * size)

@@ -1,0 +1,72 @@
+"""What the browser needs of a body that is dropped on what is held: its bounces, and its height over time."""
+
+from typing import Any
+
+import numpy as np
+
+from solvers import METHODS, Bounces, Scene, Solution, bounces
+from solvers.bodies.drop import height_and_gravity
+
+from ..choices.built_in import base_of
+from ..choices.request import Request
+from .encoding import LARGEST_MASS
+
+FINE, INSTANTS = 20, (33, 9)  # flights that are drawn finely; instants of these, and of later ones
+CUT, MOST = 2e-4, 24  # of the first height; impacts that are solved
+ALIKE = 1e-6  # restitutions of impacts after which all that follow give as much back
+
+
+def fall_fields(request: Request, exact: Solution) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """Header and arrays, SI units, times from the release on; nothing where the scene drops no body."""
+    scene = request.scene
+    dropped = _dropped(request)
+    if dropped is None or not scene.target.held:
+        return {}, {}
+    _, gravity = height_and_gravity(dropped)
+    options = dict(exact.method)
+    method = METHODS[options.pop("name")].read(options).without_estimate()
+    found = bounces(scene, method, CUT, MOST, gravity)
+    time, height = flights(found)
+    mass = min(scene.impactor.mass, LARGEST_MASS)
+    rows = [
+        (each.time, mass * (each.speed + max(each.rebound, 0.0)), each.height, each.restitution)
+        for each in found.bounces
+    ]
+    header = {"height": found.height, "gravity": gravity, "rest": _rest(found, gravity)}
+    return {"fall": header}, {"fallTime": time, "fallHeight": height, "bounces": np.array(rows)}
+
+
+def _rest(found: Bounces, gravity: float) -> float | None:
+    """When it lies still [s], also where no more impacts are solved but all give as much back; None: never."""
+    if found.ended != "count" or len(found.bounces) < 2:
+        return found.rest_time
+    before, last = found.bounces[-2:]
+    if last.restitution >= 1.0 or abs(last.restitution - before.restitution) > ALIKE:
+        return None
+    return last.time + (last.contact_time or 0.0) + 2.0 * last.rebound / gravity / (1.0 - last.restitution)
+
+
+def _dropped(request: Request) -> dict[str, Any] | None:
+    """The table of the impactor where the scene gives it a height."""
+    chosen = request.chosen
+    scene: Scene = base_of(chosen["scene"], chosen["bodies"])
+    given = scene.given.get("impactor", {})
+    return given if "height" in given else None
+
+
+def flights(found: Bounces) -> tuple[np.ndarray, np.ndarray]:
+    """Times since the release [s] and heights [m], parabola by parabola, at nought while it touches and after rest."""
+    fall = np.linspace(0.0, found.bounces[0].time, INSTANTS[0])
+    times, heights = [fall], [found.height - 0.5 * found.gravity * fall**2]
+    heights[0][-1] = 0.0  # to rounding
+    for number, bounce in enumerate(found.bounces):
+        if bounce.rebound <= 0.0:
+            break
+        shares = np.linspace(0.0, 1.0, INSTANTS[number >= FINE])
+        begin = bounce.time + (bounce.contact_time or 0.0)
+        times.append(begin + 2.0 * bounce.rebound / found.gravity * shares)
+        heights.append(4.0 * bounce.height * shares * (1.0 - shares))
+    if found.rest_time is not None and found.rest_time > times[-1][-1]:
+        times.append(np.array([found.rest_time]))
+        heights.append(np.zeros(1))
+    return np.concatenate(times), np.concatenate(heights)

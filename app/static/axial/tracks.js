@@ -1,0 +1,112 @@
+// What the opening draws of bodies without rods below their stage: force or impulse, indentation, movement, and of a
+// pendulum that bends its bar, laid flat.
+import { times } from '../shell/times.js';
+import { text } from '../text/catalogue.js';
+import { engineering } from '../text/format.js';
+import { byOf, called } from '../text/words.js';
+
+/** @import { Series } from '../charts/chart.js' */
+/** @import { AxialFrame } from '../messages.js' */
+/** @import { Tracked } from '../opening/section.js' */
+/** @import { Track } from '../opening/tracks.js' */
+/** @import { Field } from './fields.js' */
+
+const ROOM = 1.1; // about the largest value
+const LEAST = 1e-12; // that is more than nothing
+
+/**
+ * @param {ArrayLike<number>} values
+ * @returns {[low: number, high: number]}
+ */
+const spanOf = (values) => Array.from(values).reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [0, 0]);
+
+/**
+ * The bar of a pendulum that bends, laid flat: its bending moment from the pivot to its end.
+ * @param {AxialFrame} frame
+ * @param {'exact' | 'other'} solution
+ * @returns {Track[]}
+ */
+export function barOf(frame, solution) {
+  const name = solution === 'exact' ? 'exactBend' : 'otherBend';
+  const { duration, impactor, shapes } = frame;
+  const bend = frame[name];
+  if (!bend) return [];
+  const [instants, places] = shapes[name];
+  const mean = (/** @type {number} */ t, /** @type {number} */ _span, /** @type {any} */ _, /** @type {any} */ out) => {
+    const when = Math.min(Math.max(t / duration, 0), 1) * (instants - 1);
+    const row = Math.min(Math.floor(when), instants - 2);
+    const [from, part] = [row * places, when - row];
+    for (let k = 0; k < places; k++) out[k] = (1 - part) * bend[from + k] + part * bend[from + places + k];
+    return out;
+  };
+  const [low, high] = spanOf(bend);
+  const { length = 1, place = length } = impactor;
+  return [
+    {
+      ...{ title: text('opening.track.bar'), share: 1, range: [0, length], unit: 'm', marks: [place / length] },
+      ends: [text('opening.track.pivot'), text('opening.track.tip')],
+      rows: {
+        field: { coarse: false, places, mean, profile: () => undefined },
+        ...{ what: 'moment', largest: 0.85 * Math.max(-low, high), duration },
+      },
+    },
+  ];
+}
+
+/**
+ * @param {Field} field
+ * @param {Float64Array} x
+ * @param {number} factor
+ * @returns {Series}
+ */
+const struck = (field, x, factor) => ({
+  ...{ x, y: field.ends, factor, style: 'other', name: '' },
+  cursor: text('opening.track.struck'),
+});
+
+/**
+ * @param {AxialFrame} frame
+ * @param {Field} field  that is drawn
+ * @param {Series[]} forces
+ * @returns {Tracked}
+ */
+export function tracksOf(frame, field, forces) {
+  const { exact, motionTime: x, speed, trip } = frame;
+  const factor = speed * trip;
+  const [force] = forces;
+  /** @type {Track[]} */
+  const tracks = [];
+  if (exact.sudden || !force?.x.length) {
+    const most = Math.max(...exact.contacts.map(([, , impulse]) => impulse));
+    const bars = exact.contacts.map(([t, , value]) => ({ t, value, words: engineering(value, 'N s', 3) }));
+    tracks.push({ title: text('opening.track.impulses'), share: 1, range: [1.6 * most, 0], unit: 'N s', bars });
+  } else {
+    const [, most] = spanOf(force.y);
+    const range = /** @type {[number, number]} */ ([ROOM * most * (force.factor ?? 1), 0]);
+    tracks.push({ title: text('opening.track.force'), share: 1.2, range, unit: 'N', series: forces });
+  }
+  tracks.push(...barOf(frame, field.solution));
+  const pressed = field.masses.map((moved, k) => Math.max(moved - field.ends[k], 0));
+  const [, deepest] = spanOf(pressed);
+  if (deepest > LEAST)
+    tracks.push({
+      ...{ title: text('opening.track.pressed'), share: 0.8, range: [0, ROOM * deepest * factor], unit: 'm' },
+      series: [{ x, y: pressed, factor, style: 'struck', name: '' }],
+    });
+  const [low, high] = spanOf([...field.masses, ...field.ends]);
+  const room = (ROOM - 1) * (high - low);
+  tracks.push({
+    ...{ title: text('opening.track.moved'), share: 1, unit: 'm' },
+    range: [(low - room) * factor, (high + room) * factor],
+    series: [
+      { x, y: field.masses, factor, style: 'exact', name: '', cursor: text('opening.track.strikes') },
+      ...(frame.target.held ? [] : [struck(field, x, factor)]),
+    ],
+  });
+  return {
+    by: byOf(called(exact), exact.diagnostics.estimated_error),
+    clock: times.shown,
+    drawn: null,
+    tracks,
+  };
+}

@@ -1,0 +1,113 @@
+// A body that is dropped and bounces, as the opening shows it: its height over time. The laboratory shows one impact.
+import { make } from '../shell/dom.js';
+import { Events } from '../shell/story.js';
+import { text } from '../text/catalogue.js';
+import { figures, length, percent, speed } from '../text/format.js';
+import { FallStage } from './stage.js';
+
+/** @import { Page } from '../page.js' */
+/** @import { AxialFrame, Frame } from '../messages.js' */
+/** @import { Event } from '../shell/story.js' */
+
+const NAMED = 4; // bounces that have a name
+
+/**
+ * @typedef {object} Fall  SI units
+ * @property {number} height
+ * @property {number} gravity
+ * @property {number | null} rest
+ * @property {number} end  of what is shown
+ * @property {ArrayLike<number>} x  times
+ * @property {ArrayLike<number>} y  heights
+ * @property {Bounce[]} bounces
+ */
+/** @typedef {{ t: number, impulse: number, height: number, restitution: number }} Bounce */
+
+/**
+ * What a message says of it; nothing of what is not dropped.
+ * @param {AxialFrame} frame
+ * @returns {Fall | null}
+ */
+export function fallOf({ bounces: rows, fall, fallHeight: y, fallTime: x }) {
+  if (!fall || !rows || !x || !y) return null;
+  const bounces = Array.from({ length: rows.length / 4 }, (_, k) => {
+    const [t, impulse, height, restitution] = rows.subarray(4 * k);
+    return { t, impulse, height, restitution };
+  });
+  const end = fall.rest === null ? x[x.length - 1] : 1.06 * fall.rest;
+  return { ...fall, bounces, end, x, y };
+}
+
+/** @param {Frame} frame  whether it is of a dropped body */
+export const falls = (frame) => 'fall' in frame && Boolean(frame.fall);
+
+/**
+ * @param {Fall} fall
+ * @returns {Event[]}
+ */
+export function eventsOf({ bounces, gravity, height, rest }) {
+  const found = bounces.map(({ height: rises, restitution, t }, k) => {
+    const before = k ? bounces[k - 1].height : height;
+    const values = {
+      ...{ number: k + 1, fast: speed(Math.sqrt(2 * gravity * before)), stays: rises <= 0 },
+      ...{ left: figures(Math.max(restitution, 0), 3), share: percent(rises / before) },
+    };
+    const name = k < NAMED ? text('fall.named.bounce', { number: k + 1 }) : undefined;
+    return /** @type {Event} */ ([t, text('fall.event.bounce', values), name]);
+  });
+  /** @type {Event} */
+  const first = [0, text('fall.event.let-go', { height: length(height) }), text('fall.named.let-go')];
+  /** @type {Event[]} */
+  const last =
+    rest === null ? [] : [[rest, text('fall.event.rest', { time: figures(rest, 3) }), text('fall.named.rest')]];
+  return [first, ...found.filter(([t]) => rest === null || t < rest), ...last];
+}
+
+export class FallView {
+  after = 1e-9;
+  /** @type {HTMLElement[]} */ buttons = [];
+  /** @type {Fall | null} */ fall = null;
+  given = false;
+
+  /** @param {Page} page */
+  constructor(page) {
+    const go = (/** @type {number} */ t) => page.player.seek(t);
+    this.stage = new FallStage(go);
+    const events = new Events(go, (t) => `${figures(t, 3)} s`, 1e-9);
+    const [root, numbers] = [make('div', { className: 'story' }, events.root), make('div')];
+    const load = () => events.load(this.fall ? eventsOf(this.fall) : []);
+    const question = () => this.#question;
+    this.story = { events, root, numbers, load, question, at: (/** @type {number} */ t) => events.at(t) };
+    this.hide(true);
+  }
+  /** @param {boolean} hidden */
+  hide(hidden) {
+    this.stage.root.hidden = hidden;
+  }
+  /** @param {AxialFrame} frame */
+  load(frame) {
+    this.given = frame.rigid; // its restitution, as nothing gives way
+    this.fall = fallOf(frame);
+    this.stage.load(this.fall);
+  }
+  /** @param {AxialFrame} frame */
+  clock({ chosen, opens }) {
+    return { kind: /** @type {const} */ ('fall'), duration: this.fall?.end ?? 1, trip: 1, chosen, opens };
+  }
+  get leading() {
+    return this.given ? ['restitution', 'speed', 'law'] : ['speed', 'law'];
+  }
+  get #question() {
+    const { bounces = [], rest = null } = this.fall ?? {};
+    const last = bounces[bounces.length - 1]?.restitution ?? 0;
+    const goes = rest !== null ? 'rests' : last >= 1 ? 'never' : 'less';
+    return text('opening.question.fall', { way: bounces.length < 2 ? 'stays' : goes });
+  }
+  dress() {}
+  draw() {}
+  zoom() {}
+  /** @param {number} t */
+  show(t) {
+    this.stage.draw(t);
+  }
+}
