@@ -30,15 +30,15 @@ export function barsOf({ rods }) {
  */
 export function tracesOf(frame, field, { drawn: { left, right } }, stretch) {
   const bars = barsOf(frame);
-  const told = (bars ?? []).flatMap((number, k) => {
+  const seen = (bars ?? []).flatMap((number, k) => {
     const { from, to } = frame.rods[number];
     const place = (from + to) / 2;
     const stress = field.stressAt(place, stretch);
     return stress ? [{ place, stress, name: text('opening.gauge', { number: k + 1 }) }] : [];
   });
-  const most = Math.max(...told.flatMap(({ stress }) => Array.from(stress.y, Math.abs)));
+  const most = Math.max(...seen.flatMap(({ stress }) => Array.from(stress.y, Math.abs)));
   const each = (right - left) / (field.to - field.from);
-  return told.map(({ name, place, stress: { x, y } }) => ({
+  return seen.map(({ name, place, stress: { x, y } }) => ({
     ...{ name, x, at: left + (place - field.from) * each },
     moved: Array.from(y, (value) => (value / most) * WIDE * (right - left)),
   }));
