@@ -2,6 +2,7 @@ import js from '@eslint/js';
 import texts from './eslint.texts.js';
 
 const BROWSER = [
+  ...['CompressionStream', 'DecompressionStream', 'Response', 'atob', 'btoa'],
   ...['window', 'document', 'location', 'history', 'navigator', 'performance', 'fetch', 'console'],
   ...['setTimeout', 'clearTimeout', 'clearInterval', 'AbortSignal', 'requestAnimationFrame', 'cancelAnimationFrame'],
   ...[

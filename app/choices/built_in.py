@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any
 
 import param
@@ -48,7 +48,7 @@ def struck_body(chosen: Mapping[str, Any]) -> AnyBody | None:
         return None
 
 
-@cache
+@lru_cache(maxsize=512)
 def body_keys(name: str) -> tuple[str, ...]:
     """All values of its bodies that can be set in a built-in scene."""
     return tuple(f"{part.key}.{quantity}" for part in parts_of(SCENES[name]) for quantity in part.quantities)

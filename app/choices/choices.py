@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 import param
 
 import solvers
-from solvers import LAWS, METHODS
+from solvers import LAWS, METHODS, Scene
 from solvers.bodies.beams import LARGEST_DAMPING, SUPPORTS, THEORIES
 from solvers.bodies.pendulum import SHAPES
 from solvers.contact.friction import MODELS
@@ -18,15 +18,42 @@ from solvers.validation import shown
 
 from ..text.refusals import Refused, code_or, reason_of
 from .bodies import BodyValues, read_values
+from .own import is_own, own_scene
 
 # in one language, as a server speaks to visitors of several
 _LOADED = {name: built_in(name, SOURCE) for name in solvers.scene_names()}
-SCENES = {name: scene.struck for name, scene in _LOADED.items()}  # a mechanism is shown as what is struck
-STRIKING = frozenset(name for name, scene in _LOADED.items() if scene.struck is not scene)  # in which it strikes
+
+
+class Scenes(dict[str, Scene]):
+    """Built-in scenes by name, those of visitors by their text; a mechanism is shown as what is struck."""
+
+    def __missing__(self, name: str) -> Scene:
+        if is_own(name):
+            return own_scene(name).struck
+        raise KeyError(name)
+
+
+SCENES = Scenes({name: scene.struck for name, scene in _LOADED.items()})
 START = next(iter(SCENES))
 LINKS = "flexible", "rigid"
 SOLVED_BY: dict[str, type[Method]] = {**METHODS, Multibody.NAME: Multibody}  # one for mechanisms only
 OF_LAWS = {name: values for law in LAWS.values() for name, values in law.VARIED.items()}  # constants of their own
+
+
+def strikes(name: str) -> bool:
+    """Whether it is the mechanism that strikes in this scene."""
+    scene = own_scene(name) if is_own(name) else _LOADED[name]
+    return scene.struck is not scene
+
+
+class SceneName(param.Selector):
+    """A built-in scene, or one of a visitor's own that can be read."""
+
+    def _validate(self, val: Any) -> None:
+        if is_own(val):
+            own_scene(val)
+        else:
+            super()._validate(val)
 
 
 class Choices(param.Parameterized):
@@ -35,7 +62,7 @@ class Choices(param.Parameterized):
     SI units; a value out of bounds raises ValueError.
     """
 
-    scene = param.Selector(default=START, objects=list(SCENES))
+    scene = SceneName(default=START, objects=list(SCENES))
     bodies = BodyValues(default="", doc="values of bodies that are changed, see app.choices.bodies")
     mass_ratio = param.Number(default=1.0, bounds=(1e-3, 1e3))  # target / impactor
     speed = param.Number(default=1.0, bounds=(1e-2, 1e2))  # of approach [m/s]
@@ -95,6 +122,8 @@ def within(name: str, value: float) -> float:
 def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, key: str | None = None) -> Refused:
     """For who uses the page: the control, the value and what is allowed; `key` where it has no title."""
     parameter, said = of.param[name], {"control": title_of(name, key), "value": shown(value)}
+    if name == "scene" and is_own(value):
+        return _refused_scene(value)
     if name == "scene":
         return Refused("refused.scene", **said, count=len(SCENES))
     if isinstance(parameter, param.Selector):
@@ -109,6 +138,14 @@ def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, k
     low, high = parameter.bounds
     unit, whole = code_or(f"unit.{name}", "none"), isinstance(parameter, param.Integer)
     return Refused("refused.number", **said, whole=whole, low=low, high=high, unit=unit)
+
+
+def _refused_scene(name: Any) -> Refused:
+    try:
+        own_scene(name)
+    except Refused as why:
+        return why
+    return Refused("refused.own-cut")
 
 
 def _wrong_in(text: str) -> Any:

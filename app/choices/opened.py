@@ -1,7 +1,7 @@
 """What a scene is opened with, as it shows what it is named after: its table `[view]`, read and refused key by key."""
 
 from collections.abc import Iterable, Mapping
-from functools import cache
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import param
@@ -96,10 +96,15 @@ class Opening(NamedTuple):
         }
 
 
-@cache
+@lru_cache(maxsize=512)
 def opening_of(scene: str) -> Opening:
-    """Of a built-in scene; nothing for most, and for another name."""
-    return Opening.of(SCENES[scene]) if scene in SCENES else Opening()
+    """Of a scene; nothing for most, for another name, and for what a visitor's own says that cannot be."""
+    try:
+        return Opening.of(SCENES[scene])
+    except (KeyError, ValueError):
+        if scene in SCENES:
+            raise
+        return Opening()
 
 
 def _comparison(number: int, given: object) -> Comparison:

@@ -6,6 +6,7 @@ of that unit, filled up with zeros to a multiple of four bytes.
 """
 
 import json
+import math
 import os
 from typing import Any
 
@@ -133,9 +134,27 @@ def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:
 
 
 def read_header(message: bytes) -> dict[str, Any]:
-    """The header of a message, for tests and tools."""
+    """The header of a message."""
     length = int.from_bytes(message[:4], "little")
     return json.loads(message[4 : 4 + length])
+
+
+def arrays_of(message: bytes) -> dict[str, np.ndarray]:
+    """The arrays of a message, in the shapes that its header states.
+
+    Raises AssertionError if there is more than these.
+    """
+    offset, found = 4 + int.from_bytes(message[:4], "little"), {}
+    for name, shape, *unit in read_header(message)["arrays"]:
+        size = math.prod(shape)
+        if unit:
+            found[name] = unit[0] * np.frombuffer(message, "<i2", size, offset).reshape(shape)
+            offset += 2 * (size + size % 2)
+        else:
+            found[name] = np.frombuffer(message, "<f4", size, offset).reshape(shape)
+            offset += 4 * size
+    assert offset == len(message)
+    return found
 
 
 def instants(duration: float, count: int, stretch: Stretch = None) -> np.ndarray:

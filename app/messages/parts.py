@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Collection
-from functools import cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from solvers.bodies.pendulum import Pivoted
 from solvers.text.notes import Note
 
 from ..choices.bodies import parts_of
-from ..choices.choices import SCENES, STRIKING
+from ..choices.choices import SCENES, strikes
 from ..choices.opened import Opening
 from ..choices.part import RANGES, Part
 from ..choices.request import Request
@@ -48,11 +48,11 @@ def part_records(request: Request | None) -> list[dict[str, Any]]:
     if request is None:
         return []
     name = request.chosen["scene"]
-    own, striker = _own_parts(name), "target" if name in STRIKING else "impactor"
+    own, striker = _own_parts(name), "target" if strikes(name) else "impactor"
     return [_part_record(part, own[part.key], part.key == striker) for part in parts_of(request.scene)]
 
 
-@cache
+@lru_cache(maxsize=512)
 def _own_parts(name: str) -> dict[str, Part]:
     """Of a scene as it is in its file, by their keys."""
     return {part.key: part for part in parts_of(SCENES[name])}

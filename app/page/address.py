@@ -11,6 +11,7 @@ from ..choices.beam import free_place
 from ..choices.bodies import is_key
 from ..choices.body_value import with_body_value
 from ..choices.choices import Choices, accepts, refusal
+from ..choices.own import LONGEST, is_own
 from ..choices.scene_of import choices_of
 from ..text.refusals import Refused
 from ..views.registry import VIEWS, opened_with
@@ -46,10 +47,10 @@ def from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, Any], lis
             kept |= more
             refused += refused_too
             continue
-        text = text_of(arguments[name])
+        text = text_of(arguments[name], LONGEST if name == "scene" else LONGEST_TEXT)
         value: Any = value_of(Choices.param[name], text)
         if not accepts(name, value):
-            refused.append(refusal(name, shown_of(text, value)))
+            refused.append(refusal(name, value if is_own(value) else shown_of(text, value)))
             continue
         if name == "scene":
             kept |= choices_of(value)
@@ -79,9 +80,9 @@ def _bodies_in(arguments: dict[str, list[bytes]], kept: dict[str, Any]) -> tuple
     return found, refused
 
 
-def text_of(given: list[bytes]) -> str:
-    """What an address says of one key, the last if it says it twice."""
-    return given[-1].decode("utf-8", "replace")[:LONGEST_TEXT]
+def text_of(given: list[bytes], longest: int = LONGEST_TEXT) -> str:
+    """What an address says of one key, the last if it says it twice, in so many letters at most."""
+    return given[-1].decode("utf-8", "replace")[:longest]
 
 
 def value_of(parameter: param.Parameter, text: str) -> object:
@@ -113,7 +114,7 @@ def opened_from_address(arguments: dict[str, list[bytes]]) -> tuple[dict[str, An
     """Open panels and their questions from the query of an address: what can be used, and a refusal for each that
     cannot. A budget goes before a tolerance. Without a word of panels those that the scene is opened with."""
     named = "scene" in arguments and "panel" not in arguments
-    kept: dict[str, Any] = opened_with(text_of(arguments["scene"])) if named else {}
+    kept: dict[str, Any] = opened_with(text_of(arguments["scene"], LONGEST)) if named else {}
     refused: list[ValueError] = []
     for name in filter(None, text_of(arguments["panel"]).split(",") if "panel" in arguments else ()):
         if name in PANELS:

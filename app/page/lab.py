@@ -34,7 +34,6 @@ from .address import ASKED, PANELS, from_address, opened_from_address
 from .begin import begin
 from .drafts import Drafts
 from .panels import Panels
-from .picker import scene_groups
 from .questions import accepted
 
 STATIC = Path(__file__).parents[1] / "static"
@@ -294,8 +293,6 @@ def _spec() -> dict[str, Any]:
             found[name] = {"default": parameter.default, "options": list(parameter.objects)}
             if name == "method":
                 found[name]["exact"] = Waves.NAME
-            if name == "scene":
-                found[name]["groups"] = scene_groups()
         else:
             low, high = parameter.bounds
             whole = isinstance(parameter, param.Integer)

@@ -1,4 +1,4 @@
-"""The picker of scenes: what each is called, and under which heading it stands."""
+"""All scenes: what each is called, under which heading it stands, and which the gallery shows as pictures."""
 
 import re
 from collections.abc import Mapping
@@ -10,15 +10,38 @@ from solvers.text.notes import Note
 from ..choices.beam import on_beam
 from ..choices.choices import SCENES
 from ..choices.space import in_space
+from ..messages.gallery.cards import CARDS, stored_pictures
+from ..messages.gallery.drawn import HEIGHT, SHADES, WIDTH
 from ..text.refusals import note
 
 
 def scene_groups(listed: Mapping[str, Scene] = SCENES) -> list[list[Any]]:
-    """Scenes by heading, which is a note, each as [name, title], for the picker."""
+    """Scenes by heading, which is a note, each as [name, title], for lists."""
     groups: dict[Note, list[list[str]]] = {}
     for name, scene in listed.items():
         groups.setdefault(_heading(name, scene), []).append([name, scene.title or name])
     return [[heading.table(), scenes] for heading, scenes in groups.items()]
+
+
+def gallery() -> dict[str, Any]:
+    """What the browser makes the gallery of: cards by group, their pictures, and all scenes by heading, each as
+    [name, title, what else it is found by].
+    """
+    scenes = [
+        [heading, [[name, title, _found_by(SCENES[name])] for name, title in listed]]
+        for heading, listed in scene_groups()
+    ]
+    sheet = {"width": WIDTH, "height": HEIGHT, "shades": SHADES}
+    cards = [[group, list(names)] for group, names in CARDS.items()]
+    return {"cards": cards, "sheet": sheet, "pictures": stored_pictures(), "scenes": scenes}
+
+
+def _found_by(scene: Scene) -> dict[str, Any]:
+    return {
+        "method": scene.method.get("name", ""),
+        "law": scene.contact.NAME,
+        "bodies": [scene.impactor.kind, scene.target.kind],
+    }
 
 
 def _heading(name: str, scene: Scene) -> Note:

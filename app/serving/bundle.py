@@ -2,7 +2,8 @@
 
 Each module becomes a function that is given what others export, in an order in which all that it needs is there. It
 takes the forms that our modules have: `import { a, b as c } from './x.js'`, `import * as a from './x.js'`, `export`
-before a declaration that does not change, and imports while running of files in the same folder. Comments that have
+before a declaration that does not change, and imports while running: of files in the same folder, or of an address,
+which is left to the browser. Comments that have
 their lines to themselves, a quarter of what is sent, are left out.
 """
 
@@ -13,23 +14,32 @@ IMPORT = re.compile(r"^import (?:\{([^}]*)\}|\* as (\w+)) from '([^']+)';\n", re
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const) (\w+))", re.MULTILINE)
 LATE = re.compile(r"\bimport\(`\./([^`]*)`\)")  # of a module in the same folder, known only when it runs
 COMMENT = re.compile(r"^[ \t]*(?:/\*\*(?:(?!\*/)[\s\S])*\*/|//.*)\n", re.MULTILINE)  # that has its lines to itself
+APART = re.compile(r"\bimport\(new URL\(")  # of what is fetched when it is asked for, with a bundle of its own
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
 
 
-def bundle(root: Path, entry: str, texts: str = "") -> str:
+def bundle(root: Path, entry: str, texts: str = "", beside: str = "") -> str:
     """The module `entry` of this folder with all that it imports; it exports what that does.
 
     `texts`: the script of the texts beside it, which it fetches where the document, as somebody else's, has none.
+    `beside`: another entry, which has been loaded: what that imports is not there once more.
 
     Raises ValueError for a circle, and for an import or export of another form.
     """
     parts: list[str] = []
-    _add(root, entry, {}, parts)
+    there: dict[str, bool] = {}
+    if beside:
+        _add(root, beside, there, [])
+    _add(root, entry, there, parts)
     names = ", ".join(EXPORT.findall((root / entry).read_text("utf-8")))
     fetched = (
         f"globalThis.strikewaveTexts ?? (await import(new URL('{texts}', import.meta.url).href));\n" if texts else ""
     )
-    return f"{fetched}const modules = {{}};\n" + "".join(parts) + f"export const {{ {names} }} = modules['{entry}'];\n"
+    return (
+        f"{fetched}const modules = (globalThis.strikewaveModules ??= {{}});\n"
+        + "".join(parts)
+        + f"export const {{ {names} }} = modules['{entry}'];\n"
+    )
 
 
 def _add(root: Path, name: str, state: dict[str, bool], parts: list[str]) -> None:
@@ -60,7 +70,7 @@ def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
     exported = EXPORT.findall(text)
     body = EXPORT.sub("", IMPORT.sub(given, text))
     body = LATE.sub(lambda found: f"modules[`{folder}/{found[1]}`]", body)
-    if other := OTHER.search(_without_comments(body)):
+    if other := OTHER.search(APART.sub("", _without_comments(body))):
         raise ValueError(f"{name}: cannot be bundled: {other[0]}")
     body = body.replace("import.meta.url", f"new URL('{name}', import.meta.url).href").replace("export {};\n", "")
     return f"modules['{name}'] = await (async () => {{\n{body}return {{ {', '.join(exported)} }};\n}})();\n"

@@ -20,6 +20,7 @@ from ..jobs.fair import Stranger
 from ..jobs.loops import of_loop
 from ..jobs.turns import Turnstile
 from ..page.lab import STATIC, VERSION
+from ..page.picker import gallery
 from ..text.catalogues import LANGUAGES, language_for, page, script
 from ..views.figures import drawn
 from ..views.registry import FIGURES, PANELS
@@ -34,14 +35,16 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("libraries/bokeh-tables.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-tables.min.js"),
     ("libraries/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
-ENTRY = "page.js"  # stands for all modules
+ENTRY = "page.js"  # stands for all modules but those of the gallery
+GALLERY = "gallery/gallery.js"  # fetched when it is opened
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 PACKED = (".js", ".css")
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
-FILES = {ENTRY, *OF_THE_DOCUMENT} | {
+LATE = {GALLERY, "gallery/gallery.css"}
+FILES = {ENTRY, GALLERY, *OF_THE_DOCUMENT} | {
     path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file() and path.suffix != ".js"
 }
 POLICY = (
@@ -66,7 +69,7 @@ def shell(first: bool, language: str) -> str:
     links = [
         (kind, name)
         for kind, ending in (('preload" as="style', ".css"), ("modulepreload", ".js"))
-        for name in sorted(FILES - OF_THE_DOCUMENT - OF_ANOTHER_PAGE)
+        for name in sorted(FILES - OF_THE_DOCUMENT - OF_ANOTHER_PAGE - LATE)
         if name.endswith(ending)
     ]
     preloads = [f'<link rel="{kind}" href="assets/{VERSION}/{name}">' for kind, name in links]
@@ -116,7 +119,9 @@ class Page(RequestHandler):
 @cache
 def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
-    return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode() if file == STATIC / ENTRY else file.read_bytes()
+    if file == STATIC / ENTRY:
+        return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
+    return bundle(STATIC, GALLERY, beside=ENTRY).encode() if file == STATIC / GALLERY else file.read_bytes()
 
 
 @cache
@@ -194,6 +199,27 @@ class Figure(RequestHandler):
         self.write(figure_text(name, language))
 
     head = get
+
+
+class Gallery(RequestHandler):
+    """Pictures of scenes and the list of all; a browser keeps it, and asks whether it is still the same."""
+
+    def get(self) -> None:
+        self.set_header("Cache-Control", "no-cache")
+        self.set_header("Content-Type", "application/json")
+        self.set_header("Vary", "Accept-Encoding")
+        packed = "gzip" in self.request.headers.get("Accept-Encoding", "")
+        if packed:
+            self.set_header("Content-Encoding", "gzip")
+        self.write(gallery_packed() if packed else gzip.decompress(gallery_packed()))
+
+    head = get
+
+
+@cache
+def gallery_packed() -> bytes:
+    """The gallery as JSON, packed: the same for all."""
+    return gzip.compress(json.dumps(gallery(), ensure_ascii=False, separators=(",", ":")).encode(), 9, mtime=0)
 
 
 @cache

@@ -2,7 +2,7 @@
 
 import re
 
-from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Library, Texts
+from .pages import LIBRARIES, STATIC, TEXTS, VERSION, Alive, Asset, Figure, Gallery, Library, Texts
 from .uploads import MeasuredRecord
 
 
@@ -11,6 +11,7 @@ def routes() -> list[tuple]:
     return [
         (r"/liveness", Alive),
         (r"/record", MeasuredRecord),
+        (r"/gallery", Gallery),
         (r"/figures/([a-zA-Z-]+)/([a-z-]+)", Figure),
         (rf"/({'|'.join(re.escape(name) for name, _ in LIBRARIES)})", Library),
         (rf"/assets/{VERSION}/text/({'|'.join(TEXTS)})\.js", Texts),

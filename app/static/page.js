@@ -19,6 +19,7 @@ import { alone } from './shell/home.js';
 import { listenToKeys } from './shell/keys.js';
 import { Layout } from './shell/layout.js';
 import { follow, readLink } from './shell/link.js';
+import { Scenes } from './shell/scenes.js';
 import { refusalIn } from './shell/model.js';
 import { decode } from './shell/message.js';
 import { Opening } from './opening/opening.js';
@@ -60,7 +61,9 @@ export class Page {
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
     this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
-    this.controls = new Controls(model.spec, (name, value) => this.opening.stay(() => this.send(name, value)));
+    const send = (/** @type {string} */ name, /** @type {any} */ value) =>
+      this.opening.stay(() => this.send(name, value));
+    this.controls = new Controls(model.spec, send, () => this.scenes.open());
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = new Caption();
@@ -89,6 +92,7 @@ export class Page {
     this.layout = this.arrange();
     this.root = this.layout.root;
     this.analyses.settle(this.layout);
+    this.scenes = new Scenes(this);
     this.symbols = new Symbols(this.root);
     this.history.watch(this.root);
     for (const { stage } of Object.values(this.views))
@@ -171,7 +175,10 @@ export class Page {
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      const field = this.bodies.refused(why) || (!goal && this.controls.refused(sent, why));
+      const field =
+        (sent.includes('scene') && this.scenes.refused(why)) ||
+        this.bodies.refused(why) ||
+        (!goal && this.controls.refused(sent, why));
       if (!field) this.complain(why);
     });
     for (const name of this.names)
@@ -300,10 +307,8 @@ export class Page {
       this.saidAt = performance.now();
       this.telling = 0;
       this.controls.arrange(this.frame);
-      this.bodies.load(this.frame);
-      this.story.load(this.frame);
+      for (const part of [this.bodies, this.story, this.opening, this.scenes]) part.load(this.frame);
       this.story.at(this.player.t + this.player.start);
-      this.opening.load(this.frame);
       this.compare.tell(this.frame);
       for (const root of [this.story.root, this.story.numbers]) this.symbols.mark(root);
       this.say();

@@ -5,6 +5,7 @@ import { make } from '../shell/dom.js';
 import { TITLES } from '../shell/layout.js';
 import { keep, kept } from '../shell/store.js';
 import { family, text } from '../text/catalogue.js';
+import { questionOf } from './question.js';
 import { Section } from './section.js';
 
 /** @import { Page } from '../page.js' */
@@ -44,9 +45,10 @@ function changesOf(frame) {
  */
 function planOf(search) {
   if (!alone) return 'laboratory';
-  const asked = new URLSearchParams(search).get('layout');
-  const plan = PLANS.find((name) => name === asked);
-  return plan ?? (search.length > 1 ? 'laboratory' : kept(PLAN, 'opening'));
+  const query = new URLSearchParams(search);
+  const asked = query.get('layout');
+  query.delete('gallery'); // which lies over any
+  return PLANS.find((name) => name === asked) ?? (query.size ? 'laboratory' : kept(PLAN, 'opening'));
 }
 
 export class Opening {
@@ -159,7 +161,7 @@ export class Opening {
     if (!this.leads) return;
     if (this.scene !== frame.chosen.scene) this.tried = 0;
     this.scene = String(frame.chosen.scene);
-    this.question.textContent = this.page.view.story.question(frame);
+    this.question.textContent = questionOf(frame, this.page.view.story);
     const changes = changesOf(frame);
     this.change.hidden = !changes.length;
     if (changes.length) this.change.textContent = `${WHATS[changes[this.tried % changes.length][0]]} →`;

@@ -1,5 +1,6 @@
 // The impact that is shown, to take along: its scene file, and the command and the Python lines that solve it again.
 import { download, make } from '../shell/dom.js';
+import { fileOf } from '../shell/own.js';
 import { text } from '../text/catalogue.js';
 import { Panel } from './panel.js';
 
@@ -80,7 +81,7 @@ class Code extends Panel {
     return { name, code, root: make('section', { className: 'code-part' }, head, code) };
   }
   get file() {
-    return `${this.page.frame.chosen.scene}.toml`;
+    return `${fileOf(this.page.frame.chosen.scene)}.toml`;
   }
   /** @param {string} code */
   async #copy(code) {

@@ -46,7 +46,7 @@ function panelsOf(model) {
  * @param {boolean} moment  with the instant of the clock, also while it runs
  * @returns {[key: string, value: string][]}
  */
-function viewOf({ compare, frame, layout, opening, player, view }, moment) {
+function viewOf({ compare, frame, layout, opening, player, scenes, view }, moment) {
   /** @type {[string, string][]} */
   const found = [];
   const add = (/** @type {string} */ key, /** @type {unknown} */ value) => found.push([key, String(value)]);
@@ -63,6 +63,7 @@ function viewOf({ compare, frame, layout, opening, player, view }, moment) {
   if (compare.runs.length) add('kept', keptText(compare.runs, frame));
   if (compare.beside) add('beside', compare.beside.letter);
   if (compare.locked) add('locked', true);
+  if (scenes.searched !== null) add('gallery', scenes.searched);
   return found;
 }
 

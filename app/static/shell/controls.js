@@ -1,15 +1,14 @@
 // The form: one control for each choice, made from the bounds that the server holds.
 import { changesOf } from '../compare/settings.js';
-import { ofScene, said, text } from '../text/catalogue.js';
+import { said, text } from '../text/catalogue.js';
 import { LABELS, METHODS } from '../text/words.js';
 import { make } from './dom.js';
+import { entryOf, SceneButton } from './scenes.js';
 import { Slider } from './slider.js';
 
 /** @import { AxialFrame, Cushion, Frame, SpaceFrame } from '../messages.js' */
 /** @import { Spec } from './model.js' */
 
-const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
-const LONGER_TITLE = 72; // beyond which it is everywhere
 
 /**
  * @typedef {object} Control
@@ -18,37 +17,27 @@ const LONGER_TITLE = 72; // beyond which it is everywhere
  * @property {(sentence: string) => void} [complain]  below its value
  */
 
-/**
- * What the list says of a scene; one of the thesis by its number first.
- * @param {string} scene
- * @param {string} own  its title
- */
-function entryOf(scene, own) {
-  const title = ofScene(scene, 'title', own);
-  const [, kind, number] = /^(figure|table)-(\d+\.\d+)$/.exec(scene) ?? [];
-  return kind ? text('scenes.entry', { kind, number, title }) : title;
-}
-
 export class Controls {
   /** @type {Record<string, Control>} */ fields = {};
-  /** @type {{ option: HTMLOptionElement, title: string } | null} */ changed = null; // scene, with its name
 
   /**
    * @param {Spec} spec
    * @param {(name: string, value: number | string) => void} send  takes every change that the visitor makes
+   * @param {() => void} gallery  opens it
    */
-  constructor(spec, send) {
+  constructor(spec, send, gallery) {
     this.spec = spec;
     this.send = send;
+    this.scene = new SceneButton(gallery);
+    this.fields.scene = this.scene; // which stands in the bar
     this.root = make('form', { className: 'controls' });
     this.root.onsubmit = (event) => event.preventDefault();
     for (const name of Object.keys(spec)) {
-      if (!spec[name].options && spec[name].low === undefined) continue; // bodies, which have fields of their own
+      if (name === 'scene' || (!spec[name].options && spec[name].low === undefined)) continue; // bodies have own fields
       this.fields[name] = spec[name].options ? this.#select(name) : this.#slider(name);
-      if (name !== 'scene') this.root.append(this.fields[name].root); // which stands in the bar
+      this.root.append(this.fields[name].root);
     }
     this.method = /** @type {HTMLSelectElement} */ (this.root.querySelector('#choice-method'));
-    this.scene = /** @type {HTMLSelectElement} */ (this.fields.scene.root.querySelector('select'));
     this.cushions = make('div', { className: 'cushions', hidden: true });
     this.fields.law.root.append(this.cushions);
     this.note = make('p', { className: 'help' });
@@ -59,25 +48,15 @@ export class Controls {
     const { title, options = {} } = LABELS[name];
     const id = `choice-${name}`;
     const input = make('select', { id });
-    const { groups } = this.spec[name];
-    /** @type {(value: string, textContent: string) => HTMLElement} */
-    const option = (value, textContent) => make('option', { value, textContent });
-    for (const [heading, scenes] of groups ?? []) {
-      const made = scenes.map(([scene, own]) => option(scene, entryOf(scene, own)));
-      input.append(make('optgroup', { label: said(heading) }, ...made));
-    }
-    if (!groups) input.append(...(this.spec[name].options ?? []).map((each) => option(each, options[each] ?? each)));
+    const all = this.spec[name].options ?? [];
+    input.append(...all.map((value) => make('option', { value, textContent: options[value] ?? value })));
     input.onchange = () => this.send(name, input.value);
-    const label = make('label', { htmlFor: id, textContent: title, className: name === 'scene' ? 'unseen' : '' });
+    const label = make('label', { htmlFor: id, textContent: title });
     label.dataset.term = name;
     const root = make('div', { className: `field field-${name}` }, label, input);
-    const shown = make('span', { className: 'title', ariaHidden: 'true' });
-    if (name === 'scene') root.append(shown); // a select has one line, which is too short for titles
     const set = (/** @type {string} */ value) => {
       input.value = value;
-      input.title = shown.textContent = input.selectedOptions[0]?.textContent ?? '';
-      shown.classList.toggle('long', input.title.length > LONG_TITLE);
-      shown.classList.toggle('longer', input.title.length > LONGER_TITLE);
+      input.title = input.selectedOptions[0]?.textContent ?? '';
     };
     return { root, set };
   }
@@ -116,16 +95,8 @@ export class Controls {
    * @param {Frame} frame
    */
   #entitle(frame) {
-    const [option] = this.scene.selectedOptions;
-    if (!option || frame.chosen.scene !== option.value) return;
-    if (this.changed && this.changed.option !== option) this.changed.option.textContent = this.changed.title;
-    const title = this.changed?.option === option ? this.changed.title : (option.textContent ?? '');
-    const changed = changesOf(frame) !== '';
-    this.changed = changed ? { option, title } : null;
-    const shown = changed ? text('controls.changed', { title }) : title;
-    if (option.textContent === shown) return;
-    option.textContent = shown;
-    this.fields.scene.set(option.value, false);
+    const title = entryOf(String(frame.chosen.scene), frame.title || text('gallery.untitled'));
+    this.scene.say(changesOf(frame) ? text('controls.changed', { title }) : title);
   }
   /**
    * Sheets of rubber or wood between the two, each a linear spring.

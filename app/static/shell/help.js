@@ -2,7 +2,21 @@
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 
-const KEYS = ['play', 'step', 'event', 'pace', 'loop', 'keep', 'undo', 'redo', 'slider', 'zoom', 'help', 'close'];
+const KEYS = [
+  'play',
+  'step',
+  'event',
+  'pace',
+  'loop',
+  'keep',
+  'undo',
+  'redo',
+  'slider',
+  'zoom',
+  'gallery',
+  'help',
+  'close',
+];
 const FINGERS = ['clock', 'zoom', 'striker', 'events', 'tabs'];
 const PARTS = ['bar', 'picture', 'rows', 'closer', 'clock', 'controls', 'charts', 'story', 'numbers', 'analysis'];
 const DOCUMENTS = ['page', 'scenes', 'records', 'how-it-is-computed', 'how-exact', 'command-line'];

@@ -1,6 +1,7 @@
 // Kept solutions in an address: "A,modes:5;B,law:hertz,mass_ratio:2", each by what differs from its scene's own values.
 import { LETTERS } from '../compare/run.js';
 import { entriesOf, isBodyKey, textOf } from './body_values.js';
+import { isOwn } from './own.js';
 
 /** @import { Letter, Run } from '../compare/run.js' */
 /** @import { Chosen, Frame } from '../messages.js' */
@@ -69,7 +70,7 @@ function wantedOf(text, spec) {
  * @param {import('./model.js').Bounds} bounds
  */
 function valueOf(value, { high, low, options, whole }) {
-  if (options) return options.includes(value) ? value : null;
+  if (options) return options.includes(value) || isOwn(value) ? value : null;
   const number = NUMBER.test(value) ? Number(value) : NaN;
   return number >= low && number <= high && (!whole || Number.isInteger(number)) ? number : null;
 }

@@ -69,7 +69,7 @@ export class Writing {
 export function listenToKeys(page) {
   const key = (/** @type {KeyboardEvent} */ event) => {
     if (event.altKey || event.defaultPrevented) return;
-    if (page.help.key(event, taken(event))) return;
+    if (page.help.key(event, taken(event)) || page.scenes.key(event, taken(event))) return;
     if (event.ctrlKey || event.metaKey) {
       if (page.history.key(event)) event.preventDefault();
       return;

@@ -8,6 +8,7 @@ import { refusalIn } from './model.js';
 /** @import { Wanted } from './kept.js' */
 
 const PLACE = /^-?\d{1,4}(\.\d{1,9})?$/; // [m]
+const WORDS = 60; // letters that are searched in the gallery
 const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
 
 /**
@@ -21,6 +22,7 @@ const TIME = /^\d{1,9}(\.\d{1,9})?(e[+-]?\d{1,2})?$/;
  * @property {Wanted[]} kept
  * @property {string | null} beside
  * @property {boolean} locked
+ * @property {string | null} gallery  what is searched in it, where it is open
  * @property {string[]} bad  keys that say what cannot be
  */
 
@@ -58,6 +60,7 @@ export function readLink(search, { model, view }) {
     kept,
     beside: get('beside', (value) => kept.find(({ letter }) => letter === value)?.letter ?? null),
     locked: get('locked', yes) ?? false,
+    gallery: get('gallery', (value) => value.slice(0, WORDS)),
     bad,
   };
 }
@@ -77,13 +80,14 @@ function stretchOf([start, end, ...more]) {
  * @param {Link} link
  * @returns {boolean}  whether it says where the clock is
  */
-export function follow(page, { bad, beside, colour, gauge, kept, locked, playing, t, tab, view: stretch }) {
+export function follow(page, { bad, beside, colour, gallery, gauge, kept, locked, playing, t, tab, view: stretch }) {
   const { compare, layout, player, view } = page;
   if (bad.length)
     page.complain([refusalIn(page.model), text('page.bad-link', { keys: bad })].filter(Boolean).join('\n'));
   if (colour) view.colour?.(colour);
   if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);
+  if (gallery !== null) page.scenes.open(gallery);
   if (tab && layout.mode !== 'phone' && layout.tabs.offers(tab)) {
     layout.tabs.select(tab);
     layout.place();

@@ -1,8 +1,6 @@
 // What the page knows of Panel: the properties that Python and the browser share.
 import { said } from '../text/catalogue.js';
 
-/** @import { Note } from '../text/catalogue.js' */
-
 /**
  * The component of Panel. Any property can be read, and set where the server allows it.
  * @typedef {object} Properties
@@ -31,7 +29,6 @@ import { said } from '../text/catalogue.js';
  * @property {boolean} whole
  * @property {string[]} [options]
  * @property {string} [exact]  of them, what is beside all others along an axis
- * @property {[heading: Note, scenes: [name: string, title: string][]][]} [groups]
  */
 /** @typedef {Record<string, Bounds>} Spec */
 

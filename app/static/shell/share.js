@@ -2,6 +2,7 @@
 import { text } from '../text/catalogue.js';
 import { addressOf, queryOf } from './address.js';
 import { download } from './dom.js';
+import { fileOf } from './own.js';
 import { alone } from './home.js';
 
 /** @import { Page } from '../page.js' */
@@ -44,6 +45,6 @@ export function saveData(page) {
   const { frame, view } = page;
   const table = view.rows?.();
   if (!table || frame.kind === 'bodies') return page.complain(text('page.no-history'));
-  const name = `strikewave-${frame.chosen.scene}.csv`;
+  const name = `strikewave-${fileOf(frame.chosen.scene)}.csv`;
   return download(new Blob([written(frame.head, linkOf(page), table)], { type: 'text/csv' }), name);
 }
