@@ -143,6 +143,10 @@ def hovered(page: Page, selector: str) -> None:
     page.tab.locator(selector).filter(visible=True).first.hover()
 
 
+def opened_gallery(page: Page, words: str = "") -> None:
+    page.evaluate("words => strikewave.page.scenes.open(words)", words)
+
+
 def zoomed(page: Page) -> None:
     turned(page, "Charts")
     page.evaluate("() => { const { axis, linkUnit: u = 1 } = strikewave.page.view; axis.show([0.31 * u, 0.347 * u]); }")
@@ -254,7 +258,9 @@ SAID = [
           rest=2500),
     State(name="tip-of-symbol", act=partial(hovered, selector=".controls [data-term]")),
     State(name="tip-in-story", act=lambda page: (turned(page, "Story"), hovered(page, ".tab-panel [data-term]"))),
-    State(name="scene-focused", act=lambda page: page.tab.locator(".field-scene select").focus()),
+    State(name="scene-focused", act=lambda page: page.tab.locator(".topbar .scene").focus()),
+    State(name="gallery", act=opened_gallery),
+    State(name="gallery-found", act=partial(opened_gallery, words="beam")),
     State(name="help", act=lambda page: page.evaluate("() => strikewave.page.help.open()")),
     State(name="skip-link", act=lambda page: page.tab.keyboard.press("Tab")),
 ]  # fmt: skip

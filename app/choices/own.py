@@ -15,7 +15,7 @@ from ..text.refusals import Refused, reason_of
 MARK = "own."  # with which their names begin, see app/static/shell/own.js
 LONGEST = 3_000  # letters of a name
 LONGEST_TEXT = 20_000  # bytes of the text
-AT_LINE = re.compile(r"at line (\d+)")
+AT_LINE = re.compile(r"\bline (\d+)")
 LETTERS = re.compile(r"[\w-]*")
 
 
@@ -57,14 +57,14 @@ def _text_of(name: str) -> str:
 
 def line_of(text: str, key: str) -> int:
     """The line, from 1 on, in which a key of a scene file stands, or the table in which it is missing; 0: in none."""
-    words, found, table, inside = re.findall(r"[\w-]+", key), 0, "", 0
+    words, numbers = re.findall(r"[a-z_][\w-]*", key), re.findall(r"\[(\d+)\]", key)
+    found, table, inside = [], [], 0
     for number, line in enumerate(text.splitlines(), 1):
         if header := re.match(r"\s*\[+\s*([\w.-]+)\s*\]", line):
-            table = header[1]
-            if words and table.split(".")[0] == words[0]:
-                inside = inside or number
+            table = header[1].split(".")
+            inside = inside or number * (table[0] in words[:1])
         elif assigned := re.match(r"\s*([\w-]+)\s*=", line):
-            path = [*filter(None, table.split(".")), assigned[1]]
-            if path == words[: len(path)]:
-                found = found or number
-    return found or inside
+            path = [*table, assigned[1]]
+            found += [number] * (path == words[: len(path)])
+    which = int(numbers[0]) if numbers else 1  # of those in a list of tables
+    return found[min(which, len(found)) - 1] if found else inside

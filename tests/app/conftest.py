@@ -219,6 +219,10 @@ class Page:
         act()
         self.wait("n => strikewave.frames > n && !strikewave.page.asked && !strikewave.page.frame.draft", before)
 
+    def show_scene(self, name: str) -> None:
+        """Choose a scene as the gallery does, and wait until it is drawn."""
+        self.answered(lambda: self.evaluate("name => strikewave.page.choose('scene', name)", name))
+
     def turn_to(self, name: str) -> None:
         """Choose a tab, where it is not the one that is seen."""
         tab = self.tab.get_by_role("tab", name=name, exact=True)

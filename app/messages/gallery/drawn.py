@@ -62,18 +62,22 @@ def outline(x: np.ndarray, y: np.ndarray, ink: str = "body") -> Part:
     return Part("area", np.atleast_2d(x), np.atleast_2d(y), 0.0, None, ink)
 
 
-def fitted(parts: list[Part], margin: float = 16.0) -> list[Part]:
+def fitted(parts: list[Part], aside: float = np.inf, margin: float = 16.0) -> list[Part]:
     """Parts in metres, x to the right and y upwards, moved and scaled so that the picture holds them all; sizes are of
-    the picture already."""
-    room = np.array([(each.size if each.shape == "disc" else 0.5 * each.size) for each in parts])
-    low = np.array([[each.x.min(), each.y.min()] for each in parts])
-    high = np.array([[each.x.max(), each.y.max()] for each in parts])
-    scale = np.inf
-    for axis, length in enumerate((WIDTH, HEIGHT)):
-        reach = float(high[:, axis].max() - low[:, axis].min())
-        if reach > 0.0:
-            scale = min(scale, (length - 2.0 * margin - 2.0 * float(room.max())) / reach)
-    middle = 0.5 * (low.min(axis=0) + high.max(axis=0))
+    the picture already. `aside`: how far from the others what strikes is held, in their size; then it flies out."""
+    room = max((each.size if each.shape == "disc" else 0.5 * each.size) for each in parts)
+
+    def bounds(some: list[Part]) -> np.ndarray:
+        low, high = (np.array([[f(p.x), f(p.y)] for p in some]) for f in (np.min, np.max))
+        return np.stack((low.min(axis=0), high.max(axis=0)))
+
+    whole, others = bounds(parts), bounds([each for each in parts if each.ink != "striker"] or parts)
+    if np.isfinite(aside):
+        more = aside * float(np.ptp(others, axis=0).max())
+        whole = np.stack((np.maximum(whole[0], others[0] - more), np.minimum(whole[1], others[1] + more)))
+    reach = np.maximum(np.ptp(whole, axis=0), 1e-12)
+    scale = float(((np.array([WIDTH, HEIGHT]) - 2.0 * (margin + room)) / reach).min())
+    middle = whole.mean(axis=0)
     return [
         Part(
             each.shape,

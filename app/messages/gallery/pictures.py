@@ -26,6 +26,7 @@ MASS = 30.0  # half of a mass that strikes
 ROD, THICKEST = 74.0, 130.0
 PLACES = 49  # along rods and beams
 GROUND = 12.0
+AWAY = 0.35  # of the size of a mechanism, as far as a mass is followed that it has struck
 
 
 def picture_of(name: str) -> list[dict[str, Any]]:
@@ -81,7 +82,9 @@ def _rods(solution: Solution) -> list[Part]:
         place = left + unit * (x + start) + scale * moved
         parts.append(line(place, np.full(x.size, MIDDLE), thick, stress / largest))
     if hits:
-        parts.append(block(left + scale * face - MASS, MIDDLE, MASS, 2.0 * MASS))
+        ball = scene.impactor.kind == "sphere"
+        place = left + scale * face - MASS
+        parts.append(disc(place, MIDDLE, MASS) if ball else block(place, MIDDLE, MASS, 2.0 * MASS))
     if scene.target.held:
         parts.append(block(RIGHT + GROUND, MIDDLE, GROUND, 2.0 * ROD, "ground"))
     return parts
@@ -226,7 +229,7 @@ def _mechanism(request: Request) -> list[Part]:
     else:
         away = 0.09 * size  # of its middle from the line on which the link is drawn
         parts.append(disc(striker[:, 0] - away * normal[0], striker[:, 1] - away * normal[1], 18.0))
-    return fitted(parts)
+    return fitted(parts, AWAY)
 
 
 def _at(time: np.ndarray, known: np.ndarray, values: np.ndarray) -> np.ndarray:

@@ -150,6 +150,7 @@ export class Gallery {
     this.root.showModal(); // the browser keeps the focus in it, and gives it back
     this.#find();
     this.#mark();
+    this.body.scrollTop = 0;
     for (const picture of this.pictures.values()) picture.draw();
     (this.running.touched ? this.heading : this.search).focus(); // else a keyboard would cover half of it
   }
@@ -216,6 +217,10 @@ export class Gallery {
     const inSearch = from === this.search;
     const listed = [...this.body.querySelectorAll('button[data-scene], summary')];
     const choices = /** @type {HTMLElement[]} */ (listed.filter((each) => each.checkVisibility()));
+    if (inSearch && event.key === 'Escape') {
+      event.preventDefault(); // it would only empty the search
+      this.close();
+    }
     if (inSearch && event.key === 'Enter') {
       event.preventDefault();
       choices.find(({ dataset }) => dataset.scene)?.click();

@@ -67,7 +67,7 @@ def test_all_mass_ratios_and_where_the_scene_lies(open_page):
     ratio = page.header("chosen")["mass_ratio"]
     for name in ("rebound", "periods", "contacts"):
         assert cursor(page, name) == pytest.approx(ratio, rel=1e-6)
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("free-rod"))
+    page.show_scene("free-rod")
     expect(page.tab.get_by_text("exactly one round trip")).to_be_visible()
     page.answered(lambda: page.tab.get_by_label("Contact law", exact=True).select_option("hertz"))
     expect(button).to_be_disabled()
@@ -181,8 +181,8 @@ def test_the_modes_of_a_rod_and_of_a_beam(open_page):
     expect(panel.locator("tbody tr").first).to_contain_text("2.353 kHz")
     panel.get_by_role("button", name="Show the numbers").first.click()
     expect(panel.get_by_role("columnheader", name="mode 8").first).to_be_visible()
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("hammer-on-cantilever"))
+    page.show_scene("hammer-on-cantilever")
     expect(panel.locator("tr[aria-current]")).to_contain_text("3.58 kHz", timeout=LONG)
     expect(panel.get_by_role("button", name="with the mass on it")).to_be_hidden()
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("two-balls"))
+    page.show_scene("two-balls")
     expect(panel).to_be_hidden()

@@ -161,7 +161,7 @@ def test_how_far_to_trust_it(open_page):
     assert all(list(row) == sorted(row) for row in zip(*edges, strict=True)) and max(edges[3]) > 0
     reported = page.evaluate("() => strikewave.page.analyses.convergence.figure.model('differences').data")
     assert {"peak force", "final velocity"} <= set(reported["quantity"]) and 40 not in reported["count"]
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("fixed-rod"))
+    page.show_scene("fixed-rod")
     expect(page.tab.locator(".study-trust")).to_be_hidden()
 
 

@@ -26,11 +26,11 @@ def test_a_ball_is_dropped_from_any_height_under_any_gravity(open_page):
     expect(rows.first).to_contain_text("64")  # % of the energy, after a restitution of 0.8
     assert rows.count() == 13 and "gravity=9.81" in page.evaluate("() => location.search")
     settled(page)
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("free-rod"))
+    page.show_scene("free-rod")
     expect(page.tab.locator(".bounces")).to_be_hidden()  # which belonged to the scene that was left
     page.analysis("Bounces")
     expect(page.tab.get_by_text("Only a mass that strikes what is held bounces")).to_be_visible()
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("slider-crank"))
+    page.show_scene("slider-crank")
     expect(page.tab.get_by_role("button", name="Bounces", exact=True)).to_be_hidden()
 
 

@@ -195,7 +195,6 @@ def test_a_scene_whose_settings_are_changed_says_so(open_page):
     expect(page.tab.locator("p.trust:visible").first).to_contain_text("Here with Mass ratio 2, not as")
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('scene', 'free-rod')"))
     expect(shown).not_to_contain_text("(changed)")
-    expect(page.tab.locator("option", has_text="(changed)")).to_have_count(0)
 
 
 def test_what_is_wrong_with_a_value_is_seen_on_a_phone(open_page):

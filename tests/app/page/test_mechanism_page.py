@@ -124,11 +124,11 @@ def test_tables_of_nodes_are_in_view_where_their_scene_is_opened(open_page):
 
 def test_a_scene_that_is_picked_opens_what_it_is_named_after_and_shuts_it_again(open_page):
     page = open_page()
-    scenes, panel = page.tab.get_by_label("Scene", exact=True), page.tab.locator(".mode_change")
-    page.answered(lambda: scenes.select_option("table-6.10"))
+    panel = page.tab.locator(".mode_change")
+    page.show_scene("table-6.10")
     expect(panel.locator("tr[aria-current]").first).to_be_visible(timeout=LONG)
     expect(page.tab.get_by_role("heading", name="What happens")).to_be_visible()  # the story stays beside it
-    page.answered(lambda: scenes.select_option("fixed-rod"))
+    page.show_scene("fixed-rod")
     expect(panel).to_be_hidden()
     page.wait("() => !location.search.includes('panel')")
 

@@ -80,9 +80,9 @@ def test_moments_at_joints_and_pivots_have_their_charts(open_page):
     assert page.evaluate(f"() => {chart}.content.series.map(({{ name }}) => name)") == ["ground – bar", "rigid links"]
     page.tab.get_by_role("button", name="moment", exact=True).last.click()
     assert page.evaluate(f"() => {chart}.content.unit") == "N m"
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("figure-10.11"))
+    page.show_scene("figure-10.11")
     expect(page.tab.get_by_role("heading", name="Bending moments")).to_be_visible()
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("fixed-rod"))
+    page.show_scene("fixed-rod")
     expect(page.tab.get_by_role("heading", name="Bending moments")).to_be_hidden()
 
 

@@ -87,7 +87,6 @@ def check_slider(page, name: str, label: str, to: float) -> None:
 @pytest.mark.parametrize(
     "label, name, options",
     [
-        ("Scene", "scene", ["free-rod", "bronze-rod-steel-ball"]),
         ("Contact law", "law", ["linear", "hertz", "hunt-crossley"]),
         ("Compare with", "method", ["modal"]),
     ],
@@ -106,7 +105,7 @@ def test_each_picker_changes_what_is_drawn(open_page, label, name, options):
 
 def test_a_scene_brings_its_own_values(open_page):
     page = open_page()
-    page.answered(lambda: page.tab.get_by_label("Scene", exact=True).select_option("bronze-rod-steel-ball"))
+    page.show_scene("bronze-rod-steel-ball")
     settled(page)
     chosen = page.header("chosen")
     assert chosen["law"] == "hertz"

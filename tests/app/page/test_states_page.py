@@ -151,7 +151,7 @@ def test_an_answer_for_another_number_of_modes_is_awaited_where_it_depends_on_th
 
 def test_a_dark_scheme_of_high_contrast_has_the_scene_and_the_pictures_on_its_own_ground(open_page):
     page = open_page(forced_colors="active", color_scheme="dark")
-    colours = """() => ['.topbar .field-scene select', '.stages canvas'].map((each) => {
+    colours = """() => ['.topbar .scene', '.stages canvas'].map((each) => {
       const { backgroundColor, filter } = getComputedStyle(strikewave.page.root.querySelector(each));
       const dark = backgroundColor.match(/\\d+/g)?.slice(0, 3).every((part) => Number(part) < 60);
       return [dark, filter.startsWith('invert')];
