@@ -284,10 +284,10 @@ def test_events_stand_at_their_time(open_page):
     ("scene", "rows", "charts", "question"),
     [
         ("free-rod", 1, 0, "Nothing holds the rod."),
-        ("hammer-on-cantilever", 1, 0, "One impact. Why five contacts?"),
+        ("hammer-on-cantilever", 1, 0, "One swing of a hammer. Why five contacts?"),
         ("four-bar", 0, 1, "One link is struck."),
         ("newtons-cradle", 0, 1, "One ball strikes."),
-        ("brick-on-floor", 0, 0, "Two bodies meet in a point."),
+        ("brick-off-centre", 0, 0, "Two bodies meet in a point."),
     ],
 )
 def test_every_kind_has_its_question_and_its_picture(open_page, scene, rows, charts, question):
