@@ -5,7 +5,6 @@ import { nearest } from '../../app/static/gallery/gallery.js';
 import { at, unpacked } from '../../app/static/gallery/picture.js';
 import { entry, matches } from '../../app/static/gallery/search.js';
 import { ownQuestion, questionOf } from '../../app/static/opening/question.js';
-import { planOf } from '../../app/static/opening/opening.js';
 import { fileOf, isOwn, LONGEST, nameOf, textOf } from '../../app/static/shell/own.js';
 
 const CHAPTER = { code: 'scenes.thesis', severity: 'refusal', values: { chapter: '7' } };
@@ -63,8 +62,4 @@ test('a scene asks its own question until something of it is changed', () => {
   const changed = { ...frame, chosen: { ...chosen, mass_ratio: 4 } };
   assert.notEqual(questionOf(changed), questionOf(frame));
   assert.equal(ownQuestion('figure-7.6'), '');
-});
-
-test('a link to the gallery lies over what a visitor would see else', () => {
-  assert.equal(planOf('?gallery=beam'), planOf(''));
 });

@@ -69,6 +69,7 @@ def test_the_scene_stays_until_one_is_chosen(open_page):
 def test_all_scenes_are_found_by_words_and_keys(open_page):
     page = open_page("?gallery=")
     expect(gallery(page)).to_be_visible()
+    assert page.evaluate("() => strikewave.page.opening.plan") == "opening"  # it lies over what is seen without it
     search, count = page.tab.get_by_role("searchbox", name="Search the scenes"), page.tab.locator(".gallery .count")
     expect(search).to_be_focused()
     expect(count).to_have_text(f"{len(SCENES)} scenes")
