@@ -61,9 +61,8 @@ export class Page {
     this.names = Object.keys(model.spec);
     /** @type {Changes} */
     this.changes = new Changes({ model, lost: () => Boolean(this.connection?.lost), sent: () => this.#sent() });
-    const send = (/** @type {string} */ name, /** @type {any} */ value) =>
-      this.opening.stay(() => this.send(name, value));
-    this.controls = new Controls(model.spec, send, () => this.scenes.open());
+    const open = () => this.scenes.open();
+    this.controls = new Controls(model.spec, (name, value) => this.opening.stay(() => this.send(name, value)), open);
     this.bodies = new Bodies(this);
     this.controls.root.append(this.bodies.root);
     this.caption = new Caption();

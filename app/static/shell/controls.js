@@ -9,7 +9,6 @@ import { Slider } from './slider.js';
 /** @import { AxialFrame, Cushion, Frame, SpaceFrame } from '../messages.js' */
 /** @import { Spec } from './model.js' */
 
-
 /**
  * @typedef {object} Control
  * @property {HTMLElement} root
