@@ -48,7 +48,6 @@ export class Page {
   /** @type {number} */ telling = 0;
   saidAt = 0;
   resumed = false;
-  ready = false;
   painted = 0; // frames so far
 
   /**
@@ -108,7 +107,6 @@ export class Page {
     this.root.inert = true; // until there is a scene
     this.take();
     if (model.refused && this.toast.root.hidden) this.complain(refusalIn(model));
-    this.ready = true;
   }
   /** Everything in its place. */
   arrange() {
@@ -119,8 +117,7 @@ export class Page {
     const copy = act('copy-link', () => copyLink(this));
     const save = act('save-data', () => saveData(this));
     save.title = text('page.save-data-about');
-    const scene = this.controls.fields.scene.root;
-    const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), scene);
+    const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), this.controls.scene.root);
     const { redoing, undoing } = this.history;
     bar.append(make('div', { className: 'keep' }, this.opening.button, undoing, redoing, copy, save, this.help.button));
     const choices = make('div', { className: 'choices' }, this.controls.root);

@@ -1,14 +1,18 @@
 """Files of the page: its modules as one; packed for who can read that, plain for others, and the same for both."""
 
 import gzip
+import json
 import re
 import subprocess
+import urllib.error
 import urllib.request
 
 import pytest
 
+from app.choices.choices import SCENES
 from app.serving.bundle import bundle
-from app.serving.pages import FIGURES, LIBRARIES, STATIC, VERSION, text_of
+from app.serving.pages import FIGURES, GALLERY, LIBRARIES, STATIC, VERSION, shell, text_of
+from solvers.text.catalogue import SOURCE
 
 ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "shell/lab.css")} | dict(LIBRARIES)
 
@@ -29,12 +33,14 @@ def test_a_file_is_the_same_packed_or_not(server, address):
         assert answer.headers.get_content_type().endswith("css" if address.endswith(".css") else "javascript")
 
 
-def test_all_modules_are_one():
-    whole = bundle(STATIC, "page.js")
+def test_all_modules_are_one_but_for_the_gallery():
+    whole, beside = bundle(STATIC, "page.js"), bundle(STATIC, GALLERY, beside="page.js")
     named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
     apart = {"shell/modules.js", "shell/start.js"}  # which the document loads
     names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
-    assert {name for name in names if f"modules['{name}'] = " in whole} == names - apart
+    gallery = {name for name in names if name.startswith("gallery/")}
+    assert {name for name in names if f"modules['{name}'] = " in whole} == names - apart - gallery
+    assert {name for name in names if f"modules['{name}'] = " in beside} == gallery
     assert re.findall(r"^\s*(?://|/\*\*\n).*", whole, re.MULTILINE) == []
 
 
@@ -70,13 +76,30 @@ def test_what_cannot_be_bundled_is_refused(tmp_path, text, reason):
 
 
 @pytest.mark.parametrize(
-    "path", ["", "liveness", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
+    "path", ["", "liveness", "gallery", "?mass_ratio=3", LIBRARIES[0][0], f"figures/en/{next(iter(FIGURES))}"]
 )
 def test_a_head_is_answered_as_the_whole_is_without_its_body(server, path):
     whole = urllib.request.urlopen(f"http://{server}/{path}", timeout=60)
     head = urllib.request.urlopen(urllib.request.Request(f"http://{server}/{path}", method="HEAD"), timeout=60)
     assert head.status == 200 and head.read() == b""
     assert head.headers["Content-Type"] == whole.headers["Content-Type"]
+
+
+def test_the_gallery_is_the_same_packed_or_not_and_asked_for_again_if_it_has_changed(server):
+    plain, packed = fetched(server, "gallery"), fetched(server, "gallery", "gzip")
+    whole = plain.read()
+    assert gzip.decompress(packed.read()) == whole and packed.headers["Content-Encoding"] == "gzip"
+    found = json.loads(whole)
+    assert sum(len(scenes) for _, scenes in found["scenes"]) == len(SCENES)
+    assert {name for _, names in found["cards"] for name in names} == found["pictures"].keys()
+    again = urllib.request.Request(f"http://{server}/gallery", headers={"If-None-Match": plain.headers["Etag"]})
+    with pytest.raises(urllib.error.HTTPError, match="304"):
+        urllib.request.urlopen(again, timeout=30)
+
+
+def test_the_page_names_nothing_of_the_gallery():
+    """Which is fetched when it is opened."""
+    assert "gallery" not in shell(False, SOURCE)
 
 
 @pytest.mark.parametrize("fields", [1_000, 1_001, 8_000])
