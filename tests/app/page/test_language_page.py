@@ -45,7 +45,7 @@ WRITTEN = """(attributes) => {
 SAYING = ["title", "aria-label", "aria-valuetext", "aria-description", "placeholder", "alt", "content"]
 REFUSED = "?mass_ratio=2 kg&speed=99999&t=never&panel=weather&target.length=9e9"
 STATES = {  # a query, and what is done then
-    "": ("strikewave.page.help.toggle?.()", "strikewave.page.compare.keep()"),
+    "": ("strikewave.page.help.toggle?.()", "strikewave.page.compare.keep()", "strikewave.page.scenes.open()"),
     REFUSED: (),
     "?scene=free-rod&law=hertz&panel=needs": (),
     "?panel=tradeoff&method=modal": (),
