@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from solvers import Bounces, Solution, Waveguide, bounces
+from solvers import Bending, Bounces, Solution, Waveguide, bounces
 from solvers.bodies import Pendulum
 from solvers.methods.quasi_static.balls import RowMotion
 from solvers.solution.motion import Bends
@@ -174,7 +174,7 @@ def _bouncing(found: Bounces) -> list[Part]:
 def _beam(request: Request) -> list[Part]:
     """A beam that is struck from above, coloured by its bending moment."""
     solution = main_solution(request)[0]
-    scene, motion, beam = solution.scene, solution.known_motion, solution.scene.target
+    scene, motion, beam = solution.scene, solution.known_motion, solution.scene.target.known_as(Bending)
     assert isinstance(motion, Bends)
     time = _times(solution.duration)
     within = np.maximum(time, 0.0)
