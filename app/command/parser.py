@@ -31,4 +31,5 @@ def _said(english: str) -> str:
     return text(f"parser.{code}", **gaps) if code in family("parser") else english
 
 
-vars(argparse)["_"] = _said  # by which it looks for a translation
+TRANSLATED = "_"  # the name by which argparse looks for a translation
+setattr(argparse, TRANSLATED, _said)
