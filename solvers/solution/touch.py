@@ -9,6 +9,8 @@ from ..contact import Hertz, PlasticPower
 from ..contact.constants import contact_radius, yield_strength
 from ..contact.plastic import crater
 
+EARLIER = 2_001  # instants before the first that is asked for, among which is the deepest
+
 
 class Touch(NamedTuple):
     """At instants (time,); nought while the bodies are apart. Source: thesis 3.4.1 and 7.3.5, (7.25).
@@ -38,7 +40,7 @@ def touch(solution: Any, time: ArrayLike) -> Touch | None:
     depth = np.maximum(motion.impactor_position(time) - motion.end_position(time), 0.0)
     square, force = radius * depth, motion.force(time)
     if isinstance(law, PlasticPower):
-        before = np.linspace(0.0, time[0], time.size)
+        before = np.linspace(0.0, time[0], EARLIER)
         earlier = motion.impactor_position(before) - motion.end_position(before)
         deepest = np.maximum(np.maximum.accumulate(depth), earlier.max())
         square = radius * np.array(

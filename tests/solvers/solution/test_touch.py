@@ -44,6 +44,8 @@ def test_a_ball_flows_as_in_tabors_tests():
     back = found.radius[most:]
     assert (np.diff(back[back > 0.0]) < 0.0).all() and found.greatest is None
     assert found.radius[most + 1] == approx(found.radius[most], rel=1e-2)  # the crater as wide as the contact was
+    late = (most + time.size - 1) // 2
+    assert solution.touch(time[late]).radius[0] == approx(found.radius[late], rel=1e-3)  # asked for alone
 
 
 def test_other_laws_and_flat_faces_have_no_circle():
