@@ -51,7 +51,9 @@ class SceneName(param.Selector):
 
     def _validate(self, val: Any) -> None:
         if is_own(val):
-            own_scene(val)
+            from .scene_of import check_own  # which needs all choices
+
+            check_own(val)
         else:
             super()._validate(val)
 
@@ -142,7 +144,7 @@ def refusal(name: str, value: object, of: type[param.Parameterized] = Choices, k
 
 def _refused_scene(name: Any) -> Refused:
     try:
-        own_scene(name)
+        Choices.param.scene._validate(name)
     except Refused as why:
         return why
     return Refused("refused.own-cut")

@@ -46,7 +46,7 @@ class Kind(ABC):
         """The choices that the scene itself sets, with its values."""
         method = base.method
         named = method.get("name")  # which may be one that the page does not have
-        usual = named if named in SOLVED_BY else solvers.usual_method(base)
+        usual = named if isinstance(named, str) and named in SOLVED_BY else solvers.usual_method(base)
         options = {option: method[option] for option in OPTIONS if option in method}
         return {"speed": base.speed, "method": usual} | options
 

@@ -17,6 +17,7 @@ LONGEST = 3_000  # letters of a name
 LONGEST_TEXT = 20_000  # bytes of the text
 AT_LINE = re.compile(r"\bline (\d+)")
 LETTERS = re.compile(r"[\w-]*")
+MOST_DOTS = 400  # in a line: what reads TOML takes the square of the parts of a key in time and memory
 
 
 def is_own(name: object) -> bool:
@@ -28,6 +29,9 @@ def is_own(name: object) -> bool:
 def own_scene(name: str) -> Scene:
     """The scene of a name. Raises Refused, by line and key, for one that is none."""
     text = _text_of(name)
+    for number, each in enumerate(text.splitlines(), 1):
+        if each.count(".") > MOST_DOTS:
+            raise Refused("refused.own-line", line=number, most=MOST_DOTS)
     try:
         tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:

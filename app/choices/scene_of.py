@@ -5,9 +5,11 @@ from typing import Any
 
 from solvers import Scene
 
+from ..text.refusals import Refused
 from .built_in import base_of, body_keys, keyed, named_as_on_the_page
-from .choices import Choices, accepts
+from .choices import Choices, accepts, refusal
 from .kinds import kind_of
+from .own import own_scene
 
 
 def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
@@ -41,6 +43,20 @@ def _all_choices(name: str, bodies: str) -> dict[str, Any]:
 
 @lru_cache(maxsize=1024)
 def _own_values(name: str, bodies: str) -> dict[str, Any]:
+    return {name: value for name, value in _wanted(name, bodies).items() if accepts(name, value)}
+
+
+def _wanted(name: str, bodies: str) -> dict[str, Any]:
     scene = base_of(name, bodies)
-    wanted = kind_of(scene).values(scene) | keyed(name, bodies)
-    return {name: value for name, value in wanted.items() if accepts(name, value)}
+    return kind_of(scene).values(scene) | keyed(name, bodies)
+
+
+@lru_cache(maxsize=64)
+def check_own(name: str) -> None:
+    """Raises Refused for a scene of a visitor's own that is none, or in which something is beyond what the page has."""
+    own_scene(name)
+    usual = {each: Choices.param[each].default for each in Choices.CHOSEN}
+    acting = acting_choices(usual | choices_of(name) | {"scene": name})
+    for each, value in _wanted(name, "").items():
+        if each in acting and not accepts(each, value):
+            raise Refused("refused.own-beyond", why=refusal(each, value).note)

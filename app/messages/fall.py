@@ -1,5 +1,6 @@
 """What the browser needs of a body that is dropped on what is held: its bounces, and its height over time."""
 
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from .encoding import LARGEST_MASS
 
 FINE, INSTANTS = 20, (33, 9)  # flights that are drawn finely; instants of these, and of later ones
 CUT, MOST = 2e-4, 24  # of the first height; impacts that are solved
+BUDGET = 0.3  # seconds that they may take, after which the later ones are summed up
 ALIKE = 1e-6  # restitutions of impacts after which all that follow give as much back
 
 
@@ -20,12 +22,13 @@ def fall_fields(request: Request, exact: Solution) -> tuple[dict[str, Any], dict
     """Header and arrays, SI units, times from the release on; nothing where the scene drops no body."""
     scene = request.scene
     dropped = _dropped(request)
-    if dropped is None or not scene.target.held:
+    if dropped is None or not scene.target.held or not scene.impactor.free_mass:
         return {}, {}
     _, gravity = height_and_gravity(dropped)
     options = dict(exact.method)
     method = METHODS[options.pop("name")].read(options).without_estimate()
-    found = bounces(scene, method, CUT, MOST, gravity)
+    latest = perf_counter() + BUDGET
+    found = bounces(scene, method, CUT, MOST, gravity, lambda: perf_counter() > latest)
     time, height = flights(found)
     mass = min(scene.impactor.mass, LARGEST_MASS)
     rows = [

@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 
 from ..choices.bodies import LONGEST
 from ..choices.choices import Choices
+from ..choices.own import LONGEST as LONGEST_SCENE
 from ..page.questions import Questions
 from .limits import MAX_EVENTS
 
 MAX_PULLS = 3  # of the document by one socket; a page pulls it once
-LONGEST_VALUE = LONGEST  # letters of a text
+LONGEST_VALUE = LONGEST  # letters of a text; of a scene of one's own, which is its name, LONGEST_SCENE
 SETTABLE = frozenset((*Choices.CHOSEN, *Questions.ASKED))
 # What Panel reports by itself of the browser; dropped without a word.
 REPORTED = frozenset(
@@ -49,7 +50,7 @@ def _sets(event: Any, own: str, settable: frozenset[str]) -> bool:
         _is_change(event)
         and event["model"]["id"] == own
         and event["attr"] in settable
-        and _plain(event.get("new"))
+        and _plain(event.get("new"), LONGEST_SCENE if event["attr"] == "scene" else LONGEST_VALUE)
         and event.keys() <= {"kind", "model", "attr", "new"}
     )
 
@@ -69,12 +70,12 @@ def _is_change(event: Any) -> bool:
     )
 
 
-def _plain(value: Any) -> bool:
+def _plain(value: Any, longest: int) -> bool:
     """A number, a boolean or a short text, as the browser writes them; the bounds are checked where it is taken."""
     if isinstance(value, dict):
         return value.keys() == {"type", "value"} and value["type"] == "number" and isinstance(value["value"], str)
     if isinstance(value, str):
-        return len(value) <= LONGEST_VALUE
+        return len(value) <= longest
     return value is None or isinstance(value, bool | int | float)
 
 

@@ -173,7 +173,7 @@ export class Page {
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
-      if (this.scenes.refused(why) || this.bodies.refused(why)) return;
+      if ((sent.includes('scene') && this.scenes.refused(why)) || this.bodies.refused(why)) return;
       if (goal || !this.controls.refused(sent, why)) this.complain(why);
     });
     for (const name of this.names)

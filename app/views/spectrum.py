@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import param
 
-from solvers import Beam, Modal, Rod, Solution
+from solvers import Beam, Modal, Rod, SceneError, Solution
 from solvers.notebook.figures import fields_of, histories_of
 
 from ..choices.questions import Question
@@ -48,7 +48,12 @@ def spectrum_data(request: Request) -> dict[str, Any]:
     frequency = first.spectrum(what, place, window).frequency
     lines, natural = [], _natural(request)
     for name, solution in solutions.items():
-        found = solution.spectrum(what, place, window, frequency)
+        try:
+            found = solution.spectrum(what, place, window, frequency)
+        except SceneError:
+            if solution is first:
+                raise
+            continue  # one that is all impulse has no force over time
         values = found.density if what == FORCE else found.amplitude
         lines.append({"name": name, "modes": solution.method.get("modes"), "values": _listed(values)})
         natural = found.modes if found.modes.size else natural

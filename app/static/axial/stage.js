@@ -63,6 +63,7 @@ export class Stage {
     this.largest = largest;
     this.span = field.to - field.from;
     this.moves = reachOf(frame, field);
+    this.row = []; // of the scene before
   }
   /** What is drawn of movement [m]. */
   ranges() {

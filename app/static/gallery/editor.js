@@ -1,7 +1,7 @@
 // A scene of the visitor's own as text: written, run, and kept once the server has solved it.
 import { partsOf } from '../panels/code.js';
 import { make } from '../shell/dom.js';
-import { keepOwn, LONGEST, nameOf, textOf } from '../shell/own.js';
+import { keepOwn, LONGEST, MOST_BYTES, nameOf, textOf } from '../shell/own.js';
 import { text } from '../text/catalogue.js';
 
 /** @import { Page } from '../page.js' */
@@ -54,7 +54,7 @@ export class Editor {
     this.why.textContent = '';
     const name = await nameOf(toml);
     this.asked = name;
-    if (name.length > LONGEST) this.refused(text('gallery.too-long'));
+    if (name.length > LONGEST || toml.length > MOST_BYTES) this.refused(text('gallery.too-long'));
     else if (this.page.frame.chosen.scene === name) this.take(this.page.frame);
     else this.page.choose('scene', name);
   }
@@ -72,7 +72,10 @@ export class Editor {
   }
   /** @param {Frame} frame */
   take({ chosen, title }) {
-    if (!this.asked || chosen.scene !== this.asked) return;
+    if (!this.asked || chosen.scene !== this.asked) {
+      if (this.page.model.scene !== this.asked) this.asked = ''; // another was chosen before it was solved
+      return;
+    }
     keepOwn({ name: this.asked, title: title || text('gallery.untitled') });
     this.asked = '';
     this.gallery.edit(false);

@@ -119,7 +119,10 @@ export class Gallery {
     const act = (/** @type {string} */ textContent, /** @type {() => void} */ onclick, className = 'whole') =>
       make('button', { type: 'button', className, textContent, onclick });
     const file = make('input', { type: 'file', accept: '.toml', hidden: true });
-    file.onchange = () => file.files?.[0] && this.page.scenes.read(file.files[0]);
+    file.onchange = () => {
+      if (file.files?.[0]) this.page.scenes.read(file.files[0]);
+      file.value = ''; // the same one may be chosen again, mended
+    };
     const rows = ownScenes().map(({ name, title }) => {
       const edit = act(text('gallery.edit'), () => this.editor.load(name));
       const drop = act(text('gallery.forget'), () => [forget(name), this.#offer(), this.#mark()]);

@@ -39,7 +39,8 @@ const leadingOf = ({ acting }, first = []) =>
  */
 function changesOf(frame, leading) {
   const place = (/** @type {Try} */ [, name]) => (leading.includes(name) ? leading.indexOf(name) : FOUR);
-  return frame.opens.trials.toSorted((one, other) => place(one) - place(other));
+  const known = frame.opens.trials.filter(([say]) => say in WHATS); // a visitor's scene may say others
+  return known.toSorted((one, other) => place(one) - place(other));
 }
 
 /**

@@ -57,7 +57,7 @@ function wantedOf(text, spec) {
       bodies.push([name, value]);
       continue;
     }
-    const known = Object.hasOwn(spec, name) ? valueOf(value, spec[name]) : null;
+    const known = Object.hasOwn(spec, name) ? valueOf(name, value, spec[name]) : null;
     if (known === null || more.length) return null;
     settings[name] = known;
   }
@@ -66,11 +66,12 @@ function wantedOf(text, spec) {
 }
 
 /**
+ * @param {string} name
  * @param {string} value
  * @param {import('./model.js').Bounds} bounds
  */
-function valueOf(value, { high, low, options, whole }) {
-  if (options) return options.includes(value) || isOwn(value) ? value : null;
+function valueOf(name, value, { high, low, options, whole }) {
+  if (options) return options.includes(value) || (name === 'scene' && isOwn(value)) ? value : null;
   const number = NUMBER.test(value) ? Number(value) : NaN;
   return number >= low && number <= high && (!whole || Number.isInteger(number)) ? number : null;
 }

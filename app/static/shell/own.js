@@ -5,6 +5,7 @@ const MARK = 'own.'; // with which their names begin
 const KEPT = 'scenes'; // under which the browser keeps them
 const MOST = 8; // of these
 export const LONGEST = 3000; // letters of a name
+export const MOST_BYTES = 20_000; // of its file
 
 /** @typedef {{ title: string, name: string }} Own */
 

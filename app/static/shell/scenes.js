@@ -2,6 +2,7 @@
 import { ofScene, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { alone, served } from './home.js';
+import { MOST_BYTES } from './own.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame } from '../messages.js' */
@@ -11,7 +12,6 @@ import { alone, served } from './home.js';
 const LONG_TITLE = 45; // letters, beyond which it is written smaller where there is little room
 const LONGER_TITLE = 72; // beyond which it is everywhere
 const FILE = /\.toml$/i;
-const MOST_BYTES = 100_000; // of a scene file
 
 /**
  * What a list says of a scene; one of the thesis by its number first.

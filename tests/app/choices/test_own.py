@@ -5,7 +5,7 @@ import zlib
 
 import pytest
 
-from app.choices.choices import SCENES, Choices, accepts, refusal, strikes
+from app.choices.choices import SCENES, SOLVED_BY, Choices, accepts, refusal, strikes
 from app.choices.own import LONGEST, LONGEST_TEXT, line_of, own_scene
 from app.choices.scene_of import own_choices
 from app.messages.solve import solve_frame
@@ -88,6 +88,31 @@ def test_what_cannot_be_is_refused_by_line_and_key(old, new, code, line, key):
 )
 def test_what_is_no_packed_text_is_refused(name):
     assert not accepts("scene", name) and refusal("scene", name).note.code in ("refused.own-cut", "refused.own-scene")
+
+
+def test_what_the_page_has_no_slider_for_is_refused_and_not_changed():
+    for old, new, code in (
+        ("velocity = 1.0", "velocity = 200.0", "refused.own-beyond"),
+        ("mass = 1.0", "mass = 1e-6", "refused.own-beyond"),
+    ):
+        name = named(ROD.replace(old, new))
+        assert not accepts("scene", name) and refusal("scene", name).note.code == code
+    assert accepts("scene", named(ROD.replace("velocity = 1.0", "velocity = 100.0")))
+
+
+@pytest.mark.parametrize("method", ['name = []', "name = { a = 1 }", 'name = "none"', "modes = []"])
+def test_a_method_that_is_none_ends_nothing(method):
+    name = named(ROD + f"\n[method]\n{method}\n")
+    if accepts("scene", name):
+        assert own_choices(name)["method"] in SOLVED_BY
+    else:
+        assert refusal("scene", name).note.code.startswith("refused.own-")
+
+
+def test_a_key_of_thousands_of_parts_costs_nothing():
+    """What reads TOML keeps each beginning of a key: 400 MB of this one, whose name has 60 letters."""
+    name = named("a" + ".a" * 9_000 + " = 1")
+    assert not accepts("scene", name) and refusal("scene", name).note.code == "refused.own-line"
 
 
 def test_an_address_brings_one_with_what_is_changed_in_it():

@@ -7,6 +7,7 @@ import solvers
 from app.messages.encoding import read_header
 from app.messages.solve import solve_frame
 
+from ..choices.test_own import named
 from .own import arrays, own_choices
 
 
@@ -30,6 +31,13 @@ def test_the_ball_bounces_by_the_series_and_rests(restitution):
 def test_a_ball_that_yields_rises_less_the_harder_it_falls():
     *_, restitution = arrays(solve_frame(own_choices("drop-test")))["bounces"].T
     assert np.all(np.diff(restitution) > 0.0)
+
+
+def test_a_rod_that_is_dropped_is_shown_without_bounces():
+    rod = 'kind = "rod"\nlength = 0.2\nmaterial = "steel"\nsection = { width = 0.02, height = 0.02 }'
+    text = f'[impactor]\n{rod}\nheight = 0.1\n[target]\n{rod}\nsupport = "fixed"\n'
+    header = read_header(solve_frame(own_choices(named(text))))
+    assert header["exact"]["contacts"] and "fall" not in header
 
 
 def test_what_is_not_dropped_has_no_fall():

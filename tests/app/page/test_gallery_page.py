@@ -164,3 +164,17 @@ def test_a_scene_file_that_cannot_be_is_refused_by_line_and_key_and_the_page_goe
     assert page.header("title").startswith("My rod")
     page.evaluate(DROP, ["notes.txt", ROD])
     expect(page.tab.get_by_role("status").filter(has_text="toml")).to_be_visible()
+
+
+def test_a_long_scene_of_fewer_balls_follows_one_of_more(open_page):
+    page = open_page("?scene=newtons-cradle&layout=opening", own=True)
+    settled(page)
+    cradle = (FOLDER / "newtons-cradle.toml").read_text("utf-8")
+    said = "".join(chr(97 + (7 * k * k + k // 3) % 26) for k in range(1500))
+    fewer = cradle.replace("{ radius = 0.02 }, { radius = 0.02 }, ", "", 1).replace('note = "', f'note = "{said}')
+    page.answered(lambda: page.evaluate(DROP, ["balls.toml", fewer]))
+    settled(page)
+    assert len(page.evaluate("() => strikewave.page.frame.chosen.scene")) > 900
+    assert page.evaluate("() => strikewave.page.frame.target.row.length") == 2
+    expect(page.tab.locator(".ask h2")).to_contain_text("?")
+    page.wait("() => strikewave.page.opening.section.shown")

@@ -62,6 +62,8 @@ def test_no_other_event_is_taken(event):
 def test_plain_values_and_the_one_event_are_taken():
     for value in (1.0, 7, True, None, "waves", "x" * guard.LONGEST_VALUE, {"type": "number", "value": "nan"}):
         assert taken(CHANGE | {"new": value})
+    scene = CHANGE | {"attr": "scene", "new": "own." + "x" * (guard.LONGEST_SCENE - 4)}
+    assert taken(scene) == [scene] and taken(scene | {"new": scene["new"] + "x"}) is None
     assert taken(SAID) == [SAID]
     assert taken(*[CHANGE] * guard.MAX_EVENTS) and taken(*[CHANGE] * (guard.MAX_EVENTS + 1)) is None
 

@@ -36,6 +36,11 @@ def test_a_place_is_read_by_both_solutions_beside_the_frequencies_of_the_rod():
     assert np.abs(exact - modes).max() < 0.02 * exact.max()
 
 
+def test_a_method_without_a_force_over_time_does_not_take_that_of_the_other():
+    answer = found("fixed-rod", method="rigid")
+    assert answer["what"] == FORCE and [line["name"] for line in answer["lines"]] == ["waves"]
+
+
 def test_what_a_scene_lacks_is_not_asked():
     assert "bending_moment" in found("hammer-on-cantilever")["kinds"]
     answer = found("two-balls", spectrum_of="stress")
