@@ -91,7 +91,7 @@ def force_history(solution: Solution, stretch: Stretch = None) -> tuple[np.ndarr
     return time[rows], force[rows]
 
 
-def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, np.ndarray]:
+def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, Any]:
     """The contact law's cycle, slowly to the depth of this impact and back, and what this impact did [m, N]."""
     law, deepest = exact.scene.contact, exact.peak_indentation
     if deepest is None or deepest <= 0.0:
@@ -107,19 +107,21 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, np.ndarray
         "cycleDepth": down,
         "cycleLoading": np.array([law.force(a, 0.0, 0.0) for a in down.tolist()]),
         "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
-        "blowDepth": depth,
-        "blowForce": force,
-        **_touch(exact, time),
+        "blowDepth": whole_numbers(depth),
+        "blowForce": whole_numbers(force),
+        **_touch(exact, time[::3]),  # it is said in words, not drawn
     }
 
 
-def _touch(exact: Solution, time: np.ndarray) -> dict[str, np.ndarray]:
+def _touch(exact: Solution, time: np.ndarray) -> dict[str, Any]:
     """The circle on which two smooth bodies touch in it, and the pressure there; nothing by other laws."""
     if (found := exact.touch(time)) is None:
         return {}
     pressure = found.pressure if found.greatest is None else found.greatest
-    flow = {} if found.greatest is not None or not found.strength else {"blowFlow": found.pressure / found.strength}
-    return {"blowTime": time, "blowRadius": found.radius, "blowPressure": pressure, **flow}
+    flows = found.greatest is None and found.strength
+    flow = {"touchFlow": whole_numbers(found.pressure / found.strength)} if flows else {}
+    circle = {"touchRadius": whole_numbers(found.radius), "touchPressure": whole_numbers(pressure)}
+    return {"touchTime": time, **circle, **flow}
 
 
 def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:

@@ -34,10 +34,10 @@ CYCLE: Fields = optional(
         "cycleUnloading": Field("(cycle)", "and back [N]"),
         "blowDepth": Field("(impact)", "indentation in this impact [m]"),
         "blowForce": Field("(impact)", "force in it [N]"),
-        "blowTime": Field("(impact)", "of two smooth bodies that touch in a point [s]"),
-        "blowRadius": Field("(impact)", "of the circle on which they touch [m]"),
-        "blowPressure": Field("(impact)", "the greatest there, the mean of a contact that flows [Pa]"),
-        "blowFlow": Field("(impact)", "that mean over the yield strength"),
+        "touchTime": Field("(touch)", "of two smooth bodies that touch in a point [s]"),
+        "touchRadius": Field("(touch)", "of the circle on which they touch [m]"),
+        "touchPressure": Field("(touch)", "the greatest there, the mean of a contact that flows [Pa]"),
+        "touchFlow": Field("(touch)", "that mean over the yield strength"),
     }
 )
 STRIKER = Field("Striking")
@@ -98,8 +98,8 @@ AXIAL: Fields = {
             ),
             "exactBar": Field("(motion, bar places)", "of a pendulum that bends, from its pivot on [v T]"),
             "otherBar": Field("(motion, bar places)", "likewise [v T]"),
-            "exactBend": Field("(motion, bar places)", "bending moment there [N m]"),
-            "otherBend": Field("(motion, bar places)", "likewise [N m]"),
+            "exactBend": Field("(half motion, half bar places)", "bending moment there, of every second [N m]"),
+            "otherBend": Field("(half motion, half bar places)", "likewise [N m]"),
             "momentTime": Field("(moments)", "[T]"),
             "exactMoments": Field("(moments, 3)", "of a bar that bends: at its pivot, half way, at the contact [N m]"),
             "otherMoments": Field("(moments, 3)", "[N m]"),

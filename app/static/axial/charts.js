@@ -272,7 +272,7 @@ export class Cycle {
   /** @param {CycleFrame} frame */
   load(frame) {
     this.frame = frame;
-    this.touch.hidden = !frame.blowTime;
+    this.touch.hidden = !frame.touchTime;
     this.chart.root.hidden = !frame.cycleDepth;
     if (!frame.cycleDepth) return;
     const depth = frame.cycleDepth;

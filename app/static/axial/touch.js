@@ -6,7 +6,7 @@ import { figures } from '../text/format.js';
 /** @import { AxialFrame } from '../messages.js' */
 
 /** @typedef {'cycleDepth' | 'cycleLoading' | 'cycleUnloading' | 'blowDepth' | 'blowForce'} OfLaw */
-/** @typedef {'blowTime' | 'blowRadius' | 'blowPressure' | 'blowFlow'} OfTouch */
+/** @typedef {'touchTime' | 'touchRadius' | 'touchPressure' | 'touchFlow'} OfTouch */
 /** @typedef {Pick<AxialFrame, OfLaw | OfTouch>} CycleFrame  what a message has of the contact law and of its touch */
 
 /**
@@ -14,7 +14,7 @@ import { figures } from '../text/format.js';
  * @param {CycleFrame} frame
  * @param {number} time  [s]
  */
-export function touchAt({ blowFlow: flow, blowPressure: pressure, blowRadius: radius, blowTime: x }, time) {
+export function touchAt({ touchFlow: flow, touchPressure: pressure, touchRadius: radius, touchTime: x }, time) {
   if (!x || !radius || !pressure || time > x[x.length - 1]) return '';
   const wide = between(x, radius, time);
   if (!(wide > 0)) return '';

@@ -114,6 +114,7 @@ export class Stack {
   }
   arrange() {
     if (!this.root.clientHeight) return;
+    this.root.classList.toggle('narrow', this.root.clientWidth < NARROW * scale);
     this.open.forEach((open, k) => {
       const [, chart] = this.charts[k];
       const button = this.buttons[k];

@@ -100,7 +100,7 @@ def test_what_the_page_has_no_slider_for_is_refused_and_not_changed():
     assert accepts("scene", named(ROD.replace("velocity = 1.0", "velocity = 100.0")))
 
 
-@pytest.mark.parametrize("method", ['name = []', "name = { a = 1 }", 'name = "none"', "modes = []"])
+@pytest.mark.parametrize("method", ["name = []", "name = { a = 1 }", 'name = "none"', "modes = []"])
 def test_a_method_that_is_none_ends_nothing(method):
     name = named(ROD + f"\n[method]\n{method}\n")
     if accepts("scene", name):

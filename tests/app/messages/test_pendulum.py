@@ -52,10 +52,10 @@ def test_the_bar_bends_where_it_strikes(bent):
     assert depth.max() == approx(bent.peak_indentation, rel=1e-2)
     assert arrays["exactBar"][0][:, 0] == approx(np.zeros(101), abs=1e-15)
     struck = bent.scene.impactor.place
-    along = np.linspace(1e-300, bent.scene.impactor.length, 25)
+    along = np.linspace(1e-300, bent.scene.impactor.length, 25)[::2]
     k = int(np.argmin(np.abs(along - struck)))
     bending, unit = arrays["exactBend"]
-    assert bending[:, k] * unit == approx(bent.motion.moment(time, -along[[k]])[:, 0], abs=unit)
+    assert bending[:, k] * unit == approx(bent.motion.moment(time[::2], -along[[k]])[:, 0], abs=unit)
     whole = bent.motion.impactor_position(time)
     assert np.abs(arrays["exactMass"] - whole).max() > 1e-5
     assert pendulum_fields(bent.scene.target) == {}

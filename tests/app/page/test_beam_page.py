@@ -93,7 +93,7 @@ def test_the_browser_rebuilds_the_fields_of_the_library(open_page):
 
 
 def test_what_is_out_of_sight_is_drawn_when_it_comes_into_view(open_page):
-    page = open_page("?scene=hammer-on-cantilever", size=(1440, 700))
+    page = open_page("?scene=hammer-on-cantilever", size=(1440, 720))
     page.wait("() => strikewave.page.beam.inView.seen.size")
     page.wait(ALL_DRAWN)
     owed = page.evaluate(
