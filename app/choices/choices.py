@@ -18,7 +18,7 @@ from solvers.validation import shown
 
 from ..text.refusals import Refused, code_or, reason_of
 from .bodies import BodyValues, read_values
-from .own import is_own, own_scene
+from .own import CHECKS, is_own, own_scene
 
 # in one language, as a server speaks to visitors of several
 _LOADED = {name: built_in(name, SOURCE) for name in solvers.scene_names()}
@@ -51,9 +51,8 @@ class SceneName(param.Selector):
 
     def _validate(self, val: Any) -> None:
         if is_own(val):
-            from .scene_of import check_own  # which needs all choices
-
-            check_own(val)
+            for check in (own_scene, *CHECKS):
+                check(val)
         else:
             super()._validate(val)
 

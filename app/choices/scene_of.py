@@ -9,7 +9,7 @@ from ..text.refusals import Refused
 from .built_in import base_of, body_keys, keyed, named_as_on_the_page
 from .choices import Choices, accepts, refusal
 from .kinds import kind_of
-from .own import own_scene
+from .own import CHECKS
 
 
 def choices_of(name: str, bodies: str = "") -> dict[str, Any]:
@@ -52,11 +52,13 @@ def _wanted(name: str, bodies: str) -> dict[str, Any]:
 
 
 @lru_cache(maxsize=64)
-def check_own(name: str) -> None:
-    """Raises Refused for a scene of a visitor's own that is none, or in which something is beyond what the page has."""
-    own_scene(name)
+def _within_the_page(name: str) -> None:
+    """Raises Refused for a scene of a visitor's own in which something is beyond what the page has."""
     usual = {each: Choices.param[each].default for each in Choices.CHOSEN}
     acting = acting_choices(usual | choices_of(name) | {"scene": name})
     for each, value in _wanted(name, "").items():
         if each in acting and not accepts(each, value):
             raise Refused("refused.own-beyond", why=refusal(each, value).note)
+
+
+CHECKS.append(_within_the_page)

@@ -10,7 +10,12 @@ const NUMBER = /^\d+\.\d*$/;
 const KINDS = family('bodies.kind');
 
 /** @param {string} words */
-const plain = (words) => words.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '').replaceAll('-', ' ');
+const plain = (words) =>
+  words
+    .toLowerCase()
+    .normalize('NFD')
+    .replace(/[\u0300-\u036f]/g, '')
+    .replaceAll('-', ' ');
 
 /**
  * A scene of the list, with all it is found by.
