@@ -49,21 +49,30 @@ export function striker(c, section, { drawn, duration, ends, prediction = null, 
 }
 
 /**
+ * A dashed line down through all of the time.
+ * @param {Context} c
+ * @param {number} x
+ * @param {Section} section
+ */
+function dashed(c, x, { box: { tall, top } }) {
+  c.lineWidth = 1;
+  c.strokeStyle = COLORS.faint;
+  c.setLineDash([3, 4]);
+  c.beginPath();
+  c.moveTo(x, top);
+  c.lineTo(x, top + tall);
+  c.stroke();
+  c.setLineDash([]);
+}
+
+/**
  * The struck place of what is bent across, and when it is touched.
  * @param {Context} c
  * @param {Section} section
  * @param {Woven} scene
  */
 export function struck(c, section, { contacts, drawn: { left, rest } }) {
-  const { tall, top } = section.box;
-  c.strokeStyle = COLORS.faint;
-  c.lineWidth = 1;
-  c.setLineDash([3, 4]);
-  c.beginPath();
-  c.moveTo(rest, top);
-  c.lineTo(rest, top + tall);
-  c.stroke();
-  c.setLineDash([]);
+  dashed(c, rest, section);
   for (const [from, to] of contacts) {
     const [y, high] = [section.y(from), Math.max(section.y(to) - section.y(from), MARK.least)];
     c.fillStyle = COLORS.contact;
@@ -92,16 +101,9 @@ export function feet(section, { feet: said }) {
  * @param {Woven} scene
  */
 export function traces(c, section, { traces: all = [] }) {
-  const { tall, top } = section.box;
+  const { top } = section.box;
   for (const { at, moved, name, x } of all) {
-    c.lineWidth = 1;
-    c.strokeStyle = COLORS.faint;
-    c.setLineDash([3, 4]);
-    c.beginPath();
-    c.moveTo(at, top);
-    c.lineTo(at, top + tall);
-    c.stroke();
-    c.setLineDash([]);
+    dashed(c, at, section);
     for (const [color, width] of /** @type {[string, number][]} */ ([
       [COLORS.panel, 4],
       [COLORS.ink, 1.6],
