@@ -6,6 +6,7 @@ const BROWSER = [
   ...['window', 'document', 'location', 'history', 'navigator', 'performance', 'fetch', 'console'],
   ...['setTimeout', 'clearTimeout', 'clearInterval', 'AbortSignal', 'requestAnimationFrame', 'cancelAnimationFrame'],
   ...[
+    'MediaRecorder',
     'ResizeObserver',
     'matchMedia',
     'Node',

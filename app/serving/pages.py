@@ -35,16 +35,16 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("libraries/bokeh-tables.min.js", Path(bokeh.server.__file__).parent / "static/js/bokeh-tables.min.js"),
     ("libraries/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
-ENTRY = "page.js"  # stands for all modules but those of the gallery
-GALLERY = "gallery/gallery.js"  # fetched when it is opened
+ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
+APART = ("gallery/gallery.js", "take/files.js")
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
 PACKED = (".js", ".css")
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
-LATE = {GALLERY, "gallery/gallery.css"}
-FILES = {ENTRY, GALLERY, *OF_THE_DOCUMENT} | {
+LATE = {*APART, "gallery/gallery.css"}
+FILES = {ENTRY, *APART, *OF_THE_DOCUMENT} | {
     path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file() and path.suffix != ".js"
 }
 POLICY = (
@@ -121,7 +121,8 @@ def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
     if file == STATIC / ENTRY:
         return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
-    return bundle(STATIC, GALLERY, beside=ENTRY).encode() if file == STATIC / GALLERY else file.read_bytes()
+    name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""
+    return bundle(STATIC, name, beside=ENTRY).encode() if name in APART else file.read_bytes()
 
 
 @cache

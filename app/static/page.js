@@ -25,10 +25,11 @@ import { refusalIn } from './shell/model.js';
 import { decode } from './shell/message.js';
 import { Opening } from './opening/opening.js';
 import { Player } from './shell/player.js';
-import { copyLink, saveData } from './shell/share.js';
+import { copyLink } from './shell/share.js';
 import { SHEETS } from './shell/sheets.js';
 import { Striker } from './shell/striker.js';
 import { Symbols } from './shell/symbols.js';
+import { Take } from './shell/take.js';
 import { Toast } from './shell/toast.js';
 import { times } from './shell/times.js';
 import { goOn, stateOf } from './shell/state.js';
@@ -117,11 +118,10 @@ export class Page {
       return make('button', { type: 'button', className, textContent: name, ariaLabel: name, onclick });
     };
     const copy = act('copy-link', () => copyLink(this));
-    const save = act('save-data', () => saveData(this));
-    save.title = text('page.save-data-about');
     const bar = make('header', { className: 'topbar' }, make('h1', {}, NAME), this.controls.scene.root);
     const { redoing, undoing } = this.history;
-    bar.append(make('div', { className: 'keep' }, this.opening.button, undoing, redoing, copy, save, this.help.button));
+    const parts = [this.opening.button, undoing, redoing, copy, new Take(this).root, this.help.button];
+    bar.append(make('div', { className: 'keep' }, ...parts));
     const choices = make('div', { className: 'choices' }, this.controls.root);
     const all = Object.values(this.views);
     const caption = make(

@@ -223,6 +223,11 @@ class Page:
         """Choose a scene as the gallery does, and wait until it is drawn."""
         self.answered(lambda: self.evaluate("name => strikewave.page.choose('scene', name)", name))
 
+    def take(self, what: str) -> None:
+        """Choose what to take along from the menu in the bar."""
+        self.tab.get_by_role("button", name="Save", exact=True).click()
+        self.tab.get_by_role("button", name=what, exact=True).click()
+
     def turn_to(self, name: str) -> None:
         """Choose a tab, where it is not the one that is seen."""
         tab = self.tab.get_by_role("tab", name=name, exact=True)

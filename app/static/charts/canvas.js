@@ -66,6 +66,19 @@ export function contextOf(canvas) {
   return c;
 }
 
+/** @type {WeakMap<HTMLCanvasElement, CanvasRenderingContext2D>} */
+const elsewhere = new WeakMap();
+
+/**
+ * Have what is drawn on a canvas drawn by something else, which makes a file of it, or on the canvas again.
+ * @param {HTMLCanvasElement} canvas
+ * @param {CanvasRenderingContext2D | null} c
+ */
+export function divert(canvas, c) {
+  if (c) elsewhere.set(canvas, c);
+  else elsewhere.delete(canvas);
+}
+
 /**
  * Make a canvas so large, in pixels of the page; returns how many of its own stand for one of these.
  * @param {HTMLCanvasElement} canvas
@@ -87,6 +100,8 @@ export function sized(canvas, width, height) {
  * @param {number} ratio
  */
 export function wiped(canvas, width, height, ratio) {
+  const other = elsewhere.get(canvas);
+  if (other) return other;
   const c = contextOf(canvas);
   c.setTransform(ratio, 0, 0, ratio, 0, 0);
   c.clearRect(0, 0, width, height);

@@ -1,5 +1,6 @@
 // A figure whose looks Python has drawn (app/views/figures.py): fetched when it is first shown, filled from answers,
 // and zoomed, read and saved by Bokeh in the browser. The server hears of none of it.
+import { bokeh } from '../shell/bokeh.js';
 import { download, make } from '../shell/dom.js';
 import { served } from '../shell/home.js';
 import { language, text } from '../text/catalogue.js';
@@ -16,9 +17,6 @@ import { dress, NARROW } from './dress.js';
  * @property {() => (string | number)[][]} [numbers]  a table of what is drawn; its first row is the head
  * @property {HTMLElement} [below]  what is said of it
  */
-
-/** @returns {any} BokehJS */
-const bokeh = () => /** @type {any} */ (window).Bokeh;
 
 /** @type {Map<string, Promise<string>>} */
 const looks = new Map(); // by name of the figure

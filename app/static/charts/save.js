@@ -4,7 +4,7 @@ import { contextOf } from './canvas.js';
 import { keysOf } from './legend.js';
 import { FONT } from './plot.js';
 import { COLORS } from './styles.js';
-import { SvgContext } from './svg.js';
+import { svgContext } from './svg.js';
 
 /** @typedef {import('./chart.js').Chart} Chart */
 
@@ -32,11 +32,11 @@ export function saveSvg(chart) {
 /** @param {Chart} chart */
 function svgOf(chart) {
   const head = heads(chart);
-  const c = new SvgContext(chart.width, chart.height + head.height);
+  const c = svgContext(chart.width, chart.height + head.height);
   c.fillStyle = COLORS.panel;
   c.fillRect(0, 0, chart.width, chart.height + head.height);
-  compose(chart, /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (c)), head);
-  return c.toString();
+  compose(chart, c, head);
+  return c.get_serialized_svg();
 }
 
 /** @param {Chart} chart */

@@ -1,5 +1,6 @@
 // The menu of a chart: zoom, numbers, files; and what it says aloud.
 import { make } from '../shell/dom.js';
+import { Menu } from '../shell/menu.js';
 import { text } from '../text/catalogue.js';
 import { savePng, saveSvg } from './save.js';
 
@@ -12,61 +13,28 @@ export class Tools {
   constructor(chart) {
     this.chart = chart;
     this.spoken = make('span', { className: 'unseen', ariaLive: 'polite' });
-    this.button = make('button', { type: 'button', className: 'more', textContent: '⋯', onclick: () => this.toggle() });
-    this.button.title = this.button.ariaLabel = text('chart.menu', { title: chart.title.textContent });
-    this.menu = make('div', { className: 'menu', hidden: true });
-    this.root = make('div', { className: 'tools' }, this.button, this.menu, this.spoken);
-    this.root.onkeydown = (event) => {
-      if (event.key === 'Escape') this.close(true);
-    };
-    this.root.addEventListener('focusout', (event) => {
-      if (!this.root.contains(/** @type {Node | null} */ (event.relatedTarget))) this.close();
-    });
+    const title = text('chart.menu', { title: chart.title.textContent });
+    this.menu = new Menu('tools', { className: 'more', textContent: '⋯', title });
+    this.menu.button.ariaLabel = title;
+    this.root = this.menu.root;
+    this.root.append(this.spoken);
     this.#fill();
   }
 
   #fill() {
-    const { chart } = this;
+    const { chart, menu } = this;
     const { axis } = chart;
     const about = () => 0.5 * (axis.view[0] + axis.view[1]);
-    this.numbers = this.#item(text('chart.show-numbers'), () => {
+    menu.item(text('chart.zoom-in'), () => axis.zoom(STEP, about()), true);
+    menu.item(text('chart.zoom-out'), () => axis.zoom(1 / STEP, about()), true);
+    menu.item(text('chart.show-all'), () => axis.reset());
+    const numbers = menu.item(text('chart.show-numbers'), () => {
       chart.numbers.fill();
       chart.numbers.shown = !chart.numbers.shown;
-      this.numbers.textContent = text(chart.numbers.shown ? 'chart.hide-numbers' : 'chart.show-numbers');
+      numbers.textContent = text(chart.numbers.shown ? 'chart.hide-numbers' : 'chart.show-numbers');
     });
-    this.menu.append(
-      this.#item(text('chart.zoom-in'), () => axis.zoom(STEP, about()), true),
-      this.#item(text('chart.zoom-out'), () => axis.zoom(1 / STEP, about()), true),
-      this.#item(text('chart.show-all'), () => axis.reset()),
-      this.numbers,
-      this.#item(text('chart.save-png'), () => savePng(chart)),
-      this.#item(text('chart.save-svg'), () => saveSvg(chart)),
-    );
-  }
-
-  /**
-   * @param {string} textContent
-   * @param {() => void} act
-   * @param {boolean} [stays]  the menu stays open
-   */
-  #item(textContent, act, stays = false) {
-    const onclick = () => {
-      act();
-      if (!stays) this.close(true);
-    };
-    return make('button', { type: 'button', textContent, onclick });
-  }
-
-  toggle() {
-    this.menu.hidden = !this.menu.hidden;
-    this.button.ariaExpanded = String(!this.menu.hidden);
-  }
-
-  /** @param {boolean} [back]  the focus goes back to the button */
-  close(back = false) {
-    if (this.menu.hidden) return;
-    this.toggle();
-    if (back) this.button.focus();
+    menu.item(text('chart.save-png'), () => savePng(chart));
+    menu.item(text('chart.save-svg'), () => saveSvg(chart));
   }
 
   /** Say what the chart shows now, after a key. */

@@ -280,7 +280,7 @@ export class Section {
     const words = engineering(y[most] * factor, 'N', 3);
     const { base, tall: all, top: first, width } = this.box;
     const tall = (width < NARROW || this.tracks.length ? LABEL.narrow : LABEL.peak) * zoom;
-    c.font = letters(tall / zoom, '650 ');
+    c.font = letters(tall / zoom, '600 ');
     const { font } = c;
     const wide = c.measureText(words).width + 8;
     const [at, down] = [this.#x(y[most] * factor), this.y(x[most])];

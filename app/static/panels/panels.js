@@ -9,6 +9,7 @@ import { framed } from './frame.js';
 
 /**
  * @typedef {object} View  what a button opens
+ * @property {string} name
  * @property {HTMLButtonElement} button
  * @property {HTMLElement} root
  * @property {boolean} open

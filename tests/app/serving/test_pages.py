@@ -11,7 +11,7 @@ import pytest
 
 from app.choices.choices import SCENES
 from app.serving.bundle import bundle
-from app.serving.pages import FIGURES, GALLERY, LIBRARIES, STATIC, VERSION, shell, text_of
+from app.serving.pages import APART, FIGURES, LIBRARIES, STATIC, VERSION, shell, text_of
 from solvers.text.catalogue import SOURCE
 
 ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "shell/lab.css")} | dict(LIBRARIES)
@@ -33,14 +33,15 @@ def test_a_file_is_the_same_packed_or_not(server, address):
         assert answer.headers.get_content_type().endswith("css" if address.endswith(".css") else "javascript")
 
 
-def test_all_modules_are_one_but_for_the_gallery():
-    whole, beside = bundle(STATIC, "page.js"), bundle(STATIC, GALLERY, beside="page.js")
+def test_all_modules_are_one_but_for_those_that_are_fetched_late():
+    whole, beside = bundle(STATIC, "page.js"), {entry: bundle(STATIC, entry, beside="page.js") for entry in APART}
     named = {path.relative_to(STATIC).as_posix(): path.read_text("utf-8") for path in STATIC.rglob("*.js")}
-    apart = {"shell/modules.js", "shell/start.js"}  # which the document loads
+    known = {"shell/modules.js", "shell/start.js"}  # which the document loads
     names = {name for name, text in named.items() if "export {};" not in text}  # the others are types alone
-    gallery = {name for name in names if name.startswith("gallery/")}
-    assert {name for name in names if f"modules['{name}'] = " in whole} == names - apart - gallery
-    assert {name for name in names if f"modules['{name}'] = " in beside} == gallery
+    late = {entry: {name for name in names if name.split("/")[0] == entry.split("/")[0]} for entry in APART}
+    assert {name for name in names if f"modules['{name}'] = " in whole} == names.difference(known, *late.values())
+    for entry, own in late.items():
+        assert {name for name in names if f"modules['{name}'] = " in beside[entry]} == own
     assert re.findall(r"^\s*(?://|/\*\*\n).*", whole, re.MULTILINE) == []
 
 

@@ -1,0 +1,154 @@
+// What is seen of an impact, as a file: bodies, rows and force with the words beside them, as PNG, SVG or a clip.
+import { contextOf, divert, letters } from '../charts/canvas.js';
+import { COLORS } from '../charts/styles.js';
+import { svgContext } from '../charts/svg.js';
+import { make } from '../shell/dom.js';
+
+/** @import { Page } from '../page.js' */
+/** @typedef {CanvasRenderingContext2D} Context */
+/** @typedef {{ canvas: HTMLCanvasElement, box: DOMRect }} Layer */
+
+const PARTS = '.ask, .caption, .stages, .section, .strip, .happens';
+const SILENT = '.unseen, .tools, [role="tooltip"]';
+const EDGE = 16; // pixels around
+const LINE = 20; // below, where it says whose it is
+
+/** @param {Page} page */
+function partsOf({ root }) {
+  const parts = [...root.querySelectorAll(PARTS)].filter((part) => part.checkVisibility() && part.clientHeight);
+  const boxes = parts.map((part) => part.getBoundingClientRect());
+  const [left, top] = [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top))];
+  const width = Math.max(...boxes.map(({ right }) => right)) - left + 2 * EDGE;
+  const height = Math.max(...boxes.map(({ bottom }) => bottom)) - top + 2 * EDGE + LINE;
+  const canvases = parts.flatMap((part) => [...part.querySelectorAll('canvas')]);
+  const layers = canvases.map((canvas) => ({ canvas, box: canvas.getBoundingClientRect() }));
+  const seen = layers.filter(({ canvas, box }) => canvas.checkVisibility() && box.width && box.height);
+  return { parts, layers: seen, left: left - EDGE, top: top - EDGE, width, height };
+}
+
+/**
+ * The words of a part of the page, each where it stands.
+ * @param {Context} c
+ * @param {Element} part
+ */
+function write(c, part) {
+  const { bottom, top } = part.getBoundingClientRect();
+  const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT);
+  const range = document.createRange();
+  c.textAlign = 'left';
+  c.textBaseline = 'alphabetic';
+  for (let node = texts.nextNode(); node; node = texts.nextNode()) {
+    const { parentElement: around, textContent } = node;
+    if (!around?.checkVisibility() || around.closest(SILENT)) continue;
+    const { color, fontFamily, fontSize, fontWeight } = getComputedStyle(around);
+    c.font = `${100 * Math.round(Number(fontWeight) / 100)} ${fontSize} ${fontFamily}`;
+    c.fillStyle = color;
+    for (const { 0: word, index } of (textContent ?? '').matchAll(/\S+/g)) {
+      range.setStart(node, index);
+      range.setEnd(node, index + word.length);
+      const box = range.getBoundingClientRect();
+      if (!box.width || box.top < top - 1 || box.bottom > bottom + 1) continue; // it is scrolled away
+      const { fontBoundingBoxAscent: up, fontBoundingBoxDescent: down } = c.measureText(word);
+      c.fillText(word, box.left, box.top + 0.5 * (box.height + up - down));
+    }
+  }
+}
+
+/**
+ * All of it.
+ * @param {Context} c
+ * @param {Page} page
+ * @param {ReturnType<typeof partsOf>} seen
+ * @param {(layer: Layer) => void} draw  what a canvas shows, in its place
+ */
+function compose(c, page, { height, layers, left, parts, top, width }, draw) {
+  c.fillStyle = COLORS.panel;
+  c.fillRect(0, 0, width, height);
+  c.save();
+  c.translate(-left, -top);
+  for (const layer of layers) draw(layer);
+  for (const part of parts) write(c, part);
+  c.restore();
+  c.font = letters(13);
+  c.fillStyle = COLORS.faint;
+  c.textAlign = 'right';
+  c.fillText(`${page.controls.scene.title.textContent} · Strikewave`, width - EDGE, height - EDGE);
+}
+
+/**
+ * Every canvas drawn once more, by something else.
+ * @template {Context} C
+ * @param {Page} page
+ * @param {Layer[]} layers
+ * @param {(box: DOMRect) => C} made
+ */
+function redrawn(page, layers, made) {
+  const drawn = new Map(layers.map(({ box, canvas }) => [canvas, made(box)]));
+  try {
+    for (const [canvas, c] of drawn) divert(canvas, c);
+    page.redraw();
+  } finally {
+    for (const canvas of drawn.keys()) divert(canvas, null);
+    page.redraw();
+  }
+  return drawn;
+}
+
+/**
+ * A canvas for all of it.
+ * @param {Page} page
+ * @param {number} fine  pixels of the canvas for one of the page
+ */
+export function canvasOf(page, fine) {
+  const even = (/** @type {number} */ size) => 2 * Math.ceil((fine * size) / 2); // as films must be
+  const { height, width } = partsOf(page);
+  const canvas = make('canvas', { width: even(width), height: even(height) });
+  const c = contextOf(canvas);
+  c.scale(fine, fine);
+  return { canvas, c };
+}
+
+/**
+ * What is seen just now, as the page has drawn it.
+ * @param {Page} page
+ * @param {Context} c
+ */
+export function copy(page, c) {
+  const draw = (/** @type {Layer} */ { box, canvas }) => c.drawImage(canvas, box.left, box.top, box.width, box.height);
+  compose(c, page, partsOf(page), draw);
+}
+
+/**
+ * What is seen just now, drawn with more pixels than the page has.
+ * @param {Page} page
+ * @param {number} fine
+ */
+export function pictureOf(page, fine) {
+  const seen = partsOf(page);
+  const drawn = redrawn(page, seen.layers, ({ height, width }) => {
+    const c = contextOf(make('canvas', { width: fine * width, height: fine * height }));
+    c.scale(fine, fine);
+    return c;
+  });
+  const { c, canvas: picture } = canvasOf(page, fine);
+  compose(c, page, seen, ({ box, canvas }) => {
+    const image = drawn.get(canvas)?.canvas;
+    if (image) c.drawImage(image, box.left, box.top, box.width, box.height);
+  });
+  return picture;
+}
+
+/**
+ * What is seen just now as SVG.
+ * @param {Page} page
+ */
+export function svgOf(page) {
+  const seen = partsOf(page);
+  const drawn = redrawn(page, seen.layers, ({ height, width }) => svgContext(width, height));
+  const c = svgContext(seen.width, seen.height);
+  compose(c, page, seen, ({ box, canvas }) => {
+    const image = drawn.get(canvas)?.canvas; // which is itself
+    if (image) c.drawImage(image, box.left, box.top);
+  });
+  return c.get_serialized_svg();
+}
