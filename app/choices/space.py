@@ -8,6 +8,8 @@ from solvers.validation import shown
 
 from ..text.refusals import Refused
 
+ALIKE = 1e-6  # relative difference of components of a direction that are equal but for rounding
+
 
 def has_length(scene: Scene) -> bool:
     """Whether one of the bodies has a length to be struck along."""
@@ -71,9 +73,12 @@ def _longest_side(body: Body) -> tuple[np.ndarray, float]:
 def equivalent_box(body: Body) -> tuple[np.ndarray, np.ndarray]:
     """Sides [m] of the uniform box of this mass and inertia, and their directions as columns; a thin rod has one side.
 
-    From I1 = m (b^2 + c^2) / 12 and its like.
+    From I1 = m (b^2 + c^2) / 12 and its like. The largest component of a direction is positive: its sign is else that
+    of the last bits.
     """
     moments, axes = principal(np.array(body.inertia))
+    largest = np.argmax(np.abs(axes) > (1.0 - ALIKE) * np.abs(axes).max(axis=0), axis=0)
+    axes = axes * np.where(axes[largest, range(3)] < 0.0, -1.0, 1.0)
     squares = 6.0 / body.mass * (moments.sum() - 2.0 * moments)
     return np.sqrt(np.where(squares > 10.0 * NULL_MOMENT * squares.max(), squares, 0.0)), axes
 

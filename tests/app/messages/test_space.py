@@ -14,6 +14,7 @@ from app.choices.space import equivalent_box, leaning, own_frame, struck_at, str
 from app.messages.encoding import read_header
 from app.messages.space import bodies_frame
 from app.text.catalogues import script
+from solvers.numerics.rigid.impulses import principal
 from solvers.text.catalogue import SOURCE
 from tests.catalog import SCENES
 
@@ -97,6 +98,16 @@ def test_a_normal_leans_as_it_is_told():
     for way, leans in ((0.0, frame[1]), (90.0, frame[2])):
         leant = np.array(leaning(NOTE, 30.0, way).normal)
         assert (leant @ frame[0], leant @ leans) == approx((np.cos(np.pi / 6), 0.5), abs=1e-15)
+
+
+@pytest.mark.parametrize("signs", [(1.0, 1.0, 1.0), (-1.0, 1.0, -1.0), (1.0, -1.0, -1.0)])
+def test_the_box_does_not_hang_on_the_signs_of_a_library(monkeypatch, signs):
+    body = solvers.load("brick-on-floor").impactor
+    sides, axes = equivalent_box(body)
+    moments, found = principal(np.array(body.inertia))
+    monkeypatch.setattr("app.choices.space.principal", lambda _: (moments, found * signs))
+    again = equivalent_box(body)
+    assert np.array_equal(again[0], sides) and np.array_equal(again[1], axes)
 
 
 def test_the_equivalent_box_of_a_brick_is_the_brick():
