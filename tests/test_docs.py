@@ -21,6 +21,7 @@ import pytest
 
 import solvers
 from app.command import main
+from bench import thesis
 
 ROOT = Path(__file__).parents[1]
 TOP = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
@@ -192,3 +193,8 @@ def test_formulas_are_drawn_without_a_script(site):
 def test_every_built_in_scene_is_listed(site):
     text = (site / "scenes.html").read_text(encoding="utf-8")
     assert [name for name in solvers.scene_names() if f"<code>{name}</code>" not in text] == []
+
+
+def test_the_page_on_the_thesis_is_written_from_the_scenes():
+    assert thesis.PAGE.read_text(encoding="utf-8") == thesis.text()  # else: python -m bench.thesis
+    assert len(thesis.numbered()) == 143 and set(thesis.LACKS) <= set(thesis.numbered())

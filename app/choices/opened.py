@@ -15,9 +15,12 @@ from .bodies import LONGEST as LONGEST_BODIES
 from .choices import SCENES, Choices, accepts
 
 CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "reactions", "energy", "hodograph", "course")
+READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection")  # by a gauge
+TABS = ("controls", "charts", "story", "numbers", "analysis")
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
 FARTHEST, LONGEST = 1e6, 1e9  # [m], [s]
 COMPARED = ("question", "first", "second", "alone")  # keys of a comparison
+KEYS = ("charts", "place", "read", "time", "until", "views", "tab", "vary", "compare", "try")
 MOST = 20  # entries of a list
 LONGEST_WORD = 40  # letters of a key of the catalogue
 
@@ -52,9 +55,11 @@ class Opening(NamedTuple):
 
     charts: tuple[str, ...] = ()
     place: float | None = None  # of the figure, from the struck end [m]
+    read: str | None = None  # the quantity that its gauge reads
     time: float | None = None  # that is shown, from the first touch on [s]
     until: float | None = None  # the part of the impact that is looked at, from the first touch on [s]
     views: tuple[str, ...] = ()
+    tab: str | None = None  # of the dock that opens beside the picture
     varied: str = ""  # what the view of convergence varies, see `solvers.studies.levels`
     by: tuple[float, ...] = ()  # its values
     comparisons: tuple[Comparison, ...] = ()
@@ -63,7 +68,7 @@ class Opening(NamedTuple):
     @classmethod
     def of(cls, scene: Scene) -> "Opening":
         """Of a scene. Raises SceneError that names the key, the value and what is allowed."""
-        given = table("view", scene.view, ("charts", "place", "time", "until", "views", "vary", "compare", "try"))
+        given = table("view", scene.view, KEYS)
         varied = table("view.vary", given.get("vary", {}), (*COUNTED, *VALUES))
         if len(varied) > 1:
             raise SceneError("view.vary", dict(varied), allowed("one-varied"))
@@ -75,9 +80,11 @@ class Opening(NamedTuple):
         return cls(
             charts=_names("view.charts", given.get("charts", []), (*CHARTS, *OF_NODES)),
             place=_number("view.place", given.get("place"), FARTHEST, "m"),
+            read=_option("view.read", given.get("read"), READ),
             time=_number("view.time", given.get("time"), LONGEST, "s"),
             until=_number("view.until", given.get("until"), LONGEST, "s"),
             views=_names("view.views", given.get("views", [])),
+            tab=_option("view.tab", given.get("tab"), TABS),
             varied=kind,
             by=tuple(by),
             comparisons=tuple(_comparison(n, each) for n, each in compare),
@@ -89,6 +96,8 @@ class Opening(NamedTuple):
         return {
             "charts": [name for name in self.charts if name in CHARTS],
             "place": self.place,
+            "read": self.read,
+            "tab": self.tab or ("analysis" if self.views else "charts" if self.charts else None),
             "time": self.time,
             "until": self.until,
             "compare": [each._asdict() for each in self.comparisons],
@@ -157,6 +166,10 @@ def _names(key: str, value: object, options: Iterable[str] | None = None) -> tup
     return tuple(
         text(f"{key}[{n}]", each) if options is None else choice(f"{key}[{n}]", each, options) for n, each in given
     )
+
+
+def _option(key: str, value: object, options: Iterable[str]) -> str | None:
+    return None if value is None else choice(key, value, options)
 
 
 def _number(key: str, value: object, high: float, unit: str) -> float | None:

@@ -120,7 +120,9 @@ RECORDS: dict[str, Fields] = {
     },
     "Opens": {
         "charts": Field("string[]", "by name"),
-        "place": Field("number | null", "at which the stress is shown [m]"),
+        "place": Field("number | null", "of the gauge [m]"),
+        "read": Field("string | null", "what the gauge reads"),
+        "tab": Field("string | null", "of the dock that opens with it"),
         "time": Field("number | null", "that is shown, from the first touch on [s]"),
         "until": Field("number | null", "from the first touch on, what is looked at [s]"),
         "compare": Field("Question[]", "that can be asked of it as it is chosen, by a comparison"),

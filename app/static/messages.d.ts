@@ -122,7 +122,9 @@ export interface MovingRecord {
 
 export interface Opens {
   /** by name */ charts: string[];
-  /** at which the stress is shown [m] */ place: number | null;
+  /** of the gauge [m] */ place: number | null;
+  /** what the gauge reads */ read: string | null;
+  /** of the dock that opens with it */ tab: string | null;
   /** that is shown, from the first touch on [s] */ time: number | null;
   /** from the first touch on, what is looked at [s] */ until: number | null;
   /** that can be asked of it as it is chosen, by a comparison */ compare: Question[];

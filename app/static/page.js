@@ -150,7 +150,10 @@ export class Page {
     if (!this.frame) return;
     this.history.later();
     this.waiter.settle();
-    for (const { stack } of Object.values(this.views)) stack?.gather();
+    for (const { stack } of Object.values(this.views)) {
+      if (stack) stack.beside = this.opening.leads;
+      stack?.gather();
+    }
     for (const { stage } of Object.values(this.views)) if ('leads' in stage) stage.leads = this.opening.leads;
     this.opening.lend();
     for (const { stack } of Object.values(this.views)) stack?.arrange();

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from solvers import Beam, Modal, Rod, Solution
+from solvers.bodies import RotatingRod
 from solvers.solution.solution import apparent_time
 from solvers.solution.target_modes import TargetModes, unit_shapes
 from solvers.text.catalogue import Catalogue
@@ -39,7 +40,7 @@ def modes_data(request: Request) -> dict[str, Any]:
     why = method.refusal(request.scene)
     if why and target.length:
         raise Refused(why.code, **why.values)
-    if not isinstance(target, Rod | Beam):
+    if not isinstance(target, Rod | Beam | RotatingRod):
         raise Refused("modes.no-shapes")
     solution = method.without_estimate().solve(request.scene)
     modes, x = solution.target_modes, np.linspace(0.0, target.length, PLACES)
@@ -49,7 +50,7 @@ def modes_data(request: Request) -> dict[str, Any]:
     whole = float(energies.sum())
     return {
         "place": _listed(1e3 * x),
-        "struck": 1e3 * (target.place if isinstance(target, Beam) else 0.0),
+        "struck": 1e3 * (0.0 if isinstance(target, Rod) else target.place),
         "sets": {"alone": _alone(modes, x), "together": _together(request, solution, x)},
         "kept": int(modes.frequencies.size),
         "contact": apparent_time(solution.contacts),

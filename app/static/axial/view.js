@@ -29,7 +29,7 @@ import { barOf, tracksOf } from './tracks.js';
 const QUANTITIES = {
   stress: { unit: 'Pa', parts: ['stress'], factor: ({ stressUnit }) => stressUnit },
   waves: { unit: 'Pa', parts: ['right', 'left'], factor: ({ stressUnit }) => stressUnit },
-  velocity: { unit: 'm/s', parts: ['velocity'], factor: ({ speed }) => speed },
+  velocity: { unit: 'm/s', parts: ['velocity'], factor: ({ speed }) => speed, mean: ({ rods }) => rods.length === 1 },
   displacement: { unit: 'm', parts: ['displacement'], factor: ({ speed, trip }) => speed * trip },
 };
 
@@ -219,7 +219,14 @@ export class AxialView {
   #gauge() {
     const { chosen, exact, opens, rods } = this.frame;
     const reach = /** @type {[number, number]} */ (rods.length ? [rods[0].from, rods[rods.length - 1].to] : [0, 0]);
-    const body = { scene: chosen.scene, frame: this.frame, contacts: exact.contacts, usual: opens.place, reach };
+    const body = {
+      scene: chosen.scene,
+      frame: this.frame,
+      contacts: exact.contacts,
+      usual: opens.place,
+      read: opens.read,
+      reach,
+    };
     this.gauge.load(body, () => this.read(this.frame));
   }
   /**

@@ -151,7 +151,7 @@ export class BeamView {
     const { beam, chosen, contacts, opens } = frame;
     const has = (/** @type {string} */ what) => this.shows(what) && this.field.has(/** @type {What} */ (what));
     const reach = /** @type {[number, number]} */ ([0, FIELDS.some(has) ? beam.length : 0]);
-    const body = { scene: chosen.scene, frame, contacts, usual: opens.place ?? beam.place, reach };
+    const body = { scene: chosen.scene, frame, contacts, usual: opens.place ?? beam.place, read: opens.read, reach };
     this.gauge.load(body, () => this.read(frame), has);
   }
   /**

@@ -15,6 +15,7 @@ import { between, extremes, within } from './scale.js';
 const MILLIMETRES = 1000; // in a metre
 const MIDDLE = 0.5; // of the body: where the gauge is, unless a scene says where
 const SURVEYED = 48; // instants at which the range of values is looked for
+const MEANS = 400; // stretches between instants at which a mean is taken
 const ROOM = 0.06; // above and below it
 /** @type {Record<string, string>} */
 const SAVED = { stress: 'compression', right: 'compression_right_going', left: 'compression_left_going' };
@@ -25,6 +26,7 @@ const SAVED = { stress: 'compression', right: 'compression_right_going', left: '
  * @property {string} unit
  * @property {string[]} parts  of it, which are drawn together
  * @property {(frame: any) => number} factor  of its values, in the unit
+ * @property {(frame: any) => boolean} [mean]  whether that of the whole body is drawn over time too
  */
 /**
  * A solution that is read. Places are in metres, times in those of its frame.
@@ -49,6 +51,7 @@ const SAVED = { stress: 'compression', right: 'compression_right_going', left: '
  * @property {unknown} scene
  * @property {Range} reach  first and last place [m]; none where both are the same
  * @property {number | null} [usual]  place without another, the middle by default
+ * @property {string | null} [read]  what is read at first
  * @property {{ duration: number, trip: number }} frame
  * @property {readonly import('./marks.js').Span[]} contacts
  */
@@ -146,7 +149,11 @@ export class Gauge {
    */
   load(body, sources, has = () => true) {
     const same = body.scene === this.body?.scene;
-    if (!same) this.asked = null;
+    if (!same) {
+      this.asked = null;
+      if (body.read) this.what = body.read;
+      else if (this.body?.read) [this.what] = this.whats; // what a scene has asked for goes with it
+    }
     this.body = body;
     this.sources = sources;
     this.shown = [];
@@ -213,6 +220,12 @@ export class Gauge {
     const { field } = source;
     if (end <= start || this.place < field.from || this.place > field.to) return [];
     const found = this.#series(source, (_, part) => field.over(this.place, [start, end], part));
+    const { factor, mean, parts } = this.quantity;
+    if (source.style === 'exact' && mean?.(source.frame)) {
+      const name = text('gauge.mean');
+      const means = meanOver(field, parts[0], [start, end]);
+      found.push({ ...means, factor: factor(source.frame), name, cursor: name, style: 'prediction' });
+    }
     return times === 1 ? found : found.map((each) => ({ ...each, x: Array.from(each.x, (t) => times * t) }));
   }
   /** What is read at the place, as columns to save. @returns {{ name: string, at: (t: number) => number }[]} */
@@ -279,6 +292,26 @@ function surveyed(field, part, duration) {
     for (const value of Array.from(field.along(((k + 0.5) / SURVEYED) * duration, part)?.y ?? []))
       [low, high] = [Math.min(low, value), Math.max(high, value)];
   return [low, high];
+}
+
+/**
+ * The mean over the body, at instants of a stretch of time.
+ * @param {Readable} field
+ * @param {string} part
+ * @param {Range} stretch
+ */
+export function meanOver(field, part, [start, end]) {
+  const x = Array.from({ length: MEANS + 1 }, (_, k) => start + (k / MEANS) * (end - start));
+  return { x, y: x.map((t) => meanOf(field.along(t, part))) };
+}
+
+/** @param {Samples | null} samples  straight between their places */
+function meanOf(samples) {
+  if (!samples) return NaN;
+  const { x, y } = samples;
+  let sum = 0;
+  for (let k = 1; k < x.length; k++) sum += 0.5 * (y[k] + y[k - 1]) * (x[k] - x[k - 1]);
+  return sum / (x[x.length - 1] - x[0]);
 }
 
 /**

@@ -59,6 +59,7 @@ function planOf(search) {
 export class Opening {
   /** @type {Plan} */ plan = planOf(alone ? window.location.search : '');
   tried = 0; // changes of this scene
+  lent = false; // whether the dock is open because the scene asks for it
   scene = '';
   due = true; // rows are to be drawn
   /** @type {number | undefined} */ walking; // a slider, step by step
@@ -128,14 +129,20 @@ export class Opening {
     const { layout, root } = this.page;
     return layout.strip.firstChild === this.#strip && root.classList.contains('bare') === this.#bare;
   }
-  /** @param {Plan} plan */
-  turn(plan) {
+  /**
+   * @param {Plan} plan
+   * @param {boolean} [byHand]  so that it is what is seen first the next time, and has the focus
+   */
+  turn(plan, byHand = true) {
+    this.lent = false;
     if (plan === this.plan) return;
     this.plan = plan;
-    if (alone) keep(PLAN, plan);
+    if (alone && byHand) keep(PLAN, plan);
+    if (byHand && this.page.frame) this.scene = String(this.page.frame.chosen.scene); // it is seen as the hand says
     this.page.layout.place();
     this.#turned();
     this.load(this.page.frame);
+    if (!byHand) return;
     const { centre, tabs } = this.page.layout;
     (this.docked ? tabs.tab : this.leads ? this.question : centre)?.focus(); // what had the focus is gone
     this.page.history.write();
@@ -182,8 +189,7 @@ export class Opening {
    */
   load(frame) {
     if (!this.leads) return;
-    if (this.scene !== frame.chosen.scene) this.tried = 0;
-    this.scene = String(frame.chosen.scene);
+    if (this.scene !== frame.chosen.scene) this.#arrive(frame);
     this.question.textContent = questionOf(frame, this.page.view.story);
     const changes = this.#changes;
     this.change.hidden = !changes.length;
@@ -192,6 +198,23 @@ export class Opening {
     this.#offer(frame);
     this.#name();
     this.#mark(this.page.player.t + this.page.player.start);
+  }
+  /**
+   * Another scene: the dock opens on what it is about, and closes with it unless a hand has opened it.
+   * @param {Frame} frame
+   */
+  #arrive({ chosen, opens: { tab } }) {
+    const first = !this.scene; // where an address leads is as that says
+    this.tried = 0;
+    this.scene = String(chosen.scene);
+    if (first) return;
+    const { lent } = this;
+    if (tab && (lent || !this.docked)) {
+      this.page.layout.tabs.select(tab);
+      this.turn('docks', false);
+      this.page.layout.show(tab);
+      this.lent = true;
+    } else if (!tab && lent) this.turn('opening', false);
   }
   /**
    * Ways to look closer.

@@ -82,7 +82,8 @@ class ModeShapes extends Panel {
   }
   get away() {
     const { frame } = this.page;
-    return !(frame.kind === 'beam' || (frame.kind === 'axial' && frame.target.kind === 'rod'));
+    if (frame.kind !== 'axial') return frame.kind !== 'beam';
+    return frame.target.kind !== 'rod' && !frame.target.rotation;
   }
   /** @param {{ of?: typeof SETS[number], count?: number }} chosen */
   #turn(chosen) {

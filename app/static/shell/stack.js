@@ -18,6 +18,7 @@ export class Stack {
   /** @type {HTMLButtonElement[]} */ buttons = [];
   /** @type {unknown} */ scene = null; // that is shown
   /** @type {string[]} */ leading = []; // charts that it was opened with
+  beside = false; // a picture that shows what the others do: those that it was opened with have all the room
 
   /**
    * @param {string} name  under which is kept what is folded
@@ -95,7 +96,7 @@ export class Stack {
       if (!here[k]) continue;
       const fits = room >= least - HEAD || (k === vital && !leading.length);
       const left = this.folded[key] === undefined ? null : !this.folded[key] && (fits || !leading.length);
-      found[k] = leads[k] || (left ?? (fits && !this.late.includes(key)));
+      found[k] = leads[k] || (left ?? (fits && !this.late.includes(key) && !(this.beside && leading.length)));
       if (found[k]) room -= least - HEAD;
     }
     return found;

@@ -1,6 +1,7 @@
 """The modes of what is struck, as the page shows them."""
 
 import json
+import math
 
 import pytest
 from pytest import approx
@@ -45,6 +46,13 @@ def test_a_free_rod_in_another_frame_has_other_modes():
     other = found("free-rod", modes=5, floating_frame="attached")["sets"]["alone"]
     assert own["frequency"][0] == approx(other["frequency"][0], rel=1e-2)
     assert abs(own["frequency"][4] / other["frequency"][4] - 1.0) > 1e-2
+
+
+def test_a_rod_that_turns_has_the_frequencies_of_its_speed():
+    frequencies = [2.0 * math.pi * each for each in found("figure-5.21")["sets"]["alone"]["frequency"][:3]]
+    assert frequencies == approx([26860.0, 80942.0, 134952.0], rel=1e-4)  # (5.48), at a tenth of the critical speed
+    across = found("figure-5.22")
+    assert across["sets"]["alone"]["frequency"][0] * 2.0 * math.pi > 1744.0  # that at rest: the tension outweighs
 
 
 def test_what_has_no_modes_says_so():
