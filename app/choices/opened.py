@@ -16,7 +16,8 @@ from .choices import SCENES, Choices, accepts
 
 CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "reactions", "energy", "hodograph", "course")
 READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection")  # by a gauge
-TABS = ("controls", "charts", "story", "numbers", "analysis")
+PICTURE = "picture"  # alone
+TABS = (PICTURE, "controls", "charts", "story", "numbers", "analysis")
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
 FARTHEST, LONGEST = 1e6, 1e9  # [m], [s]
 COMPARED = ("question", "first", "second", "alone")  # keys of a comparison
@@ -91,13 +92,20 @@ class Opening(NamedTuple):
             trials=tuple(_trial(n, each) for n, each in tries),
         )
 
+    @property
+    def _tab(self) -> str | None:
+        """Of the dock that opens, if any does."""
+        usual = "analysis" if self.views else "charts" if self.charts else PICTURE
+        tab = self.tab or usual
+        return None if tab == PICTURE else tab
+
     def table(self) -> dict[str, Any]:
         """What the browser needs of it."""
         return {
             "charts": [name for name in self.charts if name in CHARTS],
             "place": self.place,
             "read": self.read,
-            "tab": self.tab or ("analysis" if self.views else "charts" if self.charts else None),
+            "tab": self._tab,
             "time": self.time,
             "until": self.until,
             "compare": [each._asdict() for each in self.comparisons],

@@ -29,6 +29,20 @@ def test_every_scene_is_opened_by_what_there_is():
     assert opening_of("table-6.9").charts == ("coordinates",) and opening_of("table-6.9").table()["charts"] == []
 
 
+@pytest.mark.parametrize(
+    "name, tab",
+    [
+        ("figure-4.12", "charts"),
+        ("table-6.9", "analysis"),
+        ("figure-7.5", "numbers"),
+        ("bouncing-ball", None),
+        ("fixed-rod", None),
+    ],
+)
+def test_the_dock_opens_on_what_a_scene_is_about(name, tab):
+    assert opening_of(name).table()["tab"] == tab
+
+
 def test_charts_have_the_names_of_the_stacks():
     drawn = "".join((STATIC / kind / "view.js").read_text() for kind in ("axial", "beam", "mechanism", "space"))
     for name in CHARTS:
@@ -43,6 +57,8 @@ def test_charts_have_the_names_of_the_stacks():
         ({"charts": ["force", "forces"]}, r"view\.charts\[2\]: got 'forces'; allowed: 'waves'"),
         ({"place": -1.0}, r"view\.place: got -1.0; allowed: a number from 0"),
         ({"time": -1e-6}, r"view\.time: got -1e-06; allowed: a number from 0"),
+        ({"read": "force"}, r"view\.read: got 'force'; allowed: 'stress'"),
+        ({"tab": "graphs"}, r"view\.tab: got 'graphs'; allowed: 'picture'"),
         ({"until": "soon"}, r"view\.until: got 'soon'; allowed: a number from 0"),
         ({"vary": {"modes": [1.0], "step": [1.0]}}, r"view\.vary"),
         ({"vary": {"mass": [1.0]}}, r"view\.vary\.mass"),
