@@ -289,9 +289,12 @@ export class Chart extends Plot {
       if (series.cursor === undefined) continue;
       const value = between(series.x, series.y, t) * this.scaleOf(series);
       marks.dot(c, this, t, value, STYLES[series.style].color);
-      said.unshift(`${series.cursor} ${this.written(value)}`.trim());
+      const written = this.written(value);
+      const beside = this.values.get(series.name ?? '');
+      if (beside) put(beside, written);
+      else said.unshift(`${series.cursor} ${written}`.trim());
     }
-    if (said.length) this.say(`${said.join('   ')} ${this.unitShown}`);
+    this.say(said.length ? `${said.join('   ')} ${this.unitShown}` : '');
   }
 
   /**
@@ -323,4 +326,17 @@ export class Chart extends Plot {
     this.#longest = words.length;
     this.value.style.minWidth = `${0.92 * words.length}ch`;
   }
+}
+
+/**
+ * Write a value beside the name of its curve; its room only grows.
+ * @param {HTMLOutputElement} output
+ * @param {string} words
+ */
+function put(output, words) {
+  if (output.textContent === words) return;
+  output.textContent = words;
+  const wide = Math.max(words.length, Number(output.dataset.wide ?? 0));
+  output.dataset.wide = String(wide);
+  output.style.minWidth = `${wide}ch`;
 }

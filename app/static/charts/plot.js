@@ -24,6 +24,7 @@ export class Plot {
   xUnit = ''; // written at the last tick across
   across = 1; // of values across, for that unit
   unitAt = 0; // where it is written [pixels]
+  /** @type {Map<string, HTMLOutputElement>} */ values = new Map(); // of curves at the clock, by their names
   #said = '';
 
   /**
@@ -150,11 +151,15 @@ export class Plot {
     const said = entries.map(({ text, color, mark }) => `${text} ${color} ${mark}`).join('|');
     if (said === this.#said) return;
     this.#said = said;
+    this.values.clear();
     this.legend.replaceChildren(
       ...entries.map(({ text, color, mark }) => {
         const sign = make('i', { className: mark });
         sign.style.color = color;
-        return make('span', { className: 'key' }, sign, text);
+        const value = make('output', { ariaLive: 'off' });
+        value.style.setProperty('--curve', color);
+        this.values.set(text, value);
+        return make('span', { className: 'key' }, sign, text, value);
       }),
     );
   }
