@@ -270,7 +270,7 @@ export class Page {
     if (!this.opening.placed) this.place();
     this.analyses.draw();
     this.opening.draw();
-    this.player.load(this.view.clock?.(this.frame) ?? this.frame);
+    this.player.load(this.view.clock(this.frame));
     if (this.compare.due) this.compare.keep();
     if (!this.resumed) this.resume();
     this.changes.arrived(this.frame);

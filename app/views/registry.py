@@ -137,7 +137,7 @@ VIEWS = (  # in the order in which an address names them
     View("code"),
     View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file
 )  # fmt: skip
-PANELS = [(view.key, view.panel or view.key) for view in VIEWS]  # with the files that show them
+PANELS = [(view.key, view.panel or view.key, sorted(view.kinds)) for view in VIEWS]  # with their files
 FIGURES = {view.name: view.figure for view in VIEWS if view.figure} | {
     "stability-linear": partial(stability.stability_figure, across="linear"),
 }

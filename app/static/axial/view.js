@@ -33,6 +33,8 @@ const QUANTITIES = {
   displacement: { unit: 'm', parts: ['displacement'], factor: ({ speed, trip }) => speed * trip },
 };
 
+const FIRST = [0.36, 0.4]; // of T, of it all at most: where it is shown at first, once waves have set out
+
 /** @param {{ name: string }} figures */
 const keyOf = ({ name }) => name.replaceAll('-', '_');
 
@@ -101,6 +103,7 @@ export class AxialView {
   /** @param {AxialFrame} frame */
   load(frame) {
     this.frame = frame;
+    times.load(frame);
     this.exactField = exactFieldOf(frame);
     this.#otherField = null;
     const { chosen, opens } = frame;
@@ -115,6 +118,11 @@ export class AxialView {
     this.stack.lead(frame.chosen.scene, frame.opens.charts);
     this.cycle.load(frame);
     this.dress();
+  }
+  /** @param {AxialFrame} frame */
+  clock({ chosen, duration, opens, trip }) {
+    const first = Math.min(FIRST[0], FIRST[1] * duration);
+    return { kind: 'axial', scene: chosen.scene, length: duration, unit: trip, trips: true, first, time: opens.time };
   }
   /** Its histories have become finer. */
   refine() {

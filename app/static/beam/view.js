@@ -22,6 +22,7 @@ import { BeamStory } from './story.js';
 /** @import { Source } from '../charts/gauge.js' */
 /** @import { BendingFrame } from '../messages.js' */
 /** @import { Band } from './charts.js' */
+/** @import { Run } from '../shell/player.js' */
 /** @import { BeamField, What } from './field.js' */
 
 /**
@@ -44,6 +45,8 @@ import { BeamStory } from './story.js';
 const QUANTITIES = Object.fromEntries(
   FIELDS.map((what) => [what, { unit: UNITS[what], parts: [what], factor: () => 1 }]),
 );
+const SECONDS_PLAYED = 24; // no wave comes back as it went: all of it in less than long impacts of rods take
+const FIRST = 0.9; // of the first contact: where it is shown at first
 const SLOW_SECONDS = 16;
 const SLOW_CONTACTS = 4;
 const OF_BENDING = ['moment', 'shear'];
@@ -191,6 +194,16 @@ export class BeamView {
   /** Until when most of it happens [s], where that is but a small part of what is shown. @returns {number | null} */
   get busy() {
     return null;
+  }
+  /**
+   * @param {Shown} frame
+   * @returns {Run}
+   */
+  clock({ chosen, contacts, duration, kind, opens, trip }) {
+    const [start, end] = contacts[0] ?? [0, duration];
+    const first = start + FIRST * (end - start);
+    const perSecond = duration / SECONDS_PLAYED;
+    return { kind, scene: chosen.scene, length: duration, unit: trip, perSecond, first, time: opens.time };
   }
   /** What the opening draws over place and time; nothing of impulses, nor of what is struck along its length. */
   get section() {

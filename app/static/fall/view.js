@@ -63,6 +63,8 @@ export function eventsOf({ bounces, gravity, height, rest }) {
   return [first, ...found.filter(([t]) => rest === null || t < rest), ...last];
 }
 
+const FIRST = 0.36; // of it all: where it is shown at first
+
 export class FallView {
   after = 1e-9;
   /** @type {HTMLElement[]} */ buttons = [];
@@ -92,7 +94,8 @@ export class FallView {
   }
   /** @param {AxialFrame} frame */
   clock({ chosen, opens }) {
-    return { kind: /** @type {const} */ ('fall'), duration: this.fall?.end ?? 1, trip: 1, chosen, opens };
+    const end = this.fall?.end ?? 1;
+    return { kind: 'fall', scene: chosen.scene, length: end, unit: 1, first: FIRST * end, time: opens.time };
   }
   get leading() {
     return this.given ? ['restitution', 'speed', 'law'] : ['speed', 'law'];

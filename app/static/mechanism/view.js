@@ -12,6 +12,7 @@ import { tracksOf } from './tracks.js';
 /** @import { Page } from '../page.js' */
 /** @import { MechanismFrame } from '../messages.js' */
 
+const SECONDS_MOVED = 8; // at least; a longer motion takes the time that it takes
 const BUSY = { room: 1.4, most: 0.3 }; // after the last impact; of the whole
 
 /** @extends {BeamView<MechanismFrame>} */
@@ -47,6 +48,12 @@ export class MechanismView extends BeamView {
     const { contacts, duration, moving } = this.frame;
     const last = BUSY.room * (contacts.at(-1)?.[0] ?? 0);
     return this.page.opening.leads && moving && last > 0 && last < BUSY.most * duration ? last : null;
+  }
+  /** @param {MechanismFrame} frame */
+  clock(frame) {
+    const run = super.clock(frame);
+    if (frame.moving) run.perSecond = frame.duration / Math.max(SECONDS_MOVED, frame.duration);
+    return run;
   }
   get leading() {
     return this.frame.mechanism.links.some(({ flexible }) => flexible) ? ['modes', 'mass_ratio'] : [];

@@ -154,7 +154,7 @@ export class Opening {
       page.turn();
       page.view.load(page.frame);
     }
-    page.player.load(page.view.clock?.(page.frame) ?? page.frame);
+    page.player.load(page.view.clock(page.frame));
     page.tell();
   }
   /**

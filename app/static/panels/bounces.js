@@ -72,10 +72,6 @@ class Bounces extends Panel {
     this.result = make('div', {}, this.path.root, this.each.root, make('div', { className: 'scroll' }, this.table));
     this.root.append(form, this.said, this.notes, this.result);
   }
-  get away() {
-    const { frame } = this.page;
-    return frame.kind === 'bodies' || frame.kind === 'mechanism';
-  }
   /**
    * To drop it from a height is to strike with the speed that the fall gives.
    * @param {number} height  [m]

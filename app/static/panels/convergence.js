@@ -78,8 +78,8 @@ class Convergence extends Study {
     page.model.on('convergence_by', () => this.fill());
   }
   /** @param {Frame} frame */
-  away(frame) {
-    return frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length);
+  empty(frame) {
+    return 'rods' in frame && !frame.rods.length;
   }
   /** @param {string} kind */
   #vary(kind) {

@@ -63,9 +63,9 @@ class Energy extends Panel {
     this.figure = new Figure('energy', [part]);
     this.root.append(this.said, this.figure.root);
   }
-  get away() {
+  get empty() {
     const { frame } = this.page;
-    return frame.kind === 'bodies' || ('moving' in frame && Boolean(frame.moving)); // whose chart is at the stage
+    return 'moving' in frame && Boolean(frame.moving); // whose chart is at the stage
   }
   /**
    * @param {Shares | null} found

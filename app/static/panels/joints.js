@@ -40,9 +40,9 @@ class Joints extends Panel {
     this.figure = new Figure('joints', parts);
     this.root.append(this.said, this.figure.root);
   }
-  get away() {
+  get empty() {
     const { frame } = this.page;
-    return frame.kind !== 'mechanism' || !frame.mechanism.joints.some(({ links }) => !links.includes(GROUND));
+    return 'mechanism' in frame && !frame.mechanism.joints.some(({ links }) => !links.includes(GROUND));
   }
   /**
    * @param {Joint | null} found

@@ -31,6 +31,8 @@ const COLUMNS = ['method', 'rebound', 'time', 'duration', 'found', 'reported', '
 const UNITS = family('methods.unit'); // below the names of columns
 
 class Methods {
+  /** @type {string[]} */ forKinds = []; // of scene, as Python says
+
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
@@ -51,7 +53,7 @@ class Methods {
   }
   /** @param {Frame} frame */
   take(frame) {
-    const away = frame.kind !== 'axial';
+    const away = !this.forKinds.includes(frame.kind);
     this.button.ariaPressed = String(this.open);
     this.button.disabled = away;
     this.button.hidden = 'main' in frame; // no exact waves to measure by; every method is shown beside modes

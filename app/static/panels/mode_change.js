@@ -50,9 +50,9 @@ class ModeChange extends Panel {
     this.result = make('div', {}, this.pick.root, make('div', { className: 'scroll' }, this.table));
     this.root.append(this.said, this.result, make('p', { className: 'help', textContent: text('mode_change.help') }));
   }
-  get away() {
+  get empty() {
     const { frame } = this.page;
-    return frame.kind !== 'mechanism' || !frame.mechanism.links[frame.mechanism.struck].nodes.length;
+    return 'mechanism' in frame && !frame.mechanism.links[frame.mechanism.struck].nodes.length;
   }
   /** @param {string} name */
   #turn(name) {

@@ -80,10 +80,9 @@ class ModeShapes extends Panel {
     this.result = make('div', {}, choices, sides);
     this.root.append(this.said, this.result);
   }
-  get away() {
+  get empty() {
     const { frame } = this.page;
-    if (frame.kind !== 'axial') return frame.kind !== 'beam';
-    return frame.target.kind !== 'rod' && !frame.target.rotation;
+    return 'rods' in frame && frame.target.kind !== 'rod' && !frame.target.rotation;
   }
   /** @param {{ of?: typeof SETS[number], count?: number }} chosen */
   #turn(chosen) {

@@ -12,6 +12,7 @@ const OF_THE_METHOD = ['method', 'modes', 'elements', 'motion_seconds', 'motion_
 export class Panel {
   /** @type {string | undefined} */ came; // the answer as it came, and what was read of it
   /** @type {Answer | null} */ read = null;
+  /** @type {string[]} */ forKinds = []; // of scene, as Python says
   /** @type {string[]} */ by = []; // of what the method is, that on which its answer depends
   /** @type {Figure | null} */ figure = null; // that is shown while the panel is open
 
@@ -40,9 +41,12 @@ export class Panel {
     this.take();
     this.opened();
   }
-  /** Whether there is nothing to be said of this scene. */
-  get away() {
+  /** Whether there is nothing to be said of this scene, though of its kind there is. */
+  get empty() {
     return false;
+  }
+  get away() {
+    return !this.forKinds.includes(this.page.frame.kind) || this.empty;
   }
   take() {
     this.button.ariaPressed = String(this.open);

@@ -9,7 +9,7 @@ import { framed } from './frame.js';
 
 /**
  * @typedef {object} View  what a button opens
- * @property {string} name
+ * @property {string[]} forKinds  of scene
  * @property {HTMLButtonElement} button
  * @property {HTMLElement} root
  * @property {boolean} open
@@ -24,11 +24,14 @@ import { framed } from './frame.js';
  * @typedef {(new (page: Page) => View) & { beside?: boolean }} Kind  `beside`: has room in the dock; the charts stay
  */
 
-/** @type {[name: string, module: string][]} as app/views/registry.py lists them; the page has fetched them already */
+/**
+ * As app/views/registry.py lists them, with the kinds of scene that they are for; the page has fetched them already.
+ * @type {[name: string, module: string, kinds: string[]][]}
+ */
 const LISTED = /** @type {any} */ (globalThis).strikewavePanels;
 const MODULES = await Promise.all(LISTED.map(([, module]) => import(`./${module}.js`)));
-/** @type {[name: string, kind: Kind][]} */
-const KINDS = LISTED.map(([name], place) => [name, MODULES[place].PANELS[name]]);
+/** @type {[name: string, kind: Kind, kinds: string[]][]} */
+const KINDS = LISTED.map(([name, , kinds], place) => [name, MODULES[place].PANELS[name], kinds]);
 
 /**
  * Whether it is open, and for this scene.
@@ -39,6 +42,7 @@ const seen = ({ root }) => !root.hidden && !root.classList.contains('away');
 export class Analyses {
   /** @type {Layout} */ layout;
   /** @type {View[]} */ order = []; // the one that was opened last at the end
+  /** @type {Map<string, View>} */ byName = new Map(); // of the address
   /** @type {Set<View>} */ widened = new Set(); // by hand
   menu = make('nav', { className: 'menu', ariaLabel: text('panel.menu') });
   side = make('div', { className: 'side' });
@@ -50,11 +54,13 @@ export class Analyses {
     this.all = [];
     /** @type {Set<View>} */
     this.beside = new Set();
-    for (const [name, Kind] of KINDS) {
+    for (const [name, Kind, kinds] of KINDS) {
       const view = new Kind(page);
+      view.forKinds = kinds;
+      this.byName.set(name, view);
       this.all.push(view);
       if (Kind.beside) this.beside.add(view);
-      Object.assign(this, { [name]: view });
+      Object.assign(this, { [name]: view }); // for tests and benches
     }
     this.menu.append(...this.all.map(({ button }) => button));
     for (const view of this.all) {

@@ -54,6 +54,7 @@ const button = (textContent, onclick) => make('button', { type: 'button', classN
 
 class Measurement {
   static beside = true; // has room in the dock; the charts stay
+  /** @type {string[]} */ forKinds = []; // of scene, as Python says
   /** @type {File | null} */ file = null;
   /** @type {Compared | null} */ answer = null;
   /** @type {string | null} */ refusal = null;
@@ -179,7 +180,7 @@ class Measurement {
    * @param {Frame} frame
    */
   take(frame) {
-    const away = frame.kind !== 'axial';
+    const away = !this.forKinds.includes(frame.kind);
     this.button.disabled = away;
     this.button.hidden = 'main' in frame;
     this.button.title = text(away ? 'record.in-space' : 'record.title');

@@ -54,10 +54,6 @@ class Spectrum extends Panel {
     const form = make('div', { className: 'record-form' }, this.pick, this.place.root);
     this.root.append(form, this.said, this.result);
   }
-  get away() {
-    const { kind } = this.page.frame;
-    return kind === 'bodies' || kind === 'mechanism';
-  }
   /**
    * @param {Found | null} found
    * @param {boolean} fresh

@@ -39,9 +39,9 @@ class Turning extends Panel {
     this.figure = new Figure('stretch', [part('along'), part('speed')]);
     this.root.append(this.said, this.figure.root);
   }
-  get away() {
+  get empty() {
     const { frame } = this.page;
-    return frame.kind !== 'axial' || !frame.target.rotation || Boolean(frame.turningBar);
+    return !('rods' in frame) || !frame.target.rotation || Boolean(frame.turningBar);
   }
   /**
    * @param {Stretch | null} found

@@ -65,6 +65,7 @@ export class Study {
   /** @type {Figure | null} */ figure = null; // that is shown while it is open
   came = ''; // the answer that the figure shows
   changed = false; // since then
+  /** @type {string[]} */ forKinds = []; // of scene, as Python says
 
   /**
    * @param {Page} page
@@ -96,15 +97,15 @@ export class Study {
     this.page.show(this.page.player.t);
   }
   /**
-   * Whether there is nothing to be said of this scene.
-   * @param {Frame} frame
+   * Whether there is nothing to be said of this scene, though of its kind there is.
+   * @param {Frame} _frame
    */
-  away(frame) {
-    return !('main' in frame);
+  empty(_frame) {
+    return false;
   }
   /** @param {Frame} frame */
   take(frame) {
-    const away = this.away(frame);
+    const away = !this.forKinds.includes(frame.kind) || this.empty(frame);
     this.button.ariaPressed = String(this.open && !away);
     this.button.hidden = away;
     this.button.title = this.texts.title;

@@ -5,13 +5,12 @@ import { make } from './dom.js';
 import { PaceMenu } from './pace.js';
 import { times, unitOfTime } from './times.js';
 
-/** @import { AxialFrame, BeamFrame, Frame, MechanismFrame, SpaceFrame } from '../messages.js' */
+/** @import { Chosen } from '../messages.js' */
 /** @import { Event } from './story.js' */
 
 const FULL = 10000; // steps of the time bar
-const SECONDS_PER_TRIP = 3;
-const SECONDS_PER_BEAM = 24; // at normal speed
-const SECONDS_PER_MOTION = 8; // at least; longer ones take the time that they take
+const SECONDS_PER_UNIT = 3; // of time, at least
+const SECONDS = 30; // that a long one plays
 const MOST_WAITS = 6; // of a tour
 const STEP = 1 / 250; // of what is in view
 const AGAIN = 900; // ms at the end of a loop before it begins again
@@ -25,29 +24,19 @@ const EARLIER = 0.5; // seconds of playback: who jumps back while it plays means
 
 /** @typedef {(t: number) => string} Said  what the clock says, if not the time */
 /**
- * What the clock needs of a message.
- * @typedef {Pick<AxialFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens'>
- *   | (Pick<AxialFrame, 'duration' | 'trip' | 'chosen' | 'opens'> & { kind: 'fall' })
- *   | (Pick<SpaceFrame, 'kind' | 'duration' | 'chosen' | 'opens'> & { start?: number, length?: number, said?: Said })
- *   | Pick<BeamFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens' | 'contacts'>
- *   | Pick<MechanismFrame, 'kind' | 'duration' | 'trip' | 'chosen' | 'opens' | 'contacts' | 'moving'>} Clocked
+ * What it runs through.
+ * @typedef {object} Run
+ * @property {string} kind  of what is shown, which keeps the instant from scene to scene
+ * @property {Chosen['scene']} scene
+ * @property {number} [start]  in units of time; 0 by default
+ * @property {number} length
+ * @property {number} unit  seconds in a unit of time
+ * @property {boolean} [trips]  whether that is a round trip
+ * @property {number} [perSecond]  units that a second of playback takes
+ * @property {number} first  instant that is shown at first, from the start on
+ * @property {number | null} time  at which the scene is to be seen [s]
+ * @property {Said | null} [said]
  */
-
-/**
- * Where an impact is shown at first: in the first contact, once waves have set out; in space after it.
- * @param {Clocked} frame
- */
-function opening(frame) {
-  if (frame.kind === 'bodies') return 1.7;
-  if (frame.kind === 'fall') return 0.36 * frame.duration;
-  if (frame.kind === 'axial') return Math.min(0.36, 0.4 * frame.duration);
-  const [[start, end]] = frame.contacts;
-  return start + 0.9 * (end - start);
-}
-
-/** @param {Clocked} frame  of what bends: seconds that it plays */
-const secondsOf = (frame) =>
-  'moving' in frame && frame.moving ? Math.max(SECONDS_PER_MOTION, frame.duration) : SECONDS_PER_BEAM;
 
 /**
  * What the clock asks of the page. Times as those that `show` is given.
@@ -77,7 +66,7 @@ export class Player {
   scene = '';
   stands = false; // the scene is to be seen at an instant of its own
   /** @type {Said | null} */ said = null;
-  /** @type {Frame['kind'] | 'fall' | null} */ was = null;
+  was = ''; // the kind that was shown
 
   /**
    * `show(t)` draws the instant t [round trips].
@@ -143,29 +132,22 @@ export class Player {
     button.setAttribute('aria-keyshortcuts', key);
     return button;
   }
-  /** @param {Clocked} frame */
-  load(frame) {
-    if (frame.kind === 'axial') times.load(frame);
-    // bodies in space: time runs from -1 to 1 in units of the message's duration, the impact at 0
-    const { start = -1, length = 2, said = null } = frame.kind === 'bodies' ? frame : { start: 0 };
+  /** @param {Run} run */
+  load({ first, kind, length, perSecond, said = null, scene, start = 0, time, trips = false, unit }) {
     this.start = start;
     this.said = said;
-    this.duration = frame.kind === 'bodies' ? length : frame.duration;
-    this.trip = frame.kind === 'bodies' ? frame.duration : frame.trip;
-    // long impacts play in about half a minute; on a beam, where no wave comes back as it went, all of them in less
-    this.inTrips = frame.kind === 'axial';
-    this.perSecond =
-      'contacts' in frame ? this.duration / secondsOf(frame) : Math.max(1 / SECONDS_PER_TRIP, this.duration / 30);
-    this.usual = this.perSecond;
+    this.duration = length;
+    this.trip = unit;
+    this.inTrips = trips;
+    this.perSecond = this.usual = perSecond ?? Math.max(1 / SECONDS_PER_UNIT, length / SECONDS);
     this.until = Infinity;
-    if (this.was !== frame.kind) this.t = opening(frame);
-    const other = this.scene !== frame.chosen.scene;
+    if (this.was !== kind) this.t = first;
+    const other = this.scene !== scene;
     if (this.playing && other) this.t = 0;
-    const { time } = frame.opens;
     this.stands = time !== null;
-    if (other && time !== null) this.#stand(time / this.trip - this.start);
-    this.was = frame.kind;
-    this.scene = String(frame.chosen.scene);
+    if (other && time !== null) this.#stand(time / unit - start);
+    this.was = kind;
+    this.scene = String(scene);
     this.t = Math.min(this.t, this.duration);
     this.label();
     this.go(this.t);

@@ -58,7 +58,7 @@ export class Take {
   #code() {
     const { analyses, opening } = this.page;
     if (opening.leads) opening.look('analysis');
-    const code = analyses.all.find(({ name }) => name === 'code');
+    const code = analyses.byName.get('code');
     if (code) analyses.open(code);
   }
 }

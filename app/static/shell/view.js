@@ -8,7 +8,7 @@
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Scene } from '../opening/section.js' */
-/** @import { Clocked } from './player.js' */
+/** @import { Run } from './player.js' */
 /** @import { Stack } from './stack.js' */
 /** @import { Events } from './story.js' */
 /** @import { Striker } from './striker.js' */
@@ -20,7 +20,7 @@
  * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {string[]} [leading]  choices that lead there before others
- * @property {(frame: any) => Clocked} [clock]  what is played, if not the message as it is
+ * @property {(frame: any) => Run} clock  what is played
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
  * @property {number} [leastRoom]  about what is looked at closely, as a share of the whole impact

@@ -11,6 +11,9 @@ import { CLOCK, impulseAt, movedAt, tracksOf } from './tracks.js';
 /** @import { Page } from '../page.js' */
 /** @import { SpaceFrame } from '../messages.js' */
 
+const MOVEMENT = { start: -1, length: 2 }; // in units of the message's duration, the impact at 0
+const FIRST = 1.7; // after the impact: where it is shown at first
+
 export class SpaceView {
   after = 0;
   leading = ['friction', 'spin', 'restitution', 'speed'];
@@ -58,8 +61,10 @@ export class SpaceView {
   }
   /** @param {SpaceFrame} frame */
   clock(frame) {
-    if (!this.slow) return frame;
-    return { ...frame, ...CLOCK, said: (/** @type {number} */ t) => impulseAt(frame, t) };
+    const { chosen, duration, opens } = frame;
+    const run = { kind: 'bodies', scene: chosen.scene, unit: duration, first: FIRST, time: opens.time };
+    if (!this.slow) return { ...run, ...MOVEMENT };
+    return { ...run, ...CLOCK, said: (/** @type {number} */ t) => impulseAt(frame, t) };
   }
   get section() {
     return this.slow ? tracksOf(this.frame) : null;
