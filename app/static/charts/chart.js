@@ -81,6 +81,8 @@ import { Tools } from './tools.js';
  * @property {boolean} [points]  single samples are read, not all values at one x
  */
 
+const WIDE = 5; // letters of a value, at least
+
 /** @typedef {{ spans: Span[], color: string }} Stretches  contacts of a solution that is laid over */
 
 export class Chart extends Plot {
@@ -336,7 +338,7 @@ export class Chart extends Plot {
 function put(output, words) {
   if (output.textContent === words) return;
   output.textContent = words;
-  const wide = Math.max(words.length, Number(output.dataset.wide ?? 0));
+  const wide = Math.max(words.length, Number(output.dataset.wide ?? WIDE));
   output.dataset.wide = String(wide);
   output.style.minWidth = `${wide}ch`;
 }

@@ -168,6 +168,7 @@ export class Gallery {
   /** @param {string} scene */
   choose(scene) {
     this.close();
+    this.page.player.button.focus(); // so that Space plays what was chosen, and does not open this again
     if (scene !== this.page.frame.chosen.scene) this.page.choose('scene', scene);
   }
   /** @param {string} sentence */

@@ -274,7 +274,7 @@ export class Section {
    * @param {Context} c
    * @param {Woven} scene
    */
-  #peak(c, { contacts, forces: [{ factor = 1, x, y }] }) {
+  #peak(c, { contacts, forces: [{ factor = 1, style, x, y }, ...others] }) {
     let most = 0;
     for (let k = 1; k < y.length; k++) if (y[k] > y[most] * (1 + 1e-9)) most = k;
     const words = engineering(y[most] * factor, 'N', 3);
@@ -299,7 +299,8 @@ export class Section {
       clear,
     );
     const [side, top] = found === undefined ? [base + 8, Math.max(down - tall / 2, first)] : [left, found];
-    this.words.say(words, side, top + 0.85 * tall, COLORS.ink, font);
+    const ink = others.some(({ cursor }) => cursor) ? STYLES[style].color : COLORS.ink; // whose it is, of several
+    this.words.say(words, side, top + 0.85 * tall, ink, font);
     this.words.say(text('opening.peak'), side, top + tall + 0.75 * LABEL.line * zoom, COLORS.faint);
     c.fillStyle = COLORS.ink;
     c.beginPath();

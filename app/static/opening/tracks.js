@@ -116,7 +116,12 @@ export function drawTrack(c, track, place, clock, words) {
   for (const mark of track.marks ?? [])
     line(c, [left + mark * (right - left), top], [left + mark * (right - left), top + tall]);
   c.setLineDash([]);
+  c.save();
+  c.beginPath();
+  c.rect(left - 2, top, right - left + 4, tall); // what leaves the range ends there, and not in the next track
+  c.clip();
   (track.series ?? []).toReversed().forEach((series) => curve(c, track, place, series, clock));
+  c.restore();
   bars(c, track, place, clock, words);
   names(track, place, words);
   c.restore();

@@ -16,7 +16,9 @@ export function framed({ root, button }, { widen, close }) {
     return make('button', { type: 'button', className: 'sign', title: what, ariaLabel, textContent, onclick });
   };
   const head = make('header', { className: 'panel-head' }, name);
-  head.append(sign(text('panel.wider'), '⤢', widen), sign(text('panel.close'), '✕', close));
+  const wider = sign(text('panel.wider'), '⤢', widen);
+  wider.classList.add('wider');
+  head.append(wider, sign(text('panel.close'), '✕', close));
   root.prepend(head);
   root.tabIndex = -1;
 }

@@ -91,6 +91,9 @@ def test_all_scenes_are_found_by_words_and_keys(open_page):
     page.answered(lambda: page.tab.keyboard.press("Enter"))
     assert page.header("chosen")["scene"] == cards[0]
     page.wait("() => !location.search.includes('gallery')")
+    page.tab.keyboard.press("Space")  # plays it, and does not open the gallery again
+    page.wait("() => strikewave.page.player.playing")
+    expect(gallery(page)).to_be_hidden()
 
 
 def test_pictures_move_under_a_pointer_and_never_where_nothing_is_to_move(open_page):
