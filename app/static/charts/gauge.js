@@ -123,6 +123,11 @@ export class Gauge {
   get quantity() {
     return this.options.quantities[this.what];
   }
+  /** What is read where no hand has said otherwise. */
+  get first() {
+    const { read } = this.body;
+    return read && this.whats.includes(read) ? read : this.whats[0];
+  }
   /** Which way of it is positive. */
   get sign() {
     return text('gauge.sign', { what: this.what });
@@ -151,7 +156,7 @@ export class Gauge {
     const same = body.scene === this.body?.scene;
     if (!same) {
       this.asked = null;
-      if (body.read) this.what = body.read;
+      if (body.read && this.whats.includes(body.read)) this.what = body.read;
       else if (this.body?.read) [this.what] = this.whats; // what a scene has asked for goes with it
     }
     this.body = body;

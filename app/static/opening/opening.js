@@ -61,6 +61,7 @@ export class Opening {
   tried = 0; // changes of this scene
   lent = false; // whether the dock is open because the scene asks for it
   scene = '';
+  coming = ''; // the scene that history brings, as it was seen then
   due = true; // rows are to be drawn
   /** @type {number | undefined} */ walking; // a slider, step by step
   /** @type {Event[]} */ events = [];
@@ -147,6 +148,17 @@ export class Opening {
     (this.docked ? tabs.tab : this.leads ? this.question : centre)?.focus(); // what had the focus is gone
     this.page.history.write();
   }
+  /**
+   * History goes to an entry: what is seen is as it was.
+   * @param {import('../shell/history.js').Entry} entry
+   */
+  come({ chosen, lent = false, plan = this.plan, tab }) {
+    this.coming = String(chosen.scene);
+    if (tab && plan === 'docks') this.page.layout.tabs.select(tab);
+    this.turn(plan, false);
+    if (tab && this.docked) this.page.layout.show(tab);
+    this.lent = lent;
+  }
   /** Opening and laboratory may show the same frame otherwise. */
   #turned() {
     const { page } = this;
@@ -204,10 +216,11 @@ export class Opening {
    * @param {Frame} frame
    */
   #arrive({ chosen, opens: { tab } }) {
-    const first = !this.scene; // where an address leads is as that says
+    const { coming, scene } = this;
     this.tried = 0;
     this.scene = String(chosen.scene);
-    if (first) return;
+    this.coming = '';
+    if (!scene || coming === this.scene) return; // where an address or the history leads is as that says
     const { lent } = this;
     if (tab && (lent || !this.docked)) {
       this.page.layout.tabs.select(tab);

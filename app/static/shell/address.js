@@ -58,7 +58,7 @@ function viewOf({ compare, frame, layout, opening, player, scenes, view }, momen
   if (what && what !== usual) add('colour', what);
   if (gauge?.there && gauge.asked !== null && gauge.asked !== gauge.usual)
     add('gauge', Number(gauge.asked.toPrecision(5)));
-  if (gauge?.there && gauge.what !== gauge.whats[0]) add('read', gauge.what);
+  if (gauge?.there && gauge.what !== gauge.first) add('read', gauge.what);
   const { selected } = layout.tabs;
   if (opening.docked || (!layout.tabbed && selected === 'numbers')) add('tab', selected);
   if (compare.runs.length) add('kept', keptText(compare.runs, frame));

@@ -23,6 +23,8 @@ const TOP = 'history'; // under which the last entry is kept while the page relo
  * @property {string} choices  what is chosen, as text
  * @property {Wanted[]} kept  solutions beside it
  * @property {import('../opening/opening.js').Plan} plan  of the page
+ * @property {string} [tab]  of its dock
+ * @property {boolean} [lent]  whether that is open because the scene asks for it
  */
 
 export class History {
@@ -111,17 +113,18 @@ export class History {
     const now = performance.now();
     const address = addressOf(queryOf(page));
     const moved = entry && choices !== entry.choices;
-    const { plan } = page.opening;
+    const { lent, plan } = page.opening;
+    const state = { chosen, choices, kept: wanted, plan, lent, tab: page.layout.tabs.selected };
     const turned = (entry?.plan ?? plan) !== plan;
     const others = turned || (entry && JSON.stringify(wanted) !== JSON.stringify(entry.kept ?? []));
     if (!entry || this.going || !(moved || others) || (!others && now - this.changed < PAUSE)) {
       if (moved) this.changed = now;
-      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, chosen, choices, kept: wanted, plan }, address);
+      this.#put('replaceState', { strikewave: entry?.strikewave ?? 0, ...state }, address);
     } else {
       if (moved) this.changed = now;
       this.top = entry.strikewave + 1;
       keep(TOP, this.top, true);
-      this.#put('pushState', { strikewave: this.top, chosen, choices, kept: wanted, plan }, address);
+      this.#put('pushState', { strikewave: this.top, ...state }, address);
     }
     this.#enable();
   }
@@ -153,7 +156,7 @@ export class History {
     const { entry, page } = this;
     if (!entry || !page.frame) return;
     this.going = true;
-    page.opening.turn(entry.plan ?? page.opening.plan);
+    page.opening.come(entry);
     page.goTo(entry.chosen, async () => {
       await page.compare.recall(entry.kept ?? []);
       this.going = false;

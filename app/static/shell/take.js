@@ -30,8 +30,8 @@ export class Take {
   }
   /** @param {(files: Files, named: Named) => void} act */
   async #file(act) {
-    const named = (/** @type {string} */ extension) =>
-      `strikewave-${fileOf(this.page.frame.chosen.scene)}.${extension}`;
+    const scene = fileOf(this.page.frame.chosen.scene); // when it was asked for
+    const named = (/** @type {string} */ extension) => `strikewave-${scene}.${extension}`;
     try {
       act(await import(new URL('../take/files.js', import.meta.url).href), named);
     } catch {
@@ -43,6 +43,7 @@ export class Take {
    * @param {Named} named
    */
   #record({ record }, named) {
+    if (this.clip) return; // it was asked for twice before it could begin
     this.clip = record(this.page, named, () => {
       this.clip = null;
       this.#say(text('take.button'));
@@ -53,6 +54,7 @@ export class Take {
   /** @param {string} words */
   #say(words) {
     this.button.textContent = this.button.ariaLabel = words;
+    this.button.title = text(this.clip ? 'take.stop-about' : 'take.about');
     this.button.classList.toggle('recording', Boolean(this.clip));
   }
   #code() {

@@ -21,6 +21,7 @@ export class Clip {
   began = 0;
   ended = 0; // when it came to the end of the stretch, which is played once
   end = Infinity;
+  /** @type {unknown[]} */ of = []; // what is recorded: another scene, or another duration, ends it
 
   /**
    * @param {Page} page
@@ -49,12 +50,21 @@ export class Clip {
     const seconds = Math.min(Math.max((to - from) / (player.usual * player.pace.speed), PLAYS[0]), PLAYS[1]);
     this.end = to - LEAST * (to - from);
     this.began = performance.now();
+    this.of = this.#shown;
     this.recorder.start();
     player.through(from, to, seconds * player.pace.speed);
     requestAnimationFrame(() => this.#go());
   }
+  get #shown() {
+    const { player } = this.page;
+    return [player.scene, player.start, player.duration];
+  }
   #go() {
     if (this.recorder.state !== 'recording') return;
+    if (!this.page.root.isConnected || this.#shown.some((each, k) => each !== this.of[k])) {
+      this.stop();
+      return;
+    }
     this.draw();
     const now = performance.now();
     const { player } = this.page;

@@ -27,6 +27,15 @@ function partsOf({ root }) {
 }
 
 /**
+ * A colour that is mixed in a style sheet, as anything reads it.
+ * @param {string} color
+ */
+function plain(color) {
+  const [, ...parts] = /^color\(srgb ([\d.]+) ([\d.]+) ([\d.]+)/.exec(color) ?? [];
+  return parts.length ? `rgb(${parts.map((part) => Math.round(255 * Number(part))).join(',')})` : color;
+}
+
+/**
  * The words of a part of the page, each where it stands.
  * @param {Context} c
  * @param {Element} part
@@ -42,7 +51,7 @@ function write(c, part) {
     if (!around?.checkVisibility() || around.closest(SILENT)) continue;
     const { color, fontFamily, fontSize, fontWeight } = getComputedStyle(around);
     c.font = `${100 * Math.round(Number(fontWeight) / 100)} ${fontSize} ${fontFamily}`;
-    c.fillStyle = color;
+    c.fillStyle = plain(color);
     for (const { 0: word, index } of (textContent ?? '').matchAll(/\S+/g)) {
       range.setStart(node, index);
       range.setEnd(node, index + word.length);
@@ -114,6 +123,11 @@ export function canvasOf(page, fine) {
  * @param {Context} c
  */
 export function copy(page, c) {
+  c.save();
+  c.resetTransform();
+  c.fillStyle = COLORS.panel;
+  c.fillRect(0, 0, c.canvas.width, c.canvas.height); // the page may have grown narrower
+  c.restore();
   const draw = (/** @type {Layer} */ { box, canvas }) => c.drawImage(canvas, box.left, box.top, box.width, box.height);
   compose(c, page, partsOf(page), draw);
 }

@@ -308,3 +308,16 @@ def test_motions_forces_and_pictures_of_rods_are_sampled_for_what_is_in_view(ope
     seen = "() => strikewave.page.axial.spaceTime.chart.content.picture.x"
     page.wait(f"() => ({seen})()[0] > 1.9")
     assert page.evaluate(seen) == page.evaluate("() => strikewave.page.axial.axis.view")
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
+def test_values_at_the_clock_stand_beside_the_names_of_their_curves(open_page, size):
+    page = open_page("?layout=laboratory&method=modal&t=0.36", size=size)
+    chart = page.tab.locator(".chart:visible", has_text="Contact force").first
+    for name, value in (("exact waves", "17.8"), ("modes", "15.6")):
+        key = chart.locator(".key", has_text=name)
+        expect(key.locator("output")).to_have_text(value)
+        expect(key).to_be_visible()
+    page.evaluate("() => strikewave.page.player.go(1.2)")
+    expect(chart.locator(".key", has_text="exact waves").locator("output")).not_to_have_text("17.8")
+    page.fits(size[0])

@@ -173,3 +173,18 @@ def test_a_beam_is_read_along_it_and_at_any_place(open_page):
         time, values = (np.array(each) for each in page.evaluate(CURVES)[0])
         known = told(time, np.array([0.1]))[:, 0]
         assert np.median(np.abs(values - known)) < 0.02 * np.abs(known).max()
+
+
+def test_what_a_gauge_reads_is_in_the_link_where_it_is_not_what_the_scene_asks_for(open_page):
+    page = open_page("?scene=figure-4.19&layout=laboratory")
+    assert page.evaluate("() => strikewave.page.view.gauge.what") == "velocity"
+    page.evaluate("() => strikewave.page.view.gauge.read('stress')")
+    page.wait("() => location.search.includes('read=stress')")
+
+
+def test_a_quantity_of_another_kind_is_not_read(open_page):
+    """A visitor's own scene may ask for anything."""
+    page = open_page()
+    page.evaluate("() => { strikewave.page.frame.opens.read = 'moment'; strikewave.page.view.gauge.body = undefined; }")
+    page.evaluate("() => strikewave.page.view.load(strikewave.page.frame)")
+    assert page.evaluate("() => strikewave.page.view.gauge.what") == "stress"

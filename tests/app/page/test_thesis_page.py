@@ -86,6 +86,26 @@ def test_the_dock_that_a_scene_has_opened_closes_with_it_and_that_of_a_hand_stay
     assert page.evaluate(SEEN)["plan"] == "docks"
 
 
+def test_back_and_forward_lead_to_the_dock_as_it_was_seen(open_page):
+    """Else what a scene opens by itself would be a step of its own, and those ahead were lost."""
+    page = open_page("")
+    page.show_scene("figure-4.12")
+    page.wait("() => strikewave.page.opening.plan === 'docks' && location.search.includes('tab=charts')")
+    page.show_scene("figure-8.20")
+    page.wait("() => location.search.includes('tab=analysis')")
+    page.show_scene("free-rod")
+    page.wait("() => strikewave.page.opening.plan === 'opening' && !location.search.includes('tab=')")
+    seen = [("figure-8.20", "analysis"), ("figure-4.12", "charts"), ("fixed-rod", None)]
+    ways = [page.tab.go_back] * 3 + [page.tab.go_forward] * 3
+    for way, (scene, tab) in zip(ways, [*seen, *seen[1::-1], ("free-rod", None)], strict=True):
+        way()
+        page.wait("scene => strikewave.page.frame.chosen.scene === scene && !strikewave.page.asked", scene)
+        page.frames_pass(20)
+        found = page.evaluate(SEEN)
+        assert (found["scene"], found["tab"]) == (scene, tab)
+    assert page.evaluate("() => strikewave.page.history.top") == 3
+
+
 def test_velocities_of_mass_and_rod_cross_three_times(open_page):
     page = open_page("")
     page.show_scene("figure-4.19")
