@@ -153,10 +153,6 @@ def zoomed(page: Page) -> None:
     page.evaluate("() => { const { axis, linkUnit: u = 1 } = strikewave.page.view; axis.show([0.31 * u, 0.347 * u]); }")
 
 
-def sheet(page: Page, share: float) -> None:
-    page.evaluate("share => { const { layout } = strikewave.page; layout.sizes.sheet = share; layout.place(); }", share)
-
-
 def folded(page: Page, *names: str) -> None:
     page.evaluate(
         """names => { const { layout } = strikewave.page;
@@ -287,8 +283,6 @@ WINDOWS = [
     State(name="folded", act=lambda page: folded(page, "left", "right")),
     State(name="folded-right", query="?scene=hammer-on-cantilever", act=lambda page: folded(page, "right")),
     State(name="docks-narrow", act=narrow),
-    State(name="sheet-down", act=lambda page: sheet(page, 0)),
-    State(name="sheet-up", act=lambda page: sheet(page, 0.8)),
 ]
 SCHEMES = [
     State(name=f"{scheme}-{scene or 'first'}", query=query, at=(0.5,), act=partial(turned, tab=tab), rest=1500,

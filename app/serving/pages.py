@@ -37,6 +37,8 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
 )
 ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
 APART = ("gallery/gallery.js", "take/files.js")
+SHEETS = "sheets.css"  # likewise, for the sheets that it names
+IMPORT = re.compile(r"@import '\./([^']+)';\n")
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
@@ -44,13 +46,11 @@ PACKED = (".js", ".css")
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
 LATE = {*APART, "gallery/gallery.css"}
-FILES = {ENTRY, *APART, *OF_THE_DOCUMENT} | {
-    path.relative_to(STATIC).as_posix() for path in STATIC.rglob("*") if path.is_file() and path.suffix != ".js"
-}
+FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE}
 POLICY = (
-    "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-    "connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
-    "frame-ancestors 'self'"
+    "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
+    "img-src 'self' data: blob:; connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
 )  # blob: Panel makes a module of its own code; styles: Bokeh writes them into every shadow root
 PAGES = "pages"  # what strangers ask for who fetch the page
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
@@ -121,6 +121,8 @@ def text_of(file: Path) -> bytes:
     """A script or a style as it is sent."""
     if file == STATIC / ENTRY:
         return bundle(STATIC, ENTRY, f"text/{SOURCE}.js").encode()
+    if file == STATIC / SHEETS:
+        return IMPORT.sub(lambda found: (STATIC / found[1]).read_text("utf-8"), file.read_text("utf-8")).encode()
     name = file.relative_to(STATIC).as_posix() if file.is_relative_to(STATIC) else ""
     return bundle(STATIC, name, beside=ENTRY).encode() if name in APART else file.read_bytes()
 

@@ -26,7 +26,6 @@ import { decode } from './shell/message.js';
 import { Opening } from './opening/opening.js';
 import { Player } from './shell/player.js';
 import { copyLink } from './shell/share.js';
-import { SHEETS } from './shell/sheets.js';
 import { Striker } from './shell/striker.js';
 import { Symbols } from './shell/symbols.js';
 import { Take } from './shell/take.js';
@@ -99,7 +98,8 @@ export class Page {
     for (const { stage } of Object.values(this.views))
       stage.striker = new Striker(this, stage.canvas, () => this.player.go(this.player.t));
     this.root.append(this.toast.root, this.help.root);
-    el.append(...SHEETS.map(sheet), this.root, this.waiter.root);
+    const sheets = alone ? ['sheets.css'] : ['sheets.css', 'shell/embedded.css'];
+    el.append(...sheets.map(sheet), this.root, this.waiter.root);
     this.connection = new Connection(model, this.root, {
       state: () => stateOf(this),
       late: () => this.changes.late,
@@ -155,6 +155,7 @@ export class Page {
       stack?.gather();
     }
     for (const { stage } of Object.values(this.views)) if ('leads' in stage) stage.leads = this.opening.leads;
+    this.opening.settle();
     this.opening.lend();
     for (const { stack } of Object.values(this.views)) stack?.arrange();
     requestAnimationFrame(() => this.redraw());

@@ -97,7 +97,7 @@ UNREACHED = (
     while (e?.shadowRoot?.elementFromPoint(x, y) && e.shadowRoot.elementFromPoint(x, y) !== e)
       e = e.shadowRoot.elementFromPoint(x, y);
     return e; };
-  const away = (e) => { // folded to nothing, as by the sheet of a tablet
+  const away = (e) => { // folded to nothing
     for (let each = above(e); each; each = above(each))
       if (each.clientHeight < 3 && getComputedStyle(each).overflowY !== 'visible') return true;
   };

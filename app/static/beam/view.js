@@ -267,7 +267,7 @@ export class BeamView {
   #offer() {
     const { zoomed } = this.axis;
     this.whole.hidden = !zoomed;
-    this.slow.hidden = this.frame.contacts.length < 2 || (zoomed && this.page.layout.mode === 'phone');
+    this.slow.hidden = this.frame.contacts.length < 2;
   }
   // Another stretch of time fills the views.
   zoomed() {

@@ -62,6 +62,8 @@ export class Opening {
   lent = false; // whether the dock is open because the scene asks for it
   scene = '';
   coming = ''; // the scene that history brings, as it was seen then
+  narrow = false; // the window has no room for the laboratory: the dock stands for it
+  /** @type {boolean | null} */ led = null; // whether its picture was seen last
   due = true; // rows are to be drawn
   /** @type {number | undefined} */ walking; // a slider, step by step
   /** @type {Event[]} */ events = [];
@@ -92,11 +94,11 @@ export class Opening {
   }
   /** Whether its picture is what is seen. */
   get leads() {
-    return this.plan !== 'laboratory';
+    return this.plan !== 'laboratory' || this.narrow;
   }
   /** Whether the dock is beside it. */
   get docked() {
-    return this.plan === 'docks';
+    return this.leads && this.plan !== 'opening';
   }
   /**
    * What a link says of it: what it would lead to otherwise is left out.
@@ -104,7 +106,8 @@ export class Opening {
    * @returns {[key: string, value: string][]}
    */
   said(more) {
-    return alone && (this.docked || this.leads === more) ? [['layout', this.plan]] : [];
+    const { plan } = this;
+    return alone && (plan === 'docks' || (plan === 'opening') === more) ? [['layout', plan]] : [];
   }
   /** What its rows are of; nothing of bodies that have none. */
   get shown() {
@@ -112,8 +115,8 @@ export class Opening {
   }
   /** The chart that is seen below the stage where the others have no room. */
   get #strip() {
-    const { layout, view } = this.page;
-    const lent = layout.mode === 'phone' || (this.leads && !this.shown);
+    const { view } = this.page;
+    const lent = this.leads && !this.shown && !(this.docked && this.narrow); // whose tabs have it
     return lent && view.strip && !view.strip.root.hidden ? view.strip.root : null;
   }
   get #bare() {
@@ -138,6 +141,7 @@ export class Opening {
     this.lent = false;
     if (plan === this.plan) return;
     this.plan = plan;
+    this.led = this.leads;
     if (alone && byHand) keep(PLAN, plan);
     if (byHand && this.page.frame) this.scene = String(this.page.frame.chosen.scene); // it is seen as the hand says
     this.page.layout.place();
@@ -158,6 +162,12 @@ export class Opening {
     this.turn(plan, false);
     if (tab && this.docked) this.page.layout.show(tab);
     this.lent = lent;
+  }
+  /** The window has become too narrow for the laboratory, or wide enough. */
+  settle() {
+    const { leads, led } = this;
+    this.led = leads;
+    if (led !== null && led !== leads) this.#turned();
   }
   /** Opening and laboratory may show the same frame otherwise. */
   #turned() {
@@ -238,11 +248,12 @@ export class Opening {
     this.closer.dataset.said = source;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
       make('button', { type: 'button', textContent, onclick });
+    const laboratory = enter(text('opening.laboratory'), () => this.turn('laboratory'));
     const tabs = Object.entries(TITLES).map(([tab, title]) => enter(title, () => this.look(tab)));
     this.closer.replaceChildren(
       make('span', { textContent: text('opening.closer') }),
       ...tabs,
-      enter(text('opening.laboratory'), () => this.turn('laboratory')),
+      Object.assign(laboratory, { className: 'to-laboratory' }),
       make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
     );
   }

@@ -146,8 +146,7 @@ export class Analyses {
   resume() {
     const open = this.all.filter((view) => view.open);
     this.order = open.toReversed();
-    if (open.length && this.layout.mode !== 'tablet') this.layout.show('analysis');
-    if (open.some((view) => !this.#isWide(view))) this.layout.show('analysis');
+    if (open.length) this.layout.show('analysis');
     this.arrange();
     for (const view of open) view.opened?.();
   }

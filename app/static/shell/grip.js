@@ -1,35 +1,33 @@
 // The edge of a dock, which a hand or the arrow keys move.
 import { make } from './dom.js';
 
-/** @type {Record<string, [across: number, down: number]>} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+/** @type {Record<string, number>} */
+const ARROWS = { ArrowLeft: -1, ArrowRight: 1 };
 const STEP = 24; // pixels for one arrow key
 
 /**
  * @typedef {object} Edge
  * @property {string} label
- * @property {'left' | 'right' | 'sheet'} name  of the dock
+ * @property {'left' | 'right'} name  of the dock
  * @property {() => number} size  of it, in pixels
  * @property {(size: number) => void} resize
  * @property {() => void} rest  after a move
  */
 
 /**
- * A dock at the left grows to the right, one at the right to the left, a sheet upwards.
+ * A dock at the left grows to the right, one at the right to the left.
  * @param {Edge} edge
  */
 export function gripOf({ label, name, size, resize, rest }) {
-  const lying = name === 'sheet';
   const sign = name === 'left' ? 1 : -1;
   const root = make('div', { className: `grip ${name}`, role: 'separator', tabIndex: 0, ariaLabel: label });
-  root.ariaOrientation = lying ? 'horizontal' : 'vertical';
-  const along = (/** @type {PointerEvent} */ event) => (lying ? event.clientY : event.clientX);
+  root.ariaOrientation = 'vertical';
   const tell = () => (root.ariaValueNow = String(Math.round(size())));
   root.onpointerdown = (event) => {
     if (event.button !== 0) return;
     root.setPointerCapture(event.pointerId);
-    const [from, before] = [along(event), size()];
-    root.onpointermove = (moved) => resize(before + sign * (along(moved) - from));
+    const [from, before] = [event.clientX, size()];
+    root.onpointermove = (moved) => resize(before + sign * (moved.clientX - from));
     root.onpointerup = root.onpointercancel = () => {
       root.onpointermove = root.onpointerup = root.onpointercancel = null;
       rest();
@@ -37,7 +35,7 @@ export function gripOf({ label, name, size, resize, rest }) {
     };
   };
   root.onkeydown = (event) => {
-    const way = ARROWS[event.key]?.[lying ? 1 : 0];
+    const way = ARROWS[event.key];
     if (!way) return;
     event.preventDefault();
     resize(size() + sign * way * STEP);

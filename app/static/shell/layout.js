@@ -1,7 +1,6 @@
-// Where everything is on the page. In the opening one dock slides in beside the picture, with all else in its tabs.
-// In the laboratory a wide window has a dock at either side of the centre; a narrower one has the second dock as a
-// sheet at its lower end; a phone has all but the stage in tabs, beside it where the window is low. Stage and clock
-// never leave, and what opens takes the place of the charts.
+// Where everything is on the page. In the opening one dock slides in beside the picture, with all else in its tabs. The
+// laboratory has a dock at either side of the centre; a window that is too narrow for it has the dock of the opening
+// instead. Stage and clock never leave, and what opens takes the place of the charts.
 import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
@@ -19,22 +18,20 @@ const BESIDE = ['story', 'numbers', 'analysis'];
 export const ALL = ['controls', 'charts', ...BESIDE]; // in this order, whatever the order of the texts
 const NAMES = family('layout.tab');
 export const TITLES = Object.fromEntries(ALL.map((name) => [name, NAMES[name]]));
-const SNAPS = [0, 0.35, 0.8]; // shares of the window that the sheet takes
 const CENTRE = 420; // pixels that the docks leave to the centre
 const USUAL = 0.58; // of the window that they take at most, unless they were sized, and of that the left one:
 const USUAL_LEFT = 0.4;
 const DOCK = { usual: 0.42, wide: 0.54 }; // shares of the window that the one beside the picture takes
 const LEAST = { left: 220, right: 250, dock: 320 }; // pixels of a dock, in which its words fit
 
-/** @typedef {'desk' | 'tablet' | 'phone' | 'lead'} Mode  `lead`: the opening, whose own sheet places its parts */
-/** @typedef {{ left?: number, right?: number, dock?: number, sheet?: number }} Pixels  and of the sheet the share */
+/** @typedef {'desk' | 'lead'} Mode  the laboratory, or the opening, whose own sheet places its parts */
+/** @typedef {{ left?: number, right?: number, dock?: number }} Pixels */
 /** @typedef {Pixels & { folded?: Record<string, boolean> }} Sizes */
 
 export class Layout {
   /** @type {Mode} */ mode = 'desk';
   /** @type {Sizes} */ sizes = kept('docks', {});
   full = false; // what is open takes the right dock's place too
-  lent = false; // the room of the sheet, to what is open, until a tab is chosen
   spare = false; // no analysis is in the right dock: what is open has the room below its menu
 
   /**
@@ -46,7 +43,7 @@ export class Layout {
     this.opening = opening;
     this.changed = changed;
     this.choices = choices;
-    this.tabs = new Tabs(text('layout.tabs'), TITLES, (name, again) => this.#chosen(name, again));
+    this.tabs = new Tabs(text('layout.tabs'), TITLES, () => this.#settle());
     this.strip = make('div', { className: 'strip' });
     this.pinned = make('div', { className: 'pinned' }, ...pinned, this.strip);
     this.caption = pinned[0];
@@ -68,7 +65,7 @@ export class Layout {
     shut.title = text('layout.shut');
     shut.ariaLabel = shut.title;
     this.right.append(shut, ...this.tabs.panels);
-    this.grips = ['left', 'right', 'sheet'].map((name) => this.#grip(/** @type {any} */ (name)));
+    this.grips = ['left', 'right'].map((name) => this.#grip(/** @type {any} */ (name)));
     this.folders = {
       left: this.#folder('left', text('layout.left'), '◧'),
       right: this.#folder('right', text('layout.right'), '◨'),
@@ -93,13 +90,9 @@ export class Layout {
     };
     this.place();
   }
-  /** How high it is, as a share of the window. */
-  get sheet() {
-    return this.lent ? 0 : (this.sizes.sheet ?? SNAPS[1]);
-  }
   /** Whether all but picture and clock is in tabs. */
   get tabbed() {
-    return this.mode === 'phone' || this.mode === 'lead';
+    return this.mode === 'lead';
   }
   /** @returns {[width: number, height: number]} in pixels, of the window or of its place in another's page */
   get #room() {
@@ -115,31 +108,32 @@ export class Layout {
     const [width, height] = this.#room.map((size) => size / scale);
     const across = width < TABLET && height < Math.min(LOW, width);
     const size = width < PHONE || across ? 'phone' : width < TABLET ? 'tablet' : 'desk';
+    const { opening } = this;
     this.root.dataset.size = size;
+    opening.narrow = size !== 'desk';
     /** @type {Mode} */
-    const mode = this.opening.leads ? 'lead' : size;
+    const mode = opening.leads ? 'lead' : 'desk';
     this.root.classList.toggle('across', across);
     if (mode !== this.mode || !this.choices.parentElement) {
       this.mode = mode;
       this.root.dataset.mode = mode;
-      if (mode === 'lead') this.opening.ask.after(this.caption);
-      else this.pinned.prepend(this.caption);
       const { tabbed } = this;
+      if (tabbed) opening.ask.after(this.caption);
+      else this.pinned.prepend(this.caption);
       this.root.classList.toggle('tabbed', tabbed);
       (tabbed ? this.tabs.panel('charts') : this.centre).append(this.charts);
       if (tabbed) this.tabs.panel('analysis').prepend(this.wide);
       else this.centre.append(this.wide);
       this.charts.hidden = !this.wide.hidden && !tabbed;
       this.tabs.offer(tabbed ? ALL : BESIDE);
-      if (mode === 'phone') this.tabs.select('controls');
+      if (opening.plan === 'laboratory' && tabbed) this.tabs.select('controls');
     }
     this.#settle();
   }
   /** After anything that decides what is seen. */
   #settle() {
-    const { mode, opening, tabs } = this;
-    const tab = mode === 'phone' || (opening.docked && tabs.selected === 'controls');
-    const place = tab ? tabs.panel('controls') : this.left;
+    const { opening, tabs } = this;
+    const place = opening.docked && tabs.selected === 'controls' ? tabs.panel('controls') : this.left;
     if (this.choices.parentElement !== place) place.append(this.choices);
     this.#measure();
     this.changed();
@@ -154,43 +148,30 @@ export class Layout {
     const left = Math.min(least('left') ?? Math.min(256 * scale, USUAL_LEFT * usual), room / 2);
     const wanted = least('right') ?? Math.min((LARGE.matches ? 560 : 380) * scale, usual - left);
     const right = Math.min(wanted, room - left);
-    const wide = this.mode === 'tablet' ? Math.min(248 * scale, room) : left;
-    root.style.setProperty('--left', `${this.folded('left') ? 0 : wide}px`);
+    root.style.setProperty('--left', `${this.folded('left') ? 0 : left}px`);
     root.style.setProperty('--right', `${this.folded('right') || this.full ? 0 : right}px`);
     const studied = this.tabs.selected === 'analysis' && !this.wide.hidden;
     const dock = least('dock') ?? Math.max((studied ? DOCK.wide : DOCK.usual) * whole, LEAST.dock);
     root.style.setProperty('--dock', `${Math.min(dock, room)}px`);
-    root.style.setProperty('--sheet', `${100 * this.sheet}${alone ? 'dvh' : '%'}`);
-    this.left.hidden = this.mode === 'phone' || (this.mode !== 'lead' && this.folded('left'));
+    const { tabbed } = this;
     const { docked } = this.opening;
+    this.left.hidden = !tabbed && this.folded('left');
     root.classList.toggle('docked', docked);
-    const away = this.mode === 'desk' && (this.folded('right') || this.full);
-    this.right.hidden = this.mode === 'lead' ? !docked : away;
-    const menu = this.mode === 'desk' && this.tabs.selected === 'analysis' && this.spare;
+    this.right.hidden = tabbed ? !docked : this.folded('right') || this.full;
+    const menu = !tabbed && this.tabs.selected === 'analysis' && this.spare;
     root.classList.toggle('spread', menu && !this.wide.hidden && !this.right.hidden);
-    root.classList.toggle('closed', this.mode === 'tablet' && this.sheet === 0);
     this.folders.left.ariaPressed = String(!this.folded('left'));
     this.folders.right.ariaPressed = String(!this.folded('right') && !this.full);
   }
-  /** @param {'left' | 'right' | 'sheet'} name */
+  /** @param {'left' | 'right'} name */
   #grip(name) {
     const label = text(`layout.size.${name}`);
-    const size = () =>
-      name === 'sheet' ? this.right.clientHeight : (name === 'left' ? this.left : this.right).clientWidth;
-    const own = () => (name === 'left' ? name : this.mode === 'lead' ? 'dock' : 'right');
+    const own = () => (name === 'left' ? name : this.tabbed ? 'dock' : 'right');
     const resize = (/** @type {number} */ wanted) => {
-      if (name === 'sheet') this.lent = false;
-      if (name === 'sheet') this.sizes.sheet = Math.min(Math.max(wanted / this.#room[1], 0), SNAPS[2]);
-      else this.sizes[own()] = Math.max(wanted, LEAST[own()]);
+      this.sizes[own()] = Math.max(wanted, LEAST[own()]);
       this.#measure();
     };
-    const rest = () => {
-      const { sheet } = this;
-      if (name === 'sheet')
-        this.sizes.sheet = SNAPS.reduce((a, b) => (Math.abs(b - sheet) < Math.abs(a - sheet) ? b : a));
-      this.#keep();
-    };
-    return gripOf({ label, name, size, resize, rest });
+    return gripOf({ label, name, size: () => this[name].clientWidth, resize, rest: () => this.#keep() });
   }
   /**
    * The button in the bar that folds a dock.
@@ -219,31 +200,12 @@ export class Layout {
     this.#settle();
   }
   /**
-   * A tab was chosen by hand. The sheet opens for it, and closes when it is chosen again.
-   * @param {string} _name
-   * @param {boolean} again
-   */
-  #chosen(_name, again) {
-    if (this.mode !== 'tablet') {
-      this.#settle();
-      return;
-    }
-    const closed = this.sheet === 0;
-    this.lent = false;
-    this.sizes.sheet = closed ? this.sizes.sheet || SNAPS[1] : again ? 0 : this.sizes.sheet;
-    this.#keep();
-  }
-  /**
    * Have a tab seen.
    * @param {string} name
    */
   show(name) {
     this.tabs.select(name);
-    if (this.mode === 'tablet' && this.sheet === 0) {
-      this.lent = false;
-      this.sizes.sheet ||= SNAPS[1];
-    }
-    if (this.mode === 'desk' && this.folded('right')) this.sizes.folded = { ...this.sizes.folded, right: false };
+    if (!this.tabbed && this.folded('right')) this.sizes.folded = { ...this.sizes.folded, right: false };
     this.#settle();
   }
   /**
@@ -254,7 +216,6 @@ export class Layout {
    */
   take(taken, full, spare) {
     this.spare = spare;
-    if (taken === this.wide.hidden) this.lent = taken;
     this.wide.hidden = !taken;
     this.charts.hidden = taken && !this.tabbed;
     this.root.classList.toggle('studying', taken);

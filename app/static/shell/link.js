@@ -92,7 +92,7 @@ export function follow(page, link) {
   if (gauge !== null) view.gaugeAt?.(gauge);
   if (stretch && view.axis) view.axis.show(stretch);
   if (gallery !== null) page.scenes.open(gallery);
-  if (tab && layout.mode !== 'phone' && layout.tabs.offers(tab)) {
+  if (tab && layout.tabs.offers(tab)) {
     layout.tabs.select(tab);
     layout.place();
   }

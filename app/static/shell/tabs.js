@@ -12,7 +12,7 @@ export class Tabs {
   /**
    * @param {string} ariaLabel
    * @param {Record<string, string>} titles  by name
-   * @param {(name: string, again: boolean) => void} chosen  by a hand; again: it was selected already
+   * @param {() => void} chosen  one of them, by a hand
    */
   constructor(ariaLabel, titles, chosen) {
     this.root = make('div', { className: 'tabs', role: 'tablist', ariaLabel });
@@ -23,9 +23,8 @@ export class Tabs {
       const panel = make('div', { role: 'tabpanel', className: `tab-panel of-${name}` });
       panel.setAttribute('aria-labelledby', tab.id);
       tab.onclick = () => {
-        const again = this.selected === name;
         this.select(name);
-        chosen(name, again);
+        chosen();
       };
       this.entries.set(name, { tab, panel });
       this.root.append(tab);

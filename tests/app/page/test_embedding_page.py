@@ -93,7 +93,7 @@ def test_the_example_of_the_docs_solves_what_its_sliders_choose(serve):
 
 def test_it_fills_its_place_and_not_the_window(serve):
     page, _ = serve(EXAMPLE[1].replace("mass_ratio=2.0", "mass_ratio=2.0, width=700, height=600, sizing_mode='fixed'"))
-    page.wait("() => strikewave.page.layout.mode === 'phone'")
+    page.wait("() => strikewave.page.root.dataset.size === 'phone'")
     page.wait("() => strikewave.page.root.getBoundingClientRect().height < innerHeight")  # once its styles are there
     box = page.evaluate("() => strikewave.page.root.getBoundingClientRect()")
     assert (box["width"], box["height"]) == (700, 600)

@@ -20,7 +20,8 @@ IN_VIEW = """() => {
     const { top, bottom, left, right } = element.getBoundingClientRect();
     return top >= 0 && left >= 0 && bottom <= innerHeight && right <= innerWidth && bottom > top;
   };
-  return [page.view.stage.root, page.player.root, page.caption.root].every(seen);
+  const said = page.root.dataset.size === 'phone' ? [] : [page.caption.root]; // there its events are in a tab
+  return [page.view.stage.root, page.player.root, ...said].every(seen);
 }"""
 CHARTS = """() => strikewave.page.view.stack.charts.filter(([, { root }]) => !root.hidden).map(([, { area, root }]) => {
   const { bottom } = root.getBoundingClientRect();

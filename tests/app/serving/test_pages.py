@@ -14,7 +14,7 @@ from app.serving.bundle import bundle
 from app.serving.pages import APART, FIGURES, LIBRARIES, STATIC, VERSION, shell, text_of
 from solvers.text.catalogue import SOURCE
 
-ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "shell/lab.css")} | dict(LIBRARIES)
+ADDRESSES = {f"assets/{VERSION}/{name}": STATIC / name for name in ("page.js", "sheets.css")} | dict(LIBRARIES)
 
 
 def fetched(server: str, address: str, *coding: str):
