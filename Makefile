@@ -11,7 +11,7 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal --durations=25
 # Bytecode is written at the first import, of what is imported: else each of the many processes of tests makes its own.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: serve check coverage test machines docs bench tables peers screenshot clean chromium haproxy
+.PHONY: serve check coverage test machines docs bench tables wasm peers screenshot clean chromium haproxy
 
 serve: $(VENV)/.installed
 	$(BIN)/impact serve
@@ -42,6 +42,10 @@ bench: $(VENV)/.installed-test chromium
 # Minutes; stopped half-way it goes on where it was. `make test` refuses a release whose tables are out of date.
 tables: $(VENV)/.installed-test
 	$(BIN)/python -m bench.tables
+
+# The kernels for browsers; `make test` refuses them where their sources have changed since.
+wasm: $(VENV)/.installed-test
+	$(BIN)/python -m app.wasm.build
 
 # Other programs on the same impacts, on one thread; `make bench` runs them too once they are installed.
 peers: $(VENV)/.installed-test

@@ -23,7 +23,7 @@ const BROWSER = [
     'File',
     'Image',
   ],
-  ...['TextDecoder', 'XMLSerializer', 'getComputedStyle'],
+  ...['TextDecoder', 'WebAssembly', 'XMLSerializer', 'getComputedStyle'],
 ];
 
 export default [
@@ -41,6 +41,7 @@ export default [
       globals: { Buffer: 'readonly', Event: 'readonly', EventTarget: 'readonly', TextEncoder: 'readonly' },
     },
   },
+  { files: ['tests/**/*.mjs'], languageOptions: { globals: { console: 'readonly', process: 'readonly' } } },
   {
     rules: {
       eqeqeq: 'error',

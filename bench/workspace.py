@@ -30,20 +30,21 @@ FIRST = """() => ({
     .map(({ name, transferSize }) => [new URL(name).pathname, transferSize]),
 })"""
 DRAG = """async (seconds) => {
-  const { page } = strikewave, { speed } = page.model, seen = new Set(), begun = performance.now();
+  const { page } = strikewave, { speed } = page.model, { own } = page, seen = new Set(), begun = performance.now();
+  const { count } = own; // of those that the browser answered by itself
   const take = () => seen.add(page.frame.chosen.speed);
   page.model.on('frame', take);
   for (let k = 0; performance.now() - begun < 1000 * seconds; k++) {
     page.controls.send('speed', speed * (1 + 0.3 * Math.sin(k / 40)));
     await new Promise((done) => requestAnimationFrame(done));
   }
-  return seen.size / (performance.now() - begun) * 1000;
+  return (seen.size + own.count - count) / (performance.now() - begun) * 1000;
 }"""
 MOVE = """async ([from, moves]) => {
   for (let k = from; k < from + moves; k++) {
-    const before = strikewave.frames;
+    const { own } = strikewave.page, answers = () => strikewave.frames + own.count, before = answers();
     strikewave.page.controls.send('mass_ratio', 0.6 + k / 2000);
-    while (strikewave.frames === before) await new Promise((done) => setTimeout(done, 4));
+    while (answers() === before) await new Promise((done) => setTimeout(done, 4));
   }
 }"""
 KEEP = """async (modes) => {

@@ -15,6 +15,7 @@ EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|class|const) (\w+))",
 LATE = re.compile(r"\bimport\(`\./([^`]*)`\)")  # of a module in the same folder, known only when it runs
 COMMENT = re.compile(r"^[ \t]*(?:/\*\*(?:(?!\*/)[\s\S])*\*/|//.*)\n", re.MULTILINE)  # that has its lines to itself
 APART = re.compile(r"\bimport\(new URL\(")  # of what is fetched when it is asked for, with a bundle of its own
+ADDRESS = "ADDRESS_OF_ALL"  # stands for that of the folder of all modules
 OTHER = re.compile(r"^(?:import|export)\b(?! \{\};).*|\bimport\([^)]", re.MULTILINE)
 
 
@@ -31,13 +32,14 @@ def bundle(root: Path, entry: str, texts: str = "", beside: str = "") -> str:
     if beside:
         _add(root, beside, there, [])
     _add(root, entry, there, parts)
+    text = "".join(parts).replace(ADDRESS, f"new URL('{'../' * entry.count('/')}', import.meta.url)")
     names = ", ".join(EXPORT.findall((root / entry).read_text("utf-8")))
     fetched = (
         f"globalThis.strikewaveTexts ?? (await import(new URL('{texts}', import.meta.url).href));\n" if texts else ""
     )
     return (
         f"{fetched}const modules = (globalThis.strikewaveModules ??= {{}});\n"
-        + "".join(parts)
+        + text
         + f"export const {{ {names} }} = modules['{entry}'];\n"
     )
 
@@ -72,7 +74,7 @@ def _function_of(name: str, folder: PurePosixPath, text: str) -> str:
     body = LATE.sub(lambda found: f"modules[`{folder}/{found[1]}`]", body)
     if other := OTHER.search(APART.sub("", _without_comments(body))):
         raise ValueError(f"{name}: cannot be bundled: {other[0]}")
-    body = body.replace("import.meta.url", f"new URL('{name}', import.meta.url).href").replace("export {};\n", "")
+    body = body.replace("import.meta.url", f"new URL('{name}', {ADDRESS}).href").replace("export {};\n", "")
     return f"modules['{name}'] = await (async () => {{\n{body}return {{ {', '.join(exported)} }};\n}})();\n"
 
 

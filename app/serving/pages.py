@@ -36,7 +36,7 @@ LIBRARIES = (  # of the page, in this order: address, and the file there
     ("libraries/panel.min.js", Path(panel.__file__).parent / "dist/panel.min.js"),
 )
 ENTRY = "page.js"  # stands for all modules but those of these, which are fetched when they are wanted
-APART = ("gallery/gallery.js", "take/files.js")
+APART = ("gallery/gallery.js", "take/files.js", "wasm/answers.js")
 SHEETS = "sheets.css"  # likewise, for the sheets that it names
 IMPORT = re.compile(r"@import '\./([^']+)';\n")
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
@@ -45,13 +45,13 @@ FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the addres
 PACKED = (".js", ".css")
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
-LATE = {*APART, "gallery/gallery.css"}
+LATE = {*APART, "gallery/gallery.css", "wasm/kernels.wasm"}
 FILES = {ENTRY, SHEETS, "example-record.csv", *OF_THE_DOCUMENT, *OF_ANOTHER_PAGE, *LATE}
 POLICY = (
-    "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
+    "default-src 'none'; script-src 'self' blob: 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; connect-src 'self' {sockets}; font-src 'self' data:; object-src 'none'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
-)  # blob: Panel makes a module of its own code; styles: Bokeh writes them into every shadow root
+)  # blob: Panel makes a module of its own code; wasm: our kernels; styles: Bokeh writes them into every shadow root
 PAGES = "pages"  # what strangers ask for who fetch the page
 PAGE_SECONDS = 0.004  # of the event loop that a fetched page takes, reading the request included; measured 2 to 3 ms
 

@@ -24,6 +24,7 @@ import { Scenes } from './shell/scenes.js';
 import { refusalIn } from './shell/model.js';
 import { decode } from './shell/message.js';
 import { Opening } from './opening/opening.js';
+import { OwnAnswers } from './shell/own_answers.js';
 import { Player } from './shell/player.js';
 import { copyLink } from './shell/share.js';
 import { Striker } from './shell/striker.js';
@@ -84,6 +85,7 @@ export class Page {
     this.views = { axial, beam, mechanism, bodies, fall: new FallView(this) };
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
+    this.own = new OwnAnswers(this);
     this.opening = new Opening(this);
     this.draft = make('span', { className: 'tag draft', textContent: text('page.draft'), hidden: true });
     this.toast = new Toast();
@@ -216,7 +218,7 @@ export class Page {
    */
   send(name, value) {
     this.player.rest();
-    this.changes.set(name, value);
+    this.changes.set(name, value, () => this.own.take());
   }
   /**
    * Choose something otherwise than by its control, which follows.
@@ -255,7 +257,7 @@ export class Page {
     const frame = decode(data);
     this.changes.take(frame, data);
     if (this.changes.answers(frame)) this.settle(); // what waits is solved while this is drawn
-    if (this.changes.quiet) {
+    if (this.changes.quiet || this.own.ahead(frame)) {
       this.changes.arrived(frame); // it is kept, not shown
       return;
     }
@@ -290,6 +292,7 @@ export class Page {
   }
   resume() {
     this.resumed = true;
+    this.own.prepare();
     document.getElementById('still')?.remove();
     this.analyses.resume();
     const timed = follow(this, readLink(alone ? window.location.search : '', this));
@@ -305,14 +308,16 @@ export class Page {
     const write = () => {
       this.saidAt = performance.now();
       this.telling = 0;
+      const known = !this.own.made.has(this.frame); // to the server, too
       this.controls.arrange(this.frame);
-      for (const part of [this.bodies, this.story, this.opening, this.scenes]) part.load(this.frame);
+      const parts = [this.story, this.opening, ...(known ? [this.bodies, this.scenes] : [])];
+      for (const part of parts) part.load(this.frame);
       this.story.at(this.player.t + this.player.start);
-      this.compare.tell(this.frame);
+      if (known) this.compare.tell(this.frame);
       for (const root of [this.story.root, this.story.numbers]) this.symbols.mark(root);
       this.say();
       this.player.mark();
-      this.history.follow();
+      if (known) this.history.follow();
     };
     if (!this.saidAt) write();
     else this.telling = window.setTimeout(write, Math.max(40, this.saidAt + READ - performance.now()));

@@ -48,6 +48,7 @@ export class SpaceTime {
   images = [make('canvas'), make('canvas')]; // of all of the impact, and of what is in view
   /** @type {Picture | null} */ whole = null;
   /** @type {((image: HTMLCanvasElement, stretch: Range) => Picture) | null} */ paint = null;
+  /** @type {(() => void) | null} */ due = null; // makes the picture, once it is seen
   /** @type {number | undefined} */ resting;
 
   /**
@@ -88,16 +89,21 @@ export class SpaceTime {
       rules: this.#rules(),
       bars: { name: text('axial.chart.in-contact'), spans: contacts, at: 0, least: 2 },
     };
-    this.whole = null;
+    this.whole = this.due = null;
     if (field instanceof RigidField) {
       const method = frame.other ? called(frame.other) : '';
       this.chart.show({ ...about, blank: text('axial.chart.no-waves', { method }) });
       return;
     }
-    this.paint = (canvas, stretch) => this.#picture(frame, field, what, largest, canvas, stretch);
-    this.whole = this.paint(this.images[0], [0, duration]);
-    this.chart.show({ ...about, picture: this.whole });
-    this.look();
+    const made = (/** @type {HTMLCanvasElement} */ canvas, /** @type {Range} */ stretch) =>
+      this.#picture(frame, field, what, largest, canvas, stretch);
+    this.paint = made;
+    this.due = () => {
+      this.due = null;
+      this.whole = made(this.images[0], [0, duration]);
+      this.chart.show({ ...about, picture: this.whole });
+      this.look();
+    };
   }
   /** After another stretch has come into view: the picture is computed for it, once it rests. */
   look() {
@@ -151,6 +157,7 @@ export class SpaceTime {
     this.chart.show({ ...this.chart.own, rules: this.#rules() });
   }
   draw() {
+    if (this.chart.area.offsetParent) this.due?.(); // takes as long as all else
     this.chart.draw();
   }
   /** @param {number} t */

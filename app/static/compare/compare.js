@@ -57,6 +57,13 @@ export class Compare {
   take(bytes, frame) {
     this.bytes = bytes;
     if (this.locked && this.page.root.dataset.kind !== frame.kind) this.lock(false); // other charts
+    this.lay(frame);
+  }
+  /**
+   * Lay what is kept over the charts of a frame that is about to be shown.
+   * @param {Frame} frame
+   */
+  lay(frame) {
     layOver(this.page.views[frame.kind], frame, this.runs);
   }
   /**
@@ -65,8 +72,8 @@ export class Compare {
    */
   keep() {
     const { page, runs } = this;
-    this.due = page.frame.draft;
-    if (this.due) return null; // once it is solved as chosen
+    this.due = page.frame.draft || page.own.made.has(page.frame);
+    if (this.due) return null; // once the server has solved it as chosen
     const letter = freeLetter(runs);
     const same = runs.find((run) => !differing([page.frame, run.frame]).length);
     if (same) page.complain(text('compare.already', { name: same.letter }));

@@ -26,6 +26,7 @@ export class Changes {
   /** @type {number | undefined} */ patience;
   /** @type {Goal | null} */ goal = null;
   quiet = false; // what is answered is kept, not shown
+  /** @type {number | undefined} */ resting; // the change that waits for the hand to rest
   /** @type {Frame} */ latest; // that was answered, and the message that it was
   /** @type {ArrayBuffer} */ bytes;
 
@@ -49,11 +50,15 @@ export class Changes {
    * Set by hand, which ends any goal.
    * @param {string} name
    * @param {number | string} value
+   * @param {() => number} [wait]  ms for which it is not sent, unless it is changed again
    */
-  set(name, value) {
+  set(name, value, wait = () => 0) {
     this.leave();
     this.waiting[name] = value;
-    this.flush();
+    const rest = wait();
+    clearTimeout(this.resting);
+    if (rest) this.resting = window.setTimeout(() => this.flush(), rest);
+    else this.flush();
   }
   flush() {
     const { model } = this.server;

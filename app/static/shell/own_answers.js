@@ -1,0 +1,92 @@
+// Answers that the browser finds by itself while a slider moves, at every picture, by the library's kernels: see
+// app/static/wasm. The server is asked once the hand rests, and its answer, with all that it knows besides, follows.
+
+/** @import { Chosen, Frame } from '../messages.js' */
+/** @import { Page } from '../page.js' */
+
+const REST = 150; // ms without a change, after which the server is asked
+
+/**
+ * @typedef {object} Answers  as app/static/wasm/answers.js makes them
+ * @property {(frame: Frame, changed: string[]) => boolean} covers
+ * @property {(frame: Frame, chosen: Chosen) => Frame | null} answer
+ */
+
+export class OwnAnswers {
+  /** @type {Answers | null} */ answers = null; // until they are there, and for good where they cannot be
+  count = 0; // of pictures that were answered so
+  due = 0; // the next picture, by the number of its request
+  /** @type {WeakSet<Frame>} */ made = new WeakSet();
+  /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+  }
+  /** Fetch what answers, once the page stands. */
+  async prepare() {
+    try {
+      const { ownAnswers } = await import(new URL('../wasm/answers.js', import.meta.url).href);
+      this.answers = await ownAnswers();
+    } catch {
+      // as where there is no WebAssembly, or a policy forbids it
+    }
+  }
+  /** What is chosen by now, whatever the server knows of it. */
+  get #chosen() {
+    const { latest, sent, waiting } = this.page.changes;
+    const { model } = this.page;
+    const asked = Object.fromEntries(sent.map((name) => [name, model[name]]));
+    return { ...latest.chosen, ...asked, ...waiting };
+  }
+  /**
+   * The choices in which an answer differs from that.
+   * @param {Frame} frame
+   */
+  #changed({ chosen }) {
+    return Object.entries(this.#chosen).flatMap(([name, value]) => (Object.is(chosen[name], value) ? [] : [name]));
+  }
+  /** The answer of the server that one to what is chosen by now is made from: its last, or the last whole one. */
+  get #base() {
+    const { answers, page } = this;
+    const { latest, goal } = page.changes;
+    if (!answers || !latest || goal) return null;
+    const found = [latest, ...(this.whole ? [this.whole] : [])];
+    return found.find((frame) => answers.covers(frame, this.#changed(frame))) ?? null;
+  }
+  /**
+   * A choice has been changed by hand: answer it, if that can be.
+   * @returns {number}  ms for which the server is left alone
+   */
+  take() {
+    if (!this.#base) return 0;
+    this.due ||= requestAnimationFrame(() => this.#draw());
+    return REST;
+  }
+  /**
+   * Whether an answer of the server is of choices that have been changed since, which are answered here.
+   * @param {Frame} frame
+   */
+  ahead(frame) {
+    if (!frame.draft) this.whole = frame;
+    if (!this.#changed(frame).length || !this.#base) return false;
+    this.due ||= requestAnimationFrame(() => this.#draw());
+    return true;
+  }
+  #draw() {
+    this.due = 0;
+    const base = this.#base;
+    if (!base || !this.#changed(this.page.frame).length) return; // the server has answered, or is to
+    const frame = this.answers?.answer(base, this.#chosen);
+    if (!frame) return;
+    const { page } = this;
+    this.made.add(frame);
+    this.count++;
+    page.frame = frame;
+    page.compare.lay(frame);
+    page.view.load(frame);
+    page.opening.draw();
+    page.player.load(page.view.clock(frame));
+    page.tell();
+  }
+}

@@ -1,0 +1,127 @@
+"""Builds the module: `make wasm`, or `python -m app.wasm.build [FILE]`.
+
+Numba makes the intermediate code of the entries as it does for this machine; before that is optimised, it is turned
+into that of a machine of 32-bit pointers, and LLVM optimises it for that. A linker adds the exponential and the like,
+of musl, so that answers hang on no browser's own.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+os.environ["NUMBA_CACHE_DIR"] = tempfile.mkdtemp()  # kernels that are kept elsewhere are machine code of this machine
+
+import llvmlite.binding as llvm
+import numba
+from numba.core import caching, codegen
+
+from .entries import ENTRIES, room
+from .module import MODULE, named_in, signed
+
+TRIPLE = "wasm32-unknown-unknown"
+LINKER = ("-target", "wasm32-wasi", "-mexec-model=reactor", "-nostartfiles", "-O2", "-lm")
+NO_COUNTING = ("NRT_incref", "NRT_decref")  # of references: all arrays are borrowed
+
+
+class NoLinker(Exception):
+    """The package that brings it is not installed."""
+
+
+def build() -> bytes:
+    """The module. Raises NoLinker; takes half a minute."""
+    if find_spec("ziglang") is None:
+        raise NoLinker("No linker: pip install ziglang, as pinned in constraints.txt. The module that came is used.")
+    with tempfile.TemporaryDirectory() as folder:
+        objects = []
+        for name, (function, signature) in ENTRIES.items():
+            objects.append(Path(folder) / f"{name}.o")
+            objects[-1].write_bytes(_object_of(name, function, signature))
+        linked = Path(folder) / "kernels.wasm"
+        exports = [f"-Wl,--export={name}" for name in (*ENTRIES, "__heap_base")]
+        command = [sys.executable, "-m", "ziglang", "cc", *LINKER, "-Wl,--no-entry", "-Wl,--strip-all", *exports]
+        subprocess.run([*command, *objects, "-o", linked], check=True)
+        return signed(linked.read_bytes())
+
+
+def _object_of(name: str, function: Callable, signature: Any) -> bytes:
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static")
+    text, entry = _intermediate(function, signature)
+    for counting in NO_COUNTING:
+        text = re.sub(rf"define [^\n]*@{counting}\(.*?\n}}\n", "", text, flags=re.DOTALL)
+        text = re.sub(rf"declare [^\n]*@{counting}\([^\n]*\n", "", text)
+        text += f"\ndefine internal void @{counting}(ptr %p) {{\n  ret void\n}}\n"
+    text = re.sub('target triple = ".*"', f'target triple = "{TRIPLE}"', text)
+    text = re.sub('target datalayout = ".*"', f'target datalayout = "{machine.target_data}"', text)
+    text = (
+        text.replace("= common ", "= internal ").replace(f'@"{entry}"', f"@{name}").replace(f"@{entry}(", f"@{name}(")
+    )
+    module = llvm.parse_assembly(text)
+    module.verify()
+    for each in module.functions:
+        if not each.is_declaration and each.name != name:
+            each.linkage = "internal"
+    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=3))
+    builder.getModulePassManager().run(module, builder)
+    if "inttoptr (i64" in str(module):
+        raise ValueError(f"{name}: an address of this process is left in the code")
+    return machine.emit_object(module)
+
+
+def _intermediate(function: Callable, signature: Any) -> tuple[str, str]:
+    """The intermediate code of a function with all that it calls, before it is optimised; and its name there."""
+    with _unoptimised():
+        compiled = numba.njit(signature, error_model="numpy")(function)
+    (built,) = compiled.overloads.values()
+    return str(built.library._final_module), built.fndesc.llvm_func_name
+
+
+@contextmanager
+def _unoptimised() -> Iterator[None]:
+    """Numba as it is, but for machine code: nothing is optimised, linked or taken from its cache."""
+
+    def nothing(*_: Any, **__: Any) -> None:
+        return None
+
+    def finished(self: Any) -> None:
+        self._finalized = True
+
+    library, jit, cache = codegen.CPUCodeLibrary, codegen.JITCPUCodegen, caching.CompileResultCacheImpl
+    changed = (
+        (library, "_optimize_functions", nothing),
+        (library, "_optimize_final_module", nothing),
+        (library, "_finalize_final_module", finished),
+        (jit, "set_env", nothing),
+        (cache, "check_cachable", nothing),
+    )
+    before = [(where, name, getattr(where, name)) for where, name, _ in changed]
+    for where, name, new in changed:
+        setattr(where, name, new)
+    try:
+        yield
+    finally:
+        for where, name, old in before:
+            setattr(where, name, old)
+
+
+def main() -> None:
+    try:
+        module = build()
+    except NoLinker as why:
+        sys.exit(str(why))
+    place = Path(*sys.argv[1:]) if sys.argv[1:] else MODULE
+    place.write_bytes(module)
+    place.with_name("room.js").write_text(room(), encoding="utf-8")
+    print(f"{place.name}: {len(module)} bytes, of sources {named_in(module)}")
+
+
+if __name__ == "__main__":
+    main()

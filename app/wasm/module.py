@@ -1,0 +1,26 @@
+"""The module that came with the package, and whether it is of today's sources."""
+
+from pathlib import Path
+
+from solvers.fingerprint import fingerprint
+from solvers.jit.cache import LIBRARY
+
+MODULE = Path(__file__).parents[1] / "static/wasm/kernels.wasm"
+SOURCES = ("numerics/waves/rigid_drawn.py",)  # of the library: with all that they import
+SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of
+
+
+def sources() -> str:
+    """The fingerprint of what the module is made of."""
+    return fingerprint([LIBRARY / each for each in SOURCES], deep=True)
+
+
+def named_in(module: bytes) -> str:
+    """The fingerprint that stands in a module; nothing if there is none."""
+    return module.rpartition(SECTION)[2].decode() if SECTION in module else ""
+
+
+def signed(module: bytes) -> bytes:
+    """With the fingerprint of today's sources, in a section that engines pass over."""
+    body = SECTION + sources().encode()
+    return module + bytes((0, len(body))) + body

@@ -1,0 +1,83 @@
+"""What the browser answers by itself while a slider moves, by the library's own kernels; the server follows at rest."""
+
+import pytest
+
+READY = "() => strikewave.page.own.answers !== null"
+STATE = """() => {
+  const { frame, own } = strikewave.page, { exact, duration, f0, exactMass, exactForce, match, prediction } = frame;
+  const { peakForce, contacts, restitution, energy, final, targetFinal, left, cutOff } = exact;
+  const arrays = Object.fromEntries(
+    Object.entries({ f0, exactMass, exactEnd: frame.exactEnd, exactWhole: frame.exactWhole ?? [] })
+      .map(([name, values]) => [name, [...values]]));
+  const figures = { duration, peakForce, contacts, restitution, energy, final, targetFinal, left, cutOff, match };
+  return { own: own.made.has(frame), figures: { ...figures, prediction }, arrays, force: Math.max(...exactForce) };
+}"""
+MOVE = """async ([name, values]) => {
+  const { page } = strikewave, { own } = page, seen = [];
+  for (const value of values) {
+    const before = own.count;
+    page.controls.send(name, value);
+    for (let k = 0; own.count === before && k < 100; k++) await new Promise((done) => requestAnimationFrame(done));
+    seen.push([own.made.has(page.frame), page.frame.chosen[name], page.frame.exact.peakForce]);
+  }
+  return [seen, (STATE)()];
+}""".replace("STATE", STATE)
+AT_REST = """([name, value]) => {
+  const { frame, own, changes } = strikewave.page;
+  return !own.made.has(frame) && frame.chosen[name] === value && !changes.asked;
+}"""
+
+
+def flat(value) -> list:
+    """Numbers and words of nested lists, in order."""
+    if isinstance(value, dict):
+        return [each for key in sorted(value) for each in flat(value[key])]
+    return [each for part in value for each in flat(part)] if isinstance(value, list) else [value]
+
+
+@pytest.mark.parametrize("query", ["?layout=opening", "?layout=laboratory", "?scene=free-rod"])
+@pytest.mark.parametrize(
+    "name, values", [("mass_ratio", [0.9, 0.8, 0.7, 3.0]), ("speed", [1.5, 2.5]), ("restitution", [0.4])]
+)
+def test_what_the_browser_shows_is_what_the_server_answers(open_page, query, name, values):
+    page = open_page(query)
+    page.wait(READY)
+    sent = page.quiet()["sent"]
+    seen, before = page.evaluate(MOVE, [name, values])
+    assert [[made, value] for made, value, _ in seen] == [[True, value] for value in values]
+    page.wait(AT_REST, [name, values[-1]])
+    after = page.evaluate(STATE)
+    assert before["own"] and not after["own"]
+    assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-12, abs=1e-12, nan_ok=True)
+    for array, found in before["arrays"].items():
+        assert found == pytest.approx(after["arrays"][array], abs=1e-6), array  # which the message has in 4 bytes
+    assert before["force"] == pytest.approx(after["force"], rel=2e-3)  # at the instants that either draws
+    assert page.quiet()["sent"] - sent <= 3  # whatever moved
+
+
+def test_it_goes_on_without_a_server(open_page):
+    page = open_page()
+    page.wait(READY)
+    page.evaluate("() => { strikewave.page.changes.server.lost = () => true; }")
+    seen, _ = page.evaluate(MOVE, ["mass_ratio", [0.5, 0.6]])
+    assert all(made for made, *_ in seen)
+    assert seen[0][2] != seen[1][2]
+
+
+@pytest.mark.parametrize("query", ["?law=hertz", "?method=modal", "?scene=hammer-on-cantilever", "?scene=stepped-rod"])
+def test_what_it_cannot_the_server_answers(open_page, query):
+    page = open_page(query)
+    page.wait(READY)
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('speed', 1.7)"))
+    assert page.header("chosen")["speed"] == 1.7
+    assert page.evaluate("() => strikewave.page.own.count") == 0
+
+
+def test_without_webassembly_the_server_answers_alone(open_page):
+    page = open_page(own=True)
+    page.tab.add_init_script("delete globalThis.WebAssembly;")
+    page.tab.reload()
+    page.laid_out()
+    page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 0.7)"))
+    assert page.header("chosen")["mass_ratio"] == 0.7
+    assert page.evaluate("() => strikewave.page.own.answers") is None
