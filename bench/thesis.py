@@ -17,6 +17,7 @@ CHARTS = {
     "moments": "Bending moments",
     "stress": "History at a place",
     "along": "Along the body, now",
+    "support": "Force at the supports",
     "reactions": "Force in the joints",
 }
 VIEWS = {

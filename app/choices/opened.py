@@ -14,7 +14,8 @@ from solvers.validation import a_number, allowed, choice, flag, number, required
 from .bodies import LONGEST as LONGEST_BODIES
 from .choices import SCENES, Choices, accepts
 
-CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "reactions", "energy", "hodograph", "course")
+IN_SPACE = ("hodograph", "course")  # charts of bodies there
+CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "support", "reactions", "energy", *IN_SPACE)
 READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection")  # by a gauge
 PICTURE = "picture"  # alone
 TABS = (PICTURE, "controls", "charts", "story", "numbers", "analysis")

@@ -124,7 +124,8 @@ export function layOver(view, now, all) {
       : [],
   );
   view.reactions?.keep(runs);
-  if (view.gauge) view.gauge.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
+  for (const each of [view.gauge, view.supports])
+    if (each) each.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
   view.dispersion?.chart.lay('main' in now ? runs.flatMap((run) => dispersionOf(run)) : []);
 }
 
