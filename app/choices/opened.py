@@ -16,7 +16,8 @@ from .choices import SCENES, Choices, accepts
 
 IN_SPACE = ("hodograph", "course")  # charts of bodies there
 CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "support", "reactions", "energy", *IN_SPACE)
-READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection")  # by a gauge
+OF_LAW = ("force", "pressure", "radius")  # what the chart of the contact law shows over the indentation
+READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection", *OF_LAW)  # else by a gauge
 PICTURE = "picture"  # alone
 TABS = (PICTURE, "controls", "charts", "story", "numbers", "analysis")
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
@@ -57,7 +58,7 @@ class Opening(NamedTuple):
 
     charts: tuple[str, ...] = ()
     place: float | None = None  # of the figure, from the struck end [m]
-    read: str | None = None  # the quantity that its gauge reads
+    read: str | None = None  # the quantity that its gauge reads, or the chart of its contact law shows
     time: float | None = None  # that is shown, from the first touch on [s]
     until: float | None = None  # the part of the impact that is looked at, from the first touch on [s]
     views: tuple[str, ...] = ()

@@ -1,5 +1,5 @@
 // Everything that is shown of an impact on a beam: stage, views over time, dispersion, contact law, story.
-import { Cycle } from '../axial/charts.js';
+import { Cycle } from '../axial/cycle.js';
 import { Axis } from '../charts/axis.js';
 import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';

@@ -112,16 +112,7 @@ export function layOver(view, now, all) {
   charts.moved.lay(moved);
   charts.waves.lay([], stretches);
   view.cycle.kept = runs.flatMap(({ frame, letter }) =>
-    'blowDepth' in frame && frame.blowDepth && frame.blowForce
-      ? [
-          {
-            depth: frame.blowDepth,
-            force: frame.blowForce,
-            name: letter,
-            style: /** @type {const} */ (`kept${letter}`),
-          },
-        ]
-      : [],
+    'blowDepth' in frame ? [{ frame, name: letter, style: /** @type {const} */ (`kept${letter}`) }] : [],
   );
   view.reactions?.keep(runs);
   for (const each of [view.gauge, view.supports])

@@ -2,7 +2,7 @@
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Chart } from '../charts/chart.js' */
-/** @import { Cycle } from '../axial/charts.js' */
+/** @import { Cycle } from '../axial/cycle.js' */
 /** @import { Gauge, Source } from '../charts/gauge.js' */
 /** @import { Supports } from '../charts/supports.js' */
 /** @import { Reactions } from '../mechanism/reactions.js' */
