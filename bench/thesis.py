@@ -38,7 +38,6 @@ LACKS = {
     "figure-5.17": "the set that holds at the instant: step the clock over the change",
     "figure-5.18": "the set that holds at the instant: step the clock over the change",
     "figure-8.11": "the shear force, to which the shear angle is proportional; no section is drawn turned",
-    "figure-8.12": "the modes of one theory; choose the other under Controls",
     "figure-10.12": "the moments at pivot and contact; half way, place the gauge there",
     "table-6.1": "the first balance as velocities along the rod; the jumps are in the note",
     "table-8.4": "one of four rows; the others by the comparisons",
