@@ -17,6 +17,7 @@ CHARTS = {
     "moments": "Bending moments",
     "stress": "History at a place",
     "along": "Along the body, now",
+    "support": "Force at the supports",
     "reactions": "Force in the joints",
 }
 VIEWS = {
@@ -36,11 +37,7 @@ LACKS = {
     "figure-5.15": "the set that holds at the instant: step the clock over the change",
     "figure-5.17": "the set that holds at the instant: step the clock over the change",
     "figure-5.18": "the set that holds at the instant: step the clock over the change",
-    "figure-7.5": "the mean pressure over the yield strength at the instant; the curve of it is not drawn",
-    "figure-7.6": "the radius of contact at the instant, beside the law",
-    "figure-7.7": "the radius of contact at the instant, beside the law",
     "figure-8.11": "the shear force, to which the shear angle is proportional; no section is drawn turned",
-    "figure-8.12": "the modes of one theory; choose the other under Controls",
     "figure-10.12": "the moments at pivot and contact; half way, place the gauge there",
     "table-6.1": "the first balance as velocities along the rod; the jumps are in the note",
     "table-8.4": "one of four rows; the others by the comparisons",
@@ -69,9 +66,10 @@ def numbered() -> list[str]:
 def opened(opening: Opening) -> str:
     """What the page opens, in words."""
     charts = [CHARTS[name] for name in opening.charts if name in CHARTS]
-    if opening.read and charts:
-        charts[-1] += f": {opening.read}"
-    where = [*charts, *(VIEWS[name] for name in opening.views), *([TABS[opening.tab]] if opening.tab else [])]
+    tabs = [TABS[opening.tab]] if opening.tab else []
+    if opening.read and (charts or tabs):
+        (charts or tabs)[-1] += f": {opening.read}"
+    where = [*charts, *(VIEWS[name] for name in opening.views), *tabs]
     if opening.time is not None:
         where.append(f"at {1e6 * opening.time:g} µs")
     return ", ".join(where) or "picture"

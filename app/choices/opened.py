@@ -14,8 +14,10 @@ from solvers.validation import a_number, allowed, choice, flag, number, required
 from .bodies import LONGEST as LONGEST_BODIES
 from .choices import SCENES, Choices, accepts
 
-CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "reactions", "energy", "hodograph", "course")
-READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection")  # by a gauge
+IN_SPACE = ("hodograph", "course")  # charts of bodies there
+CHARTS = ("waves", "force", "moments", "moved", "stress", "along", "support", "reactions", "energy", *IN_SPACE)
+OF_LAW = ("force", "pressure", "radius")  # what the chart of the contact law shows over the indentation
+READ = ("stress", "waves", "velocity", "displacement", "moment", "shear", "deflection", *OF_LAW)  # else by a gauge
 PICTURE = "picture"  # alone
 TABS = (PICTURE, "controls", "charts", "story", "numbers", "analysis")
 OF_NODES = ("coordinates",)  # of the view of a mode change, in place of velocities
@@ -56,7 +58,7 @@ class Opening(NamedTuple):
 
     charts: tuple[str, ...] = ()
     place: float | None = None  # of the figure, from the struck end [m]
-    read: str | None = None  # the quantity that its gauge reads
+    read: str | None = None  # the quantity that its gauge reads, or the chart of its contact law shows
     time: float | None = None  # that is shown, from the first touch on [s]
     until: float | None = None  # the part of the impact that is looked at, from the first touch on [s]
     views: tuple[str, ...] = ()

@@ -13,7 +13,9 @@ from typing import Any
 import numpy as np
 
 from solvers import Balance, QuasiStatic, RigidImpulse, Scene, Solution, Waves
+from solvers.contact import PlasticPower
 from solvers.methods.modal.motion import ModalMotion
+from solvers.solution.touch import pressing
 from solvers.text.notes import Note
 
 from ..choices.choices import SOLVED_BY
@@ -109,7 +111,8 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, Any]:
         "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
         "blowDepth": whole_numbers(depth),
         "blowForce": whole_numbers(force),
-        **_touch(exact, time[::3]),  # it is said in words, not drawn
+        **_touch(exact, time),
+        **_pressing(exact.scene.struck, deepest),
     }
 
 
@@ -122,6 +125,28 @@ def _touch(exact: Solution, time: np.ndarray) -> dict[str, Any]:
     flow = {"touchFlow": whole_numbers(found.pressure / found.strength)} if flows else {}
     circle = {"touchRadius": whole_numbers(found.radius), "touchPressure": whole_numbers(pressure)}
     return {"touchTime": time, **circle, **flow}
+
+
+def _pressing(scene: Scene, deepest: float) -> dict[str, Any]:
+    """How far a contact by Tabor's law flows, up to full flow where this impact is at least half as deep [m]."""
+    law = scene.contact
+    if not isinstance(law, PlasticPower):
+        return {}
+    reach = max(deepest, min(2.0 * deepest, law.full_indentation))
+    corners = [depth for depth in (law.yield_indentation, law.full_indentation) if depth <= reach]
+    found = pressing(scene, np.union1d(reach * np.linspace(0.0, 1.0, CYCLE_POINTS) ** 2, corners))
+    if found is None:
+        return {}
+    tested = np.isfinite(found.tests)
+    return {
+        "flowDepth": found.indentation,
+        "flowPressure": found.pressure,
+        "flowRadius": found.radius,
+        "flowElastic": found.elastic,
+        "testsDepth": found.indentation[tested],
+        "testsPressure": found.tests[tested],
+        "testsForce": found.tested[tested],
+    }
 
 
 def packed(header: dict[str, Any], arrays: dict[str, Any]) -> bytes:

@@ -121,7 +121,7 @@ RECORDS: dict[str, Fields] = {
     "Opens": {
         "charts": Field("string[]", "by name"),
         "place": Field("number | null", "of the gauge [m]"),
-        "read": Field("string | null", "what the gauge reads"),
+        "read": Field("string | null", "what the gauge reads, or the chart of the contact law shows"),
         "tab": Field("string | null", "of the dock that opens with it"),
         "time": Field("number | null", "that is shown, from the first touch on [s]"),
         "until": Field("number | null", "from the first touch on, what is looked at [s]"),

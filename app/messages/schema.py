@@ -34,10 +34,17 @@ CYCLE: Fields = optional(
         "cycleUnloading": Field("(cycle)", "and back [N]"),
         "blowDepth": Field("(impact)", "indentation in this impact [m]"),
         "blowForce": Field("(impact)", "force in it [N]"),
-        "touchTime": Field("(touch)", "of two smooth bodies that touch in a point [s]"),
-        "touchRadius": Field("(touch)", "of the circle on which they touch [m]"),
-        "touchPressure": Field("(touch)", "the greatest there, the mean of a contact that flows [Pa]"),
-        "touchFlow": Field("(touch)", "that mean over the yield strength"),
+        "touchTime": Field("(impact)", "of two smooth bodies that touch in a point [s]"),
+        "touchRadius": Field("(impact)", "of the circle on which they touch [m]"),
+        "touchPressure": Field("(impact)", "the greatest there, the mean of a contact that flows [Pa]"),
+        "touchFlow": Field("(impact)", "that mean over the yield strength"),
+        "flowDepth": Field("(flow)", "by Tabor's law, slowly: indentation [m]"),
+        "flowPressure": Field("(flow)", "mean pressure over the yield strength"),
+        "flowRadius": Field("(flow)", "of the circle [m]"),
+        "flowElastic": Field("(flow)", "the same by Hertz [m]"),
+        "testsDepth": Field("(tests)", "of those, what Tabor's tests reach: indentation [m]"),
+        "testsPressure": Field("(tests)", "mean pressure in the tests over the yield strength"),
+        "testsForce": Field("(tests)", "force in them [N]"),
     }
 )
 STRIKER = Field("Striking")

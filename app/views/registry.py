@@ -133,7 +133,7 @@ VIEWS = (  # in the order in which an address names them
     View("ratios", ratios_data, figure=ratios_figure, panel="mass_ratios", kinds=AXIAL, depends_on=one_rod_support),
     View("ringing", modes_data, figure=modes_figure, address="modes", panel="modes", kinds=AXIAL | BEAMS,
          depends_on=of_modes),
-    View("spectrum", spectrum.spectrum_data, asked=spectrum.QUESTIONS, kinds=AXIAL | BEAMS, rests=True),
+    View("spectrum", spectrum.spectrum_data, asked=spectrum.QUESTIONS, kinds=AXIAL | BENDING, rests=True),
     View("code"),
     View("record", figure=record_figure, kinds=AXIAL),  # whose answers come by another door, as they need a file
 )  # fmt: skip

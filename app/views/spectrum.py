@@ -7,7 +7,9 @@ import numpy as np
 import param
 
 from solvers import Beam, Modal, Rod, SceneError, Solution
+from solvers.bodies import Mechanism
 from solvers.notebook.figures import fields_of, histories_of
+from solvers.solution.motion import KnowsModes
 
 from ..choices.questions import Question
 from ..choices.request import Request
@@ -46,7 +48,7 @@ def spectrum_data(request: Request) -> dict[str, Any]:
     place = request.chosen["spectrum_place"] * target.length if what in fields else None
     window = "none" if what == FORCE else "hann"
     frequency = first.spectrum(what, place, window).frequency
-    lines, natural = [], _natural(request)
+    lines, natural = [], _natural(request, first)
     for name, solution in solutions.items():
         try:
             found = solution.spectrum(what, place, window, frequency)
@@ -78,9 +80,12 @@ def _solutions(request: Request) -> Iterator[tuple[str, Solution]]:
         yield other.method["name"], other
 
 
-def _natural(request: Request) -> np.ndarray:
-    """Frequencies of what is struck [Hz], where it has modes of its own."""
+def _natural(request: Request, solution: Solution) -> np.ndarray:
+    """Frequencies of what is struck [Hz], where it has modes of its own; those of a mechanism that moves on change."""
     target = request.scene.target
+    if isinstance(target, Mechanism):
+        modes = target.frozen.modes.excited()
+        return modes.frequencies / (2.0 * np.pi) if isinstance(solution.motion, KnowsModes) else np.empty(0)
     if not isinstance(target, Rod | Beam) or Modal(modes=request.modes).refusal(request.scene):
         return np.empty(0)
     return target.modes(request.modes).frequencies / (2.0 * np.pi)

@@ -26,10 +26,15 @@ def force(indentation, radius: float, modulus: float, strength: float, begins: f
 
     Differs: (7.28) prints the logarithm of what is to be subtracted from it; (7.24) lacks the 2 of a^2 = 2 alpha R.
     """
-    a, b, c = parabola() if curve is None else curve
     square = (1.0 + (np.asarray(indentation) - begins) / (full - begins)) * indentation * radius  # (7.25)
-    depth = np.log10(np.sqrt(square) * 2.0 * modulus / (radius * strength))
-    return math.pi * strength * square * (a * depth**2 + b * depth + c)
+    return math.pi * strength * square * pressure(np.sqrt(square) * 2.0 * modulus / (radius * strength), curve)
+
+
+def pressure(width, curve=None):
+    """Mean pressure over the yield strength at a E' / (R sigma_Y) from FIRST to FULL, (7.17)."""
+    a, b, c = parabola() if curve is None else curve
+    depth = np.log10(width)
+    return a * depth**2 + b * depth + c
 
 
 def through_ends(first: tuple[float, float], last: tuple[float, float]) -> tuple[float, float]:

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..contact import Hertz, PlasticPower
-from ..contact.constants import contact_radius, yield_strength
+from ..contact import Hertz, PlasticPower, tabor
+from ..contact.constants import contact_modulus, contact_radius, yield_strength
 from ..contact.plastic import crater
 
 EARLIER = 2_001  # instants before the first that is asked for, among which is the deepest
@@ -60,3 +60,35 @@ def _flattened(law: PlasticPower, depth: float, deepest: float) -> float:
         return (1.0 + min(max(full, 0.0), 1.0)) * depth
     dent, stiffness = crater(law, deepest)
     return (stiffness / law.stiffness) ** 2 * max(depth - dent, 0.0)
+
+
+class Pressing(NamedTuple):
+    """A contact that flows as it is pressed on slowly, at indentations (depths,). Source: thesis figures 7.5 to 7.8."""
+
+    indentation: np.ndarray  # alpha [m]
+    elastic: np.ndarray  # radius by Hertz, sqrt(alpha R) [m]; where flow is full sqrt(2) times that, (7.24)
+    radius: np.ndarray  # a, (7.25) [m]
+    pressure: np.ndarray  # mean, F / (pi a^2), by the law, over the yield strength
+    tests: np.ndarray  # the same by Tabor's tests, (7.17); NaN before first and beyond full flow
+    tested: np.ndarray  # their force, (7.28) [N]; NaN likewise
+
+
+def pressing(scene: Any, indentation: ArrayLike) -> Pressing | None:
+    """At indentations (depths,) [m]; None by other laws, without a yield strength, or if both faces are flat.
+
+    Differs: the power law that is to follow the tests, (7.33), has 5 % less at twice the first yield, 14 % more at
+    fifty times, 4 % more at full flow.
+    """
+    law, radius = scene.contact, contact_radius(scene.impactor, scene.target)
+    strength, modulus = yield_strength(scene.impactor, scene.target), contact_modulus(scene.impactor, scene.target)
+    if not isinstance(law, PlasticPower) or radius is None or strength is None or modulus is None:
+        return None
+    depth = np.atleast_1d(np.asarray(indentation, float))
+    square = radius * np.array([_flattened(law, each, each) for each in depth.tolist()])
+    force = np.array([law.force(each, 0.0, 0.0) for each in depth.tolist()])
+    area = np.pi * np.where(square > 0.0, square, 1.0)
+    width = np.sqrt(square) * 2.0 * modulus / (radius * strength)
+    tests = tabor.pressure(np.where((width >= tabor.FIRST) & (width <= tabor.FULL * (1.0 + 1e-9)), width, np.nan))
+    return Pressing(
+        depth, np.sqrt(radius * depth), np.sqrt(square), force / (area * strength), tests, tests * strength * area
+    )

@@ -1,4 +1,4 @@
-// The views of an impact along one axis: x-t diagram, contact force and displacements over time, and the contact law.
+// The views of an impact along one axis: x-t diagram, contact force and displacements over time.
 import { Chart } from '../charts/chart.js';
 import { Peak, timesOf, whenLargest } from '../charts/peak.js';
 import { paint, reader } from '../charts/picture.js';
@@ -7,19 +7,17 @@ import { make } from '../shell/dom.js';
 import { given } from '../shell/message.js';
 import { TRIPS, times } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
-import { figures, scaled, signed } from '../text/format.js';
+import { figures, signed } from '../text/format.js';
 import { called } from '../text/words.js';
 import { betweenOf, forcesOf, movementsOf } from './cradle.js';
 import { drawnFromOther } from './drawn.js';
-import { touchAt } from './touch.js';
 import { RigidField } from './fields.js';
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Picture, Series } from '../charts/chart.js' */
 /** @import { Range, Samples } from '../charts/scale.js' */
-/** @import { AxialFrame, Numbers } from '../messages.js' */
+/** @import { AxialFrame } from '../messages.js' */
 /** @import { Field, What } from './fields.js' */
-/** @import { CycleFrame } from './touch.js' */
 
 const COLUMNS = 480;
 const ROWS = 121;
@@ -250,74 +248,6 @@ export class Force {
    */
   at(t) {
     return between(this.exact.x, this.exact.y, t);
-  }
-}
-
-// Force against indentation: the law's own curve, and the path of this impact.
-export class Cycle {
-  /** @type {[factor: number, unit: string]} */ across = [1e6, 'µm']; // how the indentation is shown
-  /** @type {{ depth: Numbers, force: Numbers, name: string, style: Series['style'] }[]} */ kept = [];
-  /** @type {CycleFrame} */ frame;
-  touch = make('output', { className: 'readout touch', ariaLive: 'off' }); // a line of its own
-  reach = 0; // indentation that the axis is to reach, in any case [m]
-
-  constructor() {
-    this.chart = new Chart({
-      title: text('axial.chart.law'),
-      about: text('axial.chart.law-about'),
-      xName: text('axial.chart.indentation'),
-      xUnit: 'µm',
-      unit: 'N',
-      zero: 'whole',
-      pad: [0, 0.08],
-      caption: (unit, xUnit) => text('axial.chart.law-axes', { unit, xUnit }),
-      points: true,
-    });
-    this.chart.root.classList.add('cycle');
-    this.chart.head.append(this.touch);
-  }
-  /** @param {CycleFrame} frame */
-  load(frame) {
-    this.frame = frame;
-    this.touch.hidden = !frame.touchTime;
-    this.chart.root.hidden = !frame.cycleDepth;
-    if (!frame.cycleDepth) return;
-    const depth = frame.cycleDepth;
-    const [loading, unloading] = [given(frame.cycleLoading, 'law'), given(frame.cycleUnloading, 'law')];
-    const [path, force] = [given(frame.blowDepth, 'path'), given(frame.blowForce, 'path')];
-    const most = (/** @type {Numbers} */ values) => values.reduce((a, b) => Math.max(a, b), 0);
-    const deep = Math.max(most(depth), most(path), this.reach, ...this.kept.map((run) => most(run.depth)));
-    this.across = scaled(deep, 'm');
-    const [factor, xUnit] = this.across;
-    const strong = Math.max(most(loading), most(force));
-    const slow = loading.some((each, k) => Math.abs(each - unloading[k]) > 1e-6 * strong);
-    const x = depth.map((a) => a * factor);
-    /** @type {Series[]} */
-    const series = [
-      { x: path.map((a) => a * factor), y: force, path: true, name: text('axial.chart.this-impact'), style: 'exact' },
-      { x, y: loading, name: text('axial.chart.loading'), style: 'prediction' },
-    ];
-    if (slow) series.push({ x, y: unloading, name: text('axial.chart.unloading'), style: 'dots' });
-    for (const { depth: other, force: y, name, style } of this.kept)
-      series.push({ x: other.map((a) => a * factor), y, path: true, name, style });
-    this.chart.axis.load(0, 1.04 * deep * factor);
-    this.chart.show({ series, xUnit });
-  }
-  draw() {
-    this.chart.draw();
-  }
-  /**
-   * This impact at one instant: depth [m] and force [N].
-   * @param {number} depth
-   * @param {number} force
-   * @param {number} time  [s]
-   */
-  mark(depth, force, time) {
-    const { chart } = this;
-    const [factor, unit] = this.across;
-    const deep = `${figures(Math.max(depth, 0) * factor)} ${unit}`;
-    chart.mark(depth * factor, force, `${deep}   ${figures(force * chart.factor)} ${chart.unitShown}`);
-    this.touch.textContent = touchAt(this.frame, time);
   }
 }
 

@@ -7,11 +7,14 @@ import { figures } from '../text/format.js';
 
 /** @typedef {'cycleDepth' | 'cycleLoading' | 'cycleUnloading' | 'blowDepth' | 'blowForce'} OfLaw */
 /** @typedef {'touchTime' | 'touchRadius' | 'touchPressure' | 'touchFlow'} OfTouch */
-/** @typedef {Pick<AxialFrame, OfLaw | OfTouch>} CycleFrame  what a message has of the contact law and of its touch */
+/** @typedef {'flowDepth' | 'flowPressure' | 'flowRadius' | 'flowElastic'} OfFlow */
+/** @typedef {'testsDepth' | 'testsPressure' | 'testsForce'} OfTests */
+/** @typedef {'chosen' | 'opens' | OfLaw | OfTouch | OfFlow | OfTests} Field */
+/** @typedef {Pick<AxialFrame, Field>} CycleFrame  what a message has of the contact law and of its touch */
 
 /**
  * In words; nothing while they are apart, or by laws that have no such circle.
- * @param {CycleFrame} frame
+ * @param {Pick<CycleFrame, OfTouch>} frame
  * @param {number} time  [s]
  */
 export function touchAt({ touchFlow: flow, touchPressure: pressure, touchRadius: radius, touchTime: x }, time) {

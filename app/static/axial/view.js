@@ -2,14 +2,16 @@
 import { Axis } from '../charts/axis.js';
 import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
+import { Supports } from '../charts/supports.js';
 import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
 import { TRIPS, times } from '../shell/times.js';
 import { family, text } from '../text/catalogue.js';
 import { engineering } from '../text/format.js';
 import { byOf, called } from '../text/words.js';
-import { Cycle, Displacements, Force, SpaceTime } from './charts.js';
+import { Displacements, Force, SpaceTime } from './charts.js';
 import { cradleRows } from './cradle_rows.js';
+import { Cycle } from './cycle.js';
 import { drawnFromOther } from './drawn.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
 import { RigidField, unitOf } from './fields.js';
@@ -18,6 +20,7 @@ import { Stage } from './stage.js';
 import { Story } from './story.js';
 import { tracesOf } from './traces.js';
 import { barOf, tracksOf } from './tracks.js';
+import { wallOf } from './wall.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Source } from '../charts/gauge.js' */
@@ -64,7 +67,9 @@ export class AxialView {
       move: (place) => this.gaugeAt(place),
       turned: () => page.history.later(),
     });
-    this.charts = [this.spaceTime, this.force, this.displacements, this.moments, ...this.gauge.parts];
+    this.supports = new Supports(this.axis, TRIPS, go, wallOf);
+    const own = [this.spaceTime, this.force, this.displacements, this.moments];
+    this.charts = [...own, ...this.gauge.parts, this.supports];
     this.cycle = new Cycle();
     this.story = new Story(
       (t) => page.player.seek(t + this.after),
@@ -81,9 +86,9 @@ export class AxialView {
     this.whole = make('button', { type: 'button', className: 'whole', textContent: text('stage.whole') });
     this.whole.onclick = () => this.page.zoom();
     this.spaceTime.chart.title.after(this.colours.root);
-    const [waves, force, moved, moments, stress, along] = this.charts.map(({ chart }) => chart);
-    const charts = { waves, force, moments, moved, stress, along };
-    this.stack = new Stack('axial', charts, () => page.redraw(), ['stress', 'along']);
+    const [waves, force, moved, moments, stress, along, support] = this.charts.map(({ chart }) => chart);
+    const charts = { waves, force, moments, moved, stress, along, support };
+    this.stack = new Stack('axial', charts, () => page.redraw(), ['stress', 'along', 'support']);
     this.strip = force; // is seen on a phone, whatever else is
     this.buttons = [this.whole];
     this.story.numbers.prepend(this.cycle.chart.root);
@@ -236,6 +241,7 @@ export class AxialView {
       reach,
     };
     this.gauge.load(body, () => this.read(this.frame));
+    this.supports.load(this.frame, exact.contacts, () => this.read(this.frame));
   }
   /**
    * Its solutions as a gauge reads them, the exact one first.

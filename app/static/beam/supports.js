@@ -1,6 +1,11 @@
-// The supports of a beam on the stage.
+// The supports of a beam, drawn on the stage and read for what they bear.
+import { family, text } from '../text/catalogue.js';
+import { engineering } from '../text/format.js';
 
-/** @import { Support } from '../messages.js' */
+/** @import { BendingFrame, Support } from '../messages.js' */
+/** @import { Support as Bearing } from '../charts/supports.js' */
+
+const END = family('beam.end');
 
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {(c: Context, x: number, y: number, thick: number, way: number) => void} Draw  way: 1 on the right */
@@ -57,19 +62,20 @@ function hinge(c, x, y, thick, rolls) {
   c.stroke();
 }
 
-/** @type {Draw} */
-const pin = (c, x, y, thick) => hinge(c, x, y, thick, false);
-/** @type {Draw} */
-const roller = (c, x, y, thick) => hinge(c, x, y, thick, true);
-
-/** @type {Record<Support, Draw[]>} */
+/** @type {Record<'clamp' | 'pin' | 'roller', Draw>} */
+const DRAWN = {
+  clamp,
+  pin: (c, x, y, thick) => hinge(c, x, y, thick, false),
+  roller: (c, x, y, thick) => hinge(c, x, y, thick, true),
+};
+/** @type {Record<Support, (keyof typeof DRAWN)[]>} */
 const SUPPORTS = {
-  cantilever: [clamp],
-  'pinned-pinned': [pin, roller],
-  'clamped-clamped': [clamp, clamp],
+  cantilever: ['clamp'],
+  'pinned-pinned': ['pin', 'roller'],
+  'clamped-clamped': ['clamp', 'clamp'],
   joined: [],
   'free-free': [],
-  'pinned-free': [pin],
+  'pinned-free': ['pin'],
 };
 
 /**
@@ -80,5 +86,18 @@ const SUPPORTS = {
  * @param {number} thick
  */
 export function drawSupports(c, support, ends, y, thick) {
-  SUPPORTS[support].forEach((draw, k) => draw(c, ends[k], y, thick, k ? 1 : -1));
+  SUPPORTS[support].forEach((name, k) => DRAWN[name](c, ends[k], y, thick, k ? 1 : -1));
 }
+
+/**
+ * What is read of each. The shear force V pushes the beam the way of the impact at its first end, and back at its last.
+ * @param {BendingFrame} frame
+ * @returns {Bearing[]}
+ */
+export const supportsOf = ({ beam: { length, support } }) =>
+  SUPPORTS[support].map((name, k, { length: count }) => ({
+    name: count > 1 ? text('support.at', { name: END[name], place: engineering(k * length, 'm') }) : END[name],
+    place: k * length,
+    force: ['shear', k ? 1 : -1],
+    ...(name === 'clamp' ? { moment: /** @type {Bearing['moment']} */ (['moment', 1]) } : {}),
+  }));

@@ -1,8 +1,9 @@
 // Everything that is shown of an impact on a beam: stage, views over time, dispersion, contact law, story.
-import { Cycle } from '../axial/charts.js';
+import { Cycle } from '../axial/cycle.js';
 import { Axis } from '../charts/axis.js';
 import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
+import { Supports } from '../charts/supports.js';
 import { make, segments } from '../shell/dom.js';
 import { InView } from '../shell/in_view.js';
 import { Stack } from '../shell/stack.js';
@@ -16,6 +17,7 @@ import { fieldOf } from './field_of.js';
 import { hasForce, sectionOf } from './rows.js';
 import { BeamStage } from './stage.js';
 import { BeamStory } from './story.js';
+import { supportsOf } from './supports.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Chart } from '../charts/chart.js' */
@@ -88,9 +90,11 @@ export class BeamView {
       move: (place) => this.gaugeAt(place),
       turned: () => page.history.later(),
     });
+    this.supports = new Supports(this.axis, SECONDS, go, supportsOf);
     this.axis.watch(() => this.zoomed());
     /** @type {Part[]} */
-    const all = [...this.charts, ...Object.values(more), ...this.gauge.parts, this.cycle, this.dispersion];
+    const all = [...this.charts, ...Object.values(more), ...this.gauge.parts, this.supports];
+    all.push(this.cycle, this.dispersion);
     this.inView = new InView(all, (part) => this.paint(part));
     this.colours = segments(
       text('stage.colour-shows'),
@@ -107,8 +111,9 @@ export class BeamView {
     const { chart: force } = this.force;
     const beside = Object.fromEntries(Object.entries(more).map(([key, { chart }]) => [key, chart]));
     const { along, over } = this.gauge;
-    const charts = { waves: this.spaceTime.chart, force, ...beside, moved: this.motion.chart, stress: over, along };
-    this.stack = new Stack(name, charts, () => page.redraw(), ['stress', 'along']);
+    const late = { stress: over, along, support: this.supports.chart };
+    const charts = { waves: this.spaceTime.chart, force, ...beside, moved: this.motion.chart, ...late };
+    this.stack = new Stack(name, charts, () => page.redraw(), Object.keys(late));
     this.strip = force;
     this.buttons = [this.slow, this.whole];
     this.story.numbers.prepend(this.cycle.chart.root, this.dispersion.chart.root);
@@ -156,6 +161,7 @@ export class BeamView {
     const reach = /** @type {[number, number]} */ ([0, FIELDS.some(has) ? beam.length : 0]);
     const body = { scene: chosen.scene, frame, contacts, usual: opens.place ?? beam.place, read: opens.read, reach };
     this.gauge.load(body, () => this.read(frame), has);
+    this.supports.load(frame, contacts, () => this.read(frame));
   }
   /**
    * Its solution as a gauge reads it.

@@ -6,7 +6,7 @@ import { text } from '../text/catalogue.js';
 import { localised } from '../text/format.js';
 import { sizeOf } from './canvas.js';
 import { Chart } from './chart.js';
-import { between, extremes, within } from './scale.js';
+import { between, extremes, overTime, within } from './scale.js';
 
 /** @import { Axis } from './axis.js' */
 /** @import { Content, Series } from './chart.js' */
@@ -220,18 +220,17 @@ export class Gauge {
   }
   /** @param {Source} source */
   #overTime(source) {
-    const times = source.frame.trip / this.body.frame.trip;
-    const [start, end] = this.over.axis.view.map((t) => within(t / times, [0, source.frame.duration]));
-    const { field } = source;
-    if (end <= start || this.place < field.from || this.place > field.to) return [];
-    const found = this.#series(source, (_, part) => field.over(this.place, [start, end], part));
-    const { factor, mean, parts } = this.quantity;
-    if (source.style === 'exact' && mean?.(source.frame)) {
-      const name = text('gauge.mean');
-      const means = meanOver(field, parts[0], [start, end]);
-      found.push({ ...means, factor: factor(source.frame), name, cursor: name, style: 'prediction' });
-    }
-    return times === 1 ? found : found.map((each) => ({ ...each, x: Array.from(each.x, (t) => times * t) }));
+    const { field, frame } = source;
+    return overTime(source, this.place, this.over.axis.view, this.body.frame.trip, (stretch) => {
+      const found = this.#series(source, (_, part) => field.over(this.place, stretch, part));
+      const { factor, mean, parts } = this.quantity;
+      if (source.style === 'exact' && mean?.(frame)) {
+        const name = text('gauge.mean');
+        const means = meanOver(field, parts[0], stretch);
+        found.push({ ...means, factor: factor(frame), name, cursor: name, style: 'prediction' });
+      }
+      return found;
+    });
   }
   /** What is read at the place, as columns to save. @returns {{ name: string, at: (t: number) => number }[]} */
   get columns() {

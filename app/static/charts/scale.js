@@ -108,6 +108,24 @@ export function evenly([start, end], count, value) {
 }
 
 /**
+ * Curves of a solution at a place, on an axis of time that is that of another; none where it has nothing.
+ * @template {Samples} Curve
+ * @param {{ field: { from: number, to: number }, frame: { duration: number, trip: number } }} source
+ * @param {number} place  [m]
+ * @param {Range} view  of the axis
+ * @param {number} trip  its unit [s]
+ * @param {(stretch: Range) => Curve[]} read  over a stretch of the solution's own time
+ * @returns {Curve[]}
+ */
+export function overTime({ field, frame }, place, view, trip, read) {
+  const times = frame.trip / trip;
+  const [start, end] = view.map((t) => within(t / times, [0, frame.duration]));
+  if (end <= start || place < field.from || place > field.to) return [];
+  const found = read([start, end]);
+  return times === 1 ? found : found.map((each) => ({ ...each, x: Array.from(each.x, (t) => times * t) }));
+}
+
+/**
  * Samples of a history, if there is one.
  * @param {ArrayLike<number> | undefined} x
  * @param {ArrayLike<number> | undefined} y

@@ -112,19 +112,11 @@ export function layOver(view, now, all) {
   charts.moved.lay(moved);
   charts.waves.lay([], stretches);
   view.cycle.kept = runs.flatMap(({ frame, letter }) =>
-    'blowDepth' in frame && frame.blowDepth && frame.blowForce
-      ? [
-          {
-            depth: frame.blowDepth,
-            force: frame.blowForce,
-            name: letter,
-            style: /** @type {const} */ (`kept${letter}`),
-          },
-        ]
-      : [],
+    'blowDepth' in frame ? [{ frame, name: letter, style: /** @type {const} */ (`kept${letter}`) }] : [],
   );
   view.reactions?.keep(runs);
-  if (view.gauge) view.gauge.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
+  for (const each of [view.gauge, view.supports])
+    if (each) each.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
   view.dispersion?.chart.lay('main' in now ? runs.flatMap((run) => dispersionOf(run)) : []);
 }
 

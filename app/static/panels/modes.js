@@ -3,7 +3,7 @@ import { Figure } from '../charts/figure.js';
 import { signOf } from '../charts/styles.js';
 import { headOf, make, rowOf, segments } from '../shell/dom.js';
 import { shownIn } from '../shell/times.js';
-import { family, said, text } from '../text/catalogue.js';
+import { family, named, said, text } from '../text/catalogue.js';
 import { engineering, figures } from '../text/format.js';
 import { Panel } from './panel.js';
 
@@ -24,6 +24,7 @@ import { Panel } from './panel.js';
  * @property {number[]} place  [mm]
  * @property {number} struck  [mm]
  * @property {{ alone: Modes, together: Modes | null }} sets
+ * @property {{ theory: string, frequency: number[], shape: number[][] } | null} beside  of those alone, otherwise
  * @property {number} kept  how many there are
  * @property {number | null} contact  from the first touch to the last parting [s]
  * @property {number[]} share  of the vibration after the impact [%]
@@ -41,6 +42,8 @@ const ROOM = 1.08; // beyond what is drawn
 const LEAST = 1e-6; // % of the energy, below which nothing rings
 const NONE = '–';
 
+/** @param {{ theory: string }} found */
+const byTheory = ({ theory }) => text('modes.by', { theory: named('theory', theory) });
 /** @param {number} value */
 const hertz = (value) => engineering(value, 'Hz', 4);
 
@@ -110,26 +113,31 @@ class ModeShapes extends Panel {
     this.pick.show(alone ? 'alone' : 'together');
     this.many.show(String(this.count));
     this.#draw(found, set);
-    const columns = ['number', 'frequency', 'period', 'mass', ...(alone ? ['share'] : [])];
+    const beside = alone ? found.beside : null;
+    const columns = ['number', 'frequency', 'period', 'mass', ...(alone ? ['share'] : [])].map((name) => COLUMNS[name]);
+    if (beside) columns.splice(2, 0, byTheory(beside));
     const most = found.share.indexOf(Math.max(...found.share));
     const rows = set.number.map((number, k) => {
       const period = found.contact ? figures(1 / (set.frequency[k] * found.contact)) : NONE;
       const share = alone ? [`${figures(found.share[k])} %`] : [];
-      const cells = [number, hertz(set.frequency[k]), period, engineering(1e3 * set.mass[k], 'g'), ...share];
+      const other = beside ? [hertz(beside.frequency[k])] : [];
+      const cells = [number, hertz(set.frequency[k]), ...other, period, engineering(1e3 * set.mass[k], 'g'), ...share];
       return rowOf(cells, alone && k === most && found.ringing > LEAST ? { ariaCurrent: 'true' } : {});
     });
-    this.table.replaceChildren(headOf(columns.map((name) => COLUMNS[name])), make('tbody', {}, ...rows));
+    this.table.replaceChildren(headOf(columns), make('tbody', {}, ...rows));
   }
   /**
    * @param {Found} found
    * @param {Modes} set
    */
-  #draw({ amplitude, place, struck, sets, time: given, unit: own }, set) {
+  #draw({ amplitude, beside, place, struck, sets, time: given, unit: own }, set) {
     const end = given[given.length - 1];
     const [factor, unit] = shownIn(own, end);
     const time = given.map((t) => factor * t);
     this.factor = factor;
     this.#fill('shapes', place, set, set.shape);
+    const other = set === sets.alone && beside;
+    this.#fill('beside', place, set, other ? other.shape : [], other ? byTheory(other) : undefined);
     this.figure?.range('modes-shapes-x', [0, place[place.length - 1]]);
     this.figure?.range('modes-shapes-y', [-ROOM, ROOM]);
     this.figure?.cursor('modes-shapes-cursor', struck);
@@ -145,14 +153,15 @@ class ModeShapes extends Panel {
    * @param {number[]} x
    * @param {Modes} set
    * @param {number[][]} lines
+   * @param {string} [key]  of all of them
    */
-  #fill(name, x, { number, frequency }, lines) {
+  #fill(name, x, { number, frequency }, lines, key) {
     const drawn = lines.slice(0, this.count);
     this.figure?.fill(name, {
       x: drawn.map(() => x),
       y: drawn,
       colour: drawn.map((_, k) => signOf(k).color),
-      key: drawn.map((_, k) => text('modes.key', { number: number[k], frequency: hertz(frequency[k]) })),
+      key: drawn.map((_, k) => key ?? text('modes.key', { number: number[k], frequency: hertz(frequency[k]) })),
       mode: drawn.map((_, k) => number[k]),
     });
   }

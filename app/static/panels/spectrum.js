@@ -54,6 +54,11 @@ class Spectrum extends Panel {
     const form = make('div', { className: 'record-form' }, this.pick, this.place.root);
     this.root.append(form, this.said, this.result);
   }
+  /** Of a mechanism whose links are rigid nothing rings. */
+  get empty() {
+    const { frame } = this.page;
+    return 'mechanism' in frame && !frame.mechanism.links.some(({ flexible }) => flexible);
+  }
   /**
    * @param {Found | null} found
    * @param {boolean} fresh

@@ -2,8 +2,9 @@
 
 /** @import { Axis } from '../charts/axis.js' */
 /** @import { Chart } from '../charts/chart.js' */
-/** @import { Cycle } from '../axial/charts.js' */
+/** @import { Cycle } from '../axial/cycle.js' */
 /** @import { Gauge, Source } from '../charts/gauge.js' */
+/** @import { Supports } from '../charts/supports.js' */
 /** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
 /** @import { Scaled } from '../compare/scales.js' */
@@ -31,6 +32,7 @@
  * @property {Scene | null} [section]  what the opening draws over place and time, below the stage
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
+ * @property {Supports} [supports]
  * @property {Reactions} [reactions]
  * @property {(place: number) => void} [gaugeAt]  move it to another place [m]
  * @property {(frame: any, room?: string) => Source[]} [read]  as a gauge reads its solutions; in a room beside others

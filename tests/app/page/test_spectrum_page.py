@@ -23,3 +23,10 @@ def test_the_tip_of_a_cantilever_rings_in_its_modes(open_page):
     known = solution.spectrum("displacement", solution.scene.target.length, "hann", shown["x"])
     assert np.array(shown["y"]) == pytest.approx(known.amplitude, rel=1e-3, abs=1e-4 * known.amplitude.max())
     assert shown["uprights"] == (known.modes < shown["x"][-1]).sum()
+
+
+def test_of_a_mechanism_it_is_there_where_links_bend(open_page):
+    page = open_page("?layout=laboratory&scene=rotating-bar&panel=spectrum&of=bending_moment&where=0")
+    page.wait("() => strikewave.page.analyses.spectrum.chart.own.series.length > 1")  # natural frequencies, too
+    page.show_scene("slider-crank")
+    assert page.evaluate("() => strikewave.page.analyses.spectrum.root.hidden")

@@ -20,7 +20,7 @@ SEEN = """() => {
     plan: opening.plan,
     tab: opening.docked ? layout.tabs.selected : null,
     curves: Object.fromEntries(charts.map(([name, chart]) => [name, chart.content.series.map(drawn)])),
-    read: view.gauge?.what ?? null,
+    read: [view.gauge?.what, view.cycle?.shown],
     place: view.gauge?.there ? view.gauge.place : null,
     time: (page.player.t + page.player.start) * page.player.trip,
     analyses: analyses.all.filter(({ open, root }) => open && root.checkVisibility()).map(({ name }) => name),
@@ -41,7 +41,7 @@ def is_seen(found: dict, name: str) -> str:
     for chart in opening.table()["charts"]:
         if tab == "charts" and max(found["curves"].get(chart, [0]), default=0) < 2:
             return f"a curve in {chart}: {found['curves']}"
-    if opening.read and found["read"] != opening.read:
+    if opening.read and opening.read not in found["read"]:
         return f"{opening.read}: {found['read']}"
     if opening.place is not None and abs(found["place"] - opening.place) > 1e-9:
         return f"the gauge at {opening.place}: {found['place']}"

@@ -79,8 +79,8 @@ def test_no_chart_is_stretched_where_another_scene_hides_some(open_page):
 def test_the_charts_share_the_room_that_there_is(open_page, size, open_):
     page = open_page(size=size)
     heights = page.evaluate(CHARTS)
-    assert len(heights) == 5 and min(heights) >= 0  # a folded one has no height
-    assert heights[3:] == [0, 0]  # a place and an instant wait for who asks for them
+    assert len(heights) == 6 and min(heights) >= 0  # a folded one has no height
+    assert heights[3:] == [0, 0, 0]  # a place, an instant and the wall wait for who asks for them
     assert sum(height > 80 for height in heights) == open_
     page.tab.get_by_role("button", name="Fold: Contact force").click()
     page.wait(f"() => ({CHARTS})()[1] === 0 && ({CHARTS})()[2] > 80")  # which may have been folded for want of room

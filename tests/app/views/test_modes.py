@@ -55,6 +55,26 @@ def test_a_rod_that_turns_has_the_frequencies_of_its_speed():
     assert across["sets"]["alone"]["frequency"][0] * 2.0 * math.pi > 1744.0  # that at rest: the tension outweighs
 
 
+def test_a_beam_has_the_frequencies_of_the_other_theory_beside_its_own():
+    """Thesis table 8.3, whose headings are exchanged: its sixth mode, 148495 and 105040 rad/s; shapes of one sign."""
+    timoshenko, bernoulli = found("figure-8.12"), found("figure-8.12", theory="euler-bernoulli")
+    for own, other, theory in ((timoshenko, bernoulli, "euler-bernoulli"), (bernoulli, timoshenko, "timoshenko")):
+        beside = own["beside"]
+        assert beside["theory"] == theory
+        assert beside["frequency"] == approx(other["sets"]["alone"]["frequency"], rel=1e-5)
+        for shape, known in zip(beside["shape"], other["sets"]["alone"]["shape"], strict=True):
+            assert shape == approx(known, abs=1e-4)
+    assert 2.0 * math.pi * timoshenko["beside"]["frequency"][5] == approx(148495.0, rel=1e-4)
+    assert 2.0 * math.pi * timoshenko["sets"]["alone"]["frequency"][5] == approx(105040.0, rel=1e-4)
+
+
+def test_modes_beside_have_the_numbers_of_those_shown_and_rods_have_none():
+    bar = found("xylophone-bar")  # struck in its middle: every other mode rests there
+    ratios = [b / a for a, b in zip(bar["sets"]["alone"]["frequency"], bar["beside"]["frequency"], strict=True)]
+    assert ratios == sorted(ratios, reverse=True) and ratios[0] > 0.98  # shear lowers the shorter waves the more
+    assert found("fixed-rod")["beside"] is None and found("figure-5.22")["beside"] is None
+
+
 def test_what_has_no_modes_says_so():
     assert "no modes with a shape" in sentence(found("two-balls")["error"])
     assert found("stepped-rod")["error"]["code"] == "refusals.chain-of-rods"

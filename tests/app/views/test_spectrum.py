@@ -36,6 +36,18 @@ def test_a_place_is_read_by_both_solutions_beside_the_frequencies_of_the_rod():
     assert np.abs(exact - modes).max() < 0.02 * exact.max()
 
 
+def test_a_struck_link_is_read_beside_the_frequencies_of_the_mechanism_as_it_stands():
+    """A clamped bar at constant speed; at its axis the shear force is what that bears."""
+    answer = found("rotating-bar", spectrum_of="shear_force", spectrum_place=0.0)
+    frequencies = load("rotating-bar").target.frozen.modes.excited().frequencies / (2.0 * np.pi)
+    assert answer["what"] == "shear_force" and answer["place"] == 0.0
+    assert answer["natural"] == approx(frequencies[: len(answer["natural"])], rel=1e-4) and answer["natural"]
+    values, frequency = np.array(answer["lines"][0]["values"]), np.array(answer["frequency"])
+    strongest = frequency[int(np.argmax(values))]
+    assert np.abs(frequencies - strongest).min() < 2.0 / answer["duration"]  # the width of a line under the window
+    assert found("four-bar-moves", spectrum_of="bending_moment")["natural"] == []  # they change as it turns
+
+
 def test_a_method_without_a_force_over_time_does_not_take_that_of_the_other():
     answer = found("fixed-rod", method="rigid")
     assert answer["what"] == FORCE and [line["name"] for line in answer["lines"]] == ["waves"]

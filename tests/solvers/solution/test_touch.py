@@ -7,6 +7,8 @@ from pytest import approx
 
 from solvers import load, solve
 from solvers.contact.constants import contact_modulus, contact_radius
+from solvers.contact.tabor import force
+from solvers.solution.touch import pressing
 
 STEEL = {"young": 210e9, "density": 7900.0, "poisson": 0.3, "yield": 500e6}
 MATERIALS = ("impactor.material", "target.material")
@@ -51,3 +53,33 @@ def test_a_ball_flows_as_in_tabors_tests():
 def test_other_laws_and_flat_faces_have_no_circle():
     for name in ("fixed-rod", "stiff-contact"):
         assert solve(load(name)).touch([0.0]) is None
+
+
+def test_a_contact_pressed_on_slowly_lies_beside_tabors_tests():
+    """Thesis figure 7.5: from 1.1 yield strengths to 2.8, and the force (7.28); a^2 from alpha R to 2 alpha R."""
+    scene = load("figure-7.5")
+    law, radius = scene.contact, contact_radius(scene.impactor, scene.target)
+    depth = np.array([0.5, 1.0, 2.0, 50.0]) * law.yield_indentation
+    depth = np.append(depth, np.array([1.0, 2.0]) * law.full_indentation)
+    found = pressing(scene, depth)
+    assert np.isnan(found.tests[[0, -1]]).all() and np.isfinite(found.tests[1:-1]).all()
+    assert found.tests[[1, -2]] == approx([1.1, 2.8], rel=0.01)
+    modulus, strength = contact_modulus(scene.impactor, scene.target), scene.impactor.material.yield_strength
+    ends = law.yield_indentation, law.full_indentation
+    assert found.tested[1:-1] == approx(force(depth[1:-1], radius, modulus, strength, *ends), rel=1e-12)
+    assert (found.radius / found.elastic)[[0, 1, 4, 5]] ** 2 == approx([1.0, 1.0, 2.0, 2.0], rel=1e-12)
+    assert (found.pressure / found.tests)[2:5] == approx([0.949, 1.144, 1.041], abs=1e-3)  # of the power law
+    assert found.pressure[:2] == approx([1.6 / 1.5 * 0.5**0.5, 1.6 / 1.5], rel=1e-12)  # Hertz
+
+
+def test_the_blow_goes_up_along_that_curve():
+    """Away from the first instants, at which one step is a large part of the indentation."""
+    scene = load("figure-7.5")
+    found = solve(scene)
+    time = np.linspace(0.1, 0.5, 30) * found.contacts[0].end
+    depth = found.motion.impactor_position(time) - found.motion.end_position(time)
+    rising = np.diff(depth, prepend=0.0) > 0.0
+    touched, slowly = found.touch(time), pressing(scene, depth)
+    assert touched.pressure[rising] / touched.strength == approx(slowly.pressure[rising], rel=1e-3)
+    assert touched.radius[rising] == approx(slowly.radius[rising], rel=1e-6)
+    assert pressing(load("two-balls"), depth) is None and pressing(load("fixed-rod"), depth) is None
