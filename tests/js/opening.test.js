@@ -5,6 +5,7 @@ import { WaveField } from '../../app/static/axial/fields.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
 import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
+import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { weave } from '../../app/static/opening/rows.js';
 import { placed } from '../../app/static/opening/tracks.js';
 import { courseOf, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
@@ -164,4 +165,22 @@ test('the clock of an impact without time is its impulse', () => {
   );
   assert.match(events[1][1], /grips/);
   assert.equal(slideTracks({ friction: 0, sliding: [] }), null);
+});
+
+test('names stand at their time, apart, and those at the end move up', () => {
+  assert.deepEqual(spread([10, 100, 190], 10, 200), [10, 100, 190]);
+  assert.deepEqual(spread([10, 12, 14], 10, 200), [10, 34, 58]);
+  assert.deepEqual(spread([10, 150, 196, 197], 10, 200), [10, 150, 176, 200]);
+  assert.deepEqual(spread([-5, 300], 10, 200), [10, 200]);
+});
+
+test('of many names those are seen that have room, and the others are counted', () => {
+  assert.deepEqual(windowOf(14, 14, 3), [0, 14]);
+  assert.deepEqual(windowOf(14, 10, 0), [0, 9]); // and a line: 5 more
+  assert.deepEqual(windowOf(14, 10, 3), [3, 11]); // between two lines
+  assert.deepEqual(windowOf(14, 10, 9), [5, 14]); // 5 earlier
+  for (let first = 0; first < 14; first++) {
+    const [from, to] = windowOf(14, 10, first);
+    assert.equal(to - from + Number(from > 0) + Number(to < 14), 10);
+  }
 });

@@ -280,7 +280,7 @@ def test_events_stand_at_their_time(open_page):
     names = page.tab.locator(".happens li:visible")
     expect(names.first).to_contain_text("They touch")
     expect(names.last).to_contain_text("They part for good")
-    tops = page.evaluate("() => strikewave.page.opening.names.map((name) => parseFloat(name.style.top))")
+    tops = page.evaluate("() => strikewave.page.opening.happens.names.map((name) => parseFloat(name.style.top))")
     assert tops == sorted(tops) and len(tops) == 6
     names.nth(2).get_by_role("button").click()
     assert page.evaluate("() => strikewave.page.player.t") == pytest.approx(1.0, abs=1e-2)

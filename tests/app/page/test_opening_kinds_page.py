@@ -1,0 +1,44 @@
+"""The opening of each kind of scene: how much of it its picture has, and what it shows closer."""
+
+from itertools import pairwise
+
+import pytest
+from playwright.sync_api import expect
+
+from .test_opening_page import SIZES, opened
+
+DESKS, HANDS = SIZES[:2], SIZES[2:]
+
+
+@pytest.mark.parametrize("size", DESKS)
+def test_every_impact_of_a_mechanism_is_named_or_counted_and_can_be_reached(open_page, size):
+    page = open_page("?scene=four-bar-moves&layout=opening", size=size)
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    impacts = page.header("main")["contacts"]
+    names = page.tab.locator(".happens li:not(.more):visible")
+    more = page.tab.locator(".happens .more:visible")
+
+    def counted() -> int:
+        hidden = [int("".join(filter(str.isdigit, each))) for each in more.all_inner_texts()]
+        return names.count() + sum(hidden)
+
+    assert impacts > 10 and counted() == impacts
+    last = names.filter(has_text=f"Impact {impacts}")
+    while not last.count():
+        more.last.get_by_role("button").click()
+        assert counted() == impacts
+    last.get_by_role("button").click()
+    expect(last).to_have_attribute("aria-current", "")
+    boxes = [each.bounding_box() for each in page.tab.locator(".happens li:visible").all()]
+    low = page.tab.locator(".section").bounding_box()
+    assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
+    assert boxes[-1]["y"] + boxes[-1]["height"] <= low["y"] + low["height"] + 4
+    page.evaluate("() => strikewave.page.player.seek(0)")
+    expect(names.first).to_contain_text("Impact 1")  # those about the clock are seen
+
+
+def test_a_phone_names_every_impact(open_page):
+    page = open_page("?scene=four-bar-moves&layout=opening", size=HANDS[1])
+    opened(page)
+    expect(page.tab.locator(".happens li:visible")).to_have_count(page.header("main")["contacts"])
