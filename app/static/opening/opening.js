@@ -116,16 +116,27 @@ export class Opening {
   get #bare() {
     return this.leads && !this.#strip && !this.shown;
   }
+  /** Whether the picture is about as high as wide; on a desk it goes down beside the tracks. */
+  get #tall() {
+    const { docked, page, shown } = this;
+    return Boolean(shown && !docked && !page.compare.beside && !shown.drawn && shown.tall);
+  }
   /** Put the chart there, or have the stage take its room. */
   lend() {
     const { layout, root } = this.page;
     layout.strip.replaceChildren(...(this.#strip ? [this.#strip] : []));
     root.classList.toggle('bare', this.#bare);
+    const tall = this.#tall;
+    root.classList.toggle('tall', tall);
+    const { stage } = this.page.view;
+    const over = tall && root.dataset.size === 'desk';
+    if ('lap' in stage) stage.lap = over ? this.section.root : null;
   }
   /** Whether it is there as this scene wants it. */
   get placed() {
     const { layout, root } = this.page;
-    return layout.strip.firstChild === this.#strip && root.classList.contains('bare') === this.#bare;
+    const as = (/** @type {string} */ name, /** @type {boolean} */ wanted) => root.classList.contains(name) === wanted;
+    return layout.strip.firstChild === this.#strip && as('bare', this.#bare) && as('tall', this.#tall);
   }
   /**
    * @param {Plan} plan

@@ -50,8 +50,15 @@ const TIMES = 10; // pixels before them
  */
 /** @typedef {{ name: string, at: number, x: ArrayLike<number>, moved: number[] }} Trace  at a place [px] */
 /**
+ * @typedef {object} Alone
+ * @property {null} drawn
+ * @property {Track[]} tracks
+ * @property {[from: number, to: number]} [timed]  where the clock has times
+ * @property {boolean} [tall]  the picture is about as high as wide, so that it needs more height
+ */
+/**
  * @typedef {Over & Shown & Beside} Woven  rows below what is drawn
- * @typedef {Over & { drawn: null, tracks: Track[], timed?: [from: number, to: number] }} Tracked  nothing but tracks
+ * @typedef {Over & Alone} Tracked  nothing but tracks
  * @typedef {Woven | Tracked} Scene
  */
 

@@ -16,7 +16,7 @@
 /**
  * What shows an impact of one kind.
  * @typedef {object} View
- * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null, leads?: boolean }} stage
+ * @property {Scaled & Picture} stage
  * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {string[]} [leading]  choices that lead there before others
@@ -46,6 +46,15 @@
  * @property {() => void} draw
  * @property {(t: number) => void} show
  * @property {() => { names: string[], values: number[][] }} [rows]  histories as a table, if there are any
+ */
+
+/**
+ * @typedef {object} Picture
+ * @property {HTMLElement} root
+ * @property {HTMLCanvasElement} canvas
+ * @property {Striker | null} striker
+ * @property {boolean} [leads]  whether the opening has the page
+ * @property {HTMLElement | null} [lap]  what lies over its lower right
  */
 
 /**

@@ -42,3 +42,37 @@ def test_a_phone_names_every_impact(open_page):
     page = open_page("?scene=four-bar-moves&layout=opening", size=HANDS[1])
     opened(page)
     expect(page.tab.locator(".happens li:visible")).to_have_count(page.header("main")["contacts"])
+
+
+LINKS = """() => {
+  const { mechanism, root } = strikewave.page.view.stage;
+  const points = mechanism.placed.flat();
+  const [x, y] = [0, 1].map((k) => points.map((point) => point[k]));
+  return [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y), root.clientWidth, root.clientHeight];
+}"""
+
+
+@pytest.mark.parametrize("size", DESKS)
+@pytest.mark.parametrize("scene", ["four-bar-moves", "four-bar"])
+def test_a_linkage_has_the_height_beside_its_tracks(open_page, scene, size):
+    page = open_page(f"?scene={scene}&layout=opening", size=size)
+    opened(page)
+    page.wait("() => strikewave.page.root.classList.contains('tall')")
+    page.wait("() => strikewave.page.view.stage.root.clientHeight > 0.6 * innerHeight")
+    left, right, top, bottom, width, height = page.evaluate(LINKS)
+    section = page.tab.locator(".section").bounding_box()
+    stage = page.tab.locator(".stages").bounding_box()
+    assert left > 0 and right < section["x"] - stage["x"] and top > 0 and bottom < height
+    assert bottom - top > 0.3 * size[1]
+    assert section["y"] + section["height"] == pytest.approx(stage["y"] + stage["height"], abs=1)
+    page.tab.locator(".closer").get_by_role("button", name="Numbers").click()
+    page.wait("() => !strikewave.page.root.classList.contains('tall')")  # the dock has that room
+    assert width > 0
+
+
+def test_a_flat_linkage_lies_above_its_tracks(open_page):
+    page = open_page("?scene=slider-crank&layout=opening")
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    stage, section = (page.tab.locator(name).bounding_box() for name in (".stages", ".section"))
+    assert section["y"] >= stage["y"] + stage["height"] - 1 and section["width"] == pytest.approx(stage["width"])
