@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { WaveField } from '../../app/static/axial/fields.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
+import { impactOf } from '../../app/static/fall/lens.js';
 import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
 import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { weave } from '../../app/static/opening/rows.js';
@@ -183,4 +184,13 @@ test('of many names those are seen that have room, and the others are counted', 
     const [from, to] = windowOf(14, 10, first);
     assert.equal(to - from + Number(from > 0) + Number(to < 14), 10);
   }
+});
+
+test('the impact that is seen closer has its force in newtons, and ends as they part; a sudden one has none', () => {
+  const force = { exactTime: Float64Array.of(0, 1, 2, 9), exactForce: Float64Array.of(0, 3, 0, 0) };
+  const frame = { ...force, exact: { contacts: [[0, 2, 1, 3]], sudden: false }, forceUnit: 10, trip: 1e-3 };
+  const { end, fell, x, y } = impactOf(frame, 0.4);
+  assert.deepEqual([...y], [0, 30, 0, 0]);
+  assert.deepEqual([x[1], end, fell], [1e-3, 2e-3, 0.4]);
+  assert.equal(impactOf({ ...frame, exact: { ...frame.exact, sudden: true } }, 0.4), null);
 });

@@ -74,7 +74,8 @@ export class Opening {
     this.side = make('div', { className: 'aside' }, this.ask, this.change);
     this.happens = new Happens(this.section);
     this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
-    this.parts = [this.side, this.section.root, this.happens.root, this.closer];
+    const lenses = Object.values(page.views).flatMap(({ lens }) => lens ?? []);
+    this.parts = [this.side, this.section.root, this.happens.root, ...lenses, this.closer];
     this.button = make('button', { type: 'button', className: 'to-opening', textContent: text('opening.back') });
     this.button.title = text('opening.back-about');
     this.button.onclick = () => this.turn('opening');

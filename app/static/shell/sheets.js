@@ -11,6 +11,7 @@ export const SHEETS = [
   'beam/beam.css',
   ...['panel', 'record', 'plan', 'tradeoff', 'tolerance', 'stability', 'trust'].map((name) => `panels/${name}.css`),
   'opening/opening.css',
+  'fall/lens.css',
   'opening/dock.css',
   ...(alone ? [] : ['shell/embedded.css']),
 ];

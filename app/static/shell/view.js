@@ -29,6 +29,7 @@
  * @property {Stack} [stack]  charts over time
  * @property {Chart} [strip]  the one of them that a phone always shows
  * @property {Scene | null} [section]  what the opening draws over place and time, below the stage
+ * @property {HTMLElement} [lens]  what the opening shows closer, below the names of events
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
  * @property {Reactions} [reactions]

@@ -5,6 +5,8 @@ from itertools import pairwise
 import pytest
 from playwright.sync_api import expect
 
+import solvers
+
 from .test_opening_page import SIZES, opened
 
 DESKS, HANDS = SIZES[:2], SIZES[2:]
@@ -76,3 +78,39 @@ def test_a_flat_linkage_lies_above_its_tracks(open_page):
     page.wait("() => strikewave.page.opening.section.tracks.length")
     stage, section = (page.tab.locator(name).bounding_box() for name in (".stages", ".section"))
     assert section["y"] >= stage["y"] + stage["height"] - 1 and section["width"] == pytest.approx(stage["width"])
+
+
+def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(open_page):
+    exact = solvers.solve(solvers.load("drop-test"))
+    for size in SIZES:
+        page = open_page("?scene=drop-test&layout=opening", size=size)
+        opened(page)
+        lens = page.tab.locator(".lens")
+        if size in HANDS:
+            expect(lens).to_be_hidden()
+            continue
+        expect(lens).to_be_visible()
+        lasts = exact.contacts[-1].end * 1e6
+        expect(lens).to_contain_text(f"It lasts {lasts:.3g} µs")
+        box, names = lens.locator("canvas").bounding_box(), page.tab.locator(".happens li:visible")
+        assert box["height"] > 110 and box["width"] > 150
+        apart = [each.get_by_role("button").bounding_box() for each in names.all()]
+        assert all(each["y"] + each["height"] <= box["y"] or each["x"] + each["width"] <= box["x"] for each in apart)
+        drawn = page.evaluate(
+            """() => {
+              const { canvas } = strikewave.page.views.fall.closer;
+              const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+              return data.filter((value, k) => k % 4 === 3 && value > 0).length / (canvas.width * canvas.height);
+            }"""
+        )
+        assert drawn > 0.1
+
+
+def test_an_impact_without_time_has_nothing_closer(open_page):
+    page = open_page("?scene=bouncing-ball&layout=opening")
+    opened(page)
+    expect(page.tab.locator(".lens")).to_be_hidden()
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('law', 'hertz')"))
+    expect(page.tab.locator(".lens")).to_be_visible()
+    page.tab.locator(".closer").get_by_role("button", name="All charts and controls").click()
+    expect(page.tab.locator(".lens")).to_be_hidden()
