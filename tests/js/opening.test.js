@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { WaveField } from '../../app/static/axial/fields.js';
+import { filledOf, placing, seamIn } from '../../app/static/axial/traces.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
 import { impactOf } from '../../app/static/fall/lens.js';
@@ -193,4 +194,43 @@ test('the impact that is seen closer has its force in newtons, and ends as they 
   assert.deepEqual([...y], [0, 30, 0, 0]);
   assert.deepEqual([x[1], end, fell], [1e-3, 2e-3, 0.4]);
   assert.equal(impactOf({ ...frame, exact: { ...frame.exact, sudden: true } }, 0.4), null);
+});
+
+const BAR = { transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 0 };
+const BARS = [
+  { ...BAR, from: 0, to: 1 },
+  { ...BAR, from: 1, to: 1.01, area: 0.25 },
+  { ...BAR, from: 1.01, to: 2.01 },
+];
+
+test('a thin specimen between bars is drawn wide, and all else as far apart as it is', () => {
+  const seam = seamIn({ rods: BARS }, 1000);
+  const place = placing([0, 2.01], [100, 1100], seam);
+  const found = [0, 0.5, 1, 1.005, 1.01, 1.51, 2.01].map(place);
+  const expected = [100, 317.5, 535, 600, 665, 882.5, 1100];
+  for (const [k, x] of found.entries()) assert.ok(Math.abs(x - expected[k]) < 1e-9, `${k}: ${x}`);
+  assert.equal(seamIn({ rods: [BARS[0], { ...BARS[1], to: 1.5 }, BARS[2]] }, 1000), null); // no thin one
+  const even = placing([0, 2], [100, 1100], null);
+  assert.deepEqual([0, 1, 2].map(even), [100, 600, 1100]);
+});
+
+test('what fills the seam is the force through the specimen, coloured as the bars that feel it', () => {
+  const field = { over: (place) => (place > 1 && place < 1.01 ? { x: [0, 1], y: [0, 8] } : assert.fail()) };
+  const stage = { largest: 3, leads: true, place: (x) => 100 * x, what: 'stress' };
+  const found = filledOf({ rods: BARS, forceUnit: 10 }, field, stage, [0, 1]);
+  assert.deepEqual([...found.force], [0, 20]);
+  assert.deepEqual([found.left, found.right, found.largest], [100, 101, 30]);
+  assert.equal(filledOf({ rods: BARS, forceUnit: 10 }, field, { ...stage, what: 'velocity' }, [0, 1]), null);
+});
+
+test('rows of what is not drawn evenly lie where it is', () => {
+  const canvas = sheet();
+  const at = (share) => (share < 0.5 ? 10 + 40 * share : 50 + 40 * share);
+  const shown = { drawn: { left: 10, right: 90, rest: 10, at }, duration: 2, field: step(), largest: 2, scale: 0 };
+  weave(canvas, { ...shown, what: 'stress' }, [0, 2], 100, 40);
+  const color = (x, y) => [...canvas.picture.data.slice(4 * (100 * y + x), 4 * (100 * y + x) + 3)];
+  const solid = (value) => [...palette.slice(shade(value, 2), shade(value, 2) + 3)];
+  assert.deepEqual(color(28, 8), solid(1)); // at 0.425 of 2 the front has gone 0.85 of the length, to 84
+  assert.deepEqual(color(80, 8), solid(1));
+  assert.deepEqual(color(88, 8), solid(0));
 });

@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from playwright.sync_api import expect
 
@@ -114,3 +115,28 @@ def test_an_impact_without_time_has_nothing_closer(open_page):
     expect(page.tab.locator(".lens")).to_be_visible()
     page.tab.locator(".closer").get_by_role("button", name="All charts and controls").click()
     expect(page.tab.locator(".lens")).to_be_hidden()
+
+
+def test_the_seam_of_a_hopkinson_bar_opens_with_the_force_through_its_specimen(open_page):
+    page = open_page("?scene=split-hopkinson&layout=opening")
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.shown?.seam")
+    found = page.evaluate(
+        """() => {
+          const { page } = strikewave;
+          const { seam, drawn: { left, right } } = page.opening.section.shown;
+          const { trip } = page.frame;
+          return { ...seam, x: [...seam.x], force: [...seam.force], trip, long: right - left };
+        }"""
+    )
+    assert found["right"] - found["left"] == pytest.approx(0.13 * found["long"])
+    exact = solvers.solve(solvers.load("split-hopkinson"))
+    times = np.linspace(0.0, exact.duration, 4001)
+    area = exact.scene.target.rods[1].area
+    middle = exact.scene.target.rods[0].length + 0.5 * exact.scene.target.rods[1].length
+    force = exact.motion.stress(times, np.array([middle]))[:, 0] * area
+    assert max(found["force"]) == pytest.approx(force.max(), rel=0.01)
+    x = np.array(found["x"]) * found["trip"]
+    smooth = np.abs(np.gradient(force)) < 0.01 * force.max()
+    error = np.abs(np.interp(times, x, found["force"]) - force)[smooth]
+    assert np.percentile(error, 99) < 0.03 * force.max()  # but where steps of the staircase follow one another
