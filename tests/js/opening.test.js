@@ -10,7 +10,7 @@ import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
 import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { weave } from '../../app/static/opening/rows.js';
 import { placed } from '../../app/static/opening/tracks.js';
-import { courseOf, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
+import { courseOf, meets, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
 
 const ROD = { from: 0, to: 2, transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 1 };
 const STILL = { motionTime: [0, 2], exactMass: [0, 0], exactEnd: [0, 0], otherMass: [0, 0], otherEnd: [0, 0] };
@@ -166,7 +166,46 @@ test('the clock of an impact without time is its impulse', () => {
     [0, 0.5, 1, 2],
   );
   assert.match(events[1][1], /grips/);
-  assert.equal(slideTracks({ friction: 0, sliding: [] }), null);
+});
+
+/** A ball of 0.5 kg strikes a rod of 2 kg and 1.2 m, 0.2 m from its middle, at 3 m/s: it is felt as 1.5 kg there. */
+const SMOOTH = {
+  ...{ friction: 0, impulse: 1.8, push: [-1.8, 0, 0], sliding: [], figures: [['energy-before', 2.25, 'J']] },
+  impactorPath: Float64Array.of(1, 0, 0, 0, 0, 0, 0.2, 0, 0),
+  targetPath: Float64Array.of(0, -0.2, 0, 0, -0.2, 0, -0.3, -0.2, 0),
+  bodies: {
+    impactor: {
+      shape: 'point',
+      before: { velocity: [-3, 0, 0], spin: [0, 0, 0] },
+      after: { velocity: [0.6, 0, 0], spin: [0, 0, 0] },
+    },
+    target: {
+      shape: 'box',
+      before: { velocity: [0, 0, 0], spin: [0, 0, 0] },
+      after: { velocity: [-0.9, 0, 0], spin: [0, 0, 1.5] },
+    },
+  },
+};
+
+test('without friction velocities change in proportion to the impulse; the energy is least between', () => {
+  const found = slideTracks(SMOOTH);
+  const [parting, along, spin, energy] = found.tracks.map(({ series }) => series);
+  const near = (values, expected) =>
+    expected.forEach((value, k) => assert.ok(Math.abs(values[k] - value) < 1e-12, `${[...values]}`));
+  near(parting[0].y, [-3, -3, 1.8, 1.8]); // restitution 0.6
+  near(along[0].y, [3, 3, -0.6, -0.6]);
+  near(along[1].y, [0, 0, 0.9, 0.9]);
+  assert.equal(spin.length, 1); // the ball does not turn
+  near(spin[0].y, [0, 0, 1.5, 1.5]);
+  const joules = [...energy[0].y];
+  near([joules[0], joules.at(-1)], [2.25, 1.17]);
+  assert.ok(Math.abs(Math.min(...joules) - (2.25 - 0.5 * 0.375 * 9)) < 1e-3); // both go as one
+  assert.deepEqual(found.timed, [0, 2]);
+  near(
+    courseOf(SMOOTH, 'They touch.').map(([t]) => t),
+    [0, 1.25, 2],
+  );
+  assert.ok(meets(SMOOTH) && !meets({ ...SMOOTH, impulse: 0 }));
 });
 
 test('names stand at their time, apart, and those at the end move up', () => {

@@ -1,5 +1,6 @@
 """The opening of each kind of scene: how much of it its picture has, and what it shows closer."""
 
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -140,3 +141,31 @@ def test_the_seam_of_a_hopkinson_bar_opens_with_the_force_through_its_specimen(o
     smooth = np.abs(np.gradient(force)) < 0.01 * force.max()
     error = np.abs(np.interp(times, x, found["force"]) - force)[smooth]
     assert np.percentile(error, 99) < 0.03 * force.max()  # but where steps of the staircase follow one another
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_bodies_without_friction_have_the_clock_of_their_impulse(open_page, size):
+    page = open_page("?scene=percussion-rod&layout=opening", size=size)
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    titles, ends = page.evaluate(
+        """() => {
+          const { tracks } = strikewave.page.opening.section.shown;
+          const ends = tracks.map(({ series }) => series.map(({ y }) => [y[0], y.at(-1)]));
+          return [tracks.map(({ title }) => title), ends];
+        }"""
+    )
+    assert titles == ["Parting", "Centres", "Spin", "Energy"]
+    exact = solvers.solve(solvers.load("percussion-rod"))
+    (before, after), *_ = ends[0]
+    assert after / before == pytest.approx(-0.6)  # the restitution
+    assert ends[1][0] == pytest.approx([3.0, -exact.impactor_velocity[0]])
+    assert abs(ends[2][0][1]) == pytest.approx(np.linalg.norm(exact.target_spin))
+    assert 1.0 - ends[3][0][1] / ends[3][0][0] == pytest.approx(exact.energy["dissipated"] / exact.energy["initial"])
+    names = page.tab.locator(".happens li:visible")
+    expect(names).to_have_count(3)
+    names.filter(has_text="approach no more").get_by_role("button").click()
+    assert page.evaluate("() => strikewave.page.player.t + strikewave.page.player.start") == pytest.approx(
+        1.25, abs=1e-6
+    )
+    expect(page.tab.locator(".player .clock")).to_have_text(re.compile(r"1\.1[23]\sN\ss"))  # 1.8 over 1.6
