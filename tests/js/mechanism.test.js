@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Bending } from '../../app/static/mechanism/bending.js';
+import { drawGhosts, ghostsOf } from '../../app/static/mechanism/ghosts.js';
 import { Mechanism } from '../../app/static/mechanism/mechanism.js';
 import { MovingMechanism } from '../../app/static/mechanism/moving.js';
 import { css } from '../../app/static/charts/styles.js';
@@ -140,4 +141,30 @@ test('of a mass that has left the picture it is said how far it is', () => {
   assert.equal(text, `mass: ${beyond.toPrecision(2)}\u00a0m beyond`);
   assert.ok(x < 400);
   assert.equal(mechanism.held, null); // nothing to take hold of
+});
+
+test('a link that goes far has its way drawn in steps as large as one another, the paler the further in time', () => {
+  const points = Float64Array.of(0, 0, 1, 0);
+  const times = Float64Array.from({ length: 101 }, (_, k) => k / 100);
+  const moved = (far) => Float64Array.from([...times].flatMap((t) => [0, 0, 0, far * t * t])); // ever faster
+  const ghosts = ghostsOf(times, points, moved(1), 1);
+  assert.ok(ghosts.length >= 10 && ghosts.length <= 11);
+  for (const [k, { ends }] of ghosts.entries()) if (k) assert.ok(ends[3] - ghosts[k - 1].ends[3] < 0.12);
+  assert.deepEqual(ghostsOf(times, points, moved(0.1), 1), []); // it hardly moves
+  const strokes = [];
+  let line = [];
+  const c = {
+    ...{ save() {}, restore() {}, beginPath: () => (line = []), moveTo: (...at) => line.push(at) },
+    ...{ lineTo: (...at) => line.push(at), stroke: () => strokes.push({ line, alpha: c.globalAlpha }) },
+  };
+  drawGhosts(c, ghosts, 0.7, (x, y) => [100 * x, -100 * y]);
+  assert.equal(strokes.length, ghosts.length);
+  const alpha = strokes.map((stroke) => stroke.alpha);
+  const next = ghosts.findIndex(({ t }) => t > 0.7);
+  assert.equal(alpha[next], Math.max(...alpha));
+  assert.ok(alpha[0] < alpha[next - 1]);
+  assert.deepEqual(strokes[next].line, [
+    [0, -0],
+    [100, -100 * ghosts[next].ends[3]],
+  ]);
 });

@@ -2,12 +2,15 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { WaveField } from '../../app/static/axial/fields.js';
+import { filledOf, placing, seamIn } from '../../app/static/axial/traces.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
+import { impactOf } from '../../app/static/fall/lens.js';
 import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
+import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { weave } from '../../app/static/opening/rows.js';
 import { placed } from '../../app/static/opening/tracks.js';
-import { courseOf, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
+import { courseOf, meets, movedAt, tracksOf as slideTracks } from '../../app/static/space/tracks.js';
 
 const ROD = { from: 0, to: 2, transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 1 };
 const STILL = { motionTime: [0, 2], exactMass: [0, 0], exactEnd: [0, 0], otherMass: [0, 0], otherEnd: [0, 0] };
@@ -163,5 +166,110 @@ test('the clock of an impact without time is its impulse', () => {
     [0, 0.5, 1, 2],
   );
   assert.match(events[1][1], /grips/);
-  assert.equal(slideTracks({ friction: 0, sliding: [] }), null);
+});
+
+/** A ball of 0.5 kg strikes a rod of 2 kg and 1.2 m, 0.2 m from its middle, at 3 m/s: it is felt as 1.5 kg there. */
+const SMOOTH = {
+  ...{ friction: 0, impulse: 1.8, push: [-1.8, 0, 0], sliding: [], figures: [['energy-before', 2.25, 'J']] },
+  impactorPath: Float64Array.of(1, 0, 0, 0, 0, 0, 0.2, 0, 0),
+  targetPath: Float64Array.of(0, -0.2, 0, 0, -0.2, 0, -0.3, -0.2, 0),
+  bodies: {
+    impactor: {
+      shape: 'point',
+      before: { velocity: [-3, 0, 0], spin: [0, 0, 0] },
+      after: { velocity: [0.6, 0, 0], spin: [0, 0, 0] },
+    },
+    target: {
+      shape: 'box',
+      before: { velocity: [0, 0, 0], spin: [0, 0, 0] },
+      after: { velocity: [-0.9, 0, 0], spin: [0, 0, 1.5] },
+    },
+  },
+};
+
+test('without friction velocities change in proportion to the impulse; the energy is least between', () => {
+  const found = slideTracks(SMOOTH);
+  const [parting, along, spin, energy] = found.tracks.map(({ series }) => series);
+  const near = (values, expected) =>
+    expected.forEach((value, k) => assert.ok(Math.abs(values[k] - value) < 1e-12, `${[...values]}`));
+  near(parting[0].y, [-3, -3, 1.8, 1.8]); // restitution 0.6
+  near(along[0].y, [3, 3, -0.6, -0.6]);
+  near(along[1].y, [0, 0, 0.9, 0.9]);
+  assert.equal(spin.length, 1); // the ball does not turn
+  near(spin[0].y, [0, 0, 1.5, 1.5]);
+  const joules = [...energy[0].y];
+  near([joules[0], joules.at(-1)], [2.25, 1.17]);
+  assert.ok(Math.abs(Math.min(...joules) - (2.25 - 0.5 * 0.375 * 9)) < 1e-3); // both go as one
+  assert.deepEqual(found.timed, [0, 2]);
+  near(
+    courseOf(SMOOTH, 'They touch.').map(([t]) => t),
+    [0, 1.25, 2],
+  );
+  assert.ok(meets(SMOOTH) && !meets({ ...SMOOTH, impulse: 0 }));
+});
+
+test('names stand at their time, apart, and those at the end move up', () => {
+  assert.deepEqual(spread([10, 100, 190], 10, 200), [10, 100, 190]);
+  assert.deepEqual(spread([10, 12, 14], 10, 200), [10, 34, 58]);
+  assert.deepEqual(spread([10, 150, 196, 197], 10, 200), [10, 150, 176, 200]);
+  assert.deepEqual(spread([-5, 300], 10, 200), [10, 200]);
+});
+
+test('of many names those are seen that have room, and the others are counted', () => {
+  assert.deepEqual(windowOf(14, 14, 3), [0, 14]);
+  assert.deepEqual(windowOf(14, 10, 0), [0, 9]); // and a line: 5 more
+  assert.deepEqual(windowOf(14, 10, 3), [3, 11]); // between two lines
+  assert.deepEqual(windowOf(14, 10, 9), [5, 14]); // 5 earlier
+  for (let first = 0; first < 14; first++) {
+    const [from, to] = windowOf(14, 10, first);
+    assert.equal(to - from + Number(from > 0) + Number(to < 14), 10);
+  }
+});
+
+test('the impact that is seen closer has its force in newtons, and ends as they part; a sudden one has none', () => {
+  const force = { exactTime: Float64Array.of(0, 1, 2, 9), exactForce: Float64Array.of(0, 3, 0, 0) };
+  const frame = { ...force, exact: { contacts: [[0, 2, 1, 3]], sudden: false }, forceUnit: 10, trip: 1e-3 };
+  const { end, fell, x, y } = impactOf(frame, 0.4);
+  assert.deepEqual([...y], [0, 30, 0, 0]);
+  assert.deepEqual([x[1], end, fell], [1e-3, 2e-3, 0.4]);
+  assert.equal(impactOf({ ...frame, exact: { ...frame.exact, sudden: true } }, 0.4), null);
+});
+
+const BAR = { transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 0 };
+const BARS = [
+  { ...BAR, from: 0, to: 1 },
+  { ...BAR, from: 1, to: 1.01, area: 0.25 },
+  { ...BAR, from: 1.01, to: 2.01 },
+];
+
+test('a thin specimen between bars is drawn wide, and all else as far apart as it is', () => {
+  const seam = seamIn({ rods: BARS }, 1000);
+  const place = placing([0, 2.01], [100, 1100], seam);
+  const found = [0, 0.5, 1, 1.005, 1.01, 1.51, 2.01].map(place);
+  const expected = [100, 317.5, 535, 600, 665, 882.5, 1100];
+  for (const [k, x] of found.entries()) assert.ok(Math.abs(x - expected[k]) < 1e-9, `${k}: ${x}`);
+  assert.equal(seamIn({ rods: [BARS[0], { ...BARS[1], to: 1.5 }, BARS[2]] }, 1000), null); // no thin one
+  const even = placing([0, 2], [100, 1100], null);
+  assert.deepEqual([0, 1, 2].map(even), [100, 600, 1100]);
+});
+
+test('what fills the seam is the force through the specimen, coloured as the bars that feel it', () => {
+  const field = { over: (place) => (place > 1 && place < 1.01 ? { x: [0, 1], y: [0, 8] } : assert.fail()) };
+  const stage = { largest: 3, leads: true, place: (x) => 100 * x, what: 'stress' };
+  const found = filledOf({ rods: BARS, forceUnit: 10 }, field, stage, [0, 1]);
+  assert.deepEqual([...found.force], [0, 20]);
+  assert.deepEqual([found.left, found.right, found.largest], [100, 101, 30]);
+  assert.equal(filledOf({ rods: BARS, forceUnit: 10 }, field, { ...stage, what: 'velocity' }, [0, 1]), null);
+});
+
+test('rows of what is not drawn evenly lie where it is', () => {
+  const canvas = sheet();
+  const at = (share) => (share < 0.5 ? 10 + 40 * share : 50 + 40 * share);
+  const shown = { drawn: { left: 10, right: 90, rest: 10, at }, duration: 2, field: step(), largest: 2, scale: 0 };
+  weave(canvas, { ...shown, what: 'stress' }, [0, 2], 100, 40);
+  const color = (x, y) => [...canvas.picture.data.slice(4 * (100 * y + x), 4 * (100 * y + x) + 3)];
+  const solid = (value) => [...palette.slice(shade(value, 2), shade(value, 2) + 3)];
+  assert.deepEqual(color(28, 8), solid(1)); // at 0.425 of 2 the front has gone 0.85 of the length, to 84
+  assert.deepEqual(color(80, 8), solid(1));
+  assert.deepEqual(color(88, 8), solid(0));
 });

@@ -3,6 +3,7 @@
 import { letters } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { text } from '../text/catalogue.js';
+import { length } from '../text/format.js';
 
 /** @import { AxialFrame } from '../messages.js' */
 
@@ -273,4 +274,23 @@ export function runs(c, [x, y], way, name, width) {
   const room = way > 0 || x + 8 + c.measureText(name).width < width;
   c.textAlign = way > 0 || !room ? 'right' : 'left';
   c.fillText(name, room ? x - 8 * way : x - 26, y - 4); // beyond the arrow, where the picture ends behind it
+}
+
+/**
+ * What is said of a specimen.
+ * @param {Context} c
+ * @param {import('./traces.js').Seam} seam
+ * @param {(place: number) => number} place
+ * @param {{ middle: number, thick: number }} size  of the bars beside it
+ */
+export function specimen(c, { from, to }, place, { middle, thick }) {
+  const x = place((from + to) / 2);
+  c.font = letters(13);
+  c.textAlign = 'center';
+  c.fillStyle = COLORS.ink;
+  c.textBaseline = 'bottom';
+  c.fillText(text('axial.stage.specimen'), x, middle - thick / 2 - 4);
+  c.fillStyle = COLORS.faint;
+  c.textBaseline = 'top';
+  c.fillText(text('axial.stage.wider', { length: length(to - from) }), x, middle + thick / 2 + 4);
 }

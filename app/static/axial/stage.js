@@ -7,8 +7,10 @@ import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { figures, grouped, localised, scaled } from '../text/format.js';
 import { RigidField } from './fields.js';
-import { axis, endMass, onward, push, runs, striker, struckBody, wall } from './bodies.js';
+import { axis, endMass, onward, push, runs, specimen, striker, struckBody, wall } from './bodies.js';
 import { cradle, swing } from './cradle.js';
+import { scaleBar } from './scale_bar.js';
+import { placing, seamIn } from './traces.js';
 import { reachOf } from './reach.js';
 import { drawnLength, pendulum, shapeOf, turningBar, WIDTH } from './pendulum.js';
 
@@ -42,6 +44,7 @@ export class Stage {
   scale = 1; // pixels in a unit of displacement
   leads = false; // the rows of the opening lie below it
   drawn = { left: 0, right: 0, rest: 0 }; // where rods are at rest, and the struck face [px]
+  place = placing([0, 1], [0, 1], null); // where a place [m] of theirs is [px]
   /** @type {Hung[]} */ row = []; // balls as they hang
   values = new Float64Array(SLICES);
   moved = new Float64Array(SLICES);
@@ -203,7 +206,11 @@ export class Stage {
     const { target } = this.frame;
     this.field.profile(t, this.what, this.values);
     this.field.profile(t, 'displacement', this.moved);
-    const rest = this.rods(c, left, right - left, middle, thick, this.scale);
+    const seam = this.leads && !(this.field instanceof RigidField) ? seamIn(this.frame, right - left) : null;
+    this.place = placing([this.field.from, this.field.to], [left, right], seam);
+    this.rods(c, middle, thick, this.scale);
+    const rest = this.place(0);
+    if (seam) specimen(c, seam, this.place, { middle, thick });
     if (target.rotation) axis(c, right, middle, thick);
     else if (target.support === 'fixed') wall(c, right, middle, thick);
     if (target.support === 'anechoic') onward(c, right + this.moved[SLICES - 1] * this.scale, middle, thick);
@@ -266,7 +273,7 @@ export class Stage {
   #measure(c, width, height) {
     const { factor, frame } = this;
     c.textBaseline = 'alphabetic';
-    const [below, above] = frame.rods.length ? this.scaleBar(c, width, height) : [width, width];
+    const [below, above] = frame.rods.length ? scaleBar(c, this, width, height) : [width, width];
     c.fillStyle = c.strokeStyle = COLORS.faint;
     c.font = letters(13);
     c.textAlign = 'left';
@@ -289,25 +296,23 @@ export class Stage {
     c.fillText(text('axial.stage.of-movement', { length: `${figures(long * times)} ${unit}` }), 12, top + 14);
   }
   /**
-   * Every rod slice by slice, its height by the side of its section; returns where the struck face is at rest.
+   * Every rod slice by slice, its height by the side of its section.
    * @param {CanvasRenderingContext2D} c
-   * @param {number} left
-   * @param {number} length
    * @param {number} middle
    * @param {number} thick
    * @param {number} scale
    */
-  rods(c, left, length, middle, thick, scale) {
-    const { frame, field } = this;
+  rods(c, middle, thick, scale) {
+    const { field, frame, place } = this;
     const widest = Math.max(...frame.rods.map((rod) => rod.area));
-    const place = (/** @type {number} */ x) => left + ((x - field.from) / this.span) * length;
     frame.rods.forEach((rod, number) => {
       const tall = thick * Math.max(Math.sqrt(rod.area / widest), 0.18);
       const top = middle - tall / 2;
       const [first, last] = this.#slices(rod);
       /** @type {[number, number]} */
       const ends = [place(rod.from) + this.moved[first] * scale, place(rod.to) + this.moved[last] * scale];
-      const at = (/** @type {number} */ k) => left + (k / (SLICES - 1)) * length + this.moved[k] * scale;
+      const at = (/** @type {number} */ k) =>
+        place(field.from + (k / (SLICES - 1)) * this.span) + this.moved[k] * scale;
       const x = (/** @type {number} */ k) => (k <= first ? ends[0] : k >= last ? ends[1] : at(k));
       if (first === last) {
         c.fillStyle = css(this.values[first], this.largest);
@@ -337,7 +342,6 @@ export class Stage {
         c.fillRect(ends[0] - 1, top - 3, 2, tall + 6);
       }
     });
-    return place(0);
   }
   /**
    * First and last slice of a rod, a hair inside: at a joint that has opened the field jumps.
@@ -365,34 +369,5 @@ export class Stage {
     const x = left + place * length + this.moved[i] * this.scale;
     const name = text('axial.stage.wave', { rigid: this.frame.rigid });
     runs(c, [x, top - 9], outward ? 1 : -1, name, sizeOf(this.root)[0]);
-  }
-  /**
-   * What colours mean; returns where its words below and above begin.
-   * @param {CanvasRenderingContext2D} c
-   * @param {number} width
-   * @param {number} height
-   */
-  scaleBar(c, width, height) {
-    const bar = Math.min(150, width * 0.3);
-    const x = width - bar - 16;
-    const y = height - 8 - 16 * zoom;
-    const unit = this.what === 'stress' ? this.frame.stressUnit / 1e6 : this.frame.speed;
-    const largest = this.largest * unit;
-    const show = (/** @type {number} */ v) =>
-      localised(Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
-    for (let k = 0; k < bar; k++) {
-      c.fillStyle = css((k / bar) * 2 - 1, 1);
-      c.fillRect(x + k, y, 1.2, 7);
-    }
-    hatch(c, [[x, x + 0.47 * bar]], y, 7);
-    c.fillStyle = COLORS.faint;
-    c.font = letters(13);
-    c.textAlign = 'left';
-    const { what } = this;
-    c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
-    c.textAlign = 'right';
-    const words = text('axial.stage.most', { what, value: `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}` });
-    c.fillText(words, x + bar, y + 7 + 13 * zoom);
-    return [x + bar - c.measureText(words).width, x];
   }
 }

@@ -18,7 +18,7 @@ import { RigidField, unitOf } from './fields.js';
 import { Moments } from './moments.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
-import { tracesOf } from './traces.js';
+import { filledOf, tracesOf } from './traces.js';
 import { barOf, tracksOf } from './tracks.js';
 import { wallOf } from './wall.js';
 
@@ -161,7 +161,9 @@ export class AxialView {
     const by = byOf(called(drawnOf), frame.exact.diagnostics.estimated_error);
     const forces = force.chart.own.series.filter(({ style }) => style !== 'raw');
     if (field instanceof RigidField || !forces[0]?.x.length) return null;
-    const { drawn, largest, scale } = stage;
+    const { largest, place, scale } = stage;
+    const at = (/** @type {number} */ share) => place(field.from + share * (field.to - field.from));
+    const drawn = { ...stage.drawn, at };
     const first = frame.rods[0].from === 0;
     const strikes = first && frame.impactor.kind !== 'pulse';
     const title = text('opening.rows', { what: frame.rods.length > 1 ? 'rods' : 'rod' });
@@ -184,6 +186,7 @@ export class AxialView {
       largest,
       prediction: frame.prediction?.impactor ?? null,
       scale,
+      seam: filledOf(frame, field, stage, this.axis.view),
       strikes,
       title,
       traces: tracesOf(frame, field, stage, this.axis.view),

@@ -122,7 +122,7 @@ export class BeamStage {
     this.narrow = narrow;
     this.low = height < LEAST_FOR_DIAGRAMS[Number(narrow)];
     const { beside, diagrams: within } = this;
-    const room = beside && within ? 0.54 * width : width;
+    const [room, down] = this.share(width, height);
     const top = within ? this.above(height) : height;
     this.#places(width, room, top);
     this.scale = Math.min((this.factor * this.long) / frame.beam.length, (0.36 * top) / this.reach);
@@ -130,7 +130,7 @@ export class BeamStage {
     this.moved = this.field.profile(t, 'deflection');
     this.picture(c, t, room, top, height);
     this.words(c, top);
-    if (within) diagrams(c, this, t, beside ? 48 : top, beside ? height - 52 : height - top);
+    if (within) diagrams(c, this, t, beside ? 48 : top, beside ? down - 52 : height - top);
   }
   /**
    * Where the beam lies, and how thick it is.
@@ -148,6 +148,15 @@ export class BeamStage {
     const [least, most] = leading ? LEADS.thick.map((share) => share * top) : [5, 0.1 * top];
     this.thick = Math.min(Math.max(((2 * beam.halfDepth) / beam.length) * this.long, least), most);
     this.drawn = { left: this.left, right: this.left + this.long, rest: this.struck };
+  }
+  /**
+   * How wide the picture is, and how far down what is drawn beside it goes.
+   * @param {number} width
+   * @param {number} height
+   * @returns {[room: number, down: number]}
+   */
+  share(width, height) {
+    return [width, height];
   }
   /**
    * How high the picture is, of a height that it shares with the diagrams.

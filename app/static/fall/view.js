@@ -3,6 +3,7 @@ import { make } from '../shell/dom.js';
 import { Events } from '../shell/story.js';
 import { text } from '../text/catalogue.js';
 import { figures, length, percent, speed } from '../text/format.js';
+import { impactOf, Lens } from './lens.js';
 import { FallStage } from './stage.js';
 
 /** @import { Page } from '../page.js' */
@@ -70,6 +71,8 @@ export class FallView {
   /** @type {HTMLElement[]} */ buttons = [];
   /** @type {Fall | null} */ fall = null;
   given = false;
+  closer = new Lens();
+  lens = this.closer.root;
 
   /** @param {Page} page */
   constructor(page) {
@@ -85,12 +88,14 @@ export class FallView {
   /** @param {boolean} hidden */
   hide(hidden) {
     this.stage.root.hidden = hidden;
+    this.lens.hidden = hidden || !this.closer.impact;
   }
   /** @param {AxialFrame} frame */
   load(frame) {
     this.given = frame.rigid; // its restitution, as nothing gives way
     this.fall = fallOf(frame);
     this.stage.load(this.fall);
+    this.closer.load(this.fall && impactOf(frame, this.fall.bounces[0].t));
   }
   /** @param {AxialFrame} frame */
   clock({ chosen, opens }) {
@@ -107,7 +112,9 @@ export class FallView {
     return text('opening.question.fall', { way: bounces.length < 2 ? 'stays' : goes });
   }
   dress() {}
-  draw() {}
+  draw() {
+    this.closer.draw();
+  }
   zoom() {}
   /** @param {number} t */
   show(t) {

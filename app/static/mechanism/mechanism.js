@@ -18,7 +18,7 @@ import { figures, prefixed } from '../text/format.js';
 
 const SHOWN_MOVE = 0.12; // of the mechanism, that the largest movement is drawn as
 const ROOM = 46; // pixels about the mechanism, at most
-const SHARE_OF_ROOM = 0.2; // of the height of the picture
+const SHARE_OF_ROOM = [0.07, 0.2]; // of the width and the height of the picture
 const LONGEST_ARROW = 44; // pixels, of the largest reaction
 const LEAST_ARROW = 3;
 const HEAD = 44; // pixels, of words and colours above
@@ -40,6 +40,8 @@ export class Mechanism {
   /** @type {import('./labels.js').Box | null} */ away = null; // where it is said how far that has gone
 
   shown = 'reach'; // movement whose scale can be shared
+  led = false; // it is the picture of the opening
+  slack = SHOWN_MOVE; // of the mechanism, beside it, for what moves
   flight = 0; // by how much larger the way of the mass is drawn, if not as all else
 
   /**
@@ -87,8 +89,8 @@ export class Mechanism {
     this.width = width;
     const [left, right, low, high] = this.box;
     const [across, up] = [Math.max(right - left, 1e-9), Math.max(high - low, 1e-9)];
-    const room = Math.min(ROOM, SHARE_OF_ROOM * height);
-    this.scale = Math.min((width - 2 * room) / (across + SHOWN_MOVE * this.size), (height - 2 * room) / up);
+    const [beside, above] = [width, height].map((pixels, k) => Math.min(ROOM, SHARE_OF_ROOM[k] * pixels));
+    this.scale = Math.min((width - 2 * beside) / (across + this.slack * this.size), (height - 2 * above) / up);
     this.middle = [(left + right) / 2, (low + high) / 2];
     this.center = [width / 2, height / 2 + 6];
     this.height = height;
@@ -118,6 +120,12 @@ export class Mechanism {
     const k = Math.max(Math.min(indexAt(times, t) + 1, times.length - 1), 1);
     return [k, Math.min(Math.max((t - times[k - 1]) / (times[k] - times[k - 1] || 1), 0), 1)];
   }
+  /**
+   * Where its links are at other instants, in the opening, if it goes far.
+   * @param {Context} _c
+   * @param {number} _t
+   */
+  ghosts(_c, _t) {}
   /** @param {number} t */
   place(t) {
     const { factor, moves, places, points, linkage } = this;

@@ -4,6 +4,7 @@ import { COLORS } from '../charts/styles.js';
 import { given } from '../shell/message.js';
 import { text } from '../text/catalogue.js';
 import { figures } from '../text/format.js';
+import { drawGhosts, ghostsOf } from './ghosts.js';
 import { Mechanism } from './mechanism.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
@@ -11,10 +12,11 @@ import { Mechanism } from './mechanism.js';
 
 const SHOWN_BEND = 0.06; // of the mechanism, that the largest deflection is drawn as
 const MOST = 100; // times that bending is drawn larger
-const AROUND = 0.35; // of the mechanism, as far as which the mass is followed
+const AROUND = { wide: 0.35, tall: 0.08 }; // of the mechanism, as far as which the mass is followed, by the picture
 const TOP = 26; // pixels
 const GROUND = 8; // more below, where the ground is drawn
-const LEAST_FOR_DASHES = 380; // pixels, where there is room to say what they are
+const LEAST_FOR_DASHES = 380; // pixels, where there is room to say what they are, and what thin lines are:
+const LEAST_FOR_THIN = 420;
 const AXES = 20; // pixels, of a moving frame
 const PAST = 60; // of its places that names keep clear of
 const SEEN = 0.012; // of the whole time for which an impact is marked
@@ -22,6 +24,7 @@ const SEEN = 0.012; // of the whole time for which an impact is marked
 export class MovingMechanism extends Mechanism {
   shown = 'bend'; // movement whose scale can be shared
   flight = 1; // which is to scale
+  slack = 0; // it is drawn where it goes
   /** @type {[Point, Point][]} */ frames = []; // where links would be unbent, in pixels
   /** @type {{ time: number[], x: number[], y: number[] }} */ beside = { time: [], x: [], y: [] };
 
@@ -33,8 +36,11 @@ export class MovingMechanism extends Mechanism {
     const { points } = this;
     this.mass = { x: flown.filter((_, k) => k % 2 === 0), y: flown.filter((_, k) => k % 2 === 1) };
     const places = this.moves.map((move, k) => points[k % points.length] + move);
-    this.box = boxOf(places);
-    this.box = boxOf([...places, ...this.#near()]);
+    const swept = boxOf(places);
+    const about = (/** @type {number} */ around) => boxOf([...places, ...this.#near(swept, around)]);
+    this.boxes = { wide: about(AROUND.wide), tall: about(AROUND.tall) };
+    this.box = this.boxes.wide;
+    this.others = ghostsOf(this.times, points, this.moves, this.size);
     this.#meet();
   }
   /** How far the largest movement goes that is drawn larger: bending alone. */
@@ -52,14 +58,18 @@ export class MovingMechanism extends Mechanism {
    * @param {number} height
    */
   fit(width, height) {
+    this.box = this.boxes[width < height ? 'tall' : 'wide'];
     super.fit(width, height - TOP);
     this.height = height;
     this.center[1] += TOP - GROUND;
   }
-  /** Where the mass flies, as long as it is near the links. */
-  #near() {
-    const [left, right, low, high] = this.box;
-    const room = AROUND * Math.max(right - left, high - low);
+  /**
+   * Where the mass flies, as long as it is near the links.
+   * @param {number[]} box  of these: left, right, low and high
+   * @param {number} around  share of its size
+   */
+  #near([left, right, low, high], around) {
+    const room = around * Math.max(right - left, high - low);
     const { x, y } = this.mass;
     const inside = (/** @type {number} */ k) =>
       x[k] > left - room && x[k] < right + room && y[k] > low - room && y[k] < high + room;
@@ -96,6 +106,10 @@ export class MovingMechanism extends Mechanism {
       [value(i), value(i + 1)],
       [value(i + 2), value(i + 3)],
     ];
+  }
+  /** @type {Mechanism['ghosts']} */
+  ghosts(c, t) {
+    if (this.led) drawGhosts(c, this.others, t, (x, y) => this.pixel(x, y));
   }
   /** @param {number} t */
   place(t) {
@@ -185,6 +199,7 @@ export class MovingMechanism extends Mechanism {
   /** What is drawn larger than it is. */
   get scaleWords() {
     const bends = this.bending.some(Boolean);
-    return text('motion.scale', { times: figures(this.factor, 2), bends, wide: this.width > LEAST_FOR_DASHES });
+    const thin = this.led && this.others.length > 0 && this.width > LEAST_FOR_THIN;
+    return text('motion.scale', { times: figures(this.factor, 2), bends, thin, wide: this.width > LEAST_FOR_DASHES });
   }
 }

@@ -1,16 +1,19 @@
 // The stage of a struck mechanism: all of its links, and beside them the diagrams of the struck one.
 import { BeamStage } from '../beam/stage.js';
+import { sizeOf } from '../charts/canvas.js';
 import { between } from '../charts/scale.js';
 import { Mechanism } from './mechanism.js';
 import { MovingMechanism } from './moving.js';
 
 /** @import { MechanismFrame } from '../messages.js' */
 
+const BESIDE = 0.54; // of the width that the picture has beside diagrams
 const LEAST_FOR_REACTIONS = 440; // pixels of width, below which what the arrows are would run into the mechanism
 
 /** @extends {BeamStage<MechanismFrame>} */
 export class MechanismStage extends BeamStage {
   /** @type {Mechanism} */ mechanism;
+  /** @type {HTMLElement | null} */ lap = null; // what lies over its lower right
   furthest() {
     const { frame } = this;
     this.mechanism = frame.moving ? new MovingMechanism(frame) : new Mechanism(frame, super.furthest());
@@ -30,6 +33,12 @@ export class MechanismStage extends BeamStage {
   get beside() {
     return !this.narrow; // a mechanism is about as high as wide
   }
+  /** @type {BeamStage['share']} */
+  share(width, height) {
+    if (!this.lap) return [this.diagrams ? BESIDE * width : width, height];
+    const [covered, tall] = sizeOf(this.lap);
+    return [width - covered, height - tall];
+  }
   /** @param {number} height */
   above(height) {
     return height;
@@ -42,18 +51,27 @@ export class MechanismStage extends BeamStage {
    */
   picture(c, t, width, height) {
     const { frame, mechanism, values, what } = this;
+    c.save();
+    if (this.lap) {
+      c.beginPath();
+      c.rect(0, 0, width, height);
+      c.clip(); // the mass flies on under what lies beside it
+    }
+    mechanism.led = this.leads;
     mechanism.fit(width, height);
     mechanism.place(t);
     const rows = mechanism.bending.map((bending) => bending?.profile(t, what));
     rows[mechanism.linkage.struck] = values;
     const value = (/** @type {number} */ n, /** @type {number} */ share) =>
       rows[n]?.[Math.round(share * (rows[n].length - 1))] ?? 0;
+    mechanism.ghosts(c, t);
     mechanism.links(c, value, this.usual[what], what === 'moment');
     mechanism.joints(c);
     mechanism.striker(c, t, between(frame.time, frame.impactorPath, t), this.touching(t));
     mechanism.reactions(c, t);
     mechanism.words(c, 12, 36, width < LEAST_FOR_REACTIONS);
     this.striker?.draw(c, mechanism.held);
+    c.restore();
   }
   get coloured() {
     return this.mechanism.bends;

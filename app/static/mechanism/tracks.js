@@ -1,4 +1,6 @@
 // What the opening draws of a mechanism below its stage: impulses or force, the gap, the bending of a link, a pin.
+import { boxOf } from '../charts/scale.js';
+import { given } from '../shell/message.js';
 import { byOf, called, jointOf } from '../text/words.js';
 import { text } from '../text/catalogue.js';
 import { unitOfTime } from '../shell/times.js';
@@ -12,6 +14,7 @@ import { valuesOf } from './reactions.js';
 /** @import { Track } from '../opening/tracks.js' */
 
 const ROOM = 1.1; // about the largest value
+const FLAT = 1.5; // of a mechanism, its width over its height, from which on it has more room above its tracks
 const SHARES = { push: 1, gap: 0.8, bends: 1.4, pin: 1.2 };
 
 /**
@@ -34,6 +37,7 @@ const mostOf = (x, y, [start, end]) =>
 export function tracksOf(frame, field, forces, stretch, largest) {
   const { beam, contacts, duration, impactorPath, main, mechanism, struckPath, time } = frame;
   const [force] = forces;
+  const [left, right, low, high] = boxOf(given(frame.linkPoints, 'linkPoints'));
   const sudden = !force?.x.length || (frame.moving ? frame.moving.restitution !== null : main.sudden);
   /** @type {Track[]} */
   const tracks = [sudden ? impulses(contacts) : pushes(force, stretch)];
@@ -56,6 +60,7 @@ export function tracksOf(frame, field, forces, stretch, largest) {
     by: byOf(called(main), main.diagnostics.estimated_error),
     clock: unitOfTime(stretch[1]),
     drawn: null,
+    tall: right - left < FLAT * (high - low),
     tracks: [...tracks, ...pin(frame, stretch)],
   };
 }

@@ -5,19 +5,18 @@ import { make } from '../shell/dom.js';
 import { TITLES } from '../shell/layout.js';
 import { keep, kept } from '../shell/store.js';
 import { family, text } from '../text/catalogue.js';
+import { Happens } from './happens.js';
 import { questionOf } from './question.js';
 import { Section } from './section.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Frame, Try } from '../messages.js' */
-/** @import { Event } from '../shell/story.js' */
 
 const PLAN = 'plan'; // under which is kept which of them was seen last
 /** @type {Plan[]} */
 const PLANS = ['opening', 'docks', 'laboratory'];
 const WALK = 12; // steps in which a slider goes where a question sends it
 const STEP = 60; // ms between them
-const APART = 24; // pixels between two names of events, at least
 /** Sliders that lead, of those that act. */
 const LEADING = ['mass_ratio', 'law', 'restitution', 'modes', 'place', 'speed', 'friction', 'tilt'];
 const FOUR = 4;
@@ -66,8 +65,6 @@ export class Opening {
   /** @type {boolean | null} */ led = null; // whether its picture was seen last
   due = true; // rows are to be drawn
   /** @type {number | undefined} */ walking; // a slider, step by step
-  /** @type {Event[]} */ events = [];
-  /** @type {HTMLElement[]} */ names = [];
 
   /** @param {Page} page */
   constructor(page) {
@@ -77,9 +74,10 @@ export class Opening {
     this.change = make('button', { type: 'button', className: 'what-if', onclick: () => this.#change() });
     this.ask = make('div', { className: 'ask' }, this.question);
     this.side = make('div', { className: 'aside' }, this.ask, this.change);
-    this.happens = make('ol', { className: 'happens', ariaLabel: text('opening.events') });
+    this.happens = new Happens(this.section);
     this.closer = make('nav', { className: 'closer', ariaLabel: text('opening.closer') });
-    this.parts = [this.side, this.section.root, this.happens, this.closer];
+    const lenses = Object.values(page.views).flatMap(({ lens }) => lens ?? []);
+    this.parts = [this.side, this.section.root, this.happens.root, ...lenses, this.closer];
     this.button = make('button', { type: 'button', className: 'to-opening', textContent: text('opening.back') });
     this.button.title = text('opening.back-about');
     this.button.onclick = () => this.turn('opening');
@@ -122,16 +120,27 @@ export class Opening {
   get #bare() {
     return this.leads && !this.#strip && !this.shown;
   }
+  /** Whether the picture is about as high as wide; on a desk it goes down beside the tracks. */
+  get #tall() {
+    const { docked, page, shown } = this;
+    return Boolean(shown && !docked && !page.compare.beside && !shown.drawn && shown.tall);
+  }
   /** Put the chart there, or have the stage take its room. */
   lend() {
     const { layout, root } = this.page;
     layout.strip.replaceChildren(...(this.#strip ? [this.#strip] : []));
     root.classList.toggle('bare', this.#bare);
+    const tall = this.#tall;
+    root.classList.toggle('tall', tall);
+    const { stage } = this.page.view;
+    const over = tall && root.dataset.size === 'desk';
+    if ('lap' in stage) stage.lap = over ? this.section.root : null;
   }
   /** Whether it is there as this scene wants it. */
   get placed() {
     const { layout, root } = this.page;
-    return layout.strip.firstChild === this.#strip && root.classList.contains('bare') === this.#bare;
+    const as = (/** @type {string} */ name, /** @type {boolean} */ wanted) => root.classList.contains(name) === wanted;
+    return layout.strip.firstChild === this.#strip && as('bare', this.#bare) && as('tall', this.#tall);
   }
   /**
    * @param {Plan} plan
@@ -218,8 +227,8 @@ export class Opening {
     if (changes.length) this.change.textContent = `${WHATS[changes[this.tried % changes.length][0]]} →`;
     this.page.controls.lead(this.#leading);
     this.#offer(frame);
-    this.#name();
-    this.#mark(this.page.player.t + this.page.player.start);
+    this.happens.load(this.page.story.events);
+    this.happens.mark(this.page.player.t + this.page.player.start);
   }
   /**
    * Another scene: the dock opens on what it is about, and closes with it unless a hand has opened it.
@@ -257,31 +266,6 @@ export class Opening {
       make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
     );
   }
-  /** Names of events, at their time. */
-  #name() {
-    this.events = this.page.story.events.events.filter(([, , name]) => name);
-    this.names = this.events.map(([t, sentence, name = ''], k) => {
-      const act = make('button', { type: 'button', title: sentence, textContent: name });
-      act.prepend(make('span', { className: 'at', textContent: this.page.story.events.written(t) }));
-      act.onclick = () => this.page.story.events.go(t);
-      return make('li', { value: k + 1 }, act);
-    });
-    this.happens.replaceChildren(...this.names);
-    this.#place();
-  }
-  #place() {
-    let last = -Infinity;
-    const [, end] = this.section.stretch;
-    const { shown } = this.section;
-    this.names.forEach((name, k) => {
-      const [t] = this.events[k];
-      const top = shown ? Math.max(this.section.y(t), last + APART) : 0; // without rows they are a list
-      const { tall, top: first } = this.section.box;
-      name.hidden = t > end || (Boolean(shown) && top > first + tall);
-      if (!name.hidden) last = top;
-      name.style.top = `${top}px`;
-    });
-  }
   /** Another solve, or another size: the rows lie below the bodies, which are drawn first. */
   draw() {
     this.due = true;
@@ -290,15 +274,10 @@ export class Opening {
   show(t) {
     if (!this.leads) return;
     if (this.due) this.section.draw(this.shown);
-    if (this.due) this.#place();
+    if (this.due) this.happens.place();
     this.due = false;
     this.section.show(t);
-    this.#mark(t);
-  }
-  /** @param {number} t */
-  #mark(t) {
-    const latest = this.events.findLastIndex(([when]) => when <= t + 1e-6);
-    this.names.forEach((name, k) => name.toggleAttribute('aria-current', k === latest));
+    this.happens.mark(t);
   }
   /** The change that is offered: a slider walks there, so that one sees what it does. */
   #change() {

@@ -33,13 +33,20 @@ const [PLAIN, LINED] = [pixelsOf(1), pixelsOf(LINE)];
  */
 /** @typedef {[from: number, to: number, first: number, last: number]} Piece  its ends [px], and the values there */
 /**
+ * @typedef {object} Drawn
+ * @property {number} left
+ * @property {number} right
+ * @property {number} rest
+ * @property {(share: number) => number} [at]  where a share of its length lies, if not evenly
+ */
+/**
  * What is drawn over place and time, with the picture of the bodies above it.
  * @typedef {object} Shown
  * @property {Rows} field
  * @property {string} what
  * @property {number} largest  the end of the colours
  * @property {number} duration
- * @property {{ left: number, right: number, rest: number }} drawn  where its ends are at rest, and is struck [px]
+ * @property {Drawn} drawn  where its ends are at rest, and is struck [px]
  * @property {number} scale  pixels in a unit of displacement; none of what is bent across
  */
 
@@ -62,8 +69,8 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
   const pixels = new Uint32Array(picture.data.buffer);
   const [values, moved] = [new Float64Array(places), new Float64Array(places)];
   const ends = new Float64Array(rows);
-  const each = (drawn.right - drawn.left) / (places - 1);
-  const struck = Math.round((drawn.rest - drawn.left) / each);
+  const at = placesOf(drawn, places);
+  const struck = at.findLastIndex((x, k) => k === 0 || x + at[k - 1] < 2 * drawn.rest);
   const span = (end - start) / rows;
   for (let row = 0; row < rows; row++) {
     const t = start + (row + 0.5) * span;
@@ -76,11 +83,21 @@ export function weave(canvas, { drawn, duration, field, largest, scale, what }, 
     if (scale) field.profile(t, 'displacement', moved);
     else moved.fill(0);
     ends[row] = values[struck];
-    for (let k = 0; k < places; k++) moved[k] = drawn.left + k * each + moved[k] * scale;
+    for (let k = 0; k < places; k++) moved[k] = at[k] + moved[k] * scale;
     fill(pixels, width, row, moved, values, largest);
   }
   context.putImageData(picture, 0, 0);
   return ends;
+}
+
+/**
+ * Where places spread evenly over its length are at rest [px].
+ * @param {Drawn} drawn
+ * @param {number} count
+ */
+function placesOf({ at, left, right }, count) {
+  const usual = (/** @type {number} */ share) => left + share * (right - left);
+  return Float64Array.from({ length: count }, (_, k) => (at ?? usual)(k / (count - 1)));
 }
 
 /**

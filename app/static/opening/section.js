@@ -7,6 +7,7 @@ import { text } from '../text/catalogue.js';
 import { engineering, figures, localised, scaled } from '../text/format.js';
 import { feet, striker, struck, traces } from './beside.js';
 import { weave } from './rows.js';
+import { seam } from './seam.js';
 import { dot, drawTrack, placed } from './tracks.js';
 import { Words } from './words.js';
 
@@ -46,12 +47,20 @@ const TIMES = 10; // pixels before them
  * @property {number | null} [prediction]  velocity of that body by rigid-body theory
  * @property {boolean} [held]  whether the last place is
  * @property {Trace[]} [traces]  what gauges would tell, where they are
+ * @property {import('./seam.js').Filled | null} [seam]
  * @property {{ about: string, all: { x: number, words: string }[] }} [feet]  what is said at the end of the rows
  */
 /** @typedef {{ name: string, at: number, x: ArrayLike<number>, moved: number[] }} Trace  at a place [px] */
 /**
+ * @typedef {object} Alone
+ * @property {null} drawn
+ * @property {Track[]} tracks
+ * @property {[from: number, to: number]} [timed]  where the clock has times
+ * @property {boolean} [tall]  the picture is about as high as wide, so that it needs more height
+ */
+/**
  * @typedef {Over & Shown & Beside} Woven  rows below what is drawn
- * @typedef {Over & { drawn: null, tracks: Track[], timed?: [from: number, to: number] }} Tracked  nothing but tracks
+ * @typedef {Over & Alone} Tracked  nothing but tracks
  * @typedef {Woven | Tracked} Scene
  */
 
@@ -125,6 +134,7 @@ export class Section {
     const [down, across] = [Math.max(Math.round(this.box.tall), 1), Math.round(width)];
     this.ends = weave(this.image, shown, this.stretch, across, down);
     c.drawImage(this.image, 0, this.box.top, width, this.box.tall);
+    if (shown.seam) seam(c, this, shown.seam);
     this.#flow(c, shown);
     this.#peak(c, shown);
     this.#frame(c, shown);

@@ -17,7 +17,7 @@
 /**
  * What shows an impact of one kind.
  * @typedef {object} View
- * @property {Scaled & { root: HTMLElement, canvas: HTMLCanvasElement, striker: Striker | null, leads?: boolean }} stage
+ * @property {Scaled & Picture} stage
  * @property {Story} story
  * @property {number} after  an event, by which what it has changed is seen
  * @property {string[]} [leading]  choices that lead there before others
@@ -30,6 +30,7 @@
  * @property {Stack} [stack]  charts over time
  * @property {Chart} [strip]  the one of them that a phone always shows
  * @property {Scene | null} [section]  what the opening draws over place and time, below the stage
+ * @property {HTMLElement} [lens]  what the opening shows closer, below the names of events
  * @property {Cycle} [cycle]
  * @property {Gauge} [gauge]
  * @property {Supports} [supports]
@@ -48,6 +49,15 @@
  * @property {() => void} draw
  * @property {(t: number) => void} show
  * @property {() => { names: string[], values: number[][] }} [rows]  histories as a table, if there are any
+ */
+
+/**
+ * @typedef {object} Picture
+ * @property {HTMLElement} root
+ * @property {HTMLCanvasElement} canvas
+ * @property {Striker | null} striker
+ * @property {boolean} [leads]  whether the opening has the page
+ * @property {HTMLElement | null} [lap]  what lies over its lower right
  */
 
 /**

@@ -1,6 +1,6 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
-import { cleared, letters } from '../charts/canvas.js';
+import { cleared, letters, sizeOf } from '../charts/canvas.js';
 import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
@@ -10,6 +10,7 @@ import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
 import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
+import { summary } from './summary.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
 /** @import { BodyRecord, SpaceFrame, Vector } from '../messages.js' */
@@ -26,6 +27,7 @@ const INK = { impactor: '#33475b', target: '#2f6fa8' };
 const FILL = { impactor: [93, 108, 123], target: [120, 170, 212] };
 const CIRCLE = Array.from({ length: 49 }, (_, k) => [Math.cos((k / 24) * Math.PI), Math.sin((k / 24) * Math.PI)]);
 const FONT = letters(13);
+const [GAP, BESIDE] = [16, 48]; // pixels between the picture and what is said beside it, and about the bodies then
 
 export class BodiesStage {
   /** @type {SpaceFrame} */ frame;
@@ -33,6 +35,7 @@ export class BodiesStage {
   /** @type {Vector} */ across = [1, 0, 0]; // the picture as it is seen
   /** @type {Vector} */ up = [0, 1, 0];
   /** @type {Vector} */ toward = [0, 0, 1]; // who looks
+  /** @type {HTMLElement | null} */ lap = null; // what lies over its lower right, in the opening
   time = 0; // that is shown
   box = [0, 1, 0, 1]; // left, right, low and high of all that moves [m]
   speed = 0; // the largest
@@ -127,7 +130,9 @@ export class BodiesStage {
     if (!frame) return;
     const sheet = cleared(canvas, root);
     if (!sheet) return;
-    const { c, width, height } = sheet;
+    const { c, height } = sheet;
+    const [covered, tall] = this.lap ? sizeOf(this.lap) : [0, 0];
+    const width = sheet.width - covered;
     this.fit(width, height);
     this.time = t;
     const now = Math.min(Math.max(t, -1), 1);
@@ -152,6 +157,7 @@ export class BodiesStage {
     this.hands.draw(c);
     this.hold(c, now);
     legend(c, this, now, width, height);
+    if (this.lap) summary(c, frame, INK, { left: width + GAP, width: covered - GAP, height: height - tall });
   }
   /**
    * @param {Context} c
@@ -172,7 +178,7 @@ export class BodiesStage {
    */
   fit(width, height) {
     const [left, right, low, high] = this.box;
-    const margin = Math.min(70, 0.14 * Math.min(width, height) + 20);
+    const margin = Math.min(this.lap ? BESIDE : 70, 0.14 * Math.min(width, height) + 20);
     const span = Math.max(right - left, high - low, 1e-9);
     this.scale = Math.min(
       (width - 2 * margin) / Math.max(right - left, 0.05 * span),

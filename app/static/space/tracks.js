@@ -1,6 +1,7 @@
-// What the opening draws of a sliding contact below its stage: the clock of an impact without time is the impulse.
+// What the opening draws of bodies in space below their stage: the clock of an impact without time is the impulse.
 import { text } from '../text/catalogue.js';
 import { engineering, scaled } from '../text/format.js';
+import { bodyOf, smoothOf } from './smooth.js';
 
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Numbers, SpaceFrame } from '../messages.js' */
@@ -11,7 +12,6 @@ import { engineering, scaled } from '../text/format.js';
 const ROOM = 1.1; // about the largest value
 const IMPACT = 2; // on the clock, from 0 on; the movement before it and after it takes 1 each
 export const CLOCK = { start: -1, length: 2 + IMPACT };
-const NONE = new Float64Array(0);
 const BACK = 0.05; // of the largest velocity along the contact, that is more than nothing
 
 /**
@@ -20,9 +20,24 @@ const BACK = 0.05; // of the largest velocity along the contact, that is more th
  */
 export const movedAt = (t) => (t < 0 ? t : Math.max(t - IMPACT, 0));
 
+/** @type {Record<import('./smooth.js').Which, Series['style']>} */
+const INK = { impactor: 'joint6', target: 'exact' }; // as the bodies are drawn
+
+/**
+ * The normal impulse in the end; of what does not meet nothing.
+ * @param {SpaceFrame} frame
+ */
+const pressed = ({ impulse, slidePress }) => slidePress?.[slidePress.length - 1] ?? impulse;
+
+/**
+ * Whether the clock can run through the impact.
+ * @param {SpaceFrame} frame
+ */
+export const meets = (frame) => pressed(frame) > 0;
+
 /**
  * A history over the impulse as one over that clock.
- * @param {Numbers} press
+ * @param {ArrayLike<number>} press
  * @param {Numbers | number[]} values
  * @param {Series['style']} style
  * @returns {Series}
@@ -46,17 +61,56 @@ function rangeOf(...all) {
 
 /**
  * @param {SpaceFrame} frame
- * @returns {Tracked | null}
+ * @returns {Tracked}
  */
-export function tracksOf({ friction, slideAlong, slideAside, slideParting, slidePress, slidePush, slideSpin }) {
+export function tracksOf(frame) {
+  const most = pressed(frame);
+  const [per, sign] = scaled(most, 'N s');
+  return {
+    by: '',
+    clock: [(per * most) / IMPACT, sign],
+    drawn: null,
+    tall: true,
+    timed: [0, IMPACT],
+    tracks: [...(rubbed(frame) ?? smooth(frame))].map((track) => ({ share: 1, ...track })),
+  };
+}
+
+/** @typedef {Omit<Track, 'share'>} Plain */
+/**
+ * Without friction: how fast the bodies part, go and turn, and what energy they have.
+ * @param {SpaceFrame} frame
+ * @returns {Plain[]}
+ */
+function smooth(frame) {
+  const { along, energy, parting, spins } = smoothOf(frame);
+  const even = (/** @type {number} */ count) => Array.from({ length: count }, (_, k) => k / (count - 1));
+  const curve = (/** @type {number[]} */ values, /** @type {Series['style']} */ style) =>
+    over(even(values.length), values, style);
+  const changes = (/** @type {import('./smooth.js').Change[]} */ all) => ({
+    range: rangeOf(...all.map(({ values }) => values)),
+    series: all.map(({ values, which }) => ({ ...curve(values, INK[which]), cursor: bodyOf(which) })),
+  });
+  return [
+    { title: text('opening.track.parting'), unit: 'm/s', range: rangeOf(parting), series: [curve(parting, 'other')] },
+    { title: text('opening.track.normal'), unit: 'm/s', ...changes(along) },
+    ...(spins.length ? [{ title: text('opening.track.spin'), unit: 'rad/s', ...changes(spins) }] : []),
+    { title: text('opening.track.energy'), unit: 'J', range: rangeOf(energy), series: [curve(energy, 'struck')] },
+  ];
+}
+
+/**
+ * With friction: how the contact slides as well; nothing without.
+ * @param {SpaceFrame} frame
+ * @returns {Plain[] | null}
+ */
+function rubbed({ friction, slideAlong, slideAside, slideParting, slidePress, slidePush, slideSpin }) {
   if (!slidePress || !slideAlong || !slideAside || !slideParting || !slidePush || !slideSpin) return null;
   const speed = Array.from(slideAlong, (v, k) => Math.hypot(v, slideAside[k]));
   const most = Array.from(slidePress, (push) => friction * push);
-  const [per, sign] = scaled(slidePress[slidePress.length - 1], 'N s');
   const curve = (/** @type {Numbers | number[]} */ values, /** @type {Series['style']} */ style) =>
     over(slidePress, values, style);
-  /** @type {Track[]} */
-  const tracks = [
+  return [
     {
       title: text('opening.track.parting'),
       unit: 'm/s',
@@ -77,14 +131,7 @@ export function tracksOf({ friction, slideAlong, slideAside, slideParting, slide
       range: rangeOf(slideSpin),
       series: [curve(slideSpin, 'halfSpace')],
     },
-  ].map((track) => ({ share: 1, .../** @type {Omit<Track, 'share'>} */ (track) }));
-  return {
-    by: '',
-    clock: [(per * slidePress[slidePress.length - 1]) / IMPACT, sign],
-    drawn: null,
-    timed: [0, IMPACT],
-    tracks,
-  };
+  ];
 }
 
 /**
@@ -93,17 +140,34 @@ export function tracksOf({ friction, slideAlong, slideAside, slideParting, slide
  * @param {string} touch  what is said of it as a whole
  * @returns {Event[]}
  */
-export function courseOf({ slideParting = NONE, slidePress = NONE, sliding }, touch) {
-  const most = slidePress[slidePress.length - 1];
+export function courseOf(frame, touch) {
+  const { slideParting, slidePress, sliding } = frame;
+  const most = pressed(frame);
   const named = (/** @type {number} */ t, /** @type {string} */ code) =>
     /** @type {Event} */ ([IMPACT * t, text(`space.event.${code}`), text(`space.named.${code}`)]);
   /** @type {Event[]} */
   const begins = [[0, touch, text('space.named.touches')]];
   const changes = sliding.slice(1).map(({ kind }, k) => named(sliding[k].until / most, kind));
-  const turn = Array.from(slideParting).findIndex((v) => v >= 0);
-  const deepest = turn > 0 ? [named(slidePress[turn] / most, 'deepest')] : [];
+  const share = slideParting && slidePress ? turned(slidePress, slideParting) / most : halfway(smoothOf(frame).parting);
+  const deepest = share > 0 && share < 1 ? [named(share, 'deepest')] : [];
   return [...begins, ...[...changes, ...deepest].sort(([a], [b]) => a - b), named(1, 'leaves')];
 }
+
+/**
+ * The impulse at which they approach no more.
+ * @param {Numbers} press
+ * @param {Numbers} parting
+ */
+const turned = (press, parting) =>
+  press[
+    Math.max(
+      parting.findIndex((v) => v >= 0),
+      0,
+    )
+  ];
+
+/** @param {[before: number, after: number]} parting  that changes in proportion; the share of the impulse */
+const halfway = ([before, after]) => before / (before - after);
 
 /**
  * What friction does to it: it turns back, grips, or slides all the way.
@@ -124,5 +188,4 @@ export function wayOf({ across, bodies: { impactor }, slidePress, sliding }) {
  * @param {SpaceFrame} frame
  * @param {number} t
  */
-export const impulseAt = ({ slidePress = NONE }, t) =>
-  engineering(Math.min(Math.max(t / IMPACT, 0), 1) * (slidePress[slidePress.length - 1] ?? 0), 'N s', 3);
+export const impulseAt = (frame, t) => engineering(Math.min(Math.max(t / IMPACT, 0), 1) * pressed(frame), 'N s', 3);

@@ -6,7 +6,7 @@ import { Course, Hodograph } from './charts.js';
 import { LOOKS } from './hands.js';
 import { BodiesStage } from './stage.js';
 import { SpaceStory } from './story.js';
-import { CLOCK, impulseAt, movedAt, tracksOf } from './tracks.js';
+import { CLOCK, impulseAt, meets, movedAt, tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { SpaceFrame } from '../messages.js' */
@@ -55,9 +55,9 @@ export class SpaceView {
     this.dress();
     this.draw();
   }
-  /** Whether the clock runs through the impact: in the opening, where the contact slides. */
+  /** Whether the clock runs through the impact: in the opening, unless they do not meet. */
   get slow() {
-    return this.page.opening.leads && Boolean(this.frame?.slidePress);
+    return this.page.opening.leads && Boolean(this.frame) && meets(this.frame);
   }
   /** @param {SpaceFrame} frame */
   clock(frame) {

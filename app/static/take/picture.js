@@ -8,7 +8,7 @@ import { make } from '../shell/dom.js';
 /** @typedef {CanvasRenderingContext2D} Context */
 /** @typedef {{ canvas: HTMLCanvasElement, box: DOMRect }} Layer */
 
-const PARTS = '.ask, .caption, .stages, .section, .strip, .happens';
+const PARTS = '.ask, .caption, .stages, .section, .strip, .happens, .lens';
 const SILENT = '.unseen, .tools, [role="tooltip"]';
 const EDGE = 16; // pixels around
 const LINE = 20; // below, where it says whose it is

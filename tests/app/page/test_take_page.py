@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-PARTS = ".ask, .caption, .stages, .section, .happens"
+PARTS = ".ask, .caption, .stages, .section, .happens, .lens"
 SIZE = f"""() => {{
   const boxes = [...strikewave.page.root.querySelectorAll('{PARTS}')].map((part) => part.getBoundingClientRect());
   const seen = boxes.filter(({{ height }}) => height);

@@ -1,0 +1,38 @@
+// What the colours of rods mean, at the lower right of the stage.
+import { letters, scale as zoom } from '../charts/canvas.js';
+import { hatch } from '../charts/hatch.js';
+import { COLORS, css } from '../charts/styles.js';
+import { text } from '../text/catalogue.js';
+import { localised } from '../text/format.js';
+
+/** @import { Stage } from './stage.js' */
+
+/**
+ * What colours mean; returns where its words below and above begin.
+ * @param {CanvasRenderingContext2D} c
+ * @param {Stage} stage
+ * @param {number} width
+ * @param {number} height
+ */
+export function scaleBar(c, { frame, largest: end, what }, width, height) {
+  const bar = Math.min(150, width * 0.3);
+  const x = width - bar - 16;
+  const y = height - 8 - 16 * zoom;
+  const unit = what === 'stress' ? frame.stressUnit / 1e6 : frame.speed;
+  const largest = end * unit;
+  const show = (/** @type {number} */ v) =>
+    localised(Math.abs(v) >= 10 ? v.toFixed(0) : v.toPrecision(2)).replace('-', '−');
+  for (let k = 0; k < bar; k++) {
+    c.fillStyle = css((k / bar) * 2 - 1, 1);
+    c.fillRect(x + k, y, 1.2, 7);
+  }
+  hatch(c, [[x, x + 0.47 * bar]], y, 7);
+  c.fillStyle = COLORS.faint;
+  c.font = letters(13);
+  c.textAlign = 'left';
+  c.fillText(text('axial.stage.least', { what, value: show(-largest) }), x, y - 4);
+  c.textAlign = 'right';
+  const words = text('axial.stage.most', { what, value: `${show(largest)} ${what === 'stress' ? 'MPa' : 'm/s'}` });
+  c.fillText(words, x + bar, y + 7 + 13 * zoom);
+  return [x + bar - c.measureText(words).width, x];
+}

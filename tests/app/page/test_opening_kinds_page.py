@@ -1,0 +1,171 @@
+"""The opening of each kind of scene: how much of it its picture has, and what it shows closer."""
+
+import re
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+import solvers
+
+from .test_opening_page import SIZES, opened
+
+DESKS, HANDS = SIZES[:2], SIZES[2:]
+
+
+@pytest.mark.parametrize("size", DESKS)
+def test_every_impact_of_a_mechanism_is_named_or_counted_and_can_be_reached(open_page, size):
+    page = open_page("?scene=four-bar-moves&layout=opening", size=size)
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    impacts = page.header("main")["contacts"]
+    names = page.tab.locator(".happens li:not(.more):visible")
+    more = page.tab.locator(".happens .more:visible")
+
+    def counted() -> int:
+        hidden = [int("".join(filter(str.isdigit, each))) for each in more.all_inner_texts()]
+        return names.count() + sum(hidden)
+
+    assert impacts > 10 and counted() == impacts
+    last = names.filter(has_text=f"Impact {impacts}")
+    while not last.count():
+        more.last.get_by_role("button").click()
+        assert counted() == impacts
+    last.get_by_role("button").click()
+    expect(last).to_have_attribute("aria-current", "")
+    boxes = [each.bounding_box() for each in page.tab.locator(".happens li:visible").all()]
+    low = page.tab.locator(".section").bounding_box()
+    assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
+    assert boxes[-1]["y"] + boxes[-1]["height"] <= low["y"] + low["height"] + 4
+    page.evaluate("() => strikewave.page.player.seek(0)")
+    expect(names.first).to_contain_text("Impact 1")  # those about the clock are seen
+
+
+def test_a_phone_names_every_impact(open_page):
+    page = open_page("?scene=four-bar-moves&layout=opening", size=HANDS[1])
+    opened(page)
+    expect(page.tab.locator(".happens li:visible")).to_have_count(page.header("main")["contacts"])
+
+
+LINKS = """() => {
+  const { mechanism, root } = strikewave.page.view.stage;
+  const points = mechanism.placed.flat();
+  const [x, y] = [0, 1].map((k) => points.map((point) => point[k]));
+  return [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y), root.clientWidth, root.clientHeight];
+}"""
+
+
+@pytest.mark.parametrize("size", DESKS)
+@pytest.mark.parametrize("scene", ["four-bar-moves", "four-bar"])
+def test_a_linkage_has_the_height_beside_its_tracks(open_page, scene, size):
+    page = open_page(f"?scene={scene}&layout=opening", size=size)
+    opened(page)
+    page.wait("() => strikewave.page.root.classList.contains('tall')")
+    page.wait("() => strikewave.page.view.stage.root.clientHeight > 0.6 * innerHeight")
+    left, right, top, bottom, width, height = page.evaluate(LINKS)
+    section = page.tab.locator(".section").bounding_box()
+    stage = page.tab.locator(".stages").bounding_box()
+    assert left > 0 and right < section["x"] - stage["x"] and top > 0 and bottom < height
+    assert bottom - top > 0.3 * size[1]
+    assert section["y"] + section["height"] == pytest.approx(stage["y"] + stage["height"], abs=1)
+    page.tab.locator(".closer").get_by_role("button", name="Numbers").click()
+    page.wait("() => !strikewave.page.root.classList.contains('tall')")  # the dock has that room
+    assert width > 0
+
+
+def test_a_flat_linkage_lies_above_its_tracks(open_page):
+    page = open_page("?scene=slider-crank&layout=opening")
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    stage, section = (page.tab.locator(name).bounding_box() for name in (".stages", ".section"))
+    assert section["y"] >= stage["y"] + stage["height"] - 1 and section["width"] == pytest.approx(stage["width"])
+
+
+def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(open_page):
+    exact = solvers.solve(solvers.load("drop-test"))
+    for size in SIZES:
+        page = open_page("?scene=drop-test&layout=opening", size=size)
+        opened(page)
+        lens = page.tab.locator(".lens")
+        if size in HANDS:
+            expect(lens).to_be_hidden()
+            continue
+        expect(lens).to_be_visible()
+        lasts = exact.contacts[-1].end * 1e6
+        expect(lens).to_contain_text(f"It lasts {lasts:.3g} µs")
+        box, names = lens.locator("canvas").bounding_box(), page.tab.locator(".happens li:visible")
+        assert box["height"] > 110 and box["width"] > 150
+        apart = [each.get_by_role("button").bounding_box() for each in names.all()]
+        assert all(each["y"] + each["height"] <= box["y"] or each["x"] + each["width"] <= box["x"] for each in apart)
+        drawn = page.evaluate(
+            """() => {
+              const { canvas } = strikewave.page.views.fall.closer;
+              const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+              return data.filter((value, k) => k % 4 === 3 && value > 0).length / (canvas.width * canvas.height);
+            }"""
+        )
+        assert drawn > 0.1
+
+
+def test_an_impact_without_time_has_nothing_closer(open_page):
+    page = open_page("?scene=bouncing-ball&layout=opening")
+    opened(page)
+    expect(page.tab.locator(".lens")).to_be_hidden()
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('law', 'hertz')"))
+    expect(page.tab.locator(".lens")).to_be_visible()
+    page.tab.locator(".closer").get_by_role("button", name="All charts and controls").click()
+    expect(page.tab.locator(".lens")).to_be_hidden()
+
+
+def test_the_seam_of_a_hopkinson_bar_opens_with_the_force_through_its_specimen(open_page):
+    page = open_page("?scene=split-hopkinson&layout=opening")
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.shown?.seam")
+    found = page.evaluate(
+        """() => {
+          const { page } = strikewave;
+          const { seam, drawn: { left, right } } = page.opening.section.shown;
+          const { trip } = page.frame;
+          return { ...seam, x: [...seam.x], force: [...seam.force], trip, long: right - left };
+        }"""
+    )
+    assert found["right"] - found["left"] == pytest.approx(0.13 * found["long"])
+    exact = solvers.solve(solvers.load("split-hopkinson"))
+    times = np.linspace(0.0, exact.duration, 4001)
+    area = exact.scene.target.rods[1].area
+    middle = exact.scene.target.rods[0].length + 0.5 * exact.scene.target.rods[1].length
+    force = exact.motion.stress(times, np.array([middle]))[:, 0] * area
+    assert max(found["force"]) == pytest.approx(force.max(), rel=0.01)
+    x = np.array(found["x"]) * found["trip"]
+    smooth = np.abs(np.gradient(force)) < 0.01 * force.max()
+    error = np.abs(np.interp(times, x, found["force"]) - force)[smooth]
+    assert np.percentile(error, 99) < 0.03 * force.max()  # but where steps of the staircase follow one another
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_bodies_without_friction_have_the_clock_of_their_impulse(open_page, size):
+    page = open_page("?scene=percussion-rod&layout=opening", size=size)
+    opened(page)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    titles, ends = page.evaluate(
+        """() => {
+          const { tracks } = strikewave.page.opening.section.shown;
+          const ends = tracks.map(({ series }) => series.map(({ y }) => [y[0], y.at(-1)]));
+          return [tracks.map(({ title }) => title), ends];
+        }"""
+    )
+    assert titles == ["Parting", "Centres", "Spin", "Energy"]
+    exact = solvers.solve(solvers.load("percussion-rod"))
+    (before, after), *_ = ends[0]
+    assert after / before == pytest.approx(-0.6)  # the restitution
+    assert ends[1][0] == pytest.approx([3.0, -exact.impactor_velocity[0]])
+    assert abs(ends[2][0][1]) == pytest.approx(np.linalg.norm(exact.target_spin))
+    assert 1.0 - ends[3][0][1] / ends[3][0][0] == pytest.approx(exact.energy["dissipated"] / exact.energy["initial"])
+    names = page.tab.locator(".happens li:visible")
+    expect(names).to_have_count(3)
+    names.filter(has_text="approach no more").get_by_role("button").click()
+    assert page.evaluate("() => strikewave.page.player.t + strikewave.page.player.start") == pytest.approx(
+        1.25, abs=1e-6
+    )
+    expect(page.tab.locator(".player .clock")).to_have_text(re.compile(r"1\.1[23]\sN\ss"))  # 1.8 over 1.6
