@@ -120,6 +120,7 @@ test('a chart shows its leading series whole, and others as far as they may reac
   const wild = { x: [0, 1], y: [0, 400] };
   const plain = { zoomed: false, zero: true, pad: [0, 0] };
   assert.deepEqual(rangeOf([lead], view, plain), [0, 10]);
+  assert.deepEqual(rangeOf([{ ...lead, factor: -2 }], view, plain), [-20, 0]);
   assert.deepEqual(rangeOf([lead, { ...wild, reach: 2.5 }], view, plain), [0, 25]);
   assert.deepEqual(rangeOf([{ ...wild, reach: 2.5 }, lead], view, plain), [0, 25]); // in whatever order they are given
   assert.deepEqual(rangeOf([lead, { ...wild, reach: 0 }], view, plain), [0, 10]);

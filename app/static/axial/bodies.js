@@ -7,6 +7,8 @@ import { length } from '../text/format.js';
 
 /** @import { AxialFrame } from '../messages.js' */
 
+const LEAST_FOR_LENGTH = 50; // pixels of a specimen, where there is room to say how long it is
+
 /** @typedef {CanvasRenderingContext2D} Context */
 /**
  * Where a body is, in pixels.
@@ -290,6 +292,7 @@ export function specimen(c, { from, to }, place, { middle, thick }) {
   c.fillStyle = COLORS.ink;
   c.textBaseline = 'bottom';
   c.fillText(text('axial.stage.specimen'), x, middle - thick / 2 - 4);
+  if (place(to) - place(from) < LEAST_FOR_LENGTH) return;
   c.fillStyle = COLORS.faint;
   c.textBaseline = 'top';
   c.fillText(text('axial.stage.wider', { length: length(to - from) }), x, middle + thick / 2 + 4);

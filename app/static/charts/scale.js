@@ -236,7 +236,7 @@ export function rangeOf(series, view, { zoomed, zero = false, pad }) {
   for (const k of order) {
     const seen = reaches[k] > 0 ? extremes(series[k], view) : null;
     if (!seen) continue;
-    const [least, most] = seen.map((value) => value * (series[k].factor ?? 1));
+    const [least, most] = seen.map((value) => value * (series[k].factor ?? 1)).sort((a, b) => a - b);
     const bounded = reaches[k] < Infinity && high > 0;
     const floor = reaches[k] * Math.min(low, 0) - (series[k].below ?? 0) * high;
     low = Math.min(low, bounded ? Math.max(least, floor) : least);
