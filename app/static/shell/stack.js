@@ -135,10 +135,10 @@ export class Stack {
     this.leading = this.leading.filter((name) => name !== key); // of this one a hand says now
     // where there is no room for another, the last of the others that are open gives its own
     const { here, least } = this;
-    const open = this.open.map((each, i) => each && here[i]);
+    const others = this.open.map((each, i) => each && here[i] && i !== k);
     const room = Math.floor(this.room / (least - HEAD));
-    const last = open.findLastIndex((each, i) => each && i !== k);
-    if (opening && open.filter(Boolean).length > Math.max(room, 1) && last >= 0) {
+    const last = others.lastIndexOf(true);
+    if (opening && others.filter(Boolean).length >= Math.max(room, 1) && last >= 0) {
       const [other] = this.charts[last];
       this.folded[other] = true;
       this.leading = this.leading.filter((name) => name !== other);

@@ -43,7 +43,7 @@ def test_a_figure_is_opened_on_the_force_at_its_clamp(open_page, name):
     motion = main_solution(Request.of(own_choices(name)))[0].motion
     for kind, field, sign in (("force", "shear", -1.0), ("moment", "moment", 1.0)):
         page.tab.locator(".time-views .chart:visible").filter(has_text="at the clamp").get_by_role(
-            "button", name=kind
+            "button", name=kind, exact=True
         ).click()
         ((_, time, found),) = page.evaluate(CURVES)
         known = sign * getattr(motion, field)(np.array(time), np.zeros(1))[:, 0]
@@ -55,5 +55,8 @@ def test_both_supports_of_a_beam_have_a_curve(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('support', 'pinned-pinned')"))
     page.evaluate(UNFOLD)
     page.wait(DRAWN)
-    assert [name.split(",")[0] for name, *_ in page.evaluate(CURVES)] == ["pin at 0 m", "roller at 300 mm"]
+    assert [name.split(",")[0].replace("\u00a0", " ") for name, *_ in page.evaluate(CURVES)] == [
+        "pin at 0 m",
+        "roller at 300 mm",
+    ]
     expect(page.tab.get_by_role("heading", name="Force at the supports")).to_be_visible()
