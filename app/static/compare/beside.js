@@ -33,6 +33,7 @@ export class Beside {
     if (run === this.run) return;
     this.run = run;
     this.root.hidden = !run;
+    this.root.parentElement?.classList.toggle('two', Boolean(run));
     this.stage?.root.remove();
     this.stage = this.#rods = this.#beam = null;
     if (!run) return;

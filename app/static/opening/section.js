@@ -104,6 +104,7 @@ export class Section {
   draw(shown) {
     this.shown = shown;
     this.root.hidden = !shown;
+    this.page.root.classList.toggle('rowless', !shown);
     const sheet = shown && cleared(this.below, this.root);
     if (!shown || !sheet) return;
     const { c, width, height } = sheet;

@@ -131,6 +131,7 @@ export class Analyses {
       if (view.root.parentElement !== place) place.append(view.root);
       view.root.classList.toggle('behind', view !== wide && view !== narrow);
     }
+    layout.tabs.panel('analysis').classList.toggle('occupied', Boolean(wide ?? narrow));
     layout.take(Boolean(wide), wide !== undefined && !this.beside.has(wide) && this.widened.has(wide), !narrow);
   }
   /** @param {Frame} frame */

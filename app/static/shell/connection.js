@@ -113,6 +113,7 @@ export class Connection {
   #say(sentence) {
     this.words.textContent = sentence;
     this.root.hidden = !sentence;
+    this.root.parentElement?.classList.toggle('lost', Boolean(sentence));
   }
 }
 

@@ -79,6 +79,7 @@ export class Waiting {
     const longer = this.model.waiting && said(JSON.parse(this.model.waiting));
     this.root.textContent = [due.at(-1)?.sentence, longer].filter(Boolean).join(' ');
     this.root.hidden = !this.root.textContent;
+    this.place?.classList.toggle('covered', !this.root.hidden);
     this.settle();
     const later = all.filter((sign) => sign.since > now).map((sign) => sign.since);
     if (later.length) this.saying = window.setTimeout(() => this.say(), Math.min(...later) - now + 1);
