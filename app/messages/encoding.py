@@ -111,7 +111,7 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, Any]:
         "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
         "blowDepth": whole_numbers(depth),
         "blowForce": whole_numbers(force),
-        **_touch(exact, time),
+        **_touch(exact, time[::3]),
         **_pressing(exact.scene.struck, deepest),
     }
 
@@ -140,9 +140,9 @@ def _pressing(scene: Scene, deepest: float) -> dict[str, Any]:
     tested = np.isfinite(found.tests)
     return {
         "flowDepth": found.indentation,
-        "flowPressure": found.pressure,
-        "flowRadius": found.radius,
-        "flowElastic": found.elastic,
+        "flowPressure": whole_numbers(found.pressure),
+        "flowRadius": whole_numbers(found.radius),
+        "flowElastic": whole_numbers(found.elastic),
         "testsDepth": found.indentation[tested],
         "testsPressure": found.tests[tested],
         "testsForce": found.tested[tested],

@@ -42,7 +42,8 @@ IMPORT = re.compile(r"@import '\./([^']+)';\n")
 PANELS_SCRIPT = f"globalThis.strikewavePanels = {json.dumps(PANELS)};\n"  # which app/static/panels/panels.js loads
 TEXTS = {language: (script(language) + PANELS_SCRIPT).encode() for language in LANGUAGES}  # made, found in no file
 FOR_EVER = "public, max-age=31536000, immutable"  # the version is in the address
-PACKED = (".js", ".css")
+# what is sent packed, by its ending
+PACKED = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".wasm": "application/wasm"}
 OF_THE_DOCUMENT = {"shell/page.css", "shell/modules.js", "shell/start.js"}  # which it loads itself, in page.html
 OF_ANOTHER_PAGE = {"shell/embedded.css"}  # which a laboratory there loads beside
 LATE = {*APART, "gallery/gallery.css", "wasm/kernels.wasm"}
@@ -134,14 +135,13 @@ def _packed(file: Path) -> bytes:
 
 def pack() -> None:
     """Before anybody waits for it: takes a fifth of a second, and leaves a quarter of the bytes."""
-    for file in (*(STATIC / name for name in FILES if name.endswith(PACKED)), *(file for _, file in LIBRARIES)):
+    for file in (*(STATIC / name for name in FILES if Path(name).suffix in PACKED), *(file for _, file in LIBRARIES)):
         _packed(file)
 
 
 def _send(handler: RequestHandler, file: Path) -> None:
-    """A script or a style, packed for who can read that."""
-    kind = "text/css" if file.suffix == ".css" else "text/javascript"
-    handler.set_header("Content-Type", f"{kind}; charset=utf-8")
+    """A script, a style or kernels, packed for who can read that."""
+    handler.set_header("Content-Type", PACKED[file.suffix])
     handler.set_header("Cache-Control", FOR_EVER)
     handler.set_header("Vary", "Accept-Encoding")
     packed = "gzip" in handler.request.headers.get("Accept-Encoding", "")
@@ -163,7 +163,7 @@ class Asset(StaticFileHandler):
     """A file of ours, by its name; there are no others."""
 
     async def get(self, path: str, include_body: bool = True) -> None:
-        if path in FILES and path.endswith(PACKED) and include_body:
+        if path in FILES and Path(path).suffix in PACKED and include_body:
             _send(self, STATIC / path)
         else:
             await super().get(path, include_body)

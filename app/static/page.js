@@ -179,6 +179,7 @@ export class Page {
       this.settle();
       this.waiter.clear();
       for (const name of this.names) if (!(name in this.waiting)) this.controls.show(name, model[name], true);
+      this.own.restore();
       if ((sent.includes('scene') && this.scenes.refused(why)) || this.bodies.refused(why)) return;
       if (goal || !this.controls.refused(sent, why)) this.complain(why);
     });
@@ -236,7 +237,11 @@ export class Page {
    */
   goTo(settings, done = () => {}) {
     this.player.rest();
-    this.opening.stay(() => this.changes.go(settings, done));
+    const there = (/** @type {Frame | null} */ frame) => {
+      if (frame) this.own.restore();
+      done(frame);
+    };
+    this.opening.stay(() => this.changes.go(settings, there));
   }
   #sent() {
     this.toast.root.hidden = true;

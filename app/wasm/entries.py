@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numba
 from numba import carray, types
 
+from solvers.methods.base import AFTERGLOW
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork
 from solvers.numerics.waves import rigid_drawn, rigid_figures
 from solvers.numerics.waves.rigid import Pieces, Work
@@ -16,7 +17,6 @@ from solvers.numerics.waves.rigid_drawn import COLUMNS, Drawn, answer
 PIECES, TERMS = 64, 40  # of the wave sent: most impacts have a dozen
 POINTS, INSTANTS, JUMPS, FORCES = 2_400, 301, 400, 1_001
 T = TERMS + 1
-AFTERGLOW = 1.0
 
 FLOATS, INTEGERS = types.CPointer(types.float64), types.CPointer(types.int64)
 ROOM = {  # in numbers, by argument

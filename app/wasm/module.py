@@ -1,5 +1,6 @@
 """The module that came with the package, and whether it is of today's sources."""
 
+from hashlib import sha256
 from pathlib import Path
 
 from solvers.fingerprint import fingerprint
@@ -11,8 +12,9 @@ SECTION = b"\x0bfingerprint"  # in which the module names the sources that it wa
 
 
 def sources() -> str:
-    """The fingerprint of what the module is made of."""
-    return fingerprint([LIBRARY / each for each in SOURCES], deep=True)
+    """The fingerprint of what the module is made of: of kernels, and of the entries to them."""
+    entries = sha256(Path(__file__).with_name("entries.py").read_bytes()).hexdigest()[:12]
+    return f"{fingerprint([LIBRARY / each for each in SOURCES], deep=True)}-{entries}"
 
 
 def named_in(module: bytes) -> str:

@@ -32,3 +32,16 @@ test('a value that the server has changed is answered as it is then', () => {
   assert.equal(changes.answers(frame({ place: 0.25 })), true);
   clearTimeout(changes.patience);
 });
+
+test('while a hand moves what is answered on the spot, an answer that comes sends nothing', () => {
+  /** @type {any} */
+  const model = { speed: 1 };
+  const changes = new Changes({ model, lost: () => false, sent: () => {} });
+  changes.set('speed', 2);
+  changes.set('speed', 3, () => 1000);
+  changes.settle();
+  assert.equal(model.speed, 2, 'the hand has not come to rest');
+  changes.set('speed', 4);
+  assert.equal(model.speed, 4, 'a change that is not answered on the spot');
+  clearTimeout(changes.patience);
+});

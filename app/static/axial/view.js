@@ -89,7 +89,7 @@ export class AxialView {
     const [waves, force, moved, moments, stress, along, support] = this.charts.map(({ chart }) => chart);
     const charts = { waves, force, moments, moved, stress, along, support };
     this.stack = new Stack('axial', charts, () => page.redraw(), ['stress', 'along', 'support']);
-    this.strip = force; // is seen on a phone, whatever else is
+    this.strip = force; // is seen in the opening where there are no rows
     this.buttons = [this.whole];
     this.story.numbers.prepend(this.cycle.chart.root);
     this.hide(true);

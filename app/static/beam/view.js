@@ -143,7 +143,7 @@ export class BeamView {
     this.dispersion.load(frame);
     this.stack.lead(frame.chosen.scene, frame.opens.charts);
     const usual = this.usualStrip.find(({ root }) => !root.hidden);
-    this.strip = this.stack.leader ?? usual ?? this.force.chart; // is seen on a phone, whatever else is
+    this.strip = this.stack.leader ?? usual ?? this.force.chart; // is seen in the opening where there are no rows
     for (const button of this.colours.root.children)
       if (button instanceof HTMLElement) button.hidden = !this.shows(button.dataset.kind ?? '');
     this.dress();
@@ -189,7 +189,7 @@ export class BeamView {
   fieldsOf(frame, room) {
     return fieldOf(frame, room);
   }
-  /** Charts of which a phone always shows the first that there is. */
+  /** Charts of which the opening shows the first that there is, where it has no rows. */
   get usualStrip() {
     return [this.force.chart, this.motion.chart];
   }
@@ -269,7 +269,7 @@ export class BeamView {
     if (!(part instanceof Cycle)) part.cursor?.(t);
     else if (cycleDepth) part.mark(between(time, impactorPath, t) - between(time, struckPath, t), this.force.at(t), t);
   }
-  /** A phone has no room for both buttons beside the caption. */
+  /** What stands beside the caption. */
   #offer() {
     const { zoomed } = this.axis;
     this.whole.hidden = !zoomed;

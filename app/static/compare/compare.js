@@ -72,7 +72,9 @@ export class Compare {
    */
   keep() {
     const { page, runs } = this;
-    this.due = page.frame.draft || page.own.made.has(page.frame);
+    const own = page.own.made.has(page.frame);
+    if (own) page.changes.flush(); // it is wanted now
+    this.due = page.frame.draft || own;
     if (this.due) return null; // once the server has solved it as chosen
     const letter = freeLetter(runs);
     const same = runs.find((run) => !differing([page.frame, run.frame]).length);

@@ -26,7 +26,7 @@ export class Changes {
   /** @type {number | undefined} */ patience;
   /** @type {Goal | null} */ goal = null;
   quiet = false; // what is answered is kept, not shown
-  /** @type {number | undefined} */ resting; // the change that waits for the hand to rest
+  resting = 0; // a timer: changes wait for the hand to rest
   /** @type {Frame} */ latest; // that was answered, and the message that it was
   /** @type {ArrayBuffer} */ bytes;
 
@@ -57,8 +57,12 @@ export class Changes {
     this.waiting[name] = value;
     const rest = wait();
     clearTimeout(this.resting);
-    if (rest) this.resting = window.setTimeout(() => this.flush(), rest);
-    else this.flush();
+    this.resting = rest && window.setTimeout(() => this.#rested(), rest);
+    if (!rest) this.flush();
+  }
+  #rested() {
+    this.resting = 0;
+    this.flush();
   }
   flush() {
     const { model } = this.server;
@@ -90,7 +94,7 @@ export class Changes {
   }
   settle() {
     this.asked = 0;
-    this.flush();
+    if (!this.resting) this.flush();
   }
   /**
    * Go to settings. `done` is given the frame that answers them, or nothing if they cannot be.
@@ -100,6 +104,9 @@ export class Changes {
   go(settings, done) {
     const now = this.latest;
     this.leave();
+    clearTimeout(this.resting);
+    this.resting = 0;
+    this.waiting = {};
     this.goal = { scene: String(settings.scene ?? now.chosen.scene), settings, tries: 0, done };
     this.arrived(now);
   }
@@ -115,7 +122,10 @@ export class Changes {
     /** @type {Record<string, any>} */
     const wanted = there ? { ...frame.own, ...goal.settings } : { scene: goal.scene, bodies };
     const names = Object.keys(wanted).filter((name) => name in server.model.spec);
-    const missing = names.filter((name) => !Object.is(frame.chosen[name], wanted[name]));
+    const flying = this.asked ? this.sent : []; // an answer to these is on its way
+    const differs = (/** @type {string} */ name) =>
+      flying.includes(name) && !Object.is(server.model[name], wanted[name]);
+    const missing = names.filter((name) => !Object.is(frame.chosen[name], wanted[name]) || differs(name));
     if (there && !missing.length) {
       this.goal = null;
       goal.done(frame);

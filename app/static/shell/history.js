@@ -83,7 +83,8 @@ export class History {
     if ((this.entry?.strikewave ?? 0) < this.top) this.entries.forward();
   }
   #settle() {
-    if (this.resting) this.write(); // what is still to be written comes before
+    const { frame, own } = this.page;
+    if (this.resting || own.made.has(frame)) this.write(); // what is still to be written comes before
   }
   /**
    * Another answer is shown. While choices change again and again, all in one step, the address follows at rest:

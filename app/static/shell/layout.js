@@ -138,7 +138,7 @@ export class Layout {
     this.#measure();
     this.changed();
   }
-  /** How wide the docks are, and how high the sheet. */
+  /** How wide the docks are. */
   #measure() {
     const { root, sizes } = this;
     const [whole] = this.#room;

@@ -18,6 +18,7 @@ export class OwnAnswers {
   due = 0; // the next picture, by the number of its request
   /** @type {WeakSet<Frame>} */ made = new WeakSet();
   /** @type {Frame | null} */ whole = null; // the last answer of the server that is no draft
+  beyond = ''; // choices that cannot be answered here after all
 
   /** @param {Page} page */
   constructor(page) {
@@ -50,7 +51,7 @@ export class OwnAnswers {
   get #base() {
     const { answers, page } = this;
     const { latest, goal } = page.changes;
-    if (!answers || !latest || goal) return null;
+    if (!answers || !latest || goal || JSON.stringify(this.#chosen) === this.beyond) return null;
     const found = [latest, ...(this.whole ? [this.whole] : [])];
     return found.find((frame) => answers.covers(frame, this.#changed(frame))) ?? null;
   }
@@ -69,17 +70,30 @@ export class OwnAnswers {
    */
   ahead(frame) {
     if (!frame.draft) this.whole = frame;
+    const { chosen, kind } = this.page.frame ?? {};
+    if (frame.kind !== kind || frame.chosen.scene !== chosen?.scene) return false; // all is laid out anew for another
     if (!this.#changed(frame).length || !this.#base) return false;
     this.due ||= requestAnimationFrame(() => this.#draw());
     return true;
   }
+  /** Show the server's last answer in place of one that was found here. */
+  restore() {
+    const { changes, frame } = this.page;
+    if (this.made.has(frame)) this.page.take(changes.bytes);
+  }
   #draw() {
     this.due = 0;
-    const base = this.#base;
-    if (!base || !this.#changed(this.page.frame).length) return; // the server has answered, or is to
-    const frame = this.answers?.answer(base, this.#chosen);
-    if (!frame) return;
     const { page } = this;
+    const { changes } = page;
+    if (!this.#changed(changes.latest).length) this.restore(); // the hand has come back to what the server has answered
+    const base = this.#base;
+    if (!base || !this.#changed(page.frame).length) return; // the server has answered, or is to
+    const frame = this.answers?.answer(base, this.#chosen);
+    if (!frame) {
+      this.beyond = JSON.stringify(this.#chosen);
+      changes.flush();
+      return;
+    }
     this.made.add(frame);
     this.count++;
     page.frame = frame;

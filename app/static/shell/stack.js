@@ -10,7 +10,7 @@ import { keep, kept } from './store.js';
 const LEAST = 156 * scale; // pixels that an open chart needs, its head included
 const LEAST_NARROW = 200 * scale; // where its head takes more lines
 const NARROW = 540; // pixels of width
-const LINE = 380; // in which the names of two fit side by side
+const LINE = 540; // in which the names of three fit side by side
 const HEAD = 30 * scale; // of a folded one
 
 export class Stack {

@@ -91,7 +91,7 @@ export class Striker {
     canvas.style.cursor = over === 'mass' ? 'nwse-resize' : 'grabbing';
     const from = [event.clientX, event.clientY];
     const name = over === 'mass' ? 'mass_ratio' : 'speed';
-    const before = Number(page.model[name]);
+    const before = this.#value(name);
     const size = Math.max(drawn.width, drawn.height);
     const { low, high } = page.model.spec[name];
     const [across, down] = drawn.way;
@@ -108,6 +108,14 @@ export class Striker {
       this.held = false;
       this.#turn(null);
     };
+  }
+  /**
+   * Of a choice, whether the server knows of it or not.
+   * @param {string} name
+   */
+  #value(name) {
+    const { model, waiting } = this.page;
+    return Number(waiting[name] ?? model[name]);
   }
   /**
    * What can be taken hold of, over the picture.
@@ -134,7 +142,7 @@ export class Striker {
     c.fill();
     c.stroke();
     if (this.over !== 'mass') return;
-    const ratio = figures(Number(this.page.model.mass_ratio));
+    const ratio = figures(this.#value('mass_ratio'));
     this.#say(
       c,
       `m₂/m₁ = ${ratio}${this.held ? '' : ` · ${text('player.drag')}`}`,
@@ -161,7 +169,7 @@ export class Striker {
     c.lineTo(toX - 5 * down, toY + 5 * across);
     c.lineTo(toX + 5 * down, toY - 5 * across);
     c.fill();
-    const speed = `${figures(Number(this.page.model.speed))} m/s${this.held ? '' : ` · ${text('player.pull')}`}`;
+    const speed = `${figures(this.#value('speed'))} m/s${this.held ? '' : ` · ${text('player.pull')}`}`;
     if (lying) this.#say(c, speed, Math.max(x - 0.5 * width, 8), Math.max(fromY - 8, 12));
     else this.#say(c, speed, x - 0.5 * width - 8, y, 'right');
   }

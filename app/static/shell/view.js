@@ -28,7 +28,7 @@
  * @property {number} [linkUnit]  in which links count its times; 1 by default
  * @property {{ root: HTMLElement }} [colours]  the choice of what they show
  * @property {Stack} [stack]  charts over time
- * @property {Chart} [strip]  the one of them that a phone always shows
+ * @property {Chart} [strip]  the one of them that the opening shows where it has no rows
  * @property {Scene | null} [section]  what the opening draws over place and time, below the stage
  * @property {HTMLElement} [lens]  what the opening shows closer, below the names of events
  * @property {Cycle} [cycle]

@@ -15,12 +15,12 @@ const BESIDE = ['otherTime', 'otherForce', 'otherMass', 'otherEnd', 'modalForce'
  * Whether an answer of the server is one of these impacts, followed for as long as is usual.
  * @param {AxialFrame} frame
  */
-export function isRod({ chosen, draft, duration, exact, impactor, rigid, rods, stretch, target }) {
+export function isRod({ chosen, draft, duration, exact, fall, impactor, rigid, rods, stretch, target }) {
   const [rod] = rods;
   const alone = rods.length === 1 && rod.mirror !== 0 && rod.drift === 0 && !target.rotation && !target.endMass;
   const mass = ['mass', 'sphere'].includes(impactor.kind) && impactor.mass > 0;
   const last = exact.contacts.at(-1)?.[1] ?? NaN;
-  const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch;
+  const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch && !fall;
   return alone && mass && rigid && exact.travelling && usual && exact.name === chosen.method;
 }
 
@@ -60,7 +60,8 @@ export function rodWith(kernels, from, chosen) {
   };
   const exact = figuresOf(made, impact);
   exact.diagnostics = { ...exact.diagnostics, wall_time: (performance.now() - begun) / 1e3 };
-  const beside = mass === from.impactor.mass ? { other: from.other && faster(from.other, times) } : without(from);
+  const steady = mass === from.impactor.mass && (from.other?.byLaw || chosen.restitution === from.chosen.restitution);
+  const beside = steady ? { other: from.other && faster(from.other, times) } : without(from);
   return { ...made, exact, match: exact.restitution.newton, ...beside };
 }
 

@@ -57,7 +57,7 @@ def test_charts_have_the_names_of_the_stacks():
         ({"charts": ["force", "forces"]}, r"view\.charts\[2\]: got 'forces'; allowed: 'waves'"),
         ({"place": -1.0}, r"view\.place: got -1.0; allowed: a number from 0"),
         ({"time": -1e-6}, r"view\.time: got -1e-06; allowed: a number from 0"),
-        ({"read": "force"}, r"view\.read: got 'force'; allowed: 'stress'"),
+        ({"read": "colour"}, r"view\.read: got 'colour'; allowed: 'stress'"),
         ({"tab": "graphs"}, r"view\.tab: got 'graphs'; allowed: 'picture'"),
         ({"until": "soon"}, r"view\.until: got 'soon'; allowed: a number from 0"),
         ({"vary": {"modes": [1.0], "step": [1.0]}}, r"view\.vary"),

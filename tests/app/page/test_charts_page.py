@@ -124,6 +124,7 @@ def test_the_line_of_the_clock_can_be_dragged(open_page):
 
 def test_a_finger_moves_the_clock_and_two_zoom(open_page):
     page = open_page(size=(390, 844), has_touch=True)
+    page.turn_to("Charts")
     hand, duration = Hand(page, "Contact force"), page.evaluate(DURATION)
     fingers = page.context.new_cdp_session(page.tab)
 
@@ -313,6 +314,8 @@ def test_motions_forces_and_pictures_of_rods_are_sampled_for_what_is_in_view(ope
 @pytest.mark.parametrize("size", [(1440, 900), (390, 844)])
 def test_values_at_the_clock_stand_beside_the_names_of_their_curves(open_page, size):
     page = open_page("?layout=laboratory&method=modal&t=0.36", size=size)
+    if page.evaluate("() => strikewave.page.layout.tabbed"):
+        page.turn_to("Charts")
     chart = page.tab.locator(".chart:visible", has_text="Contact force").first
     for name, value in (("exact waves", "17.8"), ("modes", "15.6")):
         key = chart.locator(".key", has_text=name)

@@ -81,3 +81,40 @@ def test_without_webassembly_the_server_answers_alone(open_page):
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('mass_ratio', 0.7)"))
     assert page.header("chosen")["mass_ratio"] == 0.7
     assert page.evaluate("() => strikewave.page.own.answers") is None
+
+
+def test_a_hand_that_comes_back_finds_what_the_server_has_answered(open_page):
+    page = open_page()
+    page.wait(READY)
+    was = page.evaluate("() => strikewave.page.frame.chosen.mass_ratio")
+    page.evaluate(
+        """(was) => {
+          const { controls } = strikewave.page;
+          controls.send('mass_ratio', 0.9);
+          requestAnimationFrame(() => requestAnimationFrame(() => controls.send('mass_ratio', was)));
+        }""",
+        was,
+    )
+    page.wait("() => strikewave.page.own.count > 0")
+    page.wait(AT_REST, ["mass_ratio", was])
+    assert page.evaluate("() => strikewave.page.frame.exact.notes.length") > 0  # of which the browser knows none
+
+
+def test_undo_while_the_server_has_not_answered_goes_back_by_one(open_page):
+    page = open_page()
+    page.wait(READY)
+    page.evaluate(MOVE, ["mass_ratio", [0.9, 0.8]])
+    page.wait(AT_REST, ["mass_ratio", 0.8])
+    page.tab.wait_for_timeout(1200)  # another move then is a step of its own
+    page.evaluate(MOVE, ["mass_ratio", [0.5]])
+    page.tab.get_by_role("button", name="Undo").click()
+    page.wait(AT_REST, ["mass_ratio", 0.8])
+
+
+def test_histories_are_saved_once_the_server_has_solved_them(open_page):
+    page = open_page()
+    page.wait(READY)
+    page.evaluate("() => { strikewave.page.changes.server.lost = () => true; }")
+    page.evaluate(MOVE, ["mass_ratio", [0.5]])
+    page.take("Histories (CSV)")
+    assert page.tab.get_by_text("The server has not solved this yet").is_visible()

@@ -242,7 +242,7 @@ def test_many_changes_at_once_end_with_the_newest(server):
 
 def test_headers_and_paths_are_safe(server):
     with urllib.request.urlopen(f"http://{server}/") as page:
-        assert "unsafe-eval" not in page.headers["Content-Security-Policy"]
+        assert "'unsafe-eval'" not in page.headers["Content-Security-Policy"]
         assert page.headers["X-Content-Type-Options"] == "nosniff"
     assert json.load(urllib.request.urlopen(f"http://{server}/liveness?endpoint=/")) == {"alive": True}
     version = VERSION

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from app.wasm.entries import AFTERGLOW, INSTANTS, JUMPS, PIECES, POINTS, TERMS
+from app.wasm.entries import INSTANTS, JUMPS, PIECES, POINTS, TERMS
+from solvers.methods.base import AFTERGLOW
 from solvers.numerics.waves import rigid_drawn
 from solvers.numerics.waves.rigid import Pieces
 from solvers.numerics.waves.rigid_drawn import Drawn
