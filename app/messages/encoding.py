@@ -111,7 +111,7 @@ def cycle(exact: Solution, samples: int = IMPACT_POINTS) -> dict[str, Any]:
         "cycleUnloading": np.array([law.force(a, 0.0, deepest) for a in down.tolist()]),
         "blowDepth": whole_numbers(depth),
         "blowForce": whole_numbers(force),
-        **_touch(exact, time[::3]),
+        **_touch(exact, time),
         **_pressing(exact.scene.struck, deepest),
     }
 
@@ -124,7 +124,7 @@ def _touch(exact: Solution, time: np.ndarray) -> dict[str, Any]:
     flows = found.greatest is None and found.strength
     flow = {"touchFlow": whole_numbers(found.pressure / found.strength)} if flows else {}
     circle = {"touchRadius": whole_numbers(found.radius), "touchPressure": whole_numbers(pressure)}
-    return {"touchTime": time, **circle, **flow}
+    return {"touchTime": whole_numbers(time), **circle, **flow}
 
 
 def _pressing(scene: Scene, deepest: float) -> dict[str, Any]:
@@ -140,9 +140,9 @@ def _pressing(scene: Scene, deepest: float) -> dict[str, Any]:
     tested = np.isfinite(found.tests)
     return {
         "flowDepth": found.indentation,
-        "flowPressure": whole_numbers(found.pressure),
-        "flowRadius": whole_numbers(found.radius),
-        "flowElastic": whole_numbers(found.elastic),
+        "flowPressure": found.pressure,
+        "flowRadius": found.radius,
+        "flowElastic": found.elastic,
         "testsDepth": found.indentation[tested],
         "testsPressure": found.tests[tested],
         "testsForce": found.tested[tested],

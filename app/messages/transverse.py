@@ -33,7 +33,7 @@ FORCE_STEPS = 10_000  # of the modal force, from which the browser rebuilds the 
 DRAWN_MODES, PLACES = 48, 81  # of the fields that the browser rebuilds
 INSTANTS = 120  # of fields of other methods
 CONTACTS = 250  # of each solution, listed one by one
-CYCLE_SAMPLES = 700
+CYCLE_SAMPLES = 530
 
 
 class Answer(NamedTuple):
