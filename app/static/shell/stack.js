@@ -54,9 +54,14 @@ export class Stack {
   get here() {
     return this.charts.map(([, chart]) => chart.root.parentElement === this.root && !chart.root.hidden);
   }
-  /** Pixels for charts, their heads taken off; that of a late one, while it is folded, is no reason to fold another. */
+  /** Whether the names of late ones do not fit side by side. */
+  get narrow() {
+    return this.root.clientWidth < LINE * scale;
+  }
+  /** Pixels for charts, their heads taken off; of late ones that wait only where each has a line of its own. */
   get room() {
-    const counted = this.charts.filter(([key], k) => this.here[k] && (!this.late.includes(key) || this.#wanted(key)));
+    const { here, late, narrow } = this;
+    const counted = this.charts.filter(([key], k) => here[k] && (narrow || !late.includes(key) || this.#wanted(key)));
     return this.root.clientHeight - HEAD * counted.length;
   }
   /** Which is never folded for want of room: the force, or the first of a scene that has none. */
@@ -116,7 +121,7 @@ export class Stack {
   }
   arrange() {
     if (!this.root.clientHeight) return;
-    this.root.classList.toggle('narrow', this.root.clientWidth < LINE * scale);
+    this.root.classList.toggle('narrow', this.narrow);
     this.open.forEach((open, k) => {
       const [, chart] = this.charts[k];
       const button = this.buttons[k];

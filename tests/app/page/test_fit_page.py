@@ -106,10 +106,11 @@ def test_large_letters_have_their_room(open_page, size, query):
 
 
 # The force in the window, in pixels of its plot, and those of the room for controls.
-FORCE_AND_CONTROLS = """() => {
+FORCE_AND_CONTROLS = """async () => {
   const { page } = strikewave, { chart } = page.view.force, { choices, tabbed } = page.layout;
   const room = choices.parentElement.getBoundingClientRect();
   if (tabbed) page.layout.show('charts');
+  for (let k = 0; k < 3; k++) await new Promise((done) => requestAnimationFrame(done)); // as they find their room
   if (tabbed) chart.area.scrollIntoView();
   const { bottom, top } = chart.area.getBoundingClientRect();
   if (tabbed) page.layout.show('controls');
