@@ -54,8 +54,8 @@ def _object_of(name: str, function: Callable, signature: Any) -> bytes:
     llvm.initialize_all_asmprinters()
     machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static")
     text, entry = _intermediate(function, signature)
-    told = {"triple": TRIPLE, "datalayout": str(machine.target_data)}
-    text = "\n".join(_retold(text.split("\n"), told))
+    machine_of = {"triple": TRIPLE, "datalayout": str(machine.target_data)}
+    text = "\n".join(_rewritten(text.split("\n"), machine_of))
     text += "".join(f"\ndefine internal void @{each}(ptr %p) {{\n  ret void\n}}\n" for each in NO_COUNTING)
     text = text.replace("= common ", "= internal ")
     text = text.replace(f'@"{entry}"', f"@{name}").replace(f"@{entry}(", f"@{name}(")
@@ -71,7 +71,7 @@ def _object_of(name: str, function: Callable, signature: Any) -> bytes:
     return machine.emit_object(module)
 
 
-def _retold(lines: list[str], told: dict[str, str]) -> Iterator[str]:
+def _rewritten(lines: list[str], machine_of: dict[str, str]) -> Iterator[str]:
     """The code for another machine, without what counts references."""
     within = False
     for line in lines:
@@ -79,7 +79,11 @@ def _retold(lines: list[str], told: dict[str, str]) -> Iterator[str]:
         within = within or (counts and line.startswith("define "))
         if not within and not (counts and line.startswith("declare ")):
             word, _, rest = line.removeprefix("target ").partition(" = ")
-            yield f'target {word} = "{told[word]}"' if rest and line.startswith("target ") and word in told else line
+            yield (
+                f'target {word} = "{machine_of[word]}"'
+                if rest and line.startswith("target ") and word in machine_of
+                else line
+            )
         within = within and line != "}"
 
 

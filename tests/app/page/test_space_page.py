@@ -28,8 +28,8 @@ def test_sliding_is_drawn_where_there_is_friction(open_page, size):
         assert any(page.evaluate(SLIDES))
     page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 1.5)"))
     assert [each["kind"] for each in page.header("sliding")] == ["slip", "stick"]
-    told = "({ caption, story }) => [caption, story].map(({ root }) => root.textContent).join()"  # on a phone in a tab
-    page.wait(f"() => ({told})(strikewave.page).includes('stick from there on')")
+    said = "({ caption, story }) => [caption, story].map(({ root }) => root.textContent).join()"  # on a phone in a tab
+    page.wait(f"() => ({said})(strikewave.page).includes('stick from there on')")
 
 
 def test_without_friction_there_is_nothing_to_slide(open_page):
