@@ -38,6 +38,7 @@ from .encoding import (
     whole_numbers,
 )
 from .fall import fall_fields
+from .laws import law_fields
 from .parts import common
 from .pendulum import pendulum_fields, pivot_moments, striker_arrays, waves_of_force
 from .rotating import axis_moments, bent_shapes, rotation_fields, turning_fields, turning_rod, turns
@@ -96,6 +97,7 @@ def axial_frame(request: Request) -> bytes:
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "rigid": scene.rigid_contact,
+        "contactLaw": law_fields(scene),
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,

@@ -155,6 +155,12 @@ RECORDS: dict[str, Fields] = {
         "gravity": Field("number", "[m/s2]"),
         "rest": Field("number | null", "when it lies still, from the release on; None: never [s]"),
     },
+    "LawRecord": {
+        "name": Field("string"),
+        "constants": Field("number[]", "in units of T, v and Z v"),
+        "bySpeed": Field("number[]", "powers with which they grow with the speed"),
+        "byMass": Field("number[]", "and with the mass that both bodies are felt with"),
+    },
     "RodRecord": {
         "from": Field("number", "from the struck face [m]"),
         "to": Field("number", "[m]"),

@@ -162,6 +162,13 @@ export interface FallRecord {
   /** when it lies still, from the release on; null: never [s] */ rest: number | null;
 }
 
+export interface LawRecord {
+  name: string;
+  /** in units of T, v and Z v */ constants: number[];
+  /** powers with which they grow with the speed */ bySpeed: number[];
+  /** and with the mass that both bodies are felt with */ byMass: number[];
+}
+
 export interface RodRecord {
   /** from the struck face [m] */ from: number;
   /** [m] */ to: number;
@@ -366,6 +373,7 @@ export interface AxialFrame extends Common {
   /** velocities by rigid-body theory [v] */ prediction: { impactor: number, target: number } | null;
   /** restitution that would have matched */ match: number | null;
   /** whether nothing gives way at the contact itself */ rigid: boolean;
+  /** of a mass on rods, for kernels of the browser; null if rigid */ contactLaw: LawRecord | null;
   /** whether the contact law does */ damps: boolean;
   /** whether the contact law does */ yields: boolean;
   /** power of the indentation with which its force begins, 1 where nothing gives way */ exponent: number;

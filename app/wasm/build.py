@@ -39,9 +39,9 @@ def build() -> bytes:
         raise NoLinker("No linker: pip install ziglang, as pinned in constraints.txt. The module that came is used.")
     with tempfile.TemporaryDirectory() as folder:
         objects = []
-        for name, (function, signature) in ENTRIES.items():
+        for name, entry in ENTRIES.items():
             objects.append(Path(folder) / f"{name}.o")
-            objects[-1].write_bytes(_object_of(name, function, signature))
+            objects[-1].write_bytes(_object_of(name, entry.function, entry.signature))
         linked = Path(folder) / "kernels.wasm"
         exports = [f"-Wl,--export={name}" for name in (*ENTRIES, "__heap_base")]
         command = [sys.executable, "-m", "ziglang", "cc", *LINKER, "-Wl,--no-entry", "-Wl,--strip-all", *exports]

@@ -4,26 +4,38 @@
 """
 
 from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numba
+import numpy as np
 from numba import carray, types
 
-from solvers.methods.base import AFTERGLOW
+from solvers.contact import LAWS, Rigid
+from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
+from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork
-from solvers.numerics.waves import rigid_drawn, rigid_figures
+from solvers.numerics.waves import law_drawn, rigid_drawn, rigid_figures
+from solvers.numerics.waves.collocation import STAGES
+from solvers.numerics.waves.drawn import MOST_SAMPLES, Drawn
+from solvers.numerics.waves.laws import Work as LawWork
+from solvers.numerics.waves.laws import any_law
+from solvers.numerics.waves.nodes import State, rewind
+from solvers.numerics.waves.parts import Chain
+from solvers.numerics.waves.record import POINTS as NODES
+from solvers.numerics.waves.record import QUANTITIES, Record
 from solvers.numerics.waves.rigid import Pieces, Work
-from solvers.numerics.waves.rigid_drawn import COLUMNS, Drawn, answer
 
 PIECES, TERMS = 64, 40  # of the wave sent: most impacts have a dozen
-POINTS, INSTANTS, JUMPS, FORCES = 2_400, 301, 400, 1_001
+POINTS, INSTANTS, JUMPS, FORCES = 2_400, 301, 400, int(MOST_SAMPLES) + 1
+STRETCHES = 2_000  # of each end of a rod that is struck through a law: most impacts have some hundreds
+CONTACTS, DEPTHS, CYCLE = 64, 60, 300
 T = TERMS + 1
+TOLERANCE = 0.1 * 1e-9  # of a step, as `solvers.Waves` takes it
+KINDS = [kind for kind in LAWS.values() if kind is not Rigid]
+REMEMBERS, LOSES = np.array([kind.PLASTIC for kind in KINDS]), np.array([kind.LOSSY for kind in KINDS])
 
-FLOATS, INTEGERS = types.CPointer(types.float64), types.CPointer(types.int64)
-ROOM = {  # in numbers, by argument
-    "line": 2 * (PIECES + 1) + 7 * T + 1 + 2 * MAX_INTERVALS,
-    "rows": MAX_INTERVALS * T,
-    "coefficients": PIECES * TERMS,
-    "degrees": PIECES,
+FLOATS, INTEGERS, FLAGS = (types.CPointer(kind) for kind in (types.float64, types.int64, types.boolean))
+DRAWN = {  # what is drawn, by argument: how many numbers
     "jumps": JUMPS,
     "waveTime": POINTS + 2 * JUMPS,
     "wave": POINTS + 2 * JUMPS,
@@ -32,9 +44,36 @@ ROOM = {  # in numbers, by argument
     "mass": INSTANTS,
     "end": INSTANTS,
     "whole": INSTANTS,
-    "contacts": 7 * PIECES,
-    "out": COLUMNS,
 }
+
+
+class Entry(NamedTuple):
+    """One function: how many numbers it takes, and then how much room by argument, in numbers of eight bytes."""
+
+    function: Callable
+    numbers: int
+    room: dict[str, int]
+    kinds: dict[str, Any]  # of pointer, where they are not of numbers
+    out: dict[str, int]  # places in `out`
+
+    @property
+    def signature(self) -> numba.core.typing.Signature:
+        pointers = (self.kinds.get(name, FLOATS) for name in self.room)
+        return types.int32(*self.numbers * [types.float64], *pointers)
+
+
+@numba.njit
+def _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole):
+    return Drawn(
+        carray(jumps, (JUMPS,)),
+        carray(wave_time, (POINTS + 2 * JUMPS,)),
+        carray(wave, (POINTS + 2 * JUMPS,)),
+        carray(force_time, (FORCES + 2 * JUMPS,)),
+        carray(force, (FORCES + 2 * JUMPS,)),
+        carray(mass, (INSTANTS,)),
+        carray(end, (INSTANTS,)),
+        carray(whole, (INSTANTS,)),
+    )
 
 
 def rod(
@@ -49,36 +88,124 @@ def rod(
     work = Work(w[:T], w[T : 2 * T], w[2 * T : 3 * T], w[3 * T : 4 * T], w[4 * T : 5 * T], w[6 * T : 7 * T + 1], roots)
     waves = carray(coefficients, (PIECES, TERMS)), carray(degrees, (PIECES,))
     sent = Pieces(start, *waves, integral, carray(contacts, (PIECES, 7)), work)
-    drawn = Drawn(
-        carray(jumps, (JUMPS,)),
-        carray(wave_time, (POINTS + 2 * JUMPS,)),
-        carray(wave, (POINTS + 2 * JUMPS,)),
-        carray(force_time, (FORCES + 2 * JUMPS,)),
-        carray(force, (FORCES + 2 * JUMPS,)),
-        carray(mass, (INSTANTS,)),
-        carray(end, (INSTANTS,)),
-        carray(whole, (INSTANTS,)),
+    drawn = _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole)
+    return rigid_drawn.answer(beta, reflection, AFTERGLOW, POINTS, sent, drawn, carray(out, (rigid_drawn.COLUMNS,)))
+
+
+_any_law = any_law(KINDS)
+
+
+def law(
+    beta, reflection, constants, beside, nodes, counts, flags, start, values, closed, breaks, rows, nothing, pressing,
+    jumps, wave_time, wave, force_time, force, mass, end, whole, depths, presses, loading, unloading, contacts, out,
+):  # fmt: skip
+    """One that strikes through a contact law: `solvers.numerics.waves.law_drawn.answer`.
+
+    constants: those of the law in units of T, v and Z v, and behind them its number among KINDS, for both ends.
+    """
+    b, f = carray(beside, (8, 3)), carray(nodes, (8, 2))
+    n, yes = carray(counts, (6, 2)), carray(flags, (6, 2))
+    chain = Chain(b[0][:1], b[1][:1], b[2][:1], n[0], b[3][:2], b[4][:2], b[5][:2], f[7], 0)
+    law_drawn.place(beta, reflection, chain, b[6])
+    r, pulse = carray(rows, (8 + STAGES, NODES)), carray(nothing, (1, 2 + NODES))
+    laws = carray(constants, (2, CONSTANTS + 1))
+    of_law = laws, yes[0], yes[1], pulse, b[6]
+    record = Record(
+        carray(start, (2, STRETCHES + 1)),
+        carray(values, (2, STRETCHES, QUANTITIES, NODES)),
+        carray(closed, (2, STRETCHES)),
+        n[1],
     )
-    return answer(beta, reflection, AFTERGLOW, POINTS, sent, drawn, carray(out, (COLUMNS,)))
+    state = State(
+        f[0], f[1], f[2], f[3], f[4], f[5], f[6], yes[2], yes[3], yes[4], n[2], n[3],
+        carray(breaks, (2, STRETCHES)), n[4], n[5], yes[5], b[7], b[2][1:2],
+    )  # fmt: skip
+    for node in range(2):
+        number = int(laws[node, CONSTANTS])
+        yes[0][node], yes[1][node] = REMEMBERS[number], LOSES[number]
+        record.start[node, 0], record.count[node] = 0.0, 0
+    rewind(chain, state)
+    work = LawWork(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8:])
+    cycle = (
+        carray(depths, (CYCLE,)),
+        carray(presses, (CYCLE,)),
+        carray(loading, (DEPTHS,)),
+        carray(unloading, (DEPTHS,)),
+    )
+    return law_drawn.answer(
+        chain, record, state, work, _any_law, of_law, TOLERANCE, MAX_ROUND_TRIPS, AFTERGLOW, POINTS,
+        carray(pressing, (CONTACTS, 2)), carray(contacts, (CONTACTS, law_drawn.CONTACT_COLUMNS)),
+        _drawn(jumps, wave_time, wave, force_time, force, mass, end, whole), cycle,
+        carray(out, (law_drawn.COLUMNS,)),
+    )  # fmt: skip
 
 
-ENTRIES: dict[str, tuple[Callable, numba.core.typing.Signature]] = {
-    "rod": (
+ENTRIES = {
+    "rod": Entry(
         rod,
-        types.int32(
-            *(2 * [types.float64]), *(INTEGERS if name == "degrees" else FLOATS for name in ROOM),
-        ),
+        2,
+        {
+            "line": 2 * (PIECES + 1) + 7 * T + 1 + 2 * MAX_INTERVALS,
+            "rows": MAX_INTERVALS * T,
+            "coefficients": PIECES * TERMS,
+            "degrees": PIECES,
+            **DRAWN,
+            "contacts": 7 * PIECES,
+            "out": rigid_drawn.COLUMNS,
+        },
+        {"degrees": INTEGERS},
+        {
+            "impulse": rigid_figures.IMPULSE,
+            "target": rigid_figures.TARGET,
+            "compressing": rigid_figures.COMPRESSING,
+            "energy": rigid_figures.ROD,
+            "contacts": rigid_drawn.CONTACTS,
+            "duration": rigid_drawn.SHOWN,
+            "wavePoints": rigid_drawn.WAVE_POINTS,
+            "forcePoints": rigid_drawn.FORCE_POINTS,
+        },
     ),
-}  # fmt: skip
-OUT = {  # places in `out`
-    "impulse": rigid_figures.IMPULSE,
-    "target": rigid_figures.TARGET,
-    "compressing": rigid_figures.COMPRESSING,
-    "energy": rigid_figures.ROD,
-    "contacts": rigid_drawn.CONTACTS,
-    "duration": rigid_drawn.SHOWN,
-    "wavePoints": rigid_drawn.WAVE_POINTS,
-    "forcePoints": rigid_drawn.FORCE_POINTS,
+    "law": Entry(
+        law,
+        2,
+        {
+            "constants": 2 * (CONSTANTS + 1),
+            "beside": 8 * 3,
+            "nodes": 8 * 2,
+            "counts": 6 * 2,
+            "flags": 6 * 2,
+            "start": 2 * (STRETCHES + 1),
+            "values": 2 * STRETCHES * QUANTITIES * NODES,
+            "closed": 2 * STRETCHES,
+            "breaks": 2 * STRETCHES,
+            "rows": (8 + STAGES) * NODES,
+            "nothing": 2 + NODES,
+            "pressing": 2 * CONTACTS,
+            **DRAWN,
+            "depths": CYCLE,
+            "presses": CYCLE,
+            "loading": DEPTHS,
+            "unloading": DEPTHS,
+            "contacts": law_drawn.CONTACT_COLUMNS * CONTACTS,
+            "out": law_drawn.COLUMNS,
+        },
+        {"counts": INTEGERS, "pressing": INTEGERS, "flags": FLAGS, "closed": FLAGS},
+        {
+            "impulse": law_drawn.IMPULSE_IN,
+            "final": law_drawn.FINAL,
+            "target": law_drawn.TARGET,
+            "apart": law_drawn.APART,
+            "compressing": law_drawn.COMPRESSING,
+            "energy": law_drawn.ROD,
+            "dissipated": law_drawn.DISSIPATED,
+            "deepest": law_drawn.DEEPEST,
+            "dent": law_drawn.DENT_LEFT,
+            "contacts": law_drawn.CONTACTS,
+            "duration": law_drawn.SHOWN,
+            "wavePoints": law_drawn.WAVE_POINTS,
+            "forcePoints": law_drawn.FORCE_POINTS,
+        },
+    ),
 }
 
 
@@ -86,9 +213,15 @@ def room() -> str:
     """What the browser code knows of all this: the file `app/static/wasm/room.js`."""
     return (
         "// Sizes of the arrays that kernels work in, and places of figures: written by app/wasm/build.py.\n"
-        f"export const ROOM = {_listed(ROOM)};\nexport const OUT = {_listed(OUT)};\n"
+        f"export const ROOM = {_listed({name: entry.room for name, entry in ENTRIES.items()})};\n"
+        f"export const OUT = {_listed({name: entry.out for name, entry in ENTRIES.items()})};\n"
+        f"export const LAWS = [\n" + "".join(f"  '{kind.NAME}',\n" for kind in KINDS) + "];\n"
     )
 
 
-def _listed(numbers: dict[str, int]) -> str:
-    return "{\n" + "".join(f"  {name}: {number},\n" for name, number in numbers.items()) + "}"
+def _listed(tables: dict[str, dict[str, int]]) -> str:
+    inside = "".join(
+        f"  {name}: {{\n" + "".join(f"    {each}: {number},\n" for each, number in table.items()) + "  },\n"
+        for name, table in tables.items()
+    )
+    return "{\n" + inside + "}"

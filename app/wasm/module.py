@@ -7,7 +7,11 @@ from solvers.fingerprint import fingerprint
 from solvers.jit.cache import LIBRARY
 
 MODULE = Path(__file__).parents[1] / "static/wasm/kernels.wasm"
-SOURCES = ("numerics/waves/rigid_drawn.py",)  # of the library: with all that they import
+SOURCES = (
+    "numerics/waves/rigid_drawn.py",
+    "numerics/waves/law_drawn.py",
+    "contact/__init__.py",
+)  # of the library: with all that they import
 SECTION = b"\x0bfingerprint"  # in which the module names the sources that it was made of
 
 

@@ -1,7 +1,7 @@
 // The browser's own answers, by the library's kernels: exact at every picture while a slider moves. Fetched once the
 // page stands; where it cannot be, the server answers alone.
 import { kernelsOf } from './kernels.js';
-import { FOLLOWED, isRod, rodWith } from './rod.js';
+import { follows, isRod, rodWith } from './rod.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Kernels } from './kernels.js' */
@@ -17,7 +17,7 @@ class Answers {
    * @param {string[]} changed
    */
   covers(frame, changed) {
-    return frame.kind === 'axial' && changed.every((name) => FOLLOWED.includes(name)) && isRod(frame);
+    return frame.kind === 'axial' && changed.every((name) => follows(frame, name)) && isRod(frame);
   }
   /**
    * @param {Frame} frame  of the server, which it covers

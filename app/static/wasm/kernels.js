@@ -1,87 +1,141 @@
 // The library's own kernels, compiled for browsers: the module, and the room that they work in.
-import { OUT, ROOM } from './room.js';
+import { LAWS, OUT, ROOM } from './room.js';
 
 const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
-const CONTACT = 7; // numbers of a contact: as in solvers/numerics/waves/rigid.py
+// numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py
+const CONTACT = { rod: 7, law: 5 };
+
+/** @typedef {keyof typeof ROOM} Name  of a kernel */
+/** @import { LawRecord } from '../messages.js' */
 
 /**
  * @typedef {object} Contact
  * @property {number} start  [T], as is the end
  * @property {number} end
- * @property {number} before  velocity of the mass [v], and after
- * @property {number} after
+ * @property {number} push  impulse [Z v T]
+ * @property {number} after  velocity of the mass [v]
  * @property {number} peak  force [Z v]
- * @property {number} face  velocity of the struck end just after [v]
  */
 /**
- * An impact of a rigid mass on a uniform rod, in units T, v and Z v; of the rod's energy Z v v T.
+ * What a contact law adds, in units v T and Z v.
+ * @typedef {object} Cycle
+ * @property {number} deepest
+ * @property {number} dent
+ * @property {Float64Array} depths  of the impact, and its forces
+ * @property {Float64Array} presses
+ * @property {Float64Array} loading  force by the law, slowly to the greatest indentation, and back
+ * @property {Float64Array} unloading
+ */
+/**
+ * An impact of a mass on a uniform rod, in units T, v and Z v; of energies Z v v T.
  * @typedef {object} Impact
  * @property {number} duration
  * @property {number} impulse
- * @property {number} target  velocity of its centre
+ * @property {number} final  velocity of the mass
+ * @property {number} target  velocity of the centre of the rod
+ * @property {number} apart  with which the faces part
  * @property {number} compressing  impulse up to the end of compression
  * @property {number} energy  of the rod
+ * @property {number} dissipated
  * @property {Contact[]} contacts
  * @property {Record<'waveTime' | 'wave' | 'forceTime' | 'force' | 'mass' | 'end' | 'whole', Float64Array>} histories
+ * @property {Cycle | null} cycle
  */
 
 export class Kernels {
   /** @param {WebAssembly.Exports} exports */
   constructor(exports) {
-    const { __heap_base: heap, memory, rod } = /** @type {any} */ (exports);
+    const { __heap_base: heap, memory } = /** @type {any} */ (exports);
+    this.exports = /** @type {Record<Name, (...numbers: number[]) => number>} */ (/** @type {unknown} */ (exports));
     this.memory = /** @type {WebAssembly.Memory} */ (memory);
-    this.solve = /** @type {(...numbers: number[]) => number} */ (rod);
-    /** @type {Record<string, number>} */
-    this.places = {};
-    let at = Math.ceil(heap.value / ALIGNED) * ALIGNED;
-    this.status = at; // where a kernel leaves what it returns, and why it has failed
-    at += ALIGNED;
-    for (const [name, size] of Object.entries(ROOM)) {
-      this.places[name] = at;
-      at += Math.ceil((NUMBER * size) / ALIGNED) * ALIGNED;
+    this.status = Math.ceil(heap.value / ALIGNED) * ALIGNED; // where a kernel leaves what it returns
+    /** @type {Record<string, Record<string, number>>} */
+    this.places = {}; // of each kernel: they work one after the other, all in the same room
+    let most = 0;
+    for (const [name, sizes] of Object.entries(ROOM)) {
+      let at = this.status + ALIGNED;
+      this.places[name] = {};
+      for (const [array, size] of Object.entries(sizes)) {
+        this.places[name][array] = at;
+        at += Math.ceil((NUMBER * size) / ALIGNED) * ALIGNED;
+      }
+      most = Math.max(most, at);
     }
-    const missing = at - this.memory.buffer.byteLength;
+    const missing = most - this.memory.buffer.byteLength;
     if (missing > 0) this.memory.grow(Math.ceil(missing / PAGE));
   }
   /**
-   * @param {keyof typeof ROOM} name
-   * @param {number} [size]
+   * @param {Name} name
+   * @param {string} array
+   * @param {number} size
    */
-  array(name, size = ROOM[name]) {
-    return new Float64Array(this.memory.buffer, this.places[name], size);
+  #array(name, array, size) {
+    return new Float64Array(this.memory.buffer, this.places[name][array], size);
   }
   /**
-   * @param {number} beta  mass of the rod over that of the striker
-   * @param {1 | -1} reflection  of a fixed or a free far end
-   * @returns {Impact | null}  nothing where the impact has more contacts than there is room for
+   * Run a kernel; nothing where it has failed, or an impact has more contacts than there is room for.
+   * @param {Name} name
+   * @param {...number} numbers
    */
-  rod(beta, reflection) {
+  #run(name, ...numbers) {
     const { status } = this;
-    const failed = this.solve(status, status + NUMBER, beta, reflection, ...Object.values(this.places));
+    const failed = this.exports[name](status, status + NUMBER, ...numbers, ...Object.values(this.places[name]));
     const [left] = new Int32Array(this.memory.buffer, status, 1);
     if (failed || left) return null;
-    const out = this.array('out');
-    const rows = this.array('contacts', CONTACT * out[OUT.contacts]);
-    const contacts = Array.from({ length: out[OUT.contacts] }, (_, k) => {
-      const [start, end, before, after, peak, , face] = rows.subarray(CONTACT * k, CONTACT * (k + 1));
-      return { start, end, before, after, peak, face };
-    });
-    const read = (/** @type {keyof typeof ROOM} */ name, /** @type {number} */ size = ROOM[name]) =>
-      this.array(name, size).slice();
-    const [wave, force] = [out[OUT.wavePoints], out[OUT.forcePoints]];
-    return {
-      duration: out[OUT.duration],
-      impulse: out[OUT.impulse],
-      target: out[OUT.target],
-      compressing: out[OUT.compressing],
-      energy: out[OUT.energy],
-      contacts,
-      histories: {
-        ...{ waveTime: read('waveTime', wave), wave: read('wave', wave) },
-        ...{ forceTime: read('forceTime', force), force: read('force', force) },
-        ...{ mass: read('mass'), end: read('end'), whole: read('whole') },
-      },
+    /** @type {Record<string, number>} */
+    const sizes = ROOM[name];
+    const out = this.#array(name, 'out', sizes.out);
+    const read = (/** @type {string} */ array, size = sizes[array]) => this.#array(name, array, size).slice();
+    /** @type {Record<string, number>} */
+    const figures = Object.fromEntries(Object.entries(OUT[name]).map(([each, place]) => [each, out[place]]));
+    const { compressing, duration, energy, forcePoints, impulse, target, wavePoints } = figures;
+    const columns = CONTACT[name];
+    const table = read('contacts', columns * figures.contacts);
+    const rows = Array.from({ length: figures.contacts }, (_, k) => [
+      ...table.subarray(columns * k, columns * (k + 1)),
+    ]);
+    const histories = {
+      ...{ waveTime: read('waveTime', wavePoints), wave: read('wave', wavePoints) },
+      ...{ forceTime: read('forceTime', forcePoints), force: read('force', forcePoints) },
+      ...{ mass: read('mass'), end: read('end'), whole: read('whole') },
     };
+    return { common: { compressing, duration, energy, impulse, target, histories }, figures, rows, read };
+  }
+  /**
+   * A rigid mass on a rod.
+   * @param {number} beta  mass of the rod over that of the striker
+   * @param {1 | -1} reflection  of a fixed or a free far end
+   * @returns {Impact | null}
+   */
+  rod(beta, reflection) {
+    const run = this.#run('rod', beta, reflection);
+    if (!run) return null;
+    const contacts = run.rows.map(([start, end, before, after, peak]) => {
+      return { start, end, push: (0.5 / beta) * (before - after), after, peak };
+    });
+    const [, , , final, , , face] = run.rows[run.rows.length - 1];
+    return { ...run.common, contacts, final, apart: face - final, dissipated: 0, cycle: null };
+  }
+  /**
+   * One that strikes it through a contact law.
+   * @param {number} beta
+   * @param {1 | -1} reflection
+   * @param {Pick<LawRecord, 'name' | 'constants'>} law  with its constants in units T, v and Z v
+   * @returns {Impact | null}
+   */
+  law(beta, reflection, { name, constants }) {
+    const places = ROOM.law.constants / 2;
+    const given = this.#array('law', 'constants', ROOM.law.constants).fill(0);
+    for (const end of [0, 1]) given.set([...constants], end * places);
+    for (const end of [1, 2]) given[end * places - 1] = LAWS.indexOf(name);
+    const run = this.#run('law', beta, reflection);
+    if (!run) return null;
+    const { common, figures, read, rows } = run;
+    const { apart, deepest, dent, dissipated, final } = figures;
+    const contacts = rows.map(([start, end, push, peak, after]) => ({ start, end, push, after, peak }));
+    const path = { depths: read('depths'), presses: read('presses') };
+    const curve = { loading: read('loading'), unloading: read('unloading') };
+    return { ...common, contacts, final, apart, dissipated, cycle: { deepest, dent, ...path, ...curve } };
   }
 }
 

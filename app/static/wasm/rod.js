@@ -1,28 +1,45 @@
-// What the page draws of a rigid mass on a uniform rod, by the browser's own answer: a message like that of the server.
+// What the page draws of a mass on a uniform rod, by the browser's own answer: a message like that of the server.
 import { between } from '../charts/scale.js';
+import { LAWS } from './room.js';
 
-/** @import { AxialFigures, AxialFrame, Chosen, Contact, Energies } from '../messages.js' */
-/** @import { Impact, Kernels } from './kernels.js' */
+/** @import { AxialFigures, AxialFrame, Chosen, Contact, Energies, LawRecord } from '../messages.js' */
+/** @import { Cycle, Impact, Kernels } from './kernels.js' */
 
-/** Choices that it follows; all others are left to the server. */
-export const FOLLOWED = ['mass_ratio', 'restitution', 'speed'];
+const FOLLOWED = ['mass_ratio', 'restitution', 'speed'];
 const CUT = { before: 0.02, share: 0.1 }; // of T, and of the peak: what a force still is that a wave cuts off
-const ROUNDING = 1e-15; // the least error that is claimed
+const ERROR = { rigid: 1e-15, law: 1e-9 }; // the least that is claimed: rounding, and the tolerance of a step
+const BEYOND = 1.02; // times the parting: up to there indentation and force are drawn over each other
+const PRESSURE = 1.5; // of Hertz in the middle, times the mean one
 /** Histories of the method beside, which only the server solves. */
 const BESIDE = ['otherTime', 'otherForce', 'otherMass', 'otherEnd', 'modalForce', 'fieldForce', 'balanceTime'];
+
+/**
+ * Choices that it follows; all others are left to the server. Which damping gives another restitution the server knows.
+ * @param {AxialFrame} frame
+ * @param {string} name
+ */
+export const follows = (frame, name) => FOLLOWED.includes(name) && !(frame.damps && name === 'restitution');
 
 /**
  * Whether an answer of the server is one of these impacts, followed for as long as is usual.
  * @param {AxialFrame} frame
  */
-export function isRod({ chosen, draft, duration, exact, fall, impactor, rigid, rods, stretch, target }) {
+export function isRod(frame) {
+  const { chosen, draft, duration, exact, fall, impactor, rods, stretch, target } = frame;
   const [rod] = rods;
   const alone = rods.length === 1 && rod.mirror !== 0 && rod.drift === 0 && !target.rotation && !target.endMass;
   const mass = ['mass', 'sphere'].includes(impactor.kind) && impactor.mass > 0;
   const last = exact.contacts.at(-1)?.[1] ?? NaN;
   const usual = Math.abs(duration - last - 1) < 1e-9 && !draft && !stretch && !fall;
-  return alone && mass && rigid && exact.travelling && usual && exact.name === chosen.method;
+  return alone && mass && pressed(frame) && exact.travelling && usual && exact.name === chosen.method;
 }
+
+/**
+ * Whether the faces press on each other in a way that is known: of how a material flows there is more to tell.
+ * @param {AxialFrame} frame
+ */
+const pressed = ({ contactLaw, flowDepth, rigid, touchFlow }) =>
+  rigid || Boolean(contactLaw && LAWS.includes(contactLaw.name) && !flowDepth && !touchFlow);
 
 /**
  * The same impact with other choices.
@@ -36,10 +53,12 @@ export function rodWith(kernels, from, chosen) {
   const change = Number(chosen.mass_ratio) / Number(from.chosen.mass_ratio);
   const mass = change === 1 || Number.isNaN(change) ? from.impactor.mass : from.target.mass / Number(chosen.mass_ratio);
   const beta = from.target.mass / mass;
-  const impact = kernels.rod(beta, from.rods[0].mirror > 0 ? 1 : -1);
-  if (!impact) return null;
   const speed = Number(chosen.speed);
   const times = speed / from.speed;
+  const law = from.contactLaw && lawAt(from.contactLaw, times, felt(from, mass) / felt(from, from.impactor.mass));
+  const side = from.rods[0].mirror > 0 ? 1 : -1;
+  const impact = law ? kernels.law(beta, side, law) : kernels.rod(beta, side);
+  if (!impact) return null;
   const scales = { speed, forceUnit: from.forceUnit * times, stressUnit: from.stressUnit * times };
   const { duration, histories: drawn } = impact;
   const made = {
@@ -57,12 +76,63 @@ export function rodWith(kernels, from, chosen) {
     exactWhole: from.exactWhole && drawn.whole,
     exactTime: drawn.forceTime,
     exactForce: drawn.force,
+    contactLaw: law,
   };
+  if (impact.cycle) Object.assign(made, cycleOf(from, made, impact, impact.cycle));
   const exact = figuresOf(made, impact);
   exact.diagnostics = { ...exact.diagnostics, wall_time: (performance.now() - begun) / 1e3 };
   const steady = mass === from.impactor.mass && (from.other?.byLaw || chosen.restitution === from.chosen.restitution);
   const beside = steady ? { other: from.other && faster(from.other, times) } : without(from);
   return { ...made, exact, match: exact.restitution.newton, ...beside };
+}
+
+/**
+ * The mass [kg] with which both bodies are felt if the striker has this one.
+ * @param {AxialFrame} frame
+ * @param {number} mass
+ */
+const felt = ({ target }, mass) => (target.held ? mass : mass / (1 + mass / target.mass));
+
+/**
+ * A law whose constants grow with the powers that it says.
+ * @param {LawRecord} law
+ * @param {number} speed  times as high
+ * @param {number} mass
+ * @returns {LawRecord}
+ */
+const lawAt = (law, speed, mass) => ({
+  ...law,
+  constants: law.constants.map((value, k) => value * speed ** law.bySpeed[k] * mass ** law.byMass[k]),
+});
+
+/**
+ * Indentation and force by the law, and what the impact did [m, N].
+ * @param {AxialFrame} from
+ * @param {AxialFrame} made
+ * @param {Impact} impact
+ * @param {Cycle} cycle
+ * @returns {Partial<AxialFrame>}
+ */
+function cycleOf(from, { forceUnit, speed, trip }, { contacts, duration }, cycle) {
+  const unit = speed * trip;
+  const [depth, force] = [cycle.depths.map((a) => a * unit), cycle.presses.map((f) => f * forceUnit)];
+  const newtons = (/** @type {Float64Array} */ values) => values.map((f) => f * forceUnit);
+  const found = {
+    cycleDepth: cycle.loading.map((_, k, all) => (k / (all.length - 1)) * cycle.deepest * unit),
+    ...{ cycleLoading: newtons(cycle.loading), cycleUnloading: newtons(cycle.unloading) },
+    ...{ blowDepth: depth, blowForce: force },
+  };
+  const { blowDepth, touchRadius } = from;
+  if (!touchRadius || !blowDepth) return found;
+  const deepest = touchRadius.indexOf(Math.max(...touchRadius));
+  const round = touchRadius[deepest] ** 2 / blowDepth[deepest]; // radius of the faces, as a^2 = alpha R
+  const until = Math.min(duration, BEYOND * contacts[contacts.length - 1].end) * trip;
+  return {
+    ...found,
+    touchTime: depth.map((_, k, all) => (k / (all.length - 1)) * until),
+    touchRadius: depth.map((a) => Math.sqrt(Math.max(a, 0) * round)),
+    touchPressure: depth.map((a, k) => (a > 0 ? (PRESSURE * force[k]) / (Math.PI * a * round) : 0)),
+  };
 }
 
 /**
@@ -107,47 +177,48 @@ function predicted(beta, held, restitution) {
 
 /**
  * @param {AxialFrame} frame  with its scales and histories
- * @param {Impact} impact
+ * @param {Impact} found
  * @returns {AxialFigures}
  */
-function figuresOf(frame, { compressing, contacts, duration, energy, impulse, target: moved }) {
+function figuresOf(frame, found) {
+  const { apart, compressing, contacts, cycle, dissipated, duration, energy, final, impulse } = found;
   const { exact, exactForce, exactTime, forceUnit, impactor, speed, target, trip } = frame;
   const last = contacts[contacts.length - 1];
-  const targetFinal = target.held ? 0 : moved;
+  const targetFinal = target.held ? 0 : found.target;
   const moving = (/** @type {number} */ mass, /** @type {number} */ v) => 0.5 * mass * (speed * v) ** 2;
   const whole = target.held ? 0 : moving(target.mass, targetFinal);
+  const unit = forceUnit * speed * trip;
   const energies = {
-    ...{ initial: moving(impactor.mass, 1), impactor: moving(impactor.mass, last.after), target_rigid: whole },
-    ...{ target_vibration: forceUnit * speed * trip * energy - whole, local: 0, dissipated: 0 },
+    ...{ initial: moving(impactor.mass, 1), impactor: moving(impactor.mass, final), target_rigid: whole },
+    ...{ target_vibration: unit * energy - whole, local: 0, dissipated: unit * dissipated },
   };
   const { initial, ...parts } = energies;
   const off = Object.values(parts).reduce((sum, part) => sum + part, -initial) / initial;
-  const lost = 1 - last.after;
-  const push = (forceUnit * trip * impulse) / (impactor.mass * speed);
+  const lost = 1 - final;
+  const pushed = (forceUnit * trip * impulse) / (impactor.mass * speed);
   const gained = target.held ? lost : (target.mass * targetFinal) / impactor.mass;
-  const unbalanced = Math.max(Math.abs(lost - push), Math.abs(gained - lost));
+  const unbalanced = Math.max(Math.abs(lost - pushed), Math.abs(gained - lost));
   return {
     ...exact,
-    contacts: contacts.map(({ start, end, before, after, peak }) => {
-      const given = impactor.mass * speed * (before - after);
-      return [start, end, given, forceUnit * peak];
-    }),
+    contacts: contacts.map(({ start, end, peak, push }) => [start, end, forceUnit * trip * push, forceUnit * peak]),
     cutOff: contacts.map((contact) => cutOff(contact, exactTime, exactForce)),
     left: contacts.map(({ after }) => after),
-    final: last.after,
+    final,
     targetFinal,
     stillTouching: last.end >= duration * (1 - 1e-9),
+    peakIndentation: cycle && speed * trip * cycle.deepest,
+    residualIndentation: cycle && speed * trip * cycle.dent,
     peakForce: forceUnit * Math.max(...contacts.map(({ peak }) => peak)),
     restitution: {
-      newton: targetFinal - last.after,
+      newton: targetFinal - final,
       poisson: compressing > 0 ? impulse / compressing - 1 : null,
-      newton_at_contact: last.face - last.after,
+      newton_at_contact: apart,
     },
     energy: energies,
     diagnostics: {
       ...exact.diagnostics,
       energy_error: off,
-      estimated_error: Math.max(Math.abs(off) + unbalanced, ROUNDING),
+      estimated_error: Math.max(Math.abs(off) + unbalanced, cycle ? ERROR.law : ERROR.rigid),
     },
     notes: [],
   };

@@ -9,12 +9,11 @@ from ...numerics.waves.events import NO_PULL
 from ...numerics.waves.laws import law_function, new_work
 from ...numerics.waves.nodes import new_state
 from ...numerics.waves.parts import BONDED
+from ...numerics.waves.periods import SILENT, periods
 from ...numerics.waves.record import (
     DEPTH,
     FORCE,
     IMPULSE,
-    OUT_LEFT,
-    OUT_RIGHT,
     highest,
     new_record,
     pushed,
@@ -24,7 +23,7 @@ from ...numerics.waves.record import (
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
-from .chain_scene import CONTACT_ROUNDING, MILLIONTH, ChainHistory, ChainScene
+from .chain_scene import MILLIONTH, ChainHistory, ChainScene
 
 STRETCHES = 4_000  # of a node, to begin with
 MAX_STRETCHES = 200_000  # of all nodes together
@@ -123,44 +122,23 @@ class ExactHistory(ChainHistory):
         return square_integral(self.record, node, quantity, begin, end)
 
     def periods(self, node: int) -> list[ContactPeriod]:
-        """Stretches of time in which the faces at a node press on each other.
-
-        Faces that stay together without force, as two equal rods do, do not press; openings no larger than rounding,
-        from the dent that is left, part nothing. Of a bonded joint from its first force to its last, tension too.
-        """
-        count = int(self.record.count[node])
-        values, start = self.record.values[node, :count], self.record.start[node]
-        force, closed = values[:, FORCE], self.record.closed[node, :count]
-        waves = np.maximum(np.abs(values[:, OUT_LEFT]), np.abs(values[:, OUT_RIGHT]))
-        arriving = np.maximum(np.abs(force - values[:, OUT_LEFT]), np.abs(force - values[:, OUT_RIGHT]))
-        felt = np.abs(force) if self.chain.kind[node] == BONDED else force  # these bear tension, too
-        presses = closed & (felt.max(axis=1) > CONTACT_ROUNDING * np.maximum(waves, arriving).max(axis=1))
-        together = closed | (values[:, DEPTH].min(axis=1) - self._dents(node) > -CONTACT_ROUNDING)
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], together.astype(np.int8), [0]))))
-        found = []
-        for first, beyond in edges.reshape(-1, 2):
-            pressing = first + np.flatnonzero(presses[first:beyond])
-            if not pressing.size:
-                continue
-            begins, ends = int(pressing[0]), int(pressing[-1])
-            impulse = values[ends, IMPULSE, -1] - values[begins, IMPULSE, 0]
-            found.append(
-                ContactPeriod(
-                    start=self.trip * float(start[begins]),
-                    end=self.trip * float(start[ends + 1]),
-                    impulse=self.force_unit * self.trip * float(impulse),
-                    peak_force=self.force_unit * highest(self.record, node, begins, ends),
-                )
+        """As `numerics.waves.periods` finds them; of a bonded joint from its first force to its last, tension too."""
+        struck, joints, constants = self.given.kernel_laws()
+        law = law_function(struck if node == self.contact else joints)
+        remembers, tension = bool(self.given.plastic[node]), bool(self.chain.kind[node] == BONDED)
+        silent = SILENT * self.tolerances[0] if self.given.lossy[node] else 0.0
+        found = np.empty((int(self.record.count[node]), 2), np.int64)
+        count = periods(self.record, node, tension, law, constants[node], remembers, silent, np.empty(2), found)
+        start, impulse = self.record.start[node], self.record.values[node, :, IMPULSE]
+        return [
+            ContactPeriod(
+                start=self.trip * float(start[first]),
+                end=self.trip * float(start[last + 1]),
+                impulse=self.force_unit * self.trip * float(impulse[last, -1] - impulse[first, 0]),
+                peak_force=self.force_unit * highest(self.record, node, FORCE, first, last),
             )
-        return found
-
-    def _dents(self, node: int) -> np.ndarray:
-        """Indentation at which the faces at a node come apart, by the end of every stretch [v T]."""
-        law, ends = self.laws[node], self.record.values[node, : int(self.record.count[node]), DEPTH, -1]
-        if law is None or not law.PLASTIC:
-            return np.zeros(ends.size)
-        deepest, where = np.unique(np.maximum.accumulate(np.maximum(ends, 0.0)), return_inverse=True)
-        return np.array([law.dent(depth) for depth in deepest.tolist()])[where]
+            for first, last in found[:count].tolist()
+        ]
 
     def deepest_at(self, node: int, t: np.ndarray) -> np.ndarray:
         count = int(self.record.count[node])
@@ -170,13 +148,7 @@ class ExactHistory(ChainHistory):
         return np.maximum(before[cells], self.sampled(node, DEPTH, t))
 
     def largest_depth(self) -> float:
-        count = int(self.record.count[self.contact])
-        t = self.record.start[self.contact, : count + 1]
-        fine = np.unique((t[:-1, None] + np.diff(t)[:, None] * np.linspace(0.0, 1.0, 9)).ravel())
-        depth = self.sampled(self.contact, DEPTH, fine)
-        k = int(np.argmax(depth))
-        near = np.linspace(fine[max(k - 1, 0)], fine[min(k + 1, fine.size - 1)], 201)
-        return float(self.sampled(self.contact, DEPTH, near).max())
+        return highest(self.record, self.contact, DEPTH, 0, int(self.record.count[self.contact]) - 1)
 
     def jumps(self) -> np.ndarray:
         count = int(self.record.count[self.contact])

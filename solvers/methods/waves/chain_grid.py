@@ -10,6 +10,7 @@ from ...numerics.waves import grid as wave_grid
 from ...numerics.waves.events import NO_PULL
 from ...numerics.waves.network import separate
 from ...numerics.waves.parts import ABSORBING, BONDED, RIGID_FACES, Chain
+from ...numerics.waves.periods import ROUNDING
 from ...numerics.waves.record import (
     DEPTH,
     FORCE,
@@ -25,7 +26,7 @@ from ...numerics.waves.record import (
 from ...solution.solution import ContactPeriod
 from ...text.notes import Note, Severity
 from ..base import MAX_ROUND_TRIPS
-from .chain_scene import CONTACT_ROUNDING, MILLIONTH, UNKNOWN, ChainHistory, ChainScene
+from .chain_scene import MILLIONTH, UNKNOWN, ChainHistory, ChainScene
 
 NODE_STEPS = 2_000_000  # of all nodes together: some tenths of a second, 80 MB
 PARTING_CHECKS = 40  # over the time followed, whether the bodies have parted; more cost time, fewer a longer tail
@@ -187,7 +188,7 @@ class GridHistory(ChainHistory):
         force, law = self.force[node], self.laws[node]
         waves = np.maximum(np.abs(self.left[node]), np.abs(self.right[node]))
         felt = np.abs(force) if self.chain.kind[node] == BONDED else force  # these bear tension, too
-        presses = felt > CONTACT_ROUNDING * np.maximum(waves, np.abs(force - self.left[node])).max()
+        presses = felt > ROUNDING * np.maximum(waves, np.abs(force - self.left[node])).max()
         dents = np.zeros(force.size)
         if law is not None and law.PLASTIC:
             deepest, where = np.unique(np.maximum.accumulate(self.depth[node]), return_inverse=True)

@@ -24,7 +24,6 @@ from ..validity import MAX_TRUSTED_ERROR, NEVER_PART, STILL_TOUCHING, TOUCH_ON, 
 NO_LAW = Linear(1.0)  # where no law is asked for
 MILLIONTH = 1e-6  # of v: on a rod without end, where a force fades for ever, less is left to be
 UNKNOWN = 2.0  # error of a velocity of which one knows only that it lies between -v and v
-CONTACT_ROUNDING = 1e-12  # of the waves at a contact, and of v T: less force, and less of an opening, is none
 
 
 def end_notes(parted: bool, touching: bool, asked: bool, full: Note | None = None) -> list[Note]:

@@ -3,7 +3,7 @@
 One small function is compiled for every law; all else is compiled once and calls it by its address.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ import numpy as np
 from numba import types
 
 from ...jit.kernels import address, addressed_kernel, inner_kernel
+from ..law_functions import CONSTANTS
 from .collocation import INTEGRATE, INTEGRATE_TWICE, STAGES, solve_in_place
 from .record import POINTS
 
@@ -38,9 +39,8 @@ def new_work() -> Work:
     return Work(*rows[:7], slopes=rows[7], matrix=rows[8:])
 
 
-@lru_cache
-def law_function(kind: type) -> Callable:
-    """A contact law by its address: takes the question, the law's constants, depth, rate, deepest, and room for the
+def law_kernel(kind: type) -> Callable:
+    """A contact law as a kernel: takes the question, the law's constants, depth, rate, deepest, and room for the
     slopes, which it writes where the question is FORCE."""
     count = len(kind._fields)
 
@@ -55,7 +55,33 @@ def law_function(kind: type) -> Callable:
             return law.dent(deepest)
         return law.corner(depth, deepest) if question == CORNER else law.stored(depth, deepest)
 
-    return address(asked, SIGNATURE)
+    return asked
+
+
+def any_law(kinds: Sequence[type]) -> Callable:
+    """The same for several sorts of laws, by the number of one among `kinds` that follows its CONSTANTS."""
+
+    def choice(number: int) -> Callable:
+        own = law_kernel(kinds[number])
+        if number + 1 == len(kinds):
+            return own
+        others = choice(number + 1)
+
+        @inner_kernel
+        def asked(question, constants, depth, rate, deepest, slopes):
+            if constants[CONSTANTS] == number:
+                return own(question, constants, depth, rate, deepest, slopes)
+            return others(question, constants, depth, rate, deepest, slopes)
+
+        return asked
+
+    return choice(0)
+
+
+@lru_cache
+def law_function(kind: type) -> Callable:
+    """The same by its address."""
+    return address(law_kernel(kind), SIGNATURE)
 
 
 @inner_kernel

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...jit.kernels import inner_kernel
+from ...jit.kernels import inner_kernel, kernel
 from ..arrays import copy_to
 from .collocation import (
     BACK_TO_START,
@@ -53,28 +53,28 @@ class State(NamedTuple):
 def new_state(chain: Chain, capacity: int) -> State:
     """Where every node is before the impact; room for so many arrivals of jumps at each."""
     nodes = chain.kind.size
-    closed = (chain.gap <= 0.0) & (chain.kind != LAW)
-    closed[chain.contact] = True
-    return State(
-        time=np.zeros(nodes),
-        depth=-chain.gap,
-        deepest=np.zeros(nodes),
-        speed=chain.mass_drift.copy(),
-        place=np.zeros(nodes),
-        step=np.full(nodes, 1e-3),
-        largest=np.zeros(nodes),
-        opened=chain.gap > 0.0,
-        closed=closed,
-        loading=np.ones(nodes, np.bool_),
-        seek_left=np.zeros(nodes, np.int64),
-        seek_right=np.zeros(nodes, np.int64),
-        breaks=np.zeros((nodes, capacity)),
-        break_count=np.zeros(nodes, np.int64),
-        next_break=np.zeros(nodes, np.int64),
-        changed=np.ones(nodes, np.bool_),
-        through=np.zeros(nodes),
-        parting=np.full(1, np.inf),
-    )
+    fields = {name: np.zeros(nodes) for name in State._fields}
+    fields |= {name: np.zeros(nodes, np.bool_) for name in ("opened", "closed", "loading", "changed")}
+    counts = ("seek_left", "seek_right", "break_count", "next_break")
+    fields |= {name: np.zeros(nodes, np.int64) for name in counts}
+    state = State(**fields | {"breaks": np.zeros((nodes, capacity)), "parting": np.zeros(1)})
+    rewind(chain, state)
+    return state
+
+
+@kernel
+def rewind(chain, state):
+    """Put every node where it is before the impact."""
+    for node in range(chain.kind.size):
+        state.time[node], state.step[node] = 0.0, 1e-3
+        state.depth[node], state.deepest[node], state.largest[node] = -chain.gap[node], 0.0, 0.0
+        state.speed[node], state.place[node], state.through[node] = chain.mass_drift[node], 0.0, 0.0
+        state.opened[node] = chain.gap[node] > 0.0
+        state.closed[node] = node == chain.contact or (chain.gap[node] <= 0.0 and chain.kind[node] != LAW)
+        state.loading[node] = state.changed[node] = True
+        state.seek_left[node] = state.seek_right[node] = 0
+        state.break_count[node] = state.next_break[node] = 0
+    state.parting[0] = np.inf
 
 
 @inner_kernel
@@ -259,6 +259,8 @@ def _given_force(pulse, t, step, forces):
 def prepare(chain, state, record, node, step, work):
     """Arriving waves and free closing speed of the next step of a node."""
     t = state.time[node]
+    work.from_left[:] = 0.0  # nothing arrives at an end from where no rod is
+    work.from_right[:] = 0.0
     if node > 0:
         state.seek_left[node] = _arrivals(
             record,

@@ -39,24 +39,28 @@ def new_record(nodes: int, capacity: int) -> Record:
     )
 
 
+@inner_kernel
+def sample_at(record, node, quantity, t, after):
+    """What is kept of a node at a time; at a jump the value after it, or before it if not `after`; 0 before."""
+    count, start = record.count[node], record.start[node]
+    if t < 0.0 or (t == 0.0 and not after) or count == 0:
+        return 0.0
+    low, high = 0, count
+    while high - low > 1:
+        middle = (low + high) // 2
+        if start[middle] < t or (after and start[middle] == t):
+            low = middle
+        else:
+            high = middle
+    place = (t - start[low]) / (start[low + 1] - start[low])
+    return interpolate(record.values[node, low, quantity], min(max(place, 0.0), 1.0))
+
+
 @kernel
 def sample(record, node, quantity, times, after, out):
-    """Write what is kept of a node at `times`; at a jump the value after it, or before it if not `after`; 0 before."""
-    count, start = record.count[node], record.start[node]
+    """Write what is kept of a node at `times`, as `sample_at` gives it."""
     for k in range(times.size):
-        t = times[k]
-        if t < 0.0 or (t == 0.0 and not after) or count == 0:
-            out[k] = 0.0
-            continue
-        low, high = 0, count
-        while high - low > 1:
-            middle = (low + high) // 2
-            if start[middle] < t or (after and start[middle] == t):
-                low = middle
-            else:
-                high = middle
-        place = (t - start[low]) / (start[low + 1] - start[low])
-        out[k] = interpolate(record.values[node, low, quantity], min(max(place, 0.0), 1.0))
+        out[k] = sample_at(record, node, quantity, times[k], after)
 
 
 @kernel
@@ -78,11 +82,11 @@ def square_integral(record, node, quantity, begin, end):
 
 
 @kernel
-def highest(record, node, first, last):
-    """The largest force in the stretches first to last of a node, by golden section between the samples."""
+def highest(record, node, quantity, first, last):
+    """The largest value in the stretches first to last of a node, by golden section between the samples."""
     best = 0.0
     for n in range(first, last + 1):
-        values = record.values[node, n, FORCE]
+        values = record.values[node, n, quantity]
         place, here = 0.0, values[0]
         for i in range(1, 13):
             value = interpolate(values, i / 12)

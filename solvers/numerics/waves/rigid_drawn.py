@@ -1,42 +1,15 @@
-"""The impact of a rigid mass on a uniform rod as a picture needs it: figures, and histories with every jump twice.
-
-One call solves and draws, so that it can be compiled ahead of time for where there is no Python.
-"""
-
-from typing import NamedTuple
+"""The impact of a rigid mass on a uniform rod as a picture needs it: see `drawn`."""
 
 import numpy as np
 
 from ...jit.kernels import inner_kernel, kernel
+from .drawn import NO_ROOM, SOLVED, history_of, instant, samples_of
 from .rigid import FOREVER, PARTED, strike, total_at, wave_at
 from .rigid_figures import FIGURES, figures
 
 # what `answer` writes into `out`, after the figures of `rigid_figures.figures`
 PIECES, CONTACTS, REACH, SHOWN, WAVE_POINTS, FORCE_POINTS = range(FIGURES, FIGURES + 6)
 COLUMNS = FIGURES + 6
-SOLVED, NO_ROOM = 0, 1  # what it returns
-FORCE_SAMPLES, MOST_SAMPLES = 200.0, 1_000.0  # of the force, in a round trip and in all
-LEAST_JUMP = 1e-6  # of the impact speed; smaller ones are drawn as none
-
-
-class Drawn(NamedTuple):
-    """Room for the histories, in the units of `rigid`: times T; a jump has two rows of the same time."""
-
-    jumps: np.ndarray  # (events and their returns,)
-    wave_time: np.ndarray  # (points + jumps,): the wave that the struck end sends
-    wave: np.ndarray
-    force_time: np.ndarray  # (samples + jumps,): contact force, in Z v
-    force: np.ndarray
-    # (instants,), evenly spread: displacements of the mass, of the struck end and of the centre of the rod [v T]
-    mass: np.ndarray
-    end: np.ndarray
-    whole: np.ndarray
-
-    @classmethod
-    def of(cls, points: int, instants: int, jumps: int = 400) -> "Drawn":
-        samples = int(MOST_SAMPLES) + 1
-        sizes = (jumps, points + 2 * jumps, points + 2 * jumps, samples + 2 * jumps, samples + 2 * jumps)
-        return cls(*(np.empty(size) for size in (*sizes, instants, instants, instants)))
 
 
 @inner_kernel
@@ -59,12 +32,6 @@ def _jumps(contacts, reach, found):
             found[place] = at
             count += 1
     return count
-
-
-@inner_kernel
-def _instant(k, even, reach):
-    """The k-th of so many times spread evenly up to `reach`."""
-    return reach if k == even - 1 else k * (reach / (even - 1))
 
 
 @inner_kernel
@@ -94,30 +61,7 @@ def _force_either_side(t, reach, reflection, contacts, kappa, start, coefficient
     return before, after
 
 
-@inner_kernel
-def _history(forces, even, reach, last, jumps, reflection, contacts, kappa, start, coefficients, degrees, time, value):
-    """Write force, or wave, at even times and at the jumps between them; returns how many rows."""
-    count = following = k = 0
-    while k < even or following < jumps.size:
-        t = _instant(k, even, last) if k < even else np.inf
-        if following < jumps.size and jumps[following] <= t:
-            k += 1 if jumps[following] == t else 0
-            t = jumps[following]
-            following += 1
-        else:
-            k += 1
-        if t > last:
-            break
-        if forces:
-            before, after = _force_either_side(t, reach, reflection, contacts, kappa, start, coefficients, degrees)
-        else:
-            before, after = _wave_either_side(t, last, kappa, start, coefficients, degrees)
-        if abs(after - before) > LEAST_JUMP:
-            time[count], value[count] = t, before
-            count += 1
-        time[count], value[count] = t, after
-        count += 1
-    return count
+_wave_history, _force_history = history_of(_wave_either_side), history_of(_force_either_side)
 
 
 @inner_kernel
@@ -125,7 +69,7 @@ def _motions(last, reflection, contacts, kappa, start, coefficients, degrees, in
     """Write the paths of mass and struck end, together while they touch, and of the centre of the rod, (4.29)."""
     moved, before = 0.0, 0.0
     for i in range(mass.size):
-        t = _instant(i, mass.size, last)
+        t = instant(i, mass.size, last)
         now = total_at(t, kappa, start, coefficients, degrees, integral)
         half = total_at(t - 0.5, kappa, start, coefficients, degrees, integral)
         back = total_at(t - 1.0, kappa, start, coefficients, degrees, integral)
@@ -157,10 +101,10 @@ def answer(beta, reflection, afterglow, points, sent, drawn, out):
         return NO_ROOM
     jumps = drawn.jumps[:found]
     figures(last, beta, reflection, start, coefficients, degrees, integral, contacts, out)
-    samples = int(min(FORCE_SAMPLES * last, MOST_SAMPLES)) + 1
-    wave = reflection, contacts, kappa, start, coefficients, degrees
-    out[WAVE_POINTS] = _history(np.bool_(False), points, reach, last, jumps, *wave, drawn.wave_time, drawn.wave)
-    out[FORCE_POINTS] = _history(np.bool_(True), samples, reach, last, jumps, *wave, drawn.force_time, drawn.force)
-    _motions(last, *wave, integral, drawn.mass, drawn.end, drawn.whole)
+    wave = kappa, start, coefficients, degrees
+    sent, force = (last, *wave), (reach, reflection, contacts, *wave)
+    out[WAVE_POINTS] = _wave_history(points, last, jumps, sent, drawn.wave_time, drawn.wave)
+    out[FORCE_POINTS] = _force_history(samples_of(last), last, jumps, force, drawn.force_time, drawn.force)
+    _motions(last, reflection, contacts, *wave, integral, drawn.mass, drawn.end, drawn.whole)
     out[PIECES], out[CONTACTS], out[REACH], out[SHOWN] = pieces, count, reach, last
     return SOLVED

@@ -3,15 +3,31 @@ import { readFileSync } from 'node:fs';
 const [, , module, kernels] = process.argv;
 const { kernelsOf } = await import(kernels);
 const found = await kernelsOf(readFileSync(module));
-const answers = JSON.parse(readFileSync(0, 'utf8')).map(([beta, reflection]) => {
+
+const drawn = ({ waveTime, wave, forceTime, force, mass, end, whole }) => ({
+  ...{ wave_time: [...waveTime], wave: [...wave], force_time: [...forceTime], force: [...force] },
+  ...{ mass: [...mass], end: [...end], whole: [...whole] },
+});
+
+function rod([beta, reflection]) {
   const impact = found.rod(beta, reflection);
   if (!impact) return {};
-  const { contacts, duration, histories, impulse, target, compressing, energy } = impact;
-  const { waveTime, wave, forceTime, force, mass, end, whole } = histories;
-  const out = [impulse, target, compressing, energy, contacts.length, duration, waveTime.length, forceTime.length];
-  const listed = contacts.flatMap((c) => [c.start, c.end, c.before, c.after, c.peak, c.face]);
-  const drawn = { wave_time: waveTime, wave, force_time: forceTime, force, mass, end, whole };
-  const flat = Object.entries(drawn).map(([name, values]) => [name, [...values]]);
-  return { ...Object.fromEntries(flat), out, contacts: listed };
-});
-console.log(JSON.stringify(answers));
+  const { apart, contacts, duration, energy, final, histories, impulse, target, compressing } = impact;
+  const out = [impulse, target, compressing, energy, final, apart, duration];
+  return { ...drawn(histories), out, contacts: contacts.flatMap((c) => [c.start, c.end, c.push, c.after, c.peak]) };
+}
+
+function law([beta, reflection, name, constants, whole]) {
+  const impact = found.law(beta, reflection, { name, constants });
+  if (!impact) return {};
+  const { apart, compressing, contacts, cycle, dissipated, energy, final, histories, impulse, target } = impact;
+  const { deepest, dent, depths, presses, loading, unloading } = cycle;
+  const out = [impulse, final, target, apart, compressing, energy, dissipated, deepest, dent];
+  const listed = { out, contacts: contacts.flatMap((c) => [c.start, c.end, c.push, c.peak, c.after]) };
+  if (!whole) return listed;
+  const path = { depths: [...depths], presses: [...presses], loading: [...loading], unloading: [...unloading] };
+  return { ...listed, ...drawn(histories), ...path };
+}
+
+const given = JSON.parse(readFileSync(0, 'utf8'));
+console.log(JSON.stringify({ rod: given.rod.map(rod), law: given.law.map(law) }));

@@ -8,6 +8,7 @@ from pytest import approx
 
 import solvers
 from solvers import Scene
+from solvers.contact import HuntCrossley
 from solvers.methods.validity import ended_early
 from solvers.methods.waves import chain as wave_chain
 from solvers.methods.waves import chain_solve
@@ -206,3 +207,16 @@ def test_a_bonded_joint_bears_tension():
     mass = found.scene.target.rods[1].mass
     momentum = mass * found.motion.velocity(np.array([1e-3]), places).mean()
     assert (period.end, period.impulse) == (approx(1e-3), approx(momentum, rel=2e-3))
+
+
+def test_a_damped_surface_that_echoes_bring_back_to_rest_presses_no_more():
+    """On a free rod the closing speed comes back after two round trips to just that at which the force ended: what is
+    left of a force there is error."""
+    scene = solvers.load("free-rod")
+    scene = scene.with_impactor_mass(scene.target.mass / 0.1944402799627793)
+    law = HuntCrossley(0.4852980359622802, 4.653820119359451)  # in units of T, v and Z v
+    units = (scene.speed * scene.time_unit, scene.speed, scene.target.impedance * scene.speed)
+    law = law.scaled(*(1.0 / unit for unit in units))
+    table = {"law": law.NAME, "stiffness": law.stiffness, "damping": law.damping}
+    (contact,) = solvers.solve(scene.replace({"contact": table})).contacts
+    assert contact.end / scene.time_unit == approx(1.759018, abs=1e-5)
