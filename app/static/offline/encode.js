@@ -35,4 +35,4 @@ export function encode({ shapes, ...fields }) {
  * @param {number[] | undefined} shape
  * @param {number} length
  */
-const shapeOf = (shape = [], length) => (shape.reduce((a, b) => a * b, 1) === length && shape.length ? shape : [length]);
+const shapeOf = (shape = [NaN], length) => (shape.reduce((a, b) => a * b) === length ? shape : [length]);

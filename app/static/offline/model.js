@@ -1,5 +1,5 @@
-// Stands for the component of Panel where there is no server: what is chosen is answered here, by the library's kernels,
-// of scenes that came with the page.
+// Stands for the component of Panel where there is no server: what is chosen is answered here, by the library's
+// kernels, of scenes that came with the page.
 import { OFFERED } from '../shell/layout.js';
 import { decode } from '../shell/message.js';
 import { encode } from './encode.js';
@@ -11,7 +11,7 @@ import { choicesIn, fixed, refusal, refusalOf } from './choices.js';
 /** @import { Note } from '../text/catalogue.js' */
 
 export class Offline {
-  /** @type {Map<string, Frame>} */ scenes = new Map(); // as the library has solved them, without what kernels make anew
+  /** @type {Map<string, Frame>} */ scenes = new Map(); // solved by the library, without what kernels make anew
   /** @type {Map<string, (() => void)[]>} */ heard = new Map();
   /** @type {Chosen} */ shown;
   due = false; // choices are to be answered
@@ -52,9 +52,9 @@ export class Offline {
     const { opens } = frame;
     const within = (/** @type {object} */ choices) => Object.keys(choices).every((name) => acting.includes(name));
     const trials = opens.trials.filter(([, name]) => acting.includes(name));
-    const comparisons = opens.comparisons.filter(({ first, second }) => within(first) && within(second));
+    const compare = opens.compare.filter(({ first, second }) => within(first) && within(second));
     const tab = opens.tab && OFFERED.includes(opens.tab) ? opens.tab : null;
-    return /** @type {Frame} */ ({ ...frame, acting, opens: { ...opens, trials, comparisons, tab } });
+    return /** @type {Frame} */ ({ ...frame, acting, opens: { ...opens, trials, compare, tab } });
   }
   /**
    * @param {string} name
@@ -85,7 +85,7 @@ export class Offline {
     this.#put(name, value);
     if (name in this.spec && !this.due) {
       this.due = true;
-      queueMicrotask(() => this.#answer());
+      Promise.resolve().then(() => this.#answer());
     }
     return true;
   }

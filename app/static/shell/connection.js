@@ -24,6 +24,7 @@ export class Connection {
   /** @type {number | undefined} */ timer;
   /** @type {number | undefined} */ watch;
   offline = () => this.#lose();
+  asked = performance.now(); // when the server was asked last
 
   /**
    * @param {Model} model
@@ -51,7 +52,6 @@ export class Connection {
     }
     window.addEventListener('offline', this.offline);
     this.watch = window.setInterval(() => this.#watch(), TICK);
-    this.asked = performance.now(); // when the server was asked last
   }
   leave() {
     clearInterval(this.watch);
