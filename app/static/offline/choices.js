@@ -1,5 +1,6 @@
 // What may be chosen where there is no server, and why something else may not.
 import { isBodyKey } from '../shell/body_values.js';
+import { carried } from '../shell/home.js';
 import { family } from '../text/catalogue.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
@@ -15,7 +16,11 @@ const UNITS = family('unit');
  * @param {Record<string, unknown>} [values]
  * @returns {Note}
  */
-export const refusal = (code, values = {}) => ({ code, severity: 'refusal', values });
+export const refusal = (code, values = {}) => ({
+  code,
+  severity: 'refusal',
+  values: { laboratory: Boolean(carried?.laboratory), ...values },
+});
 
 /**
  * @param {string} name  of a choice that no kernel here follows
