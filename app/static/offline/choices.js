@@ -5,7 +5,6 @@ import { family } from '../text/catalogue.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Spec } from '../shell/model.js' */
-/** @import { Answers } from '../shell/own_answers.js' */
 /** @import { Note } from '../text/catalogue.js' */
 
 const LONGEST = 80; // letters of a value in an address
@@ -51,17 +50,17 @@ export function refusalOf(name, value, spec) {
 /**
  * The choices of an address: what can be used, and a refusal for each that cannot.
  * @param {string} search
- * @param {{ answers: Answers, scenes: Map<string, Frame>, spec: Spec }} carried
+ * @param {import('./model.js').Offline} offline
  * @returns {[chosen: Chosen, refused: Note[]]}
  */
-export function choicesIn(search, { answers, scenes, spec }) {
+export function choicesIn(search, offline) {
+  const { answers, spec } = offline;
   const query = new URLSearchParams(search);
   /** @type {Note[]} */
   const refused = [];
-  const [usual] = scenes.values();
-  const scene = query.get('scene') ?? String(spec.scene.default);
-  const base = scenes.get(scene) ?? usual;
-  if (!scenes.has(scene)) refused.push(refusal('offline.scene'));
+  const asked = offline.scene(query.get('scene') ?? spec.scene.default);
+  const base = asked ?? /** @type {Frame} */ (offline.scene(spec.scene.options?.[0]));
+  if (!asked) refused.push(refusal('offline.scene'));
   const chosen = { ...base.chosen };
   for (const [name, bounds] of Object.entries(spec)) {
     const given = query.get(name);

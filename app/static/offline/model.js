@@ -11,7 +11,7 @@ import { choicesIn, fixed, refusal, refusalOf } from './choices.js';
 /** @import { Note } from '../text/catalogue.js' */
 
 export class Offline {
-  /** @type {Map<string, Frame>} */ scenes = new Map(); // solved by the library, without what kernels make anew
+  /** @type {Map<string, Frame>} */ scenes = new Map(); // those that have been asked for
   /** @type {Map<string, (() => void)[]>} */ heard = new Map();
   /** @type {Chosen} */ shown;
   due = false; // choices are to be answered
@@ -23,11 +23,8 @@ export class Offline {
    */
   constructor({ messages, spec }, answers, search) {
     this.answers = answers;
+    this.messages = messages; // in the order of the options
     this.spec = spec;
-    for (const message of messages) {
-      const frame = this.#offered(decode(message));
-      this.scenes.set(String(frame.chosen.scene), frame);
-    }
     const [chosen, refused] = choicesIn(search, this);
     /** @type {Record<string, any>} */
     this.values = {
@@ -41,6 +38,19 @@ export class Offline {
     const found = this.#found(chosen);
     if ('code' in found) throw new Error(found.code);
     this.#show(found);
+  }
+  /**
+   * As the library has solved it, without what kernels make anew; nothing where it is not here.
+   * @param {unknown} name
+   * @returns {Frame | null}
+   */
+  scene(name) {
+    const { messages, scenes, spec } = this;
+    const place = spec.scene.options?.indexOf(String(name)) ?? -1;
+    if (place < 0) return null;
+    const frame = scenes.get(String(name)) ?? this.#offered(decode(messages[place]));
+    scenes.set(String(name), frame);
+    return frame;
   }
   /**
    * A scene with what can be done to it here.
@@ -96,7 +106,7 @@ export class Offline {
   #answer() {
     this.due = false;
     this.values.refused = '';
-    const base = this.scenes.get(this.values.scene);
+    const base = this.scene(this.values.scene);
     if (base && this.values.scene !== this.shown.scene) this.#choose(base.chosen); // it brings its own values
     const found = this.#found(this.#chosen);
     if (!('code' in found)) {
@@ -121,7 +131,7 @@ export class Offline {
    * @returns {Frame | Note}
    */
   #found(chosen) {
-    const base = this.scenes.get(String(chosen.scene));
+    const base = this.scene(chosen.scene);
     if (!base) return refusal('offline.scene');
     const changed = Object.keys(chosen).filter((name) => !Object.is(chosen[name], base.chosen[name]));
     for (const name of changed) {

@@ -8,7 +8,9 @@
  * @param {string} packed
  */
 const unpacked = async (packed) => {
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  const letters = atob(packed);
+  const bytes = new Uint8Array(letters.length);
+  for (let k = 0; k < letters.length; k++) bytes[k] = letters.charCodeAt(k);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
   const whole = await new Response(stream).arrayBuffer();
   let at = 4 + new DataView(whole).getUint32(0, true);

@@ -147,7 +147,7 @@ def test_a_link_leads_to_a_scene_with_its_choices(opened):
     choose(tab, "mass_ratio", 2)
     tab.wait_for_function("() => location.search.includes('mass_ratio=2&')", timeout=SECONDS)
     tab.reload()
-    tab.wait_for_function("() => strikewave.page.frame.chosen.mass_ratio === 2", timeout=SECONDS)
+    tab.wait_for_function("() => window.strikewave?.page.frame.chosen.mass_ratio === 2", timeout=SECONDS)
     assert tab.errors == []
 
 
