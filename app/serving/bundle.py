@@ -53,7 +53,7 @@ def function(root: Path, entries: Iterable[str], name: str) -> str:
     there: dict[str, bool] = {}
     for entry in entries:
         _add(root, entry, there, parts, late=False)
-    text = "".join(parts).replace(ADDRESS, "document.baseURI")
+    text = "".join(parts).replace(ADDRESS, "globalThis.document.baseURI")
     return f"globalThis.{name} = async () => {{\nconst modules = (globalThis.strikewaveModules = {{}});\n{text}}};\n"
 
 
