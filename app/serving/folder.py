@@ -24,7 +24,8 @@ from .pages import SHEETS, text_of
 from .still import first_still
 
 HERE = Path(__file__).parent
-ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")  # of which those before the last come late elsewhere
+# of which those before the last come late where there is a server
+ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
 REMADE = ("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce")
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
@@ -86,7 +87,7 @@ def _document(language: str) -> str:
 
 
 def _scenes(names: list[str], laboratory: str, language: str) -> str:
-    """A script with texts, choices and a message of each scene, packed: a header in JSON, and the messages behind it."""
+    """A script with texts, choices and a message of each scene, packed: a header in JSON, and the messages after it."""
     messages = [_without_remade(solve_frame(Choices(scene=name, **choices_of(name)).chosen())) for name in names]
     spec = spec_of_choices()
     head = {

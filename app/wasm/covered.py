@@ -19,7 +19,7 @@ def covered_of(scenes: Mapping[str, Scene]) -> list[str]:
 
 
 def _by_rod(scene: Scene) -> bool:
-    """A rigid mass on one uniform rod at rest, fixed or free at its far end, solved by waves for as long as is usual."""
+    """A rigid mass on one uniform rod at rest, fixed or free at its far end, by waves for as long as is usual."""
     target, method = scene.target, scene.method
     if not isinstance(scene.impactor, RigidMass) or not isinstance(target, Rod):
         return False

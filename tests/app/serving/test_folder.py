@@ -1,4 +1,4 @@
-"""The laboratory as a folder: small, of itself alone, and the same answers as by the library, from the disk and served."""
+"""The laboratory as a folder: small, of itself alone, and answers as the library does, from the disk and served."""
 
 import functools
 import http.server
@@ -21,6 +21,11 @@ SECONDS = 15_000  # ms for a page
 PHONE = {"width": 390, "height": 844}
 SAID = "() => document.querySelector('.closed')?.textContent"
 SHOWN = "() => window.strikewave?.frames > 0"
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
 
 
 @pytest.fixture(scope="module")
@@ -54,8 +59,7 @@ def opened(browser, folder):
 @pytest.fixture
 def served(folder):
     """Address of a server of files."""
-    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=folder.parent)
-    handler.log_message = lambda *_: None
+    handler = functools.partial(Quiet, directory=folder.parent)
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_address[1]}/{folder.name}"
@@ -203,9 +207,9 @@ def test_a_phone_has_all_of_it(opened):
 
 def test_it_works_in_a_frame_that_may_only_run_scripts(browser, folder, served):
     """As course pages have it: without an origin of its own, where nothing can be kept."""
-    (folder.parent / "course.html").write_text(
-        f'<iframe sandbox="allow-scripts" src="{folder.name}/index.html?mass_ratio=2" width="900" height="700"></iframe>'
-    )
+    address = f"{folder.name}/index.html?mass_ratio=2"
+    frame = f'<iframe sandbox="allow-scripts" src="{address}" width="900" height="700"></iframe>'
+    (folder.parent / "course.html").write_text(frame)
     tab = browser.new_page()
     tab.goto(served.replace(folder.name, "course.html"))
     inside = tab.frames[1]
