@@ -34,6 +34,7 @@ machines: $(VENV)/.installed-test
 # Needs no network once installed, neither to build nor to read.
 docs: $(VENV)/.installed-test
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --quiet --strict
+	@$(BIN)/impact export-static build/site/impact
 	@echo "Built: build/site/index.html"
 
 bench: $(VENV)/.installed-test chromium

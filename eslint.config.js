@@ -23,7 +23,7 @@ const BROWSER = [
     'File',
     'Image',
   ],
-  ...['TextDecoder', 'WebAssembly', 'XMLSerializer', 'getComputedStyle'],
+  ...['TextDecoder', 'TextEncoder', 'WebAssembly', 'XMLSerializer', 'getComputedStyle'],
 ];
 
 export default [

@@ -16,6 +16,7 @@ from solvers.jit.shortcuts import shorten
 
 from .parser import Parser, Refused
 from .serve import add_arguments as add_serve_arguments
+from .static import add_export_arguments, add_wasm_arguments
 from .words import text
 
 QUIET_SECONDS = 3.0  # [s] until one line says what takes long
@@ -93,6 +94,12 @@ def _parser() -> argparse.ArgumentParser:
 
     serve = commands.add_parser("serve", help=text("help.serve.about"))
     add_serve_arguments(serve)
+
+    static = commands.add_parser("export-static", help=text("help.export-static.about"))
+    add_export_arguments(static)
+
+    wasm = commands.add_parser("wasm", help=text("help.wasm.about"))
+    add_wasm_arguments(wasm)
 
     warm = commands.add_parser("warm", help=text("help.warm"))
     warm.set_defaults(run=_warm)

@@ -70,7 +70,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
     def __init__(self, **choices):
         own = choices_of(choices["scene"]) if accepts("scene", choices.get("scene")) else {}
         place = {"sizing_mode": "stretch_width", "height": HEIGHT, "margin": 0}
-        super().__init__(spec=_spec(), shared={"panels": PANELS, "asked": ASKED}, **(place | own | choices))
+        super().__init__(spec=spec_of_choices(), shared={"panels": PANELS, "asked": ASKED}, **(place | own | choices))
         self._sent = frozenset(self._linked_properties)
         self._waits: dict[str, Any] = {}  # by what is waited for: a note why it takes longer
         waiting = partial(self._report, self._wait, solve_frame.__name__)
@@ -282,7 +282,7 @@ class Lab(Choices, Panels, Drafts, pn.custom.JSComponent):
             self._in_process__events.pop(document, None)
 
 
-def _spec() -> dict[str, Any]:
+def spec_of_choices() -> dict[str, Any]:
     """Default, bounds or options of every choice."""
     found = {}
     for name in Choices.CHOSEN:

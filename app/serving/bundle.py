@@ -8,6 +8,7 @@ their lines to themselves, a quarter of what is sent, are left out.
 """
 
 import re
+from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
 
 IMPORT = re.compile(r"^import (?:\{([^}]*)\}|\* as (\w+)) from '([^']+)';\n", re.MULTILINE)
@@ -44,8 +45,21 @@ def bundle(root: Path, entry: str, texts: str = "", beside: str = "") -> str:
     )
 
 
-def _add(root: Path, name: str, state: dict[str, bool], parts: list[str]) -> None:
-    """Add a module after all that it needs. `state`: False while that is under way, True when it has been added."""
+def function(root: Path, entries: Iterable[str], name: str) -> str:
+    """The same as a function of this name, of a script that is no module, which pages from the disk may load: it runs
+    the entries in turn. Addresses are from the document's own; what is imported while running is not there.
+    """
+    parts: list[str] = []
+    there: dict[str, bool] = {}
+    for entry in entries:
+        _add(root, entry, there, parts, late=False)
+    text = "".join(parts).replace(ADDRESS, "globalThis.document.baseURI")
+    return f"globalThis.{name} = async () => {{\nconst modules = (globalThis.strikewaveModules = {{}});\n{text}}};\n"
+
+
+def _add(root: Path, name: str, state: dict[str, bool], parts: list[str], late: bool = True) -> None:
+    """Add a module after all that it needs, `late`: while running, too. `state`: False while that is under way, True
+    when it has been added."""
     if name in state:
         if not state[name]:
             raise ValueError(f"{name} imports itself by way of others")
@@ -53,12 +67,12 @@ def _add(root: Path, name: str, state: dict[str, bool], parts: list[str]) -> Non
     state[name] = False
     text, folder = COMMENT.sub("", (root / name).read_text("utf-8")), PurePosixPath(name).parent
     needed = [_inside(folder / path) for *_, path in IMPORT.findall(text)]
-    if LATE.search(text):  # whichever it will be: all there that stand alone or are needed by others too
+    if late and LATE.search(text):  # whichever it will be: all there that stand alone or are needed by others too
         needed += sorted(
             str(folder / each.name) for each in (root / folder).glob("*.js") if str(folder / each.name) != name
         )
     for each in needed:
-        _add(root, each, state, parts)
+        _add(root, each, state, parts, late)
     parts.append(_function_of(name, folder, text))
     state[name] = True
 

@@ -1,6 +1,7 @@
 // All scenes: some as moving pictures with a question each, all by chapter, those of the visitor's own; and a search.
 import { ownQuestion } from '../opening/question.js';
 import { make } from '../shell/dom.js';
+import { carried } from '../shell/home.js';
 import { forget, ownScenes } from '../shell/own.js';
 import { family, said, text } from '../text/catalogue.js';
 import { Editor } from './editor.js';
@@ -198,7 +199,7 @@ export class Gallery {
       if ('open' in root) root.open = typed !== '';
       for (const { entry: known } of here) found.add(known.scene);
     }
-    this.own.hidden = typed !== '';
+    this.own.hidden = typed !== '' || Boolean(carried); // only a server reads files
     this.count.textContent = text('gallery.count', { count: found.size, all: this.all, part: found.size < this.all });
     this.page.history.later();
   }

@@ -1,8 +1,9 @@
 // The opening view: one large picture, one question, a few sliders. All else is in a dock that slides in beside the
 // picture, one click away; the laboratory has it all at once.
-import { alone } from '../shell/home.js';
+import { queryOf } from '../shell/address.js';
+import { alone, carried } from '../shell/home.js';
 import { make } from '../shell/dom.js';
-import { TITLES } from '../shell/layout.js';
+import { OFFERED, TITLES } from '../shell/layout.js';
 import { keep, kept } from '../shell/store.js';
 import { family, text } from '../text/catalogue.js';
 import { Happens } from './happens.js';
@@ -51,6 +52,7 @@ function planOf(search) {
   if (!alone) return 'laboratory';
   const query = new URLSearchParams(search);
   const asked = query.get('layout');
+  if (carried) return asked === 'docks' ? asked : 'opening';
   query.delete('gallery'); // which lies over any
   return PLANS.find((name) => name === asked) ?? (query.size ? 'laboratory' : kept(PLAN, 'opening'));
 }
@@ -257,14 +259,20 @@ export class Opening {
     this.closer.dataset.said = source;
     const enter = (/** @type {string} */ textContent, /** @type {() => void} */ onclick) =>
       make('button', { type: 'button', textContent, onclick });
-    const laboratory = enter(text('opening.laboratory'), () => this.turn('laboratory'));
-    const tabs = Object.entries(TITLES).map(([tab, title]) => enter(title, () => this.look(tab)));
+    const laboratory = enter(text(carried ? 'offline.laboratory' : 'opening.laboratory'), () => this.#leave());
+    laboratory.className = 'to-laboratory';
+    const tabs = OFFERED.map((tab) => enter(TITLES[tab], () => this.look(tab)));
     this.closer.replaceChildren(
       make('span', { textContent: text('opening.closer') }),
       ...tabs,
-      Object.assign(laboratory, { className: 'to-laboratory' }),
+      ...(carried && !carried.laboratory ? [] : [laboratory]),
       make('span', { className: 'source', textContent: source && text('opening.source', { source }) }),
     );
+  }
+  /** To the laboratory, which another place has where there is no server. */
+  #leave() {
+    if (carried) window.open(`${carried.laboratory}?${queryOf(this.page, true)}`, '_blank', 'noopener');
+    else this.turn('laboratory');
   }
   /** Another solve, or another size: the rows lie below the bodies, which are drawn first. */
   draw() {

@@ -3,7 +3,7 @@
 import { text } from '../text/catalogue.js';
 import { documents } from './bokeh.js';
 import { make } from './dom.js';
-import { alone, served } from './home.js';
+import { alone, carried, served } from './home.js';
 import { keep, kept } from './store.js';
 
 /** @import { Model } from './model.js' */
@@ -22,6 +22,9 @@ export class Connection {
   cut = false; // the socket is closed: the session is not come back to
   closed = false; // by the server, with a reason: who was turned out does not come back by itself
   /** @type {number | undefined} */ timer;
+  /** @type {number | undefined} */ watch;
+  offline = () => this.#lose();
+  asked = performance.now(); // when the server was asked last
 
   /**
    * @param {Model} model
@@ -41,15 +44,14 @@ export class Connection {
     const reload = make('button', { type: 'button', textContent: text('connection.reload'), onclick });
     this.root.append(this.words, reload);
     page.append(this.root);
+    if (carried) return; // nothing that could be lost
     model.on('disconnected', () => this.#turnedOut());
     for (const shown of documents()) {
       shown.on_event('connection_lost', () => this.#lose(true));
       if (!alone) shown.on_event('client_reconnected', () => this.#found());
     }
-    this.offline = () => this.#lose();
     window.addEventListener('offline', this.offline);
     this.watch = window.setInterval(() => this.#watch(), TICK);
-    this.asked = performance.now(); // when the server was asked last
   }
   leave() {
     clearInterval(this.watch);

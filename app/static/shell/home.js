@@ -1,6 +1,20 @@
 // Where the laboratory is at home: it is the page that its server sends, or a component of another page, which keeps
 // address, history and keys for itself.
 
+/** @import { Listed } from '../gallery/gallery.js' */
+/** @import { Spec } from './model.js' */
+
+/**
+ * @typedef {object} Carried  what came with a page that has no server, see app/serving/folder.py
+ * @property {Spec} spec
+ * @property {Listed} gallery
+ * @property {string} kernels  fingerprint of their sources
+ * @property {string} laboratory  address of one with a server, or nothing
+ * @property {ArrayBuffer[]} messages  one of each scene
+ */
+
+/** Nothing where there is a server. */
+export const carried = /** @type {Carried | null} */ (/** @type {any} */ (globalThis).strikewaveCarried ?? null);
 /** Whether it is the page itself. */
 export const alone = Boolean(globalThis.document?.getElementById('session'));
 

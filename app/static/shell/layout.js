@@ -5,7 +5,7 @@ import { scale } from '../charts/canvas.js';
 import { family, text } from '../text/catalogue.js';
 import { make } from './dom.js';
 import { gripOf } from './grip.js';
-import { alone } from './home.js';
+import { alone, carried } from './home.js';
 import { keep, kept } from './store.js';
 import { Tabs } from './tabs.js';
 
@@ -16,6 +16,8 @@ const LOW = 800; // how high a tablet that lies is: what would be above one anot
 const LARGE = window.matchMedia('(min-width: 1800px)');
 const BESIDE = ['story', 'numbers', 'analysis'];
 export const ALL = ['controls', 'charts', ...BESIDE]; // in this order, whatever the order of the texts
+/** Of them, those that ask no server for anything, where there is none. */
+export const OFFERED = carried ? ['charts', 'story', 'numbers'] : ALL;
 const NAMES = family('layout.tab');
 export const TITLES = Object.fromEntries(ALL.map((name) => [name, NAMES[name]]));
 const CENTRE = 420; // pixels that the docks leave to the centre
@@ -125,7 +127,7 @@ export class Layout {
       if (tabbed) this.tabs.panel('analysis').prepend(this.wide);
       else this.centre.append(this.wide);
       this.charts.hidden = !this.wide.hidden && !tabbed;
-      this.tabs.offer(tabbed ? ALL : BESIDE);
+      this.tabs.offer(tabbed ? OFFERED : BESIDE);
       if (opening.plan === 'laboratory' && tabbed) this.tabs.select('controls');
     }
     this.#settle();

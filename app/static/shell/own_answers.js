@@ -1,5 +1,7 @@
 // Answers that the browser finds by itself while a slider moves, at every picture, by the library's kernels: see
 // app/static/wasm. The server is asked once the hand rests, and its answer, with all that it knows besides, follows.
+import { carried } from './home.js';
+import { late } from './late.js';
 
 /** @import { Chosen, Frame } from '../messages.js' */
 /** @import { Page } from '../page.js' */
@@ -26,8 +28,9 @@ export class OwnAnswers {
   }
   /** Fetch what answers, once the page stands. */
   async prepare() {
+    if (carried) return; // there is no server that another answer is awaited of
     try {
-      const { ownAnswers } = await import(new URL('../wasm/answers.js', import.meta.url).href);
+      const { ownAnswers } = await late('wasm/answers.js');
       this.answers = await ownAnswers();
     } catch {
       // as where there is no WebAssembly, or a policy forbids it

@@ -1,7 +1,8 @@
 // The scene in the bar: its title is a button that opens the gallery, which is fetched when it is first wanted.
 import { ofScene, text } from '../text/catalogue.js';
 import { make } from './dom.js';
-import { alone, served } from './home.js';
+import { alone, carried, served } from './home.js';
+import { late } from './late.js';
 import { MOST_BYTES } from './own.js';
 
 /** @import { Page } from '../page.js' */
@@ -52,7 +53,7 @@ export class Scenes {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
-    page.model.on('remove', this.#watch(page.root));
+    if (!carried) page.model.on('remove', this.#watch(page.root));
   }
   /** Whether it is open, and what is searched in it; nothing where it is not. */
   get searched() {
@@ -68,8 +69,8 @@ export class Scenes {
     const { page } = this;
     this.fetched ??= (async () => {
       const [module, answer] = await Promise.all([
-        import(new URL('../gallery/gallery.js', import.meta.url).href),
-        fetch(served('gallery')).then((found) => found.json()),
+        late('gallery/gallery.js'),
+        carried?.gallery ?? fetch(served('gallery')).then((found) => found.json()),
       ]);
       const sheet = make('link', { rel: 'stylesheet' });
       const styled = new Promise((done) => Object.assign(sheet, { onload: done, onerror: done }));

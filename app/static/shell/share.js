@@ -11,9 +11,10 @@ const DIGITS = 6; // behind the first one, of saved values
 
 /** @param {Page} page */
 function linkOf(page) {
-  const { href, origin, pathname } = window.location;
+  const { href, pathname } = window.location;
   if (!alone) return href;
-  return `${origin}${pathname}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
+  const [bare] = href.split(/[?#]/); // a page from the disk has no origin
+  return `${bare}${addressOf(queryOf(page, true)).replace(pathname, '')}`;
 }
 
 /** @param {Page} page */

@@ -1,5 +1,7 @@
 // The menu of what a visitor takes along: picture, clip, histories, scene. What draws files is fetched when wanted.
 import { text } from '../text/catalogue.js';
+import { carried } from './home.js';
+import { late } from './late.js';
 import { Menu } from './menu.js';
 import { fileOf } from './own.js';
 import { saveData } from './share.js';
@@ -23,8 +25,10 @@ export class Take {
     menu.item(text('take.png'), () => this.#file(({ savePng }, named) => savePng(page, named)));
     menu.item(text('take.svg'), () => this.#file(({ saveSvg }, named) => saveSvg(page, named)));
     menu.item(text('take.clip'), () => this.#file((files, named) => this.#record(files, named)));
-    menu.item(text('take.data'), () => saveData(page));
-    menu.item(text('take.code'), () => this.#code());
+    if (!carried) {
+      menu.item(text('take.data'), () => saveData(page));
+      menu.item(text('take.code'), () => this.#code());
+    }
     const open = this.button.onclick;
     this.button.onclick = (event) => (this.clip ? this.clip.stop() : open?.call(this.button, event));
   }
@@ -33,7 +37,7 @@ export class Take {
     const scene = fileOf(this.page.frame.chosen.scene); // when it was asked for
     const named = (/** @type {string} */ extension) => `strikewave-${scene}.${extension}`;
     try {
-      act(await import(new URL('../take/files.js', import.meta.url).href), named);
+      act(await late('take/files.js'), named);
     } catch {
       this.page.complain(text('take.lost'));
     }

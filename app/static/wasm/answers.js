@@ -29,9 +29,12 @@ class Answers {
   }
 }
 
+/** @param {BufferSource} bytes  of the module */
+export const answersOf = async (bytes) => new Answers(await kernelsOf(bytes));
+
 /** @returns {Promise<Answers>} */
 export async function ownAnswers() {
   const fetched = await fetch(new URL('kernels.wasm', import.meta.url));
   if (!fetched.ok) throw new Error(`no module: ${fetched.status}`);
-  return new Answers(await kernelsOf(await fetched.arrayBuffer()));
+  return answersOf(await fetched.arrayBuffer());
 }

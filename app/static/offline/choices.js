@@ -1,0 +1,76 @@
+// What may be chosen where there is no server, and why something else may not.
+import { isBodyKey } from '../shell/body_values.js';
+import { carried } from '../shell/home.js';
+import { family } from '../text/catalogue.js';
+
+/** @import { Chosen, Frame } from '../messages.js' */
+/** @import { Spec } from '../shell/model.js' */
+/** @import { Note } from '../text/catalogue.js' */
+
+const LONGEST = 80; // letters of a value in an address
+const UNITS = family('unit');
+
+/**
+ * @param {string} code
+ * @param {Record<string, unknown>} [values]
+ * @returns {Note}
+ */
+export const refusal = (code, values = {}) => ({
+  code,
+  severity: 'refusal',
+  values: { laboratory: Boolean(carried?.laboratory), ...values },
+});
+
+/**
+ * @param {string} name  of a choice that no kernel here follows
+ */
+export const fixed = (name) => refusal('offline.choice', { control: `control.${name}` });
+
+/**
+ * Why a choice cannot have this value; nothing where it can.
+ * @param {string} name
+ * @param {unknown} value
+ * @param {Spec} spec
+ * @returns {Note | null}
+ */
+export function refusalOf(name, value, spec) {
+  const { high, low, options, whole } = spec[name];
+  const control = `control.${name}`;
+  const shown = String(value).slice(0, LONGEST);
+  if (options) {
+    const all = options.map((each) => `name.${name}.${each}`);
+    return options.includes(String(value)) ? null : refusal('refused.choice', { control, value: shown, options: all });
+  }
+  if (low === undefined) return null; // text
+  const within = typeof value === 'number' && value >= low && value <= high && (!whole || Number.isInteger(value));
+  const unit = name in UNITS ? `unit.${name}` : 'none';
+  return within ? null : refusal('refused.number', { control, value: shown, whole, low, high, unit });
+}
+
+/**
+ * The choices of an address: what can be used, and a refusal for each that cannot.
+ * @param {string} search
+ * @param {import('./model.js').Offline} offline
+ * @returns {[chosen: Chosen, refused: Note[]]}
+ */
+export function choicesIn(search, offline) {
+  const { answers, spec } = offline;
+  const query = new URLSearchParams(search);
+  /** @type {Note[]} */
+  const refused = [];
+  const asked = offline.scene(query.get('scene') ?? spec.scene.default);
+  const base = asked ?? /** @type {Frame} */ (offline.scene(spec.scene.options?.[0]));
+  if (!asked) refused.push(refusal('offline.scene'));
+  const chosen = { ...base.chosen };
+  for (const [name, bounds] of Object.entries(spec)) {
+    const given = query.get(name);
+    if (given === null || name === 'scene' || name === 'bodies') continue;
+    const value = bounds.options ? given : Number(given || NaN);
+    const why = refusalOf(name, Number.isNaN(value) ? given : value, spec);
+    if (why) refused.push(why);
+    else if (!Object.is(value, chosen[name]) && !answers.covers(base, [name])) refused.push(fixed(name));
+    else chosen[name] = value;
+  }
+  if ([...query.keys()].some(isBodyKey)) refused.push(fixed('bodies'));
+  return [chosen, refused];
+}

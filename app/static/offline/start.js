@@ -1,0 +1,39 @@
+// Unpack what came with the page, where there is no server, and begin; or say why it cannot be. It is no module, and
+// nothing is fetched: browsers allow neither to pages from the disk.
+
+/** @import { Carried } from '../shell/home.js' */
+
+/**
+ * A header in JSON and the messages behind it, as app/serving/folder.py has packed them.
+ * @param {string} packed
+ */
+const unpacked = async (packed) => {
+  const letters = atob(packed);
+  const bytes = new Uint8Array(letters.length);
+  for (let k = 0; k < letters.length; k++) bytes[k] = letters.charCodeAt(k);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const whole = await new Response(stream).arrayBuffer();
+  let at = 4 + new DataView(whole).getUint32(0, true);
+  const { sizes, texts, ...head } = JSON.parse(new TextDecoder().decode(new Uint8Array(whole, 4, at - 4)));
+  const messages = sizes.map((/** @type {number} */ size) => whole.slice(at, (at += size)));
+  return { texts, carried: /** @type {Carried} */ ({ ...head, messages }) };
+};
+
+const begin = async () => {
+  const all = /** @type {any} */ (window);
+  const { carried, texts } = await unpacked(all.strikewavePacked);
+  Object.assign(all, { strikewaveTexts: texts, strikewaveCarried: carried, strikewavePanels: [] });
+  await all.strikewavePage();
+};
+
+const say = (/** @type {unknown} */ error) => {
+  const { lost } = JSON.parse(document.getElementById('session')?.textContent ?? '{}');
+  const { strikewaveTexts } = /** @type {any} */ (window);
+  const code = error instanceof Error ? error.message : '';
+  const textContent = strikewaveTexts?.texts[code] ?? lost;
+  const closed = Object.assign(document.createElement('p'), { className: 'closed', textContent });
+  document.getElementById('still')?.remove();
+  document.getElementById('lab')?.replaceChildren(closed);
+};
+
+begin().catch(say);

@@ -1,0 +1,275 @@
+"""The laboratory as a folder: small, of itself alone, and answers as the library does, from the disk and served."""
+
+import functools
+import http.server
+import json
+import shutil
+import threading
+from pathlib import Path
+
+import pytest
+
+import solvers
+from app.choices.choices import SCENES
+from app.command.main import main
+from app.wasm.covered import covered_of
+from app.wasm.module import signed
+from solvers.scenes.library import scene_of
+
+MOST = 1_000_000  # bytes of all files
+SECONDS = 15_000  # ms for a page
+PHONE = {"width": 390, "height": 844}
+SAID = "() => document.querySelector('.closed')?.textContent"
+SHOWN = "() => window.strikewave?.frames > 0"
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    place = tmp_path_factory.mktemp("static") / "impact"
+    assert main(["export-static", str(place)]) == 0
+    return place
+
+
+@pytest.fixture
+def opened(browser, folder):
+    """Open the folder from the disk, or at another address, with what the page asked for and what went wrong."""
+    contexts = []
+
+    def open_one(query: str = "", base: str = "", script: str = SHOWN, **options):
+        contexts.append(browser.new_context(**{"reduced_motion": "reduce"} | options))
+        tab = contexts[-1].new_page()
+        tab.asked, tab.errors = [], []
+        tab.on("request", lambda request: tab.asked.append(request.url))
+        tab.on("pageerror", lambda error: tab.errors.append(str(error)))
+        tab.on("console", lambda line: line.type == "error" and tab.errors.append(line.text))
+        tab.goto((base or folder.as_uri()) + "/index.html" + query)
+        tab.wait_for_function(script, timeout=SECONDS)
+        return tab
+
+    yield open_one
+    for context in contexts:
+        context.close()
+
+
+@pytest.fixture
+def served(folder):
+    """Address of a server of files."""
+    handler = functools.partial(Quiet, directory=folder.parent)
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_address[1]}/{folder.name}"
+        server.shutdown()
+
+
+def choose(tab, name: str, value) -> None:
+    """As a control does, until it is answered or refused."""
+    tab.evaluate("([name, value]) => strikewave.page.choose(name, value)", [name, value])
+    tab.wait_for_function("() => !strikewave.page.asked", timeout=SECONDS)
+
+
+def peak(tab) -> float:
+    return tab.evaluate("() => strikewave.page.frame.exact.peakForce")
+
+
+def test_it_is_small_and_names_nothing_elsewhere(folder):
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    assert sum(path.stat().st_size for path in files) <= MOST
+    assert {path.suffix for path in files} == {".html", ".js", ".css"}
+    document = (folder / "index.html").read_text("utf-8")
+    assert "http:" not in document and "https:" not in document and 'type="module"' not in document
+
+
+def test_what_is_no_folder_or_no_address_is_refused_in_one_line(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    assert main(["export-static", str(tmp_path / "file")]) == 2
+    assert capsys.readouterr().err.startswith("impact: FOLDER: got ")
+    assert main(["export-static", str(tmp_path / "new"), "--laboratory", "ftp://x"]) == 2
+    assert "--laboratory" in capsys.readouterr().err and not (tmp_path / "new").exists()
+
+
+def test_kernels_of_other_sources_are_not_exported(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("app.serving.folder.sources", lambda: "others")
+    assert main(["export-static", str(tmp_path / "new")]) == 2
+    assert "make wasm" in capsys.readouterr().err and not (tmp_path / "new").exists()
+
+
+def test_the_command_lists_what_is_covered(capsys):
+    assert main(["wasm", "--list"]) == 0
+    *names, count = capsys.readouterr().out.splitlines()
+    assert names == covered_of(SCENES) and count == f"{len(names)} of {len(SCENES)} scenes"
+
+
+@pytest.mark.parametrize("where", ["disk", "server"])
+def test_answers_are_those_of_the_library(opened, served, folder, where):
+    base = folder.as_uri() if where == "disk" else served
+    tab = opened(base=base)
+    scene = scene_of("fixed-rod")
+    assert peak(tab) == pytest.approx(solvers.solve(scene).peak_force, rel=1e-9)
+    for ratio, speed in ((0.31, 1.0), (4.0, 1.0), (4.0, 3.5), (1.0, 1.0)):
+        choose(tab, "mass_ratio", ratio)
+        choose(tab, "speed", speed)
+        other = scene.with_impactor_mass(scene.target.mass / ratio).replace({"impactor.velocity": speed})
+        assert peak(tab) == pytest.approx(solvers.solve(other).peak_force, rel=1e-9)
+    tab.keyboard.press("g")
+    tab.get_by_role("button", name="Nothing holds the rod").click()
+    tab.wait_for_function("() => strikewave.page.frame.chosen.scene === 'free-rod'", timeout=SECONDS)
+    assert peak(tab) == pytest.approx(solvers.solve(scene_of("free-rod")).peak_force, rel=1e-9)
+    assert [url for url in tab.asked if not url.startswith((f"{base}/", "data:", "blob:"))] == []
+    assert tab.errors == []
+
+
+def test_every_scene_that_is_covered_is_answered_here(opened):
+    tab = opened()
+    for name in covered_of(SCENES):
+        choose(tab, "scene", name)
+        assert tab.evaluate("() => strikewave.page.frame.chosen.scene") == name
+        assert peak(tab) == pytest.approx(solvers.solve(SCENES[name]).peak_force, rel=1e-9)
+    assert tab.errors == []
+
+
+def test_a_slider_is_answered_at_once(opened):
+    tab = opened()
+    slider = tab.get_by_role("slider", name="Mass ratio")
+    before = tab.evaluate("() => strikewave.frames")
+    slider.focus()
+    tab.keyboard.press("ArrowRight")
+    tab.wait_for_function("n => strikewave.frames > n", arg=before, timeout=SECONDS)
+    ratio = tab.evaluate("() => strikewave.page.frame.chosen.mass_ratio")
+    assert ratio > 1.0 and not tab.evaluate("() => strikewave.page.own.count")
+
+
+def test_a_link_leads_to_a_scene_with_its_choices(opened):
+    tab = opened("?scene=free-rod&mass_ratio=2.5&speed=3&layout=docks&tab=numbers")
+    chosen = tab.evaluate("() => strikewave.page.frame.chosen")
+    assert (chosen["scene"], chosen["mass_ratio"], chosen["speed"]) == ("free-rod", 2.5, 3)
+    tab.get_by_role("tab", name="Numbers", selected=True).wait_for()
+    choose(tab, "mass_ratio", 2)
+    tab.wait_for_function("() => location.search.includes('mass_ratio=2&')", timeout=SECONDS)
+    tab.reload()
+    tab.wait_for_function("() => window.strikewave?.page.frame.chosen.mass_ratio === 2", timeout=SECONDS)
+    assert tab.errors == []
+
+
+@pytest.mark.parametrize(
+    "query, said",
+    [
+        ("?scene=two-balls", "This page works without a server and does not have this scene."),
+        ("?law=hertz", "Contact law cannot be changed here: this page works without a server."),
+        ("?mass_ratio=1e9", "Mass ratio: 1000000000 is not possible. Choose a number from 0.001 to 1000."),
+        ("?mass_ratio=heavy", "Mass ratio: heavy is not possible. Choose a number from 0.001 to 1000."),
+        ("?target.length=2", "this page works without a server."),
+    ],
+)
+def test_what_a_link_cannot_have_is_said_in_one_sentence(opened, query, said):
+    tab = opened(query)
+    assert said in tab.locator(".toast").inner_text().replace("\u00a0", " ")
+    assert peak(tab) == pytest.approx(solvers.solve(scene_of("fixed-rod")).peak_force, rel=1e-9)
+    assert tab.errors == []
+
+
+@pytest.mark.parametrize("name, value", [("law", "hertz"), ("speed", 1e9), ("bodies", "target.length=2.0")])
+def test_what_cannot_be_chosen_is_set_back(opened, name, value):
+    tab = opened()
+    before = tab.evaluate("name => strikewave.page.model[name]", name)
+    choose(tab, name, value)
+    assert tab.evaluate("name => strikewave.page.model[name]", name) == before
+    assert tab.evaluate("() => JSON.parse(strikewave.page.model.refused).length") == 1
+    choose(tab, "speed", 2.0)
+    assert tab.evaluate("() => strikewave.page.frame.speed") == 2.0
+
+
+def test_only_what_needs_no_server_is_offered(opened):
+    tab = opened()
+    closer = tab.get_by_role("navigation", name="Look closer")
+    assert closer.get_by_role("button").all_inner_texts() == ["Charts", "Story", "Numbers"]
+    fields = "() => [...strikewave.page.controls.root.querySelectorAll('.field')].filter((f) => !f.hidden).length"
+    assert tab.evaluate(fields) == 3
+    tab.get_by_role("button", name="Save", exact=True).click()
+    assert tab.locator(".takes .drop button").count() == 3
+    with tab.expect_download() as saved:
+        tab.get_by_role("button", name="Picture (PNG)").click()
+    assert saved.value.suggested_filename == "strikewave-fixed-rod.png"
+    assert tab.errors == []
+
+
+def test_a_phone_has_all_of_it(opened):
+    tab = opened(viewport=PHONE, has_touch=True, is_mobile=True)
+    assert tab.evaluate("() => document.documentElement.scrollWidth") <= PHONE["width"]
+    assert tab.evaluate("() => strikewave.page.root.dataset.size") == "phone"
+    choose(tab, "mass_ratio", 2.0)
+    assert tab.errors == []
+
+
+def test_it_works_in_a_frame_that_may_only_run_scripts(browser, folder, served):
+    """As course pages have it: without an origin of its own, where nothing can be kept."""
+    address = f"{folder.name}/index.html?mass_ratio=2"
+    frame = f'<iframe sandbox="allow-scripts" src="{address}" width="900" height="700"></iframe>'
+    (folder.parent / "course.html").write_text(frame)
+    tab = browser.new_page()
+    tab.goto(served.replace(folder.name, "course.html"))
+    inside = tab.frames[1]
+    inside.wait_for_function("() => window.strikewave?.frames > 0", timeout=SECONDS)
+    assert inside.evaluate("() => strikewave.page.frame.chosen.mass_ratio") == 2
+    tab.close()
+
+
+def changed(folder: Path, tmp_path: Path, name: str, content: str | None) -> str:
+    """The same folder with another file, or without it."""
+    copy = shutil.copytree(folder, tmp_path / "copy")
+    if content is None:
+        (copy / name).unlink()
+    else:
+        (copy / name).write_text(content, encoding="utf-8")
+    return copy.as_uri()
+
+
+def kernels(module: bytes) -> str:
+    from base64 import b64encode
+
+    return f'globalThis.strikewaveKernels = "{b64encode(module).decode()}";\n'
+
+
+HEAD = b"\0asm\1\0\0\0"
+# memory, `__heap_base` and a function `rod` of two pointers, two numbers and fourteen pointers, which traps
+TRAP = (
+    HEAD
+    + b"\x01\x17\x01\x60\x12\x7f\x7f\x7c\x7c" + 14 * b"\x7f" + b"\x01\x7f"
+    + b"\x03\x02\x01\x00" + b"\x05\x03\x01\x00\x10" + b"\x06\x07\x01\x7f\x00\x41\x80\x08\x0b"
+    + b"\x07\x1e\x03\x06memory\x02\x00\x0b__heap_base\x03\x00\x03rod\x00\x00"
+    + b"\x0a\x05\x01\x03\x00\x00\x0b"
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "name, content, said",
+    [
+        ("kernels.js", None, "kernels.js is missing or damaged"),
+        ("kernels.js", "globalThis.strikewaveKernels = 'none';", "kernels.js is missing or damaged"),
+        ("kernels.js", kernels(b"no module"), "kernels.js is missing or damaged"),
+        ("kernels.js", kernels(HEAD), "kernels.js is of another version"),
+        ("kernels.js", kernels(signed(HEAD)), "kernels.js is missing or damaged"),
+        ("kernels.js", kernels(signed(TRAP)), "The kernels of this page have failed at this impact"),
+        ("scenes.js", None, "a file of its folder is missing or damaged"),
+        ("scenes.js", "globalThis.strikewavePacked = 'H4sI';", "a file of its folder is missing or damaged"),
+        ("page.js", None, "a file of its folder is missing or damaged"),
+    ],
+)
+def test_a_file_that_is_missing_or_damaged_is_said_in_one_sentence(opened, folder, tmp_path, name, content, said):
+    tab = opened(base=changed(folder, tmp_path, name, content), script=SAID)
+    assert said in tab.evaluate(SAID)
+    assert tab.locator("body").inner_text().strip() == tab.evaluate(SAID)
+
+
+def test_kernels_that_trap_later_leave_what_is_shown(opened):
+    tab = opened()
+    trap = "() => { throw new WebAssembly.RuntimeError('unreachable'); }"
+    tab.evaluate(f"() => {{ strikewaveModules['wasm/kernels.js'].Kernels.prototype.rod = {trap}; }}")
+    choose(tab, "speed", 2.0)
+    assert tab.evaluate("() => strikewave.page.model.speed") == 1
+    (why,) = json.loads(tab.evaluate("() => strikewave.page.model.refused"))
+    assert why["code"] == "offline.trap"
