@@ -26,7 +26,10 @@ from .still import first_still
 HERE = Path(__file__).parent
 # of which those before the last come late where there is a server
 ENTRIES = ("gallery/gallery.js", "take/files.js", "offline/page.js")
-REMADE = ("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce")
+REMADE = (
+    *("f0Time", "f0", "motionTime", "exactMass", "exactEnd", "exactWhole", "exactTime", "exactForce"),
+    *("cycleDepth", "cycleLoading", "cycleUnloading", "blowForce", "touchTime", "touchPressure"),
+)
 POLICY = (
     "default-src 'none'; script-src 'self' file: 'wasm-unsafe-eval'; style-src 'self' file: 'unsafe-inline'; "
     "img-src data: blob:; media-src blob:; font-src data:; base-uri 'none'; form-action 'none'"
@@ -54,7 +57,7 @@ def export(folder: Path, laboratory: str, language: str) -> Exported:
     names = covered_of(SCENES)
     files = {
         "index.html": _document(language).encode(),
-        "kernels.js": f'globalThis.strikewaveKernels = "{b64encode(kernels).decode()}";\n'.encode(),
+        "kernels.js": script("strikewaveKernels", kernels).encode(),
         "scenes.js": _scenes(names, laboratory, language).encode(),
         "page.js": function(STATIC, ENTRIES, "strikewavePage").encode(),
         "start.js": text_of(STATIC / "offline/start.js"),
@@ -99,8 +102,12 @@ def _scenes(names: list[str], laboratory: str, language: str) -> str:
         "sizes": [len(message) for message in messages],
     }
     text = json.dumps(head, ensure_ascii=False, separators=(",", ":")).encode()
-    packed = gzip.compress(len(text).to_bytes(4, "little") + text + b"".join(messages), 9, mtime=0)
-    return f'globalThis.strikewavePacked = "{b64encode(packed).decode()}";\n'
+    return script("strikewavePacked", len(text).to_bytes(4, "little") + text + b"".join(messages))
+
+
+def script(name: str, content: bytes) -> str:
+    """One that carries these bytes, packed."""
+    return f'globalThis.{name} = "{b64encode(gzip.compress(content, 9, mtime=0)).decode()}";\n'
 
 
 def _gallery(names: set[str]) -> dict[str, Any]:

@@ -15,7 +15,9 @@ const SECTION = 'fingerprint'; // in which a module names its sources: as in app
  * @param {string} sources
  */
 async function kernelsOf(packed, sources) {
-  const bytes = Uint8Array.from(atob(packed ?? ''), (letter) => letter.charCodeAt(0));
+  const letters = Uint8Array.from(atob(packed ?? ''), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([letters]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const bytes = await new Response(stream).arrayBuffer().catch(() => new ArrayBuffer(0));
   const module = await WebAssembly.compile(bytes).catch(() => null);
   if (!module) throw new Error('offline.no-module');
   const [named] = WebAssembly.Module.customSections(module, SECTION);

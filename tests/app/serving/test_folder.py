@@ -12,6 +12,7 @@ import pytest
 import solvers
 from app.choices.choices import SCENES
 from app.command.main import main
+from app.serving.folder import script
 from app.wasm.covered import covered_of
 from app.wasm.module import signed
 from solvers.scenes.library import scene_of
@@ -229,9 +230,7 @@ def changed(folder: Path, tmp_path: Path, name: str, content: str | None) -> str
 
 
 def kernels(module: bytes) -> str:
-    from base64 import b64encode
-
-    return f'globalThis.strikewaveKernels = "{b64encode(module).decode()}";\n'
+    return script("strikewaveKernels", module)
 
 
 HEAD = b"\0asm\1\0\0\0"
