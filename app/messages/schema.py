@@ -246,6 +246,7 @@ BODIES: Fields = {
             "slideParting": Field("(course)", "velocity at which the touching points part [m/s]"),
             "slideAlong": Field("(course)", "at which the impactor slides on the target, in the picture [m/s]"),
             "slideAside": Field("(course)", "and towards who looks [m/s]"),
+            "slideImpulse": Field("(course, 3)", "on the target, so far [N s]"),
             "slidePush": Field("(course)", "size of the impulse of friction [N s]"),
             "slideSpin": Field("(course)", "of the impactor, about the line towards who looks [rad/s]"),
         }

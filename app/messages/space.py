@@ -12,7 +12,7 @@ import numpy as np
 from solvers import Body, RigidImpulse, Scene, Solution, Wall
 from solvers.bodies import in_space
 from solvers.contact.friction import MODELS
-from solvers.numerics.rigid.friction import sliding_path
+from solvers.numerics.rigid.friction import NEWTON, sliding_path
 from solvers.numerics.rigid.impulses import inverse_inertia, principal, strike
 from solvers.numerics.rigid.rotation import rotations
 from solvers.scenes.saved import saved_head
@@ -112,7 +112,11 @@ def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str,
     path, frame = sliding_path(*before, normal, float(scene.friction or 0.0), method["restitution"], law, COURSE_POINTS)
     slides = -path[:, 1:] @ frame
     pushes, spins = _pushed(*before, slides - slides[0])
+    drawn = -pushes
+    if law == NEWTON:  # which knows no course: in proportion, to the impulse that is its own
+        drawn = np.outer(path[:, 0] / path[-1, 0], solution.impulse)
     return {
+        "slideImpulse": drawn,
         "slidePush": np.linalg.norm(pushes - np.outer(pushes @ normal, normal), axis=1),
         "slideSpin": spins @ toward,
         "slidePress": path[:, 0],

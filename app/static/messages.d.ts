@@ -457,6 +457,7 @@ export interface SpaceFrame extends Common {
   /** (course) velocity at which the touching points part [m/s] */ slideParting?: Numbers;
   /** (course) at which the impactor slides on the target, in the picture [m/s] */ slideAlong?: Numbers;
   /** (course) and towards who looks [m/s] */ slideAside?: Numbers;
+  /** (course, 3) on the target, so far [N s] */ slideImpulse?: Numbers;
   /** (course) size of the impulse of friction [N s] */ slidePush?: Numbers;
   /** (course) of the impactor, about the line towards who looks [rad/s] */ slideSpin?: Numbers;
   /** of the arrays, by name */ shapes: Record<string, number[]>;

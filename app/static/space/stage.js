@@ -1,13 +1,13 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
 import { cleared, letters, sizeOf } from '../charts/canvas.js';
-import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, label, stopAt, unlabelled } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
+import { drawImpulse, nameImpulse } from './impulse.js';
 import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { summary } from './summary.js';
@@ -37,6 +37,7 @@ export class BodiesStage {
   /** @type {Vector} */ toward = [0, 0, 1]; // who looks
   /** @type {HTMLElement | null} */ lap = null; // what lies over its lower right, in the opening
   time = 0; // that is shown
+  share = 1; // of the impulse
   box = [0, 1, 0, 1]; // left, right, low and high of all that moves [m]
   speed = 0; // the largest
   spin = 0;
@@ -71,7 +72,7 @@ export class BodiesStage {
     this.redraw();
   }
   redraw() {
-    this.draw(this.time);
+    this.draw(this.time, this.share);
   }
   #measure() {
     const { frame } = this;
@@ -122,10 +123,10 @@ export class BodiesStage {
     return BOTH.map((name) => ({ ...this.frame.bodies[name], name }));
   }
   /**
-   * Time from -1 to 1.
-   * @param {number} t
+   * @param {number} t  from -1 to 1
+   * @param {number} share  of the normal impulse that has been given by then, where its clock is the impulse
    */
-  draw(t) {
+  draw(t, share = 1) {
     const { canvas, frame, root } = this;
     if (!frame) return;
     const sheet = cleared(canvas, root);
@@ -134,7 +135,7 @@ export class BodiesStage {
     const [covered, tall] = this.lap ? sizeOf(this.lap) : [0, 0];
     const width = sheet.width - covered;
     this.fit(width, height);
-    this.time = t;
+    [this.time, this.share] = [t, share];
     const now = Math.min(Math.max(t, -1), 1);
     const [tip, contact, ...bodies] = drawnAt(this, now);
     unlabelled(c, [...corners(c, this, now), tip, contact], bodies);
@@ -150,10 +151,10 @@ export class BodiesStage {
     }
     c.globalAlpha = 1;
     const struck = now >= 0 && frame.impulse > 0;
-    if (struck) this.impulse(c, 1 - 0.45 * now);
     for (const name of BOTH) this.body(c, name, now);
+    if (struck) drawImpulse(c, this, this.share, 1 - 0.45 * now);
     for (const name of BOTH) this.moves(c, name, now, when, true);
-    if (struck) this.impulseLabel(c);
+    if (struck) nameImpulse(c, this, this.share);
     this.hands.draw(c);
     this.hold(c, now);
     legend(c, this, now, width, height);
@@ -368,32 +369,5 @@ export class BodiesStage {
     if (way < 0.1) return [0, 1]; // seen from its end
     const ahead = going[0] * y - going[1] * x > 0 ? -1 : 1; // of (y, -x), which is across
     return [(ahead * y) / way, (ahead * x) / way];
-  }
-  /**
-   * @param {Context} c
-   * @param {number} strength
-   */
-  impulse(c, strength) {
-    const [nx, ny] = this.flat(times(this.frame.push, 1 / this.frame.impulse));
-    const long = 0.9 * this.long;
-    const { bodies } = this.frame;
-    c.globalAlpha = strength;
-    c.strokeStyle = c.fillStyle = COLORS.cursor;
-    for (const name of BOTH) {
-      const way = name === 'target' ? long : -long;
-      if (bodies[name].shape !== 'stop') arrow(c, [this.x, this.y], [this.x + way * nx, this.y - way * ny], 3.2);
-    }
-    c.beginPath();
-    c.arc(this.x, this.y, 4, 0, 7);
-    c.fill();
-    c.globalAlpha = 1;
-  }
-  /** @param {Context} c */
-  impulseLabel(c) {
-    /** @type {Point} */
-    const side = Math.abs(this.flat(this.frame.normal)[0]) > 0.5 ? [0, -1] : [1, 0];
-    c.fillStyle = COLORS.cursor;
-    c.font = letters(13, 'bold ');
-    label(c, `J = ${brief(this.frame.impulse)} N s`, [this.x + 12 * side[0], this.y + 14 * side[1]], side);
   }
 }

@@ -20,6 +20,9 @@ const BACK = 0.05; // of the largest velocity along the contact, that is more th
  */
 export const movedAt = (t) => (t < 0 ? t : Math.max(t - IMPACT, 0));
 
+/** How much of the normal impulse has been given. @param {number} t */
+export const shareAt = (t) => Math.min(Math.max(t / IMPACT, 0), 1);
+
 /** @type {Record<import('./smooth.js').Which, Series['style']>} */
 const INK = { impactor: 'joint6', target: 'exact' }; // as the bodies are drawn
 
@@ -188,4 +191,4 @@ export function wayOf({ across, bodies: { impactor }, slidePress, sliding }) {
  * @param {SpaceFrame} frame
  * @param {number} t
  */
-export const impulseAt = (frame, t) => engineering(Math.min(Math.max(t / IMPACT, 0), 1) * pressed(frame), 'N s', 3);
+export const impulseAt = (frame, t) => engineering(shareAt(t) * pressed(frame), 'N s', 3);

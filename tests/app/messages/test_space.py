@@ -214,3 +214,22 @@ def test_friction_gives_the_impulse_and_the_spin_that_are_solved(name):
     assert found["slideSpin"][[0, -1]] == approx(spins, rel=1e-4, abs=1e-6)
     cone = header["friction"] * found["slidePress"]
     assert np.all(found["slidePush"] <= cone + 1e-5 * size)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if SCENES[name].friction])
+@pytest.mark.parametrize("model", ["stronge", "poisson", "newton"])
+def test_the_impulse_grows_along_the_cone_of_friction_while_it_slides_and_inside_while_it_sticks(name, model):
+    solution = solvers.solve(SCENES[name].replace({"method.model": model}))
+    message = bodies_frame(solution)
+    header, found = read_header(message), arrays(message)
+    grown, pressed, normal = found["slideImpulse"], found["slidePress"], np.array(header["normal"])
+    assert grown[0] == approx(np.zeros(3)) and grown[-1] == approx(header["push"], rel=1e-4, abs=1e-5 * pressed[-1])
+    added = np.diff(grown, axis=0)
+    along = added @ normal
+    aside = np.linalg.norm(added - np.outer(along, normal), axis=1)
+    assert np.all(aside <= header["friction"] * along + 1e-5 * pressed[-1])
+    if model == "newton":  # which knows no course
+        return
+    until = header["sliding"][0]["until"] if header["sliding"][0]["kind"] == "slip" else 0.0
+    slides = pressed[1:] <= until * (1 + 1e-6)
+    assert aside[slides] == approx(header["friction"] * along[slides], abs=1e-4 * pressed[-1])
