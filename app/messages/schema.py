@@ -91,6 +91,8 @@ AXIAL: Fields = {
             "bounces": Field(
                 "(bounces, 4)", "time from the release on [s], impulse [N s], height after it [m], restitution"
             ),
+            "touches": Field("(bounces, 2)", "how long each touches [s], and its largest force [N]"),
+            "touchForce": Field("(bounces, touch)", "evenly over that [N]"),
             "f#Time": Field("(wave f#)", "of the wave that the left end of rod # sends; at a jump twice [T]"),
             "f#": Field("(wave f#)", "[Z v]"),
             "g#Time": Field("(wave g#)", "likewise of its right end, unless that only mirrors"),

@@ -385,6 +385,8 @@ export interface AxialFrame extends Common {
   /** (fallen) from its release on [s] */ fallTime?: Numbers;
   /** (fallen) parabola by parabola [m] */ fallHeight?: Numbers;
   /** (bounces, 4) time from the release on [s], impulse [N s], height after it [m], restitution */ bounces?: Numbers;
+  /** (bounces, 2) how long each touches [s], and its largest force [N] */ touches?: Numbers;
+  /** (bounces, touch) evenly over that [N] */ touchForce?: Numbers;
   /** (motion) [v T] */ otherMass?: Numbers;
   /** (motion) [v T] */ otherEnd?: Numbers;
   /** (other force) [T] */ otherTime?: Numbers;

@@ -5,7 +5,7 @@ import { WaveField } from '../../app/static/axial/fields.js';
 import { filledOf, placing, seamIn } from '../../app/static/axial/traces.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
-import { impactOf } from '../../app/static/fall/lens.js';
+import { impactsOf, nearest } from '../../app/static/fall/lens.js';
 import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
 import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { weave } from '../../app/static/opening/rows.js';
@@ -226,13 +226,27 @@ test('of many names those are seen that have room, and the others are counted', 
   }
 });
 
-test('the impact that is seen closer has its force in newtons, and ends as they part; a sudden one has none', () => {
-  const force = { exactTime: Float64Array.of(0, 1, 2, 9), exactForce: Float64Array.of(0, 3, 0, 0) };
-  const frame = { ...force, exact: { contacts: [[0, 2, 1, 3]], sudden: false }, forceUnit: 10, trip: 1e-3 };
-  const { end, fell, x, y } = impactOf(frame, 0.4);
-  assert.deepEqual([...y], [0, 30, 0, 0]);
-  assert.deepEqual([x[1], end, fell], [1e-3, 2e-3, 0.4]);
-  assert.equal(impactOf({ ...frame, exact: { ...frame.exact, sudden: true } }, 0.4), null);
+test('every impact is seen closer with its own force and the flight before it, and that which is nearest is shown', () => {
+  const bounces = [{ t: 0.4 }, { t: 1.2 }, { t: 1.6 }];
+  const frame = {
+    touches: Float64Array.of(0.01, 30, 0.02, 20, 0.03, 10),
+    touchForce: Float64Array.of(0, 29, 0, 0, 20, 0, 0, 10, 0),
+  };
+  const found = impactsOf(frame, bounces);
+  assert.deepEqual(
+    found.map(({ end, most, y }) => [end, most, ...y]),
+    [
+      [0.01, 30, 0, 29, 0],
+      [0.02, 20, 0, 20, 0],
+      [0.03, 10, 0, 10, 0],
+    ],
+  );
+  for (const [k, flown] of [0.4, 0.79, 0.38].entries()) assert.ok(Math.abs(found[k].flown - flown) < 1e-12);
+  assert.deepEqual(
+    [-1, 0.5, 0.79, 0.81, 1.3, 9].map((t) => nearest(found, t)),
+    [0, 0, 0, 1, 1, 2],
+  );
+  assert.deepEqual(impactsOf({}, bounces), []); // without duration
 });
 
 const BAR = { transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 0 };

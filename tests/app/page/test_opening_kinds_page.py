@@ -82,7 +82,7 @@ def test_a_flat_linkage_lies_above_its_tracks(open_page):
     assert section["y"] >= stage["y"] + stage["height"] - 1 and section["width"] == pytest.approx(stage["width"])
 
 
-def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(open_page):
+def test_what_is_dropped_has_its_impacts_closer_where_the_window_is_wide(open_page):
     exact = solvers.solve(solvers.load("drop-test"))
     for size in SIZES:
         page = open_page("?scene=drop-test&layout=opening", size=size)
@@ -106,6 +106,17 @@ def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(op
             }"""
         )
         assert drawn > 0.1
+
+
+def test_the_impact_that_is_nearest_to_the_clock_is_seen_closer(open_page):
+    page = open_page("?scene=drop-test&layout=opening")
+    opened(page)
+    lens = page.tab.locator(".lens")
+    first, second = page.evaluate("() => strikewave.page.view.fall.bounces.slice(0, 2).map(({ t }) => t)")
+    for t, number in ((0.0, 1), (first, 1), (0.45 * first + 0.55 * second, 2), (first, 1), (second, 2)):
+        page.evaluate("(t) => strikewave.page.player.seek(t)", t)
+        expect(lens.get_by_role("heading")).to_have_text(f"Impact {number}, seen closer")
+        expect(lens).to_contain_text("the fall before" if number == 1 else "the flight before")
 
 
 def test_an_impact_without_time_has_nothing_closer(open_page):
