@@ -250,7 +250,7 @@ BODIES: Fields = {
             "slideAside": Field("(course)", "and towards who looks [m/s]"),
             "slideImpulse": Field("(course, 3)", "on the target, so far [N s]"),
             "slidePush": Field("(course)", "size of the impulse of friction [N s]"),
-            "slideSpin": Field("(course)", "of the impactor, about the line towards who looks [rad/s]"),
+            "slideSpins": Field("(course, 2, 3)", "of the impactor and of the target [rad/s]"),
         }
     ),
 }

@@ -461,7 +461,7 @@ export interface SpaceFrame extends Common {
   /** (course) and towards who looks [m/s] */ slideAside?: Numbers;
   /** (course, 3) on the target, so far [N s] */ slideImpulse?: Numbers;
   /** (course) size of the impulse of friction [N s] */ slidePush?: Numbers;
-  /** (course) of the impactor, about the line towards who looks [rad/s] */ slideSpin?: Numbers;
+  /** (course, 2, 3) of the impactor and of the target [rad/s] */ slideSpins?: Numbers;
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }
 

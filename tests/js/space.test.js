@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import { leanOf, longestSide, LOOKS, turnedBy } from '../../app/static/space/hands.js';
-import { coneOf, coneSeen, givenAt } from '../../app/static/space/impulse.js';
+import { coneOf, coneSeen, givenAt, movingAt } from '../../app/static/space/impulse.js';
 import { cross, dot } from '../../app/static/space/vectors.js';
 
 const near = (found, expected) =>
@@ -78,6 +78,16 @@ test('the impulse grows along the cone of friction while it slides, and inside i
   near([coneOf({ friction: 1 })], [45]);
 });
 
+test('bodies go and turn by what of the impulse they have been given', () => {
+  const ball = { before: { velocity: [2, 1, 0], spin: [0, 0, 4] }, after: { velocity: [0, 9, 0], spin: [0, 0, 0] } };
+  const bodies = { ...RUBS.bodies, impactor: { shape: 'ball', mass: 0.5, ...ball } };
+  const slideSpins = Float64Array.from([4, 1, 0].flatMap((spin) => [0, 0, spin, 0, 0, 0]));
+  const at = (share, more = { slideSpins }) => movingAt({ ...RUBS, bodies, ...more }, 'impactor', share);
+  assert.deepEqual([at(0), at(1)], [ball.before, ball.after]);
+  near([...at(0.25).velocity, ...at(0.25).spin], [1, 3, 0, 0, 0, 2.5]); // half of what it has been given at 0.5
+  near(at(0.75, { slidePress: undefined }).spin, [0, 0, 1]); // without friction in proportion
+});
+
 test('a cone is a triangle from the side, a circle from its end, and nothing without friction', () => {
   const side = coneSeen(seenFrom(RUBS, [1, 0, 0], [0, 1, 0]));
   const [tip, first] = side.outline;
@@ -89,7 +99,7 @@ test('a cone is a triangle from the side, a circle from its end, and nothing wit
   assert.equal(end.outline, end.end);
   for (const [x, y] of end.end) near([Math.hypot(x, y)], [Math.abs(first[0])]);
   const aslant = coneSeen(seenFrom(RUBS, [1, 0, 0], [0, 0.8, 0.6]));
-  const spread = () => Math.max(...aslant.outline.slice(1).map(([x, y]) => Math.abs(x / y)));
-  for (const [x, y] of aslant.end) assert.ok(Math.abs(x) <= spread() * Math.abs(y) + 1e-9); // the lines enclose the circle
+  const widest = Math.max(...aslant.outline.slice(1).map(([x, y]) => Math.abs(x / y)));
+  for (const [x, y] of aslant.end) assert.ok(Math.abs(x) <= widest * Math.abs(y) + 1e-9); // its sides enclose it
   assert.equal(coneSeen(seenFrom({ ...RUBS, friction: 0 }, [1, 0, 0], [0, 1, 0])), null);
 });

@@ -7,7 +7,7 @@ import { unitOfTime } from '../shell/times.js';
 import { text } from '../text/catalogue.js';
 import { duration, engineering, figures, localised, scaled } from '../text/format.js';
 
-/** @import { AxialFrame } from '../messages.js' */
+/** @import { AxialFrame, Numbers } from '../messages.js' */
 /** @import { Bounce } from './view.js' */
 
 const EDGE = { left: 40 * zoom, right: 10, top: 26 * zoom, bottom: 22 * zoom }; // pixels
@@ -17,7 +17,7 @@ const HOT = 1.15; // of the largest force of all impacts, that has the colour of
 /**
  * @typedef {object} Impact
  * @property {number} t  when it begins, from the release on [s]
- * @property {ArrayLike<number>} y  forces, evenly until they part [N]
+ * @property {Numbers} y  forces, evenly until they part [N]
  * @property {number} end  when they part [s]
  * @property {number} most  the largest force [N]
  * @property {number} flown  how long it fell, or flew, before [s]

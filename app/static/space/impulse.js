@@ -6,12 +6,12 @@ import { brief } from '../text/format.js';
 import { arrow, label } from './arrows.js';
 import { add, cross, dot, size, times, triple } from './vectors.js';
 
-/** @import { SpaceFrame, Vector } from '../messages.js' */
+/** @import { Numbers, SpaceFrame, Vector } from '../messages.js' */
 /** @import { Context, Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 /** @typedef {'impactor' | 'target'} Which */
 
-const LONG = 0.9; // of the longest velocity: all of the impulse
+export const LONG = 1.1; // of the longest velocity: all of the impulse
 const HIGH = 1.15; // of the normal impulse: the cone
 const ROUND = 48; // corners of the circle at its end
 const PALE = 0.16; // of its inside
@@ -21,6 +21,23 @@ const WIDEST = 1.6; // of the longest velocity: its radius
 export const coneOf = ({ friction }) => (Math.atan(friction) * 180) / Math.PI;
 
 /**
+ * Where a share of the normal impulse is on the course of sliding.
+ * @param {Numbers} press
+ * @param {number} share
+ * @returns {(values: Numbers, wide: number, first: number) => Vector}  three numbers of each row, at that share
+ */
+function alongCourse(press, share) {
+  const given = share * press[press.length - 1];
+  const next = Math.max(
+    press.findIndex((each) => each > given),
+    1,
+  );
+  const part = (given - press[next - 1]) / (press[next] - press[next - 1] || 1);
+  return (values, wide, first) =>
+    add(times(triple(values, wide * (next - 1) + first), 1 - part), triple(values, wide * next + first), part);
+}
+
+/**
  * The impulse on the target that has been given [N s].
  * @param {SpaceFrame} frame
  * @param {number} share  of the normal impulse
@@ -28,12 +45,26 @@ export const coneOf = ({ friction }) => (Math.atan(friction) * 180) / Math.PI;
  */
 export function givenAt({ push, slideImpulse, slidePress }, share) {
   if (!slideImpulse || !slidePress || share >= 1) return times(push, share);
-  const last = slidePress.length - 1;
-  const pressed = share * slidePress[last];
-  const next = Math.max(slidePress.findIndex((each) => each > pressed), 1);
-  const [before, after] = [slidePress[next - 1], slidePress[next]];
-  const part = (pressed - before) / (after - before || 1);
-  return add(times(triple(slideImpulse, 3 * next - 3), 1 - part), triple(slideImpulse, 3 * next), part);
+  return alongCourse(slidePress, share)(slideImpulse, 3, 0);
+}
+
+/**
+ * How a body goes and turns by then.
+ * @param {SpaceFrame} frame
+ * @param {Which} which
+ * @param {number} share
+ * @returns {{ velocity: Vector, spin: Vector }}
+ */
+export function movingAt(frame, which, share) {
+  const { after, before, mass = Infinity } = frame.bodies[which];
+  if (share <= 0 || share >= 1) return share > 0 ? after : before;
+  const { slidePress, slideSpins } = frame;
+  const [way, first] = which === 'target' ? [1, 3] : [-1, 0];
+  const turning =
+    slidePress && slideSpins
+      ? alongCourse(slidePress, share)(slideSpins, 6, first)
+      : add(times(before.spin, 1 - share), after.spin, share);
+  return { velocity: add(before.velocity, givenAt(frame, share), way / mass), spin: turning };
 }
 
 /**

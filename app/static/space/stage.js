@@ -7,7 +7,7 @@ import { brief } from '../text/format.js';
 import { arrow, label, stopAt, unlabelled } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
-import { drawImpulse, nameImpulse } from './impulse.js';
+import { drawImpulse, movingAt, nameImpulse } from './impulse.js';
 import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { summary } from './summary.js';
@@ -139,7 +139,6 @@ export class BodiesStage {
     const now = Math.min(Math.max(t, -1), 1);
     const [tip, contact, ...bodies] = drawnAt(this, now);
     unlabelled(c, [...corners(c, this, now), tip, contact], bodies);
-    const when = now < 0 ? 'before' : 'after';
     for (const name of BOTH)
       if (frame.bodies[name].shape === 'stop')
         stopAt(c, [this.x, this.y], this.flat(frame.normal), Math.max(0.1 * frame.size * this.scale, 16));
@@ -147,13 +146,13 @@ export class BodiesStage {
     for (const name of BOTH) {
       this.trail(c, name);
       this.body(c, name, -1);
-      if (now >= 0) this.moves(c, name, -1, 'before', false);
+      if (now >= 0) this.moves(c, name, -1, frame.bodies[name].before, false);
     }
     c.globalAlpha = 1;
     const struck = now >= 0 && frame.impulse > 0;
     for (const name of BOTH) this.body(c, name, now);
     if (struck) drawImpulse(c, this, this.share, 1 - 0.45 * now);
-    for (const name of BOTH) this.moves(c, name, now, when, true);
+    for (const name of BOTH) this.moves(c, name, now, movingAt(frame, name, now < 0 ? 0 : this.share), true);
     if (struck) nameImpulse(c, this, this.share);
     this.hands.draw(c);
     this.hold(c, now);
@@ -332,13 +331,11 @@ export class BodiesStage {
    * @param {Context} c
    * @param {Which} name
    * @param {number} t
-   * @param {'before' | 'after'} when
+   * @param {{ velocity: Vector, spin: Vector }} moving
    * @param {boolean} labelled
    */
-  moves(c, name, t, when, labelled) {
-    const body = this.frame.bodies[name];
-    if (body.shape === 'stop') return;
-    const { velocity, spin } = body[when];
+  moves(c, name, t, { spin, velocity }, labelled) {
+    if (this.frame.bodies[name].shape === 'stop') return;
     const from = this.at(this.pose(name, t).centre);
     c.fillStyle = c.strokeStyle = INK[name];
     c.font = FONT;
