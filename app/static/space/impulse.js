@@ -168,12 +168,12 @@ export function nameImpulse(c, stage, share) {
   const { frame, x, y } = stage;
   /** @type {Point} */
   const side = Math.abs(stage.flat(frame.normal)[0]) > 0.5 ? [0, -1] : [1, 0];
+  /** @type {Point} */
+  const beside = [x + (stage.stopped ? stage.reach + 8 : 12) * side[0], y + 14 * side[1]];
   c.fillStyle = COLORS.cursor;
   c.font = letters(13, 'bold ');
-  label(c, `J = ${brief(size(givenAt(frame, share)))} N s`, [x + 12 * side[0], y + 14 * side[1]], side);
-  const seen = coneSeen(stage);
-  if (!seen) return;
-  const [across, up] = seen.end.reduce((a, b) => (b[0] > a[0] ? b : a));
+  label(c, `J = ${brief(size(givenAt(frame, share)))} N s`, beside, side);
+  if (!(frame.friction > 0)) return;
   c.fillStyle = COLORS.modal;
-  label(c, text('space.cone', { angle: coneOf(frame) }), [x + across, y - up], [1, 0]);
+  label(c, text('space.cone', { angle: coneOf(frame) }), beside, side);
 }

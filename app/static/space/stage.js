@@ -119,6 +119,13 @@ export class BodiesStage {
   flat(p) {
     return [dot(p, this.across), dot(p, this.up)];
   }
+  get stopped() {
+    return BOTH.some((name) => this.frame.bodies[name].shape === 'stop');
+  }
+  /** Pixels of a stop to either side. */
+  get reach() {
+    return Math.max(0.1 * this.frame.size * this.scale, 16);
+  }
   get bodies() {
     return BOTH.map((name) => ({ ...this.frame.bodies[name], name }));
   }
@@ -139,9 +146,7 @@ export class BodiesStage {
     const now = Math.min(Math.max(t, -1), 1);
     const [tip, contact, ...bodies] = drawnAt(this, now);
     unlabelled(c, [...corners(c, this, now), tip, contact], bodies);
-    for (const name of BOTH)
-      if (frame.bodies[name].shape === 'stop')
-        stopAt(c, [this.x, this.y], this.flat(frame.normal), Math.max(0.1 * frame.size * this.scale, 16));
+    if (this.stopped) stopAt(c, [this.x, this.y], this.flat(frame.normal), this.reach);
     c.globalAlpha = 0.28;
     for (const name of BOTH) {
       this.trail(c, name);
