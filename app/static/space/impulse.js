@@ -175,5 +175,6 @@ export function nameImpulse(c, stage, share) {
   label(c, `J = ${brief(size(givenAt(frame, share)))} N s`, beside, side);
   if (!(frame.friction > 0)) return;
   c.fillStyle = COLORS.modal;
-  label(c, text('space.cone', { angle: coneOf(frame) }), beside, side);
+  const aside = side[0] ? 2 * x - beside[0] : beside[0]; // to the other side, so that each has room
+  label(c, text('space.cone', { angle: coneOf(frame) }), [aside, beside[1]], [-side[0], side[1]]);
 }
