@@ -92,6 +92,7 @@ def test_what_is_dropped_has_its_impacts_closer_where_the_window_is_wide(open_pa
             expect(lens).to_be_hidden()
             continue
         expect(lens).to_be_visible()
+        page.evaluate("() => strikewave.page.player.seek(0)")
         lasts = exact.contacts[-1].end * 1e6
         expect(lens).to_contain_text(f"It lasts {lasts:.3g} µs")
         box, names = lens.locator("canvas").bounding_box(), page.tab.locator(".happens li:visible")
@@ -190,7 +191,7 @@ def test_names_of_tracks_and_sliders_are_whole(open_page, scene, size):
     ends, width, cut = page.evaluate(
         """() => {
           const { root, tracks } = strikewave.page.opening.section;
-          const labels = [...document.querySelectorAll('.left .leading label')];
+          const labels = [...strikewave.page.root.querySelectorAll('.left .leading label')];
           const cut = labels.filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent);
           return [tracks.map(({ place: { left, room } }) => left + room), root.clientWidth, cut];
         }"""
@@ -219,7 +220,7 @@ def test_what_a_scene_is_about_is_in_view_in_the_dock_of_a_phone(open_page):
     page = open_page("", size=HANDS[1])
     page.show_scene("figure-8.18")
     page.wait("() => strikewave.page.opening.docked && strikewave.page.view.stack.root.scrollTop > 0")
-    dock, chart = (page.tab.locator(name).bounding_box() for name in (".time-views", ".chart:not(.folded) >> nth=0"))
+    dock, chart = (page.tab.locator(name).bounding_box() for name in (".time-views:visible", ".time-views:visible .chart:not(.folded)"))
     assert chart["y"] + chart["height"] <= dock["y"] + dock["height"] + 1
 
 
