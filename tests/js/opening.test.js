@@ -229,7 +229,7 @@ test('of many names those are seen that have room, and the others are counted', 
   }
 });
 
-test('every impact is seen closer with its own force and the flight before it, and that which is nearest is shown', () => {
+test('every impact is seen closer with its own force and the flight before it, the nearest is shown', () => {
   const bounces = [{ t: 0.4 }, { t: 1.2 }, { t: 1.6 }];
   const frame = {
     touches: Float64Array.of(0.01, 30, 0.02, 20, 0.03, 10),

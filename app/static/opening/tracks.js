@@ -23,7 +23,9 @@ import { weave } from './rows.js';
  * @property {number[]} [marks]  shares of its width that are marked
  */
 /** @typedef {{ t: number, value: number, words: string }} Bar */
-/** @typedef {{ left: number, right: number, top: number, tall: number, room: number }} Place  [px]; room for its title */
+/**
+ * @typedef {{ left: number, right: number, top: number, tall: number, room: number }} Place  [px]; room: of its title
+ */
 /**
  * The clock that all share.
  * @typedef {object} Clock
