@@ -7,14 +7,16 @@ import numpy as np
 
 from solvers import METHODS, Bounces, Scene, Solution, bounces
 from solvers.bodies.drop import height_and_gravity
+from solvers.solution.solution import apparent_time
 
 from ..choices.built_in import base_of
 from ..choices.request import Request
-from .encoding import LARGEST_MASS
+from .encoding import LARGEST_MASS, force_history
 
 FINE, INSTANTS = 20, (33, 9)  # flights that are drawn finely; instants of these, and of later ones
 CUT, MOST = 2e-4, 24  # of the first height; impacts that are solved
 BUDGET = 0.3  # seconds that they may take, after which the later ones are summed up
+CLOSER = 121  # instants of the force of an impact
 ALIKE = 1e-6  # restitutions of impacts after which all that follow give as much back
 
 
@@ -28,7 +30,10 @@ def fall_fields(request: Request, exact: Solution) -> tuple[dict[str, Any], dict
     options = dict(exact.method)
     method = METHODS[options.pop("name")].read(options).without_estimate()
     latest = perf_counter() + BUDGET
-    found = bounces(scene, method, CUT, MOST, gravity, lambda: perf_counter() > latest)
+    forces: list[np.ndarray | None] = []
+    found = bounces(
+        scene, method, CUT, MOST, gravity, lambda: perf_counter() > latest, lambda each: forces.append(closer(each))
+    )
     time, height = flights(found)
     mass = min(scene.impactor.mass, LARGEST_MASS)
     rows = [
@@ -36,7 +41,21 @@ def fall_fields(request: Request, exact: Solution) -> tuple[dict[str, Any], dict
         for each in found.bounces
     ]
     header = {"height": found.height, "gravity": gravity, "rest": _rest(found, gravity)}
-    return {"fall": header}, {"fallTime": time, "fallHeight": height, "bounces": np.array(rows)}
+    arrays = {"fallTime": time, "fallHeight": height, "bounces": np.array(rows)}
+    shown = [force for force in forces if force is not None]
+    if len(shown) == len(rows):
+        arrays["touches"] = np.array([(each.contact_time, each.peak_force) for each in found.bounces])
+        arrays["touchForce"] = np.array(shown)
+    return {"fall": header}, arrays
+
+
+def closer(solution: Solution) -> np.ndarray | None:
+    """The contact force [N] of one impact, evenly over its time; None if it takes none."""
+    lasts = apparent_time(solution.contacts)
+    if not lasts or solution.peak_force is None:
+        return None
+    start = solution.contacts[0].start
+    return np.interp(np.linspace(start, start + lasts, CLOSER), *force_history(solution))
 
 
 def _rest(found: Bounces, gravity: float) -> float | None:

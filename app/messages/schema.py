@@ -92,6 +92,8 @@ AXIAL: Fields = {
             "bounces": Field(
                 "(bounces, 4)", "time from the release on [s], impulse [N s], height after it [m], restitution"
             ),
+            "touches": Field("(bounces, 2)", "how long each touches [s], and its largest force [N]"),
+            "touchForce": Field("(bounces, touch)", "evenly over that [N]"),
             "f#Time": Field("(wave f#)", "of the wave that the left end of rod # sends; at a jump twice [T]"),
             "f#": Field("(wave f#)", "[Z v]"),
             "g#Time": Field("(wave g#)", "likewise of its right end, unless that only mirrors"),
@@ -247,8 +249,9 @@ BODIES: Fields = {
             "slideParting": Field("(course)", "velocity at which the touching points part [m/s]"),
             "slideAlong": Field("(course)", "at which the impactor slides on the target, in the picture [m/s]"),
             "slideAside": Field("(course)", "and towards who looks [m/s]"),
+            "slideImpulse": Field("(course, 3)", "on the target, so far [N s]"),
             "slidePush": Field("(course)", "size of the impulse of friction [N s]"),
-            "slideSpin": Field("(course)", "of the impactor, about the line towards who looks [rad/s]"),
+            "slideSpins": Field("(course, 2, 3)", "of the impactor and of the target [rad/s]"),
         }
     ),
 }

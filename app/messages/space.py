@@ -12,7 +12,7 @@ import numpy as np
 from solvers import Body, RigidImpulse, Scene, Solution, Wall
 from solvers.bodies import in_space
 from solvers.contact.friction import MODELS
-from solvers.numerics.rigid.friction import sliding_path
+from solvers.numerics.rigid.friction import NEWTON, sliding_path
 from solvers.numerics.rigid.impulses import inverse_inertia, principal, strike
 from solvers.numerics.rigid.rotation import rotations
 from solvers.scenes.saved import saved_head
@@ -111,10 +111,14 @@ def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str,
     before = in_space(scene.impactor), in_space(scene.target)
     path, frame = sliding_path(*before, normal, float(scene.friction or 0.0), method["restitution"], law, COURSE_POINTS)
     slides = -path[:, 1:] @ frame
-    pushes, spins = _pushed(*before, slides - slides[0])
+    pushes = _pushes(*before, slides - slides[0])
+    given = pushes
+    if law == NEWTON:  # which knows no course: in proportion, to the impulse that is its own
+        given = np.outer(path[:, 0] / path[-1, 0], solution.impulse)
     return {
+        "slideImpulse": given,
         "slidePush": np.linalg.norm(pushes - np.outer(pushes @ normal, normal), axis=1),
-        "slideSpin": spins @ toward,
+        "slideSpins": np.stack([_spins(before[0], -given), _spins(before[1], given)], axis=1),
         "slidePress": path[:, 0],
         "slideParting": path[:, 1],
         "slideAlong": slides @ along,
@@ -122,17 +126,27 @@ def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str,
     }
 
 
-def _pushed(impactor: Any, target: Any, change: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Impulses on the impactor [N s] and its spins [rad/s], (course, 3), by which the points that touch move otherwise
-    by `change` (course, 3) [m/s]."""
-    inverse, turns = np.zeros((3, 3)), np.zeros((3, 3))
-    for body in (target, impactor):
-        arm = -np.array(body.centre, float)
-        cross = np.array([[0.0, -arm[2], arm[1]], [arm[2], 0.0, -arm[0]], [-arm[1], arm[0], 0.0]])
-        turns = inverse_inertia(body) @ cross
-        inverse += np.eye(3) / body.mass - cross @ turns
-    pushes = np.linalg.solve(inverse, change.T).T
-    return pushes, np.array(impactor.spin) + pushes @ turns.T
+def _pushes(impactor: Any, target: Any, change: np.ndarray) -> np.ndarray:
+    """Impulses on the target [N s], (course, 3), by which the points that touch move otherwise by `change` (course, 3)
+    [m/s]."""
+    inverse = sum(np.eye(3) / body.mass - _arm(body) @ _turns(body) for body in (target, impactor))
+    return -np.linalg.solve(inverse, change.T).T
+
+
+def _spins(body: Any, pushes: np.ndarray) -> np.ndarray:
+    """Spins [rad/s], (course, 3), of a body that is given these impulses [N s] where it is touched."""
+    return np.array(body.spin) + pushes @ _turns(body).T
+
+
+def _turns(body: Any) -> np.ndarray:
+    """By how much an impulse at the contact changes the spin, (3, 3)."""
+    return inverse_inertia(body) @ _arm(body)
+
+
+def _arm(body: Any) -> np.ndarray:
+    """The cross product of the arm of the contact, from the centre, and what follows, (3, 3) [m]."""
+    x, y, z = -np.array(body.centre, float)
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 def _masses(scene: Scene) -> list[list[Any]]:

@@ -393,6 +393,8 @@ export interface AxialFrame extends Common {
   /** (fallen) from its release on [s] */ fallTime?: Numbers;
   /** (fallen) parabola by parabola [m] */ fallHeight?: Numbers;
   /** (bounces, 4) time from the release on [s], impulse [N s], height after it [m], restitution */ bounces?: Numbers;
+  /** (bounces, 2) how long each touches [s], and its largest force [N] */ touches?: Numbers;
+  /** (bounces, touch) evenly over that [N] */ touchForce?: Numbers;
   /** (motion) [v T] */ otherMass?: Numbers;
   /** (motion) [v T] */ otherEnd?: Numbers;
   /** (other force) [T] */ otherTime?: Numbers;
@@ -465,8 +467,9 @@ export interface SpaceFrame extends Common {
   /** (course) velocity at which the touching points part [m/s] */ slideParting?: Numbers;
   /** (course) at which the impactor slides on the target, in the picture [m/s] */ slideAlong?: Numbers;
   /** (course) and towards who looks [m/s] */ slideAside?: Numbers;
+  /** (course, 3) on the target, so far [N s] */ slideImpulse?: Numbers;
   /** (course) size of the impulse of friction [N s] */ slidePush?: Numbers;
-  /** (course) of the impactor, about the line towards who looks [rad/s] */ slideSpin?: Numbers;
+  /** (course, 2, 3) of the impactor and of the target [rad/s] */ slideSpins?: Numbers;
   /** of the arrays, by name */ shapes: Record<string, number[]>;
 }
 

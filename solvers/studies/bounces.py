@@ -12,7 +12,7 @@ from ..bodies.lumped import SPEED_RANGE
 from ..methods.base import Method, SceneNotSupported, never
 from ..scene import Scene
 from ..scenes.library import SceneOrName, scene_of
-from ..solution.solution import apparent_time
+from ..solution.solution import Solution, apparent_time
 from ..solve import solve
 from ..text.notes import Note, Severity, coded
 from ..validation import allowed
@@ -64,6 +64,7 @@ def bounces(
     count: int = USUAL_BOUNCES,
     gravity: float | None = None,
     cancelled: Callable[[], bool] = never,
+    solved: Callable[[Solution], Any] | None = None,
 ) -> Bounces:
     """The impacts of a body that falls on what is held, each solved for its speed, with free flights between them.
 
@@ -71,7 +72,7 @@ def bounces(
     the height `cut`, as a part of the first, they are summed up with the last restitution e, 2 v / (g (1 - e)) in
     time and v^2 / (g (1 - e^2)) in way, v being the last rebound. It ends before that where a contact outlasts the
     flight to it, since weight then has a say in it; where the body stays; or after `count` impacts. Each is solved
-    until the bodies part for good, whatever duration the scene names.
+    until the bodies part for good, whatever duration the scene names. `solved` is given the solution of each.
     Assumes: the struck body has come to rest by the next impact, and has not yielded where that falls; no weight during
     contact; no air.
     Raises SceneError for an impactor that is no mass, a target that is not held, or a mechanism, which moves on (see
@@ -92,6 +93,8 @@ def bounces(
     undated = {"method": {name: value for name, value in scene.method.items() if name != "duration"}}
     while not found or (len(found) < count and not cancelled()):
         solution = solve(scene.replace({"impactor.velocity": speed} | undated), method)
+        if solved is not None:
+            solved(solution)
         used, rebound = solution.method, -float(solution.impactor_velocity)
         lasted = apparent_time(solution.contacts)
         rises = 0.5 * max(rebound, 0.0) ** 2 / gravity

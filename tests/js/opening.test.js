@@ -5,7 +5,7 @@ import { WaveField } from '../../app/static/axial/fields.js';
 import { filledOf, placing, seamIn } from '../../app/static/axial/traces.js';
 import { pushesOf } from '../../app/static/axial/question.js';
 import { palette, shade } from '../../app/static/charts/styles.js';
-import { impactOf } from '../../app/static/fall/lens.js';
+import { impactsOf, nearest } from '../../app/static/fall/lens.js';
 import { eventsOf as fallEvents, fallOf } from '../../app/static/fall/view.js';
 import { spread, windowOf } from '../../app/static/opening/happens.js';
 import { weave } from '../../app/static/opening/rows.js';
@@ -152,13 +152,16 @@ const COURSE = {
   slideAlong: Float64Array.of(3, 0, 0, 0),
   slideAside: Float64Array.of(4, 0, 0, 0),
   slidePush: Float64Array.of(0, 0.5, 0.5, 0.5),
-  slideSpin: Float64Array.of(9, 5, 5, 5),
+  ...{ across: [1, 0, 0], up: [0, 1, 0] },
+  slideSpins: Float64Array.from([9, 5, 5, 5].flatMap((spin) => [0, 1, spin, 0, 0, 0])),
 };
 
 test('the clock of an impact without time is its impulse', () => {
   const { series } = slideTracks(COURSE).tracks[1];
   assert.deepEqual(Array.from(series[0].x), [-1, 0, 0.5, 1, 2, 3]);
   assert.deepEqual(Array.from(series[0].y), [5, 5, 0, 0, 0, 0]); // its size: 3 along, 4 aside
+  const spin = slideTracks(COURSE).tracks[3].series; // of the one that turns
+  assert.deepEqual([spin.length, Array.from(spin[0].y)], [1, [9, 9, 5, 5, 5, 5]]);
   assert.deepEqual([-0.5, 0, 1.2, 2, 2.5].map(movedAt), [-0.5, 0, 0, 0, 0.5]);
   const events = courseOf(COURSE, 'They touch.');
   assert.deepEqual(
@@ -226,13 +229,27 @@ test('of many names those are seen that have room, and the others are counted', 
   }
 });
 
-test('the impact that is seen closer has its force in newtons, and ends as they part; a sudden one has none', () => {
-  const force = { exactTime: Float64Array.of(0, 1, 2, 9), exactForce: Float64Array.of(0, 3, 0, 0) };
-  const frame = { ...force, exact: { contacts: [[0, 2, 1, 3]], sudden: false }, forceUnit: 10, trip: 1e-3 };
-  const { end, fell, x, y } = impactOf(frame, 0.4);
-  assert.deepEqual([...y], [0, 30, 0, 0]);
-  assert.deepEqual([x[1], end, fell], [1e-3, 2e-3, 0.4]);
-  assert.equal(impactOf({ ...frame, exact: { ...frame.exact, sudden: true } }, 0.4), null);
+test('every impact is seen closer with its own force and the flight before it, the nearest is shown', () => {
+  const bounces = [{ t: 0.4 }, { t: 1.2 }, { t: 1.6 }];
+  const frame = {
+    touches: Float64Array.of(0.01, 30, 0.02, 20, 0.03, 10),
+    touchForce: Float64Array.of(0, 29, 0, 0, 20, 0, 0, 10, 0),
+  };
+  const found = impactsOf(frame, bounces);
+  assert.deepEqual(
+    found.map(({ end, most, y }) => [end, most, ...y]),
+    [
+      [0.01, 30, 0, 29, 0],
+      [0.02, 20, 0, 20, 0],
+      [0.03, 10, 0, 10, 0],
+    ],
+  );
+  for (const [k, flown] of [0.4, 0.79, 0.38].entries()) assert.ok(Math.abs(found[k].flown - flown) < 1e-12);
+  assert.deepEqual(
+    [-1, 0.5, 0.79, 0.81, 1.3, 9].map((t) => nearest(found, t)),
+    [0, 0, 0, 1, 1, 2],
+  );
+  assert.deepEqual(impactsOf({}, bounces), []); // without duration
 });
 
 const BAR = { transit: 0.5, impedance: 1, drift: 0, area: 1, joint: null, mirror: 0 };

@@ -1,6 +1,6 @@
-// The first impact of what is dropped, seen closer: its force over time, which is far shorter than its fall.
+// Of what is dropped the impact that is nearest to the clock, seen closer: its force over time.
 import { cleared, letters, scale as zoom } from '../charts/canvas.js';
-import { between, ticks } from '../charts/scale.js';
+import { ticks } from '../charts/scale.js';
 import { COLORS, css } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { unitOfTime } from '../shell/times.js';
@@ -8,55 +8,87 @@ import { text } from '../text/catalogue.js';
 import { duration, engineering, figures, localised, scaled } from '../text/format.js';
 
 /** @import { AxialFrame, Numbers } from '../messages.js' */
+/** @import { Bounce } from './view.js' */
 
 const EDGE = { left: 40 * zoom, right: 10, top: 26 * zoom, bottom: 22 * zoom }; // pixels
 const LATER = 1.12; // of the time that it lasts, that is drawn
-const HOT = 1.15; // of the peak, that has the colour of the largest
+const HOT = 1.15; // of the largest force of all impacts, that has the colour of the largest
 
 /**
  * @typedef {object} Impact
- * @property {Numbers} x  times [s]
- * @property {Numbers} y  forces [N]
+ * @property {number} t  when it begins, from the release on [s]
+ * @property {Numbers} y  forces, evenly until they part [N]
  * @property {number} end  when they part [s]
- * @property {number} fell  how long it fell before [s]
+ * @property {number} most  the largest force [N]
+ * @property {number} flown  how long it fell, or flew, before [s]
  */
 
 /**
- * The force of the impact that the message has; nothing of one that takes no time.
+ * The forces of all impacts; none where one takes no time.
  * @param {AxialFrame} frame
- * @param {number} fell  how long it fell [s]
- * @returns {Impact | null}
+ * @param {Bounce[]} bounces
+ * @returns {Impact[]}
  */
-export function impactOf({ exact: { contacts, sudden }, exactForce, exactTime, forceUnit, trip }, fell) {
-  const end = (contacts.at(-1)?.[1] ?? 0) * trip;
-  if (sudden || exactTime.length < 2 || !(end > 0)) return null;
-  return { x: exactTime.map((t) => t * trip), y: exactForce.map((force) => force * forceUnit), end, fell };
+export function impactsOf({ touches, touchForce }, bounces) {
+  if (!touches || !touchForce) return [];
+  const count = touchForce.length / bounces.length;
+  let parted = 0;
+  return bounces.map(({ t }, k) => {
+    const [end, most] = touches.subarray(2 * k);
+    const flown = t - parted;
+    parted = t + end;
+    return { t, end, most, flown, y: touchForce.subarray(count * k, count * (k + 1)) };
+  });
 }
 
+/**
+ * Which impact is nearest to an instant.
+ * @param {Impact[]} impacts
+ * @param {number} t
+ */
+export const nearest = (impacts, t) =>
+  impacts.reduce((best, each, k) => (Math.abs(each.t - t) < Math.abs(impacts[best].t - t) ? k : best), 0);
+
 export class Lens {
-  /** @type {Impact | null} */ impact = null;
+  /** @type {Impact[]} */ impacts = [];
+  shown = -1; // of them
   canvas = make('canvas', { role: 'img', ariaLabel: text('fall.lens-about') });
   area = make('div', {}, this.canvas);
+  title = make('h3');
   lasts = make('p');
-  root = make('section', { className: 'lens' }, make('h3', { textContent: text('fall.lens') }), this.lasts, this.area);
+  root = make('section', { className: 'lens' }, this.title, this.lasts, this.area);
 
-  /** @param {Impact | null} impact */
-  load(impact) {
-    this.impact = impact;
-    this.root.hidden = !impact;
-    if (!impact) return;
-    const times = figures(impact.fell / impact.end, 2);
-    this.lasts.textContent = text('fall.lasts', { time: duration(impact.end), times });
+  /** @param {Impact[]} impacts */
+  load(impacts) {
+    this.impacts = impacts;
+    this.shown = -1;
+    this.root.hidden = !impacts.length;
+  }
+  /**
+   * The impact that is nearest to the clock.
+   * @param {number} t
+   */
+  show(t) {
+    const { impacts, shown } = this;
+    if (!impacts.length) return;
+    this.shown = nearest(impacts, t);
+    if (this.shown === shown) return;
+    const number = this.shown + 1;
+    const { end, flown } = impacts[this.shown];
+    this.title.textContent = text('fall.lens', { number });
+    const times = figures(flown / end, 2);
+    this.lasts.textContent = text('fall.lasts', { first: number === 1, time: duration(end), times });
     this.draw();
   }
   draw() {
-    const { impact } = this;
+    const impact = this.impacts[this.shown];
     const sheet = impact && cleared(this.canvas, this.area);
-    if (!impact || !sheet) return;
+    if (!sheet) return;
     const { c, width, height } = sheet;
-    const { end, x, y } = impact;
+    const { end, most, y } = impact;
+    const step = end / (y.length - 1);
+    const hardest = Math.max(...this.impacts.map((each) => each.most));
     const [left, right, top, floor] = [EDGE.left, width - EDGE.right, EDGE.top, height - EDGE.bottom];
-    const most = y.reduce((a, b) => Math.max(a, b), 0);
     const across = (/** @type {number} */ t) => left + (t / (LATER * end)) * (right - left);
     const up = (/** @type {number} */ force) => floor - (force / most) * (floor - top);
     c.font = letters(13);
@@ -65,17 +97,18 @@ export class Lens {
     this.#scales(c, impact, most, { left, right, top, floor });
     for (let px = Math.floor(left); px < right; px++) {
       const t = ((px + 0.5 - left) / (right - left)) * LATER * end;
-      const force = t > 0 && t < end ? between(x, y, t) : 0;
-      c.fillStyle = css(force, HOT * most);
+      const force = t < end ? y[Math.floor(t / step)] : 0;
+      c.fillStyle = css(force, HOT * hardest);
       if (force > 0) c.fillRect(px, up(force), 1, floor - up(force));
     }
     c.strokeStyle = COLORS.ink;
     c.lineWidth = 1.6;
     c.beginPath();
     c.moveTo(left, floor);
-    for (let k = 0; k < x.length && x[k] <= LATER * end; k++) c.lineTo(across(x[k]), up(y[k]));
+    for (let k = 0; k < y.length; k++) c.lineTo(across(k * step), up(y[k]));
+    c.lineTo(right, floor);
     c.stroke();
-    this.#peak(c, most, [across(x[y.indexOf(most)]), top, width]);
+    this.#peak(c, most, [across(step * y.indexOf(Math.max(...y))), top, width]);
   }
   /**
    * @param {CanvasRenderingContext2D} c

@@ -10,7 +10,7 @@ import { engineering, figures, localised, scaled } from '../text/format.js';
 /** @import { Fall } from './view.js' */
 /** @typedef {CanvasRenderingContext2D} Context */
 
-const EDGE = { narrow: 52, wide: 0.15, right: 26, top: 46, bottom: 34 }; // pixels, and a share of the width
+const EDGE = { narrow: 66, wide: 0.15, right: 26, top: 46, bottom: 34 }; // pixels, and a share of the width
 const NARROW = 560;
 const FLOOR = 0.72; // of the height between top and bottom
 const BALL = 22; // pixels, its radius
@@ -180,7 +180,7 @@ export class FallStage {
    * @param {Fall} fall
    */
   #impulses(c, { bounces }) {
-    const { bottom, floor, left } = this.box;
+    const { bottom, floor, left, right } = this.box;
     const most = bounces[0].impulse;
     const room = BARS.most * (bottom - floor);
     bounces.forEach(({ impulse, t }, k) => {
@@ -193,7 +193,7 @@ export class FallStage {
         this.words.say(said, x, floor + 12 + long + 13 * zoom, COLORS.ink, letters(13, k ? '' : '600 '), 'center');
     });
     const title = text('fall.impulses');
-    const [at, y] = left > EDGE.narrow ? [left - 8, floor + 26 * zoom] : [left + 60 * zoom, bottom - 4];
+    const [at, y] = left > EDGE.narrow ? [left - 8, floor + 26 * zoom] : [right, bottom - 4]; // below the shortest
     this.words.say(title, at, y, COLORS.ink, letters(13, '600 '), 'right');
   }
   /**

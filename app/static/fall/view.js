@@ -3,7 +3,7 @@ import { make } from '../shell/dom.js';
 import { Events } from '../shell/story.js';
 import { text } from '../text/catalogue.js';
 import { figures, length, percent, speed } from '../text/format.js';
-import { impactOf, Lens } from './lens.js';
+import { impactsOf, Lens } from './lens.js';
 import { FallStage } from './stage.js';
 
 /** @import { Page } from '../page.js' */
@@ -88,14 +88,14 @@ export class FallView {
   /** @param {boolean} hidden */
   hide(hidden) {
     this.stage.root.hidden = hidden;
-    this.lens.hidden = hidden || !this.closer.impact;
+    this.lens.hidden = hidden || !this.closer.impacts.length;
   }
   /** @param {AxialFrame} frame */
   load(frame) {
     this.given = frame.rigid; // its restitution, as nothing gives way
     this.fall = fallOf(frame);
     this.stage.load(this.fall);
-    this.closer.load(this.fall && impactOf(frame, this.fall.bounces[0].t));
+    this.closer.load(this.fall ? impactsOf(frame, this.fall.bounces) : []);
   }
   /** @param {AxialFrame} frame */
   clock({ chosen, opens }) {
@@ -119,5 +119,6 @@ export class FallView {
   /** @param {number} t */
   show(t) {
     this.stage.draw(t);
+    this.closer.show(t);
   }
 }

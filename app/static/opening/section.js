@@ -220,7 +220,7 @@ export class Section {
     const after = drawn.left + c.measureText(`${title} `).width;
     if (after + c.measureText(about).width < width) c.fillText(about, after + 8, top - 8);
     const beside = Math.max(drawn.left, from + long + 12);
-    c.fillText(by, beside, top - 8 - LABEL.line * zoom, width - beside);
+    c.fillText(by, beside, top - 8 - LABEL.line * zoom, width - beside - 8);
     c.fillStyle = WALL;
     if (held) c.fillRect(drawn.right, top, 5, tall);
   }

@@ -23,7 +23,9 @@ import { weave } from './rows.js';
  * @property {number[]} [marks]  shares of its width that are marked
  */
 /** @typedef {{ t: number, value: number, words: string }} Bar */
-/** @typedef {{ left: number, right: number, top: number, tall: number }} Place  [px] */
+/**
+ * @typedef {{ left: number, right: number, top: number, tall: number, room: number }} Place  [px]; room: of its title
+ */
 /**
  * The clock that all share.
  * @typedef {object} Clock
@@ -51,9 +53,10 @@ export function placed(tracks, left, right, { top, tall }) {
   const room = right - left - (count - 1) * GAP;
   const all = shown.reduce((sum, { share }) => sum + share, 0);
   let from = left;
-  return shown.map((track) => {
+  return shown.map((track, k) => {
     const to = from + (room * track.share) / all;
-    const place = { left: from, right: to, top, tall };
+    const beyond = k < count - 1 ? GAP - 8 : 0; // beside the last one the picture ends
+    const place = { left: from, right: to, top, tall, room: to - from + beyond };
     from = to + GAP;
     return { track, place };
   });
@@ -73,7 +76,7 @@ const across = ({ range: [low, high] }, { left, right }, value) =>
  * @param {Track} track
  * @param {Place} place
  */
-function head(c, track, { left, right, top }) {
+function head(c, track, { left, right, room, top }) {
   const { ends, range, title, unit = '' } = track;
   const [factor, sign] = scaled(Math.max(...range.map(Math.abs)), unit);
   const value = (/** @type {number} */ end) => localised(String(Number((range[end] * factor).toPrecision(2))));
@@ -83,7 +86,7 @@ function head(c, track, { left, right, top }) {
   c.textAlign = 'left';
   c.font = letters(13, '600 ');
   c.fillStyle = COLORS.ink;
-  c.fillText(named, left, top - 25 * zoom, right - left + GAP - 8);
+  c.fillText(named, left, top - 25 * zoom, room);
   c.font = letters(13);
   c.fillStyle = COLORS.faint;
   c.fillText(first, left, top - 6);

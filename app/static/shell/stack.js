@@ -18,6 +18,7 @@ export class Stack {
   /** @type {HTMLButtonElement[]} */ buttons = [];
   /** @type {unknown} */ scene = null; // that is shown
   /** @type {string[]} */ leading = []; // charts that it was opened with
+  sought = false; // whether these are still to come into view
   beside = false; // a picture that shows what the others do: those that it was opened with have all the room
 
   /**
@@ -79,7 +80,7 @@ export class Stack {
    * @param {string[]} charts
    */
   lead(scene, charts) {
-    if (scene !== this.scene) this.leading = charts;
+    if (scene !== this.scene) [this.leading, this.sought] = [charts, charts.length > 0];
     this.scene = scene;
     this.arrange();
   }
@@ -131,6 +132,16 @@ export class Stack {
       button.ariaLabel = text('layout.fold', { open, title: chart.title.textContent });
       button.textContent = open ? '▾' : '▸';
     });
+    if (this.sought) this.#bring();
+  }
+  /** What the scene was opened with comes into view where the charts scroll. */
+  #bring() {
+    this.sought = false;
+    const [, chart] = this.charts.find(([key]) => this.leading.includes(key)) ?? [];
+    if (!chart) return;
+    const [box, part] = [this.root, chart.root].map((each) => each.getBoundingClientRect());
+    const above = part.top - box.top;
+    this.root.scrollTop += above < 0 ? above : Math.max(Math.min(part.bottom - box.bottom, above), 0);
   }
   /** @param {string} key */
   #toggle(key) {

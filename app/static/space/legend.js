@@ -6,6 +6,7 @@ import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, head, label, measure } from './arrows.js';
 import { AXES } from './box.js';
+import { LONG } from './impulse.js';
 import { add, dot, size, times } from './vectors.js';
 
 /** @import { SpaceFrame, Vector } from '../messages.js' */
@@ -59,8 +60,8 @@ const timeOf = (frame, t) =>
   text('space.when', { before: t < 0, time: `${brief(Math.abs(t) * frame.duration * 1e3)} ms` });
 
 /**
- * Where no label may lie: on the time, on the length to measure by, below the picture, and under the buttons that turn
- * it.
+ * Where no label may lie: on the time, on the length to measure by, beside or below the picture, and under the buttons
+ * that turn it.
  * @param {Context} c
  * @param {BodiesStage} stage
  * @param {number} t
@@ -73,6 +74,7 @@ export function corners(c, { frame, high: height, scale, wide: width }, t) {
     [0, 0, left + c.measureText(timeOf(frame, t)).width + 4, top + 14 * larger],
     [width - BUTTONS[0] * larger, 0, width, BUTTONS[1] * larger],
     [0, height, width, Infinity], // below the picture
+    [width, 0, Infinity, Infinity], // beside it, where the tracks are
     [
       width - 20 - Math.max(roundBelow((0.2 * width) / scale) * scale, 40 * larger),
       height - 34 * larger,
@@ -107,7 +109,7 @@ export function drawnAt(stage, t) {
     const from = stage.at(stage.pose(name, -1).centre);
     found.push(about(from, Math.max(radius * stage.scale, HANDLE)));
     found.push(...onWay(from, stage.flat(times(before.velocity, stage.long / stage.speed))));
-    const away = stage.flat(times(stage.frame.push, (0.9 * stage.long) / (stage.frame.impulse || 1)));
+    const away = stage.flat(times(stage.frame.push, (LONG * stage.long) / (stage.frame.impulse || 1)));
     found.push(...onWay([stage.x, stage.y], name === 'target' ? away : [-away[0], -away[1]]));
   }
   return found;

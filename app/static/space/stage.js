@@ -1,13 +1,13 @@
 // The stage for bodies in space: both before (faint) and after one impulse, projected without perspective on the plane
 // of the message. Lengths are true; time runs from -1 to 1 in units of the message's `duration`, the impact at 0.
 import { cleared, letters, sizeOf } from '../charts/canvas.js';
-import { COLORS } from '../charts/styles.js';
 import { make } from '../shell/dom.js';
 import { text } from '../text/catalogue.js';
 import { brief } from '../text/format.js';
 import { arrow, label, stopAt, unlabelled } from './arrows.js';
 import { AXES, CORNERS, EDGES } from './box.js';
 import { Hands, LOOKS, turnedBy } from './hands.js';
+import { drawImpulse, movingAt, nameImpulse } from './impulse.js';
 import { corners, drawnAt, legend, spinOf } from './legend.js';
 import { poseAt } from './pose.js';
 import { summary } from './summary.js';
@@ -37,6 +37,7 @@ export class BodiesStage {
   /** @type {Vector} */ toward = [0, 0, 1]; // who looks
   /** @type {HTMLElement | null} */ lap = null; // what lies over its lower right, in the opening
   time = 0; // that is shown
+  share = 1; // of the impulse
   box = [0, 1, 0, 1]; // left, right, low and high of all that moves [m]
   speed = 0; // the largest
   spin = 0;
@@ -71,7 +72,7 @@ export class BodiesStage {
     this.redraw();
   }
   redraw() {
-    this.draw(this.time);
+    this.draw(this.time, this.share);
   }
   #measure() {
     const { frame } = this;
@@ -118,14 +119,21 @@ export class BodiesStage {
   flat(p) {
     return [dot(p, this.across), dot(p, this.up)];
   }
+  get stopped() {
+    return BOTH.some((name) => this.frame.bodies[name].shape === 'stop');
+  }
+  /** Pixels of a stop to either side. */
+  get reach() {
+    return Math.max(0.1 * this.frame.size * this.scale, 16);
+  }
   get bodies() {
     return BOTH.map((name) => ({ ...this.frame.bodies[name], name }));
   }
   /**
-   * Time from -1 to 1.
-   * @param {number} t
+   * @param {number} t  from -1 to 1
+   * @param {number} share  of the normal impulse that has been given by then, where its clock is the impulse
    */
-  draw(t) {
+  draw(t, share = 1) {
     const { canvas, frame, root } = this;
     if (!frame) return;
     const sheet = cleared(canvas, root);
@@ -134,26 +142,23 @@ export class BodiesStage {
     const [covered, tall] = this.lap ? sizeOf(this.lap) : [0, 0];
     const width = sheet.width - covered;
     this.fit(width, height);
-    this.time = t;
+    [this.time, this.share] = [t, share];
     const now = Math.min(Math.max(t, -1), 1);
     const [tip, contact, ...bodies] = drawnAt(this, now);
     unlabelled(c, [...corners(c, this, now), tip, contact], bodies);
-    const when = now < 0 ? 'before' : 'after';
-    for (const name of BOTH)
-      if (frame.bodies[name].shape === 'stop')
-        stopAt(c, [this.x, this.y], this.flat(frame.normal), Math.max(0.1 * frame.size * this.scale, 16));
+    if (this.stopped) stopAt(c, [this.x, this.y], this.flat(frame.normal), this.reach);
     c.globalAlpha = 0.28;
     for (const name of BOTH) {
       this.trail(c, name);
       this.body(c, name, -1);
-      if (now >= 0) this.moves(c, name, -1, 'before', false);
+      if (now >= 0) this.moves(c, name, -1, frame.bodies[name].before, false);
     }
     c.globalAlpha = 1;
     const struck = now >= 0 && frame.impulse > 0;
-    if (struck) this.impulse(c, 1 - 0.45 * now);
     for (const name of BOTH) this.body(c, name, now);
-    for (const name of BOTH) this.moves(c, name, now, when, true);
-    if (struck) this.impulseLabel(c);
+    if (struck) drawImpulse(c, this, this.share, 1 - 0.45 * now);
+    for (const name of BOTH) this.moves(c, name, now, movingAt(frame, name, now < 0 ? 0 : this.share), true);
+    if (struck) nameImpulse(c, this, this.share);
     this.hands.draw(c);
     this.hold(c, now);
     legend(c, this, now, width, height);
@@ -331,13 +336,11 @@ export class BodiesStage {
    * @param {Context} c
    * @param {Which} name
    * @param {number} t
-   * @param {'before' | 'after'} when
+   * @param {{ velocity: Vector, spin: Vector }} moving
    * @param {boolean} labelled
    */
-  moves(c, name, t, when, labelled) {
-    const body = this.frame.bodies[name];
-    if (body.shape === 'stop') return;
-    const { velocity, spin } = body[when];
+  moves(c, name, t, { spin, velocity }, labelled) {
+    if (this.frame.bodies[name].shape === 'stop') return;
     const from = this.at(this.pose(name, t).centre);
     c.fillStyle = c.strokeStyle = INK[name];
     c.font = FONT;
@@ -368,32 +371,5 @@ export class BodiesStage {
     if (way < 0.1) return [0, 1]; // seen from its end
     const ahead = going[0] * y - going[1] * x > 0 ? -1 : 1; // of (y, -x), which is across
     return [(ahead * y) / way, (ahead * x) / way];
-  }
-  /**
-   * @param {Context} c
-   * @param {number} strength
-   */
-  impulse(c, strength) {
-    const [nx, ny] = this.flat(times(this.frame.push, 1 / this.frame.impulse));
-    const long = 0.9 * this.long;
-    const { bodies } = this.frame;
-    c.globalAlpha = strength;
-    c.strokeStyle = c.fillStyle = COLORS.cursor;
-    for (const name of BOTH) {
-      const way = name === 'target' ? long : -long;
-      if (bodies[name].shape !== 'stop') arrow(c, [this.x, this.y], [this.x + way * nx, this.y - way * ny], 3.2);
-    }
-    c.beginPath();
-    c.arc(this.x, this.y, 4, 0, 7);
-    c.fill();
-    c.globalAlpha = 1;
-  }
-  /** @param {Context} c */
-  impulseLabel(c) {
-    /** @type {Point} */
-    const side = Math.abs(this.flat(this.frame.normal)[0]) > 0.5 ? [0, -1] : [1, 0];
-    c.fillStyle = COLORS.cursor;
-    c.font = letters(13, 'bold ');
-    label(c, `J = ${brief(this.frame.impulse)} N s`, [this.x + 12 * side[0], this.y + 14 * side[1]], side);
   }
 }

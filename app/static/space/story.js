@@ -3,6 +3,7 @@ import { make, rowOf } from '../shell/dom.js';
 import { Warnings, Events, heading, noteOf, scrolled } from '../shell/story.js';
 import { pretty } from '../text/format.js';
 import { said, text } from '../text/catalogue.js';
+import { coneOf } from './impulse.js';
 import { courseOf, impulseAt, wayOf } from './tracks.js';
 import { dot } from './vectors.js';
 
@@ -23,12 +24,13 @@ function written(value) {
  * What happens, in words.
  * @param {SpaceFrame} frame
  */
-function touchOf({ friction, impulse, normal, push, sliding }) {
+function touchOf(frame) {
+  const { friction, impulse, normal, push, sliding } = frame;
   if (!(impulse > 0)) return text('space.move-apart');
-  if (!sliding.length) return text('space.touch', { impulse: pretty(impulse) });
+  if (!sliding.length || !friction) return text('space.touch', { impulse: pretty(impulse) });
   const share = pretty(sliding[0].until / dot(push, normal));
   const kinds = sliding.map(({ kind }) => kind).join('-then-');
-  const slides = text(`space.sliding.${kinds}`, { share });
+  const slides = text(`space.sliding.${kinds}`, { angle: coneOf(frame), share });
   return text('space.touch-and-rub', { friction: pretty(friction), impulse: pretty(impulse), slides });
 }
 

@@ -2,6 +2,7 @@
 import { text } from '../text/catalogue.js';
 import { engineering, scaled } from '../text/format.js';
 import { bodyOf, smoothOf } from './smooth.js';
+import { cross, dot, triple } from './vectors.js';
 
 /** @import { Series } from '../charts/chart.js' */
 /** @import { Numbers, SpaceFrame } from '../messages.js' */
@@ -12,6 +13,7 @@ import { bodyOf, smoothOf } from './smooth.js';
 const ROOM = 1.1; // about the largest value
 const IMPACT = 2; // on the clock, from 0 on; the movement before it and after it takes 1 each
 export const CLOCK = { start: -1, length: 2 + IMPACT };
+const LEAST = 1e-6; // of the largest spin, that is one
 const BACK = 0.05; // of the largest velocity along the contact, that is more than nothing
 
 /**
@@ -19,6 +21,9 @@ const BACK = 0.05; // of the largest velocity along the contact, that is more th
  * @param {number} t
  */
 export const movedAt = (t) => (t < 0 ? t : Math.max(t - IMPACT, 0));
+
+/** How much of the normal impulse has been given. @param {number} t */
+export const shareAt = (t) => Math.min(Math.max(t / IMPACT, 0), 1);
 
 /** @type {Record<import('./smooth.js').Which, Series['style']>} */
 const INK = { impactor: 'joint6', target: 'exact' }; // as the bodies are drawn
@@ -104,8 +109,10 @@ function smooth(frame) {
  * @param {SpaceFrame} frame
  * @returns {Plain[] | null}
  */
-function rubbed({ friction, slideAlong, slideAside, slideParting, slidePress, slidePush, slideSpin }) {
-  if (!slidePress || !slideAlong || !slideAside || !slideParting || !slidePush || !slideSpin) return null;
+function rubbed(frame) {
+  const { friction, slideAlong, slideAside, slideParting, slidePress, slidePush } = frame;
+  if (!slidePress || !slideAlong || !slideAside || !slideParting || !slidePush) return null;
+  const spins = spinsOf(frame);
   const speed = Array.from(slideAlong, (v, k) => Math.hypot(v, slideAside[k]));
   const most = Array.from(slidePress, (push) => friction * push);
   const curve = (/** @type {Numbers | number[]} */ values, /** @type {Series['style']} */ style) =>
@@ -125,13 +132,38 @@ function rubbed({ friction, slideAlong, slideAside, slideParting, slidePress, sl
         { ...curve(most, 'prediction'), cursor: text('opening.track.cone') },
       ],
     },
-    {
-      title: text('opening.track.spin'),
-      unit: 'rad/s',
-      range: rangeOf(slideSpin),
-      series: [curve(slideSpin, 'halfSpace')],
-    },
+    ...(spins.length
+      ? [
+          {
+            ...{
+              title: text('opening.track.spin'),
+              unit: 'rad/s',
+              range: rangeOf(...spins.map(({ values }) => values)),
+            },
+            series: spins.map(({ values, which }) => ({
+              ...curve(values, INK[which]),
+              cursor: spins.length > 1 ? bodyOf(which) : undefined,
+            })),
+          },
+        ]
+      : []),
   ];
+}
+
+/**
+ * With friction: the spins of the bodies that turn, about the line towards who looks.
+ * @param {SpaceFrame} frame
+ * @returns {{ which: import('./smooth.js').Which, values: number[] }[]}
+ */
+function spinsOf({ across, slideSpins, up }) {
+  if (!slideSpins) return [];
+  const toward = cross(across, up);
+  const both = /** @type {const} */ (['impactor', 'target']).map((which, k) => ({
+    which,
+    values: Array.from({ length: slideSpins.length / 6 }, (_, row) => dot(triple(slideSpins, 6 * row + 3 * k), toward)),
+  }));
+  const most = Math.max(...both.flatMap(({ values }) => values.map(Math.abs)));
+  return both.filter(({ values }) => values.some((spin) => Math.abs(spin) > LEAST * most));
 }
 
 /**
@@ -188,4 +220,4 @@ export function wayOf({ across, bodies: { impactor }, slidePress, sliding }) {
  * @param {SpaceFrame} frame
  * @param {number} t
  */
-export const impulseAt = (frame, t) => engineering(Math.min(Math.max(t / IMPACT, 0), 1) * pressed(frame), 'N s', 3);
+export const impulseAt = (frame, t) => engineering(shareAt(t) * pressed(frame), 'N s', 3);

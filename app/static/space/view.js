@@ -6,7 +6,7 @@ import { Course, Hodograph } from './charts.js';
 import { LOOKS } from './hands.js';
 import { BodiesStage } from './stage.js';
 import { SpaceStory } from './story.js';
-import { CLOCK, impulseAt, meets, movedAt, tracksOf } from './tracks.js';
+import { CLOCK, impulseAt, meets, movedAt, shareAt, tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { SpaceFrame } from '../messages.js' */
@@ -76,7 +76,8 @@ export class SpaceView {
   }
   /** @param {number} t */
   show(t) {
-    this.stage.draw(this.slow ? movedAt(t) : t);
+    if (this.slow) this.stage.draw(movedAt(t), shareAt(t));
+    else this.stage.draw(t);
   }
   draw() {
     for (const part of this.charts) if (!part.chart.root.hidden) part.draw();

@@ -33,6 +33,24 @@ def test_a_ball_that_yields_rises_less_the_harder_it_falls():
     assert np.all(np.diff(restitution) > 0.0)
 
 
+def test_every_impact_has_its_own_force():
+    message = solve_frame(own_choices("drop-test"))
+    found = arrays(message)
+    assert len(message) < 100_000
+    for (_, peak), force in zip(found["touches"].tolist(), found["touchForce"], strict=True):
+        assert force.max() == pytest.approx(peak, rel=1e-3) and force[[0, -1]] == pytest.approx(
+            [0.0, 0.0], abs=2e-3 * peak
+        )
+    impulse = np.trapezoid(found["touchForce"], axis=1) * found["touches"][:, 0] / (found["touchForce"].shape[1] - 1)
+    assert impulse == pytest.approx(found["bounces"][:, 1], rel=2e-3)
+    alone = solvers.solve(solvers.load("drop-test"))
+    assert found["touches"][0] == pytest.approx((alone.contacts[-1].end, alone.peak_force), rel=1e-3)
+
+
+def test_impacts_without_duration_have_no_force():
+    assert "touchForce" not in arrays(solve_frame(own_choices("bouncing-ball")))
+
+
 def test_a_rod_that_is_dropped_is_shown_without_bounces():
     rod = 'kind = "rod"\nlength = 0.2\nmaterial = "steel"\nsection = { width = 0.02, height = 0.02 }'
     text = f'[impactor]\n{rod}\nheight = 0.1\n[target]\n{rod}\nsupport = "fixed"\n'

@@ -82,7 +82,7 @@ def test_a_flat_linkage_lies_above_its_tracks(open_page):
     assert section["y"] >= stage["y"] + stage["height"] - 1 and section["width"] == pytest.approx(stage["width"])
 
 
-def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(open_page):
+def test_what_is_dropped_has_its_impacts_closer_where_the_window_is_wide(open_page):
     exact = solvers.solve(solvers.load("drop-test"))
     for size in SIZES:
         page = open_page("?scene=drop-test&layout=opening", size=size)
@@ -92,6 +92,7 @@ def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(op
             expect(lens).to_be_hidden()
             continue
         expect(lens).to_be_visible()
+        page.evaluate("() => strikewave.page.player.seek(0)")
         lasts = exact.contacts[-1].end * 1e6
         expect(lens).to_contain_text(f"It lasts {lasts:.3g} µs")
         box, names = lens.locator("canvas").bounding_box(), page.tab.locator(".happens li:visible")
@@ -106,6 +107,17 @@ def test_what_is_dropped_has_its_first_impact_closer_where_the_window_is_wide(op
             }"""
         )
         assert drawn > 0.1
+
+
+def test_the_impact_that_is_nearest_to_the_clock_is_seen_closer(open_page):
+    page = open_page("?scene=drop-test&layout=opening")
+    opened(page)
+    lens = page.tab.locator(".lens")
+    first, second = page.evaluate("() => strikewave.page.view.fall.bounces.slice(0, 2).map(({ t }) => t)")
+    for t, number in ((0.0, 1), (first, 1), (0.45 * first + 0.55 * second, 2), (first, 1), (second, 2)):
+        page.evaluate("(t) => strikewave.page.player.seek(t)", t)
+        expect(lens.get_by_role("heading")).to_have_text(f"Impact {number}, seen closer")
+        expect(lens).to_contain_text("the fall before" if number == 1 else "the flight before")
 
 
 def test_an_impact_without_time_has_nothing_closer(open_page):
@@ -169,3 +181,63 @@ def test_bodies_without_friction_have_the_clock_of_their_impulse(open_page, size
         1.25, abs=1e-6
     )
     expect(page.tab.locator(".player .clock")).to_have_text(re.compile(r"1\.1[23]\sN\ss"))  # 1.8 over 1.6
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("scene", ["four-bar", "fixed-rod", "spinning-ball"])
+def test_names_of_tracks_and_sliders_are_whole(open_page, scene, size):
+    page = open_page(f"?scene={scene}&layout=opening", size=size)
+    opened(page)
+    ends, width, cut = page.evaluate(
+        """() => {
+          const { root, tracks } = strikewave.page.opening.section;
+          const labels = [...strikewave.page.root.querySelectorAll('.left .leading label')];
+          const cut = labels.filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent);
+          return [tracks.map(({ place: { left, room } }) => left + room), root.clientWidth, cut];
+        }"""
+    )
+    assert max(ends, default=0) <= width and cut == []
+
+
+def test_the_scale_of_heights_is_within_a_phone(open_page):
+    page = open_page("?scene=drop-test&layout=opening", size=HANDS[1])
+    opened(page)
+    page.wait("() => strikewave.page.view.stage.words.all.length")
+    words = page.evaluate(
+        """() => {
+          const c = document.createElement('canvas').getContext('2d');
+          return strikewave.page.view.stage.words.all.map(({ words, x, align, font }) => {
+            c.font = font;
+            return [words, align === 'right' ? x - c.measureText(words).width : x];
+          });
+        }"""
+    )
+    assert "Impulses" in [each for each, _ in words]
+    assert all(left >= 0 for _, left in words)
+
+
+def test_what_a_scene_is_about_is_in_view_in_the_dock_of_a_phone(open_page):
+    page = open_page("", size=HANDS[1])
+    page.show_scene("figure-8.18")
+    page.wait("() => strikewave.page.opening.docked && strikewave.page.view.stack.root.scrollTop > 0")
+    dock = page.tab.locator(".time-views:visible")
+    chart = dock.locator(".chart:not(.folded)").bounding_box()
+    dock = dock.bounding_box()
+    assert chart["y"] + chart["height"] <= dock["y"] + dock["height"] + 1
+
+
+def test_charts_that_wait_have_their_names_on_one_line(open_page):
+    page = open_page("?layout=docks&tab=charts&scene=figure-8.18")
+    names = page.tab.locator(".time-views .chart.late.folded h2:visible")
+    expect(names).to_have_count(2)
+    heads = [
+        each.evaluate("(name) => [name.scrollWidth - name.clientWidth, name.clientHeight]") for each in names.all()
+    ]
+    assert all(cut <= 0 and high < 24 for cut, high in heads)
+
+
+def test_a_long_title_is_within_its_button_on_a_phone(open_page):
+    page = open_page("", size=HANDS[1])
+    page.show_scene("figure-7.5")
+    button, title = (page.tab.locator(name).bounding_box() for name in (".topbar .scene", ".topbar .scene .title"))
+    assert button["y"] <= title["y"] and title["y"] + title["height"] <= button["y"] + button["height"]

@@ -41,6 +41,43 @@ def test_without_friction_there_is_nothing_to_slide(open_page):
     page.wait("() => strikewave.page.controls.fields.restitution_model.root.offsetHeight > 0")
 
 
+CONE = """(t) => {
+  const { page } = strikewave;
+  page.player.seek(t - page.player.start);
+  const { canvas, hands, long, x, y } = page.space.stage;
+  const { data, width, height } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const per = width / canvas.clientWidth;
+  let [left, right, top] = [Infinity, -Infinity, Infinity];
+  for (let row = Math.round((y - 2 * long) * per); row < (y - 8) * per; row++)
+    for (let k = Math.round((x - 2 * long) * per); k < (x + 2 * long) * per; k++) {
+      const [red, green, blue] = data.subarray(4 * (row * width + k));
+      if (red < 190 || green > 80 || blue > 120) continue; // the impulse
+      [left, right, top] = [Math.min(left, k), Math.max(right, k), Math.min(top, row)];
+    }
+  return [y - top / per, left / per - x, right / per - x];
+}"""
+
+
+@pytest.mark.parametrize("size", SIZES[:2], ids=str)  # on a phone it is as large as the letters beside it
+def test_the_impulse_grows_in_the_cone_of_friction_through_the_impact(open_page, size):
+    """A ball with backspin: half way along the cone, then straight up; seen in the picture, and said."""
+    page = open_page("?scene=spinning-ball&layout=opening", size=size)
+    page.wait("() => strikewave.page.opening.section.tracks.length")
+    (high, left, _), (higher, *_), (highest, at_last, _) = (page.evaluate(CONE, t) for t in (0.6, 1.0, 2.0))
+    assert 0 < high < higher < highest
+    assert -left == approx(0.5 * high, abs=0.15 * high + 4)  # mu, but for the head of the arrow
+    assert -at_last < 0.36 * highest  # inside
+    assert "cone of friction, 26.6°" in page.evaluate("() => strikewave.page.story.units.textContent")
+    page.fits(size[0])
+
+
+def test_without_friction_there_is_no_cone(open_page):
+    page = open_page("?scene=percussion-rod&layout=opening")
+    assert "cone" not in page.evaluate("() => strikewave.page.story.units.textContent")
+    page.answered(lambda: page.evaluate("() => strikewave.page.choose('friction', 0.5)"))
+    page.wait("() => strikewave.page.story.units.textContent.includes('cone of friction, 26.6°')")
+
+
 def test_a_model_that_makes_energy_is_warned_of(open_page):
     page = open_page("?scene=brick-on-floor&restitution=1&restitution_model=newton")
     (note,) = page.header("notes")

@@ -120,6 +120,12 @@ def test_a_duration_of_the_scene_cuts_no_bounce_short():
     assert [bounce.restitution for bounce in found.bounces] == approx([0.6988755819961637] * 3, rel=1e-9)
 
 
+def test_each_solution_can_be_looked_at():
+    seen = []
+    found = solvers.bounces(DROP, count=3, solved=lambda solution: seen.append(solution.peak_force))
+    assert seen == [bounce.peak_force for bounce in found.bounces]
+
+
 def test_one_impact_is_solved_whenever_it_is_cancelled():
     assert len(solvers.bounces(BALL, cancelled=lambda: True).bounces) == 1
 
