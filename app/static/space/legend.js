@@ -9,7 +9,7 @@ import { AXES } from './box.js';
 import { LONG } from './impulse.js';
 import { add, dot, size, times } from './vectors.js';
 
-/** @import { SpaceFrame, Vector } from '../messages.js' */
+/** @import { Vector } from '../messages.js' */
 /** @import { Box, Context, Point } from './arrows.js' */
 /** @import { BodiesStage } from './stage.js' */
 
@@ -55,9 +55,14 @@ export function spinOf(c, stage, [x, y], spin, labelled, [ax, ay]) {
   c.setLineDash([]);
 }
 
-/** @param {SpaceFrame} frame @param {number} t */
-const timeOf = (frame, t) =>
-  text('space.when', { before: t < 0, time: `${brief(Math.abs(t) * frame.duration * 1e3)} ms` });
+/**
+ * @param {BodiesStage} stage
+ * @param {number} t
+ */
+function timeOf({ frame, share }, t) {
+  const side = t < 0 ? 'before' : t > 0 || share === 1 ? 'after' : 'during';
+  return text('space.when', { side, time: `${brief(Math.abs(t) * frame.duration * 1e3)} ms` });
+}
 
 /**
  * Where no label may lie: on the time, on the length to measure by, beside or below the picture, and under the buttons
@@ -67,11 +72,12 @@ const timeOf = (frame, t) =>
  * @param {number} t
  * @returns {Box[]}
  */
-export function corners(c, { frame, high: height, scale, wide: width }, t) {
+export function corners(c, stage, t) {
+  const { high: height, scale, wide: width } = stage;
   c.font = FONT;
-  const [left, top] = placeOfTime(c, frame, t, width);
+  const [left, top] = placeOfTime(c, stage, t, width);
   return [
-    [0, 0, left + c.measureText(timeOf(frame, t)).width + 4, top + 14 * larger],
+    [0, 0, left + c.measureText(timeOf(stage, t)).width + 4, top + 14 * larger],
     [width - BUTTONS[0] * larger, 0, width, BUTTONS[1] * larger],
     [0, height, width, Infinity], // below the picture
     [width, 0, Infinity, Infinity], // beside it, where the tracks are
@@ -132,13 +138,13 @@ function onWay([x, y], [across, up]) {
 /**
  * Where the time is written: beside the buttons, or below them where there is no room.
  * @param {Context} c  its font set
- * @param {SpaceFrame} frame
+ * @param {BodiesStage} stage
  * @param {number} t
  * @param {number} width
  * @returns {Point}
  */
-function placeOfTime(c, frame, t, width) {
-  const beside = PLACE[0] + c.measureText(timeOf(frame, t)).width < width - BUTTONS[0] * larger;
+function placeOfTime(c, stage, t, width) {
+  const beside = PLACE[0] + c.measureText(timeOf(stage, t)).width < width - BUTTONS[0] * larger;
   return beside ? PLACE : [PLACE[0], BUTTONS[1] * larger + 4];
 }
 
@@ -150,14 +156,15 @@ function placeOfTime(c, frame, t, width) {
  * @param {number} width
  * @param {number} height
  */
-export function legend(c, { across, frame, scale, up }, t, width, height) {
+export function legend(c, stage, t, width, height) {
+  const { across, scale, up } = stage;
   const bar = roundBelow((0.2 * width) / scale);
   c.strokeStyle = c.fillStyle = COLORS.faint;
   c.font = FONT;
   measure(c, width - 16, height - 14, bar * scale, `${brief(bar)} m`);
   c.textAlign = 'left';
   c.textBaseline = 'top';
-  c.fillText(timeOf(frame, t), ...placeOfTime(c, frame, t, width));
+  c.fillText(timeOf(stage, t), ...placeOfTime(c, stage, t, width));
   /** @type {Point} */
   const origin = [34, height - 34];
   ['x', 'y', 'z'].forEach((axis, i) => {

@@ -57,7 +57,7 @@ def saved(page, what: str, path):
     [
         ("", "movement drawn"),
         ("?scene=hammer-on-cantilever&layout=opening", "movement drawn"),
-        ("?scene=spinning-ball&layout=opening", "after the impact"),
+        ("?scene=spinning-ball&layout=opening", "during the impact"),
     ],
 )
 @pytest.mark.parametrize("size", [(1280, 720), (390, 844)])
