@@ -97,7 +97,7 @@ def axial_frame(request: Request) -> bytes:
         "prediction": None if scene.prescribed_force or in_row(scene) else rigid_prediction(scene, request.restitution),
         "match": exact.restitution["newton"],
         "rigid": scene.rigid_contact,
-        "contactLaw": law_fields(scene),
+        "laws": law_fields(scene, request.chosen),
         "damps": scene.contact.LOSSY,
         "nominal": _nominal(scene),
         "yields": scene.contact.PLASTIC,

@@ -1,47 +1,84 @@
-"""What the browser needs of a contact law to answer other choices by itself: see app/wasm."""
+"""What the browser needs of contact laws to answer other choices by itself: see app/wasm."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from solvers import LAWS, Scene
-from solvers.bodies import RigidMass, Waveguide
+from solvers import LAWS, Rod, Scene, SceneError
+from solvers.bodies import RigidMass
 from solvers.contact import Rigid
+from solvers.contact.duration import exponent_of
+
+from ..choices.laws import STIFFNESS, contact_table, law_choices
+
+SAME = 1e-9  # relative difference of constants that are the same but for rounding
 
 
-def law_fields(scene: Scene) -> dict[str, Any] | None:
-    """The law of an impact on rods with its constants in units of T, v and Z v, and the powers with which these grow
-    with the speed and with the mass that both bodies are felt with; None where nothing gives way.
+def law_fields(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Every contact law that can be chosen for a mass on a rod, the scene's own with its own constants.
 
-    The constants are products of powers, so that what doubling does to them tells these. A damping grows where it
-    follows from a restitution, which stays.
+    Constants are in units of T, v and Z v. They are products of powers, so that what doubling does to them tells how
+    they grow. A damping grows where it follows from a restitution, which stays. One that is found by integration is
+    left out unless it acts.
     """
-    law, impactor, target = scene.contact, scene.impactor, scene.target
-    if isinstance(law, Rigid) or not isinstance(target, Waveguide) or not isinstance(impactor, RigidMass):
-        return None
-    constants = _scaled(scene, law, 1.0)
-    faster = replace(impactor, velocity=target.velocity + 2.0 * scene.speed)
-    heavy = replace(impactor, mass=target.mass)
-    light = replace(impactor, mass=target.mass / (2.0 if target.held else 3.0))  # felt with half the mass
-    return {
+    impactor, target, own = scene.impactor, scene.target, scene.contact
+    if not isinstance(impactor, RigidMass) or not isinstance(target, Rod):
+        return []
+    found = []
+    for name, kind in LAWS.items():
+        if name == own.NAME:
+            found.append(_record(scene, own, scene.given.get("contact", {}), _table(chosen, name)))
+        elif not kind.LOSSY or kind.EXPONENT is not None:
+            table = _table(chosen, name)
+            try:
+                found.append(_record(scene, kind.read(table, impactor, target), table, table))
+            except SceneError:  # a choice that is not in view is beyond what this law takes
+                continue
+    return found
+
+
+def _table(chosen: Mapping[str, Any], name: str) -> dict[str, Any]:
+    return contact_table({**chosen, "law": name})
+
+
+def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, Any]) -> dict[str, Any]:
+    """A law, `given` as it is and set by the table of the choices."""
+    record: dict[str, Any] = {
         "name": law.NAME,
-        "constants": constants,
-        "bySpeed": _powers(constants, _scaled(scene, _between(scene, faster), 2.0)),
-        "byMass": _powers(*(_scaled(scene, _between(scene, body), 1.0) for body in (light, heavy))),
+        "choices": law_choices(law.NAME),
+        "damps": law.LOSSY,
+        "yields": law.PLASTIC,
+        "exponent": exponent_of(law),
+        "nominal": law.nominal(scene.reduced_mass, scene.speed) if law.LOSSY else None,
+        **{"constants": [], "bySpeed": [], "byMass": [], "byStiffness": [], "stiffness": None},
     }
-
-
-def _between(scene: Scene, impactor: Any) -> Any:
-    """The law of this scene if another impactor struck."""
-    law, given = scene.contact, scene.given.get("contact", {})
+    if isinstance(law, Rigid):
+        return record
+    impactor, target = scene.impactor.known_as(RigidMass), scene.target
     follows = law.LOSSY and {"restitution", "nominal_restitution"} & set(given)
-    return LAWS[law.NAME].read(given, impactor, scene.target) if follows else law
+
+    def constants(times: float = 1.0, mass: float | None = None) -> list[float]:
+        """Those at a speed so many times as high, or of another mass that strikes."""
+        other = replace(impactor, velocity=target.velocity + times * scene.speed, mass=mass or impactor.mass)
+        return _scaled(scene, LAWS[law.NAME].read(given, other, target) if follows else law, times)
+
+    felt_with_half = target.mass / (2.0 if target.held else 3.0)
+    record["constants"] = constants()
+    record["bySpeed"] = _powers(record["constants"], constants(2.0))
+    record["byMass"] = _powers(constants(mass=felt_with_half), constants(mass=target.mass))
+    set_by = _scaled(scene, LAWS[law.NAME].read(table, impactor, target), 1.0)
+    if all(math.isclose(a, b, rel_tol=SAME) for a, b in zip(set_by, record["constants"], strict=True)):
+        harder = LAWS[law.NAME].read(table | {"stiffness": 0.5 * table["stiffness"]}, impactor, target)
+        record["byStiffness"] = _powers(_scaled(scene, harder, 1.0), set_by)
+        record["stiffness"] = STIFFNESS[law.NAME]
+    return record
 
 
 def _scaled(scene: Scene, law: Any, times: float) -> list[float]:
     """Its constants, at a speed that is so many times as high."""
     speed = times * scene.speed
-    return list(law.scaled(speed * scene.time_unit, speed, scene.target.known_as(Waveguide).impedance * speed))
+    return list(law.scaled(speed * scene.time_unit, speed, scene.target.known_as(Rod).impedance * speed))
 
 
 def _powers(before: list[float], after: list[float]) -> list[float]:

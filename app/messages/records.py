@@ -157,9 +157,16 @@ RECORDS: dict[str, Fields] = {
     },
     "LawRecord": {
         "name": Field("string"),
-        "constants": Field("number[]", "in units of T, v and Z v"),
+        "choices": Field("string[]", "that set its constants"),
+        "damps": Field("boolean"),
+        "yields": Field("boolean"),
+        "exponent": Field("number", "power of the indentation with which its force begins"),
+        "nominal": Field("number | null", "restitution by its usual formula"),
+        "constants": Field("number[]", "in units of T, v and Z v; none of a rigid contact"),
         "bySpeed": Field("number[]", "powers with which they grow with the speed"),
-        "byMass": Field("number[]", "and with the mass that both bodies are felt with"),
+        "byMass": Field("number[]", "with the mass that both bodies are felt with"),
+        "byStiffness": Field("number[]", "and with the choice that sets the stiffness"),
+        "stiffness": Field("string | null", "that choice; null if it sets more than these powers tell"),
     },
     "RodRecord": {
         "from": Field("number", "from the struck face [m]"),

@@ -68,7 +68,7 @@ AXIAL: Fields = {
     "prediction": Field("{ impactor: number, target: number } | null", "velocities by rigid-body theory [v]"),
     "match": Field("number | null", "restitution that would have matched"),
     "rigid": Field("boolean", "whether nothing gives way at the contact itself"),
-    "contactLaw": Field("LawRecord | null", "of a mass on rods, for kernels of the browser; null if rigid"),
+    "laws": Field("LawRecord[]", "of a mass on a rod, that can be chosen: for kernels of the browser"),
     "damps": Field("boolean", "whether the contact law does"),
     "yields": Field("boolean", "whether the contact law does"),
     "exponent": Field("number", "power of the indentation with which its force begins, 1 where nothing gives way"),

@@ -164,9 +164,16 @@ export interface FallRecord {
 
 export interface LawRecord {
   name: string;
-  /** in units of T, v and Z v */ constants: number[];
+  /** that set its constants */ choices: string[];
+  damps: boolean;
+  yields: boolean;
+  /** power of the indentation with which its force begins */ exponent: number;
+  /** restitution by its usual formula */ nominal: number | null;
+  /** in units of T, v and Z v; none of a rigid contact */ constants: number[];
   /** powers with which they grow with the speed */ bySpeed: number[];
-  /** and with the mass that both bodies are felt with */ byMass: number[];
+  /** with the mass that both bodies are felt with */ byMass: number[];
+  /** and with the choice that sets the stiffness */ byStiffness: number[];
+  /** that choice; null if it sets more than these powers tell */ stiffness: string | null;
 }
 
 export interface RodRecord {
@@ -373,7 +380,7 @@ export interface AxialFrame extends Common {
   /** velocities by rigid-body theory [v] */ prediction: { impactor: number, target: number } | null;
   /** restitution that would have matched */ match: number | null;
   /** whether nothing gives way at the contact itself */ rigid: boolean;
-  /** of a mass on rods, for kernels of the browser; null if rigid */ contactLaw: LawRecord | null;
+  /** of a mass on a rod, that can be chosen: for kernels of the browser */ laws: LawRecord[];
   /** whether the contact law does */ damps: boolean;
   /** whether the contact law does */ yields: boolean;
   /** power of the indentation with which its force begins, 1 where nothing gives way */ exponent: number;

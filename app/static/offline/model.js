@@ -58,13 +58,17 @@ export class Offline {
    * @returns {Frame}
    */
   #offered(frame) {
-    const acting = frame.acting.filter((name) => name === 'scene' || this.answers.covers(frame, [name]));
+    const acting = this.#acting(frame);
     const { opens } = frame;
     const within = (/** @type {object} */ choices) => Object.keys(choices).every((name) => acting.includes(name));
     const trials = opens.trials.filter(([, name]) => acting.includes(name));
     const compare = opens.compare.filter(({ first, second }) => within(first) && within(second));
     const tab = opens.tab && OFFERED.includes(opens.tab) ? opens.tab : null;
     return /** @type {Frame} */ ({ ...frame, acting, opens: { ...opens, trials, compare, tab } });
+  }
+  /** @param {Frame} frame */
+  #acting(frame) {
+    return frame.acting.filter((name) => name === 'scene' || this.answers.covers(frame, [name]));
   }
   /**
    * @param {string} name
@@ -141,7 +145,7 @@ export class Offline {
     }
     try {
       const frame = this.answers.covers(base, changed) && this.answers.answer(base, chosen);
-      return frame ? withTrials(frame) : refusal('offline.beyond');
+      return frame ? { ...withTrials(frame), acting: this.#acting(frame) } : refusal('offline.beyond');
     } catch {
       return refusal('offline.trap');
     }

@@ -1,15 +1,13 @@
 // What the page draws of a mass on a uniform rod, by the browser's own answer: a message like that of the server.
 import { between } from '../charts/scale.js';
-import { LAWS } from './room.js';
+import { cycleOf, lawFor, setsLaw, withLaw } from './law.js';
 
-/** @import { AxialFigures, AxialFrame, Chosen, Contact, Energies, LawRecord } from '../messages.js' */
-/** @import { Cycle, Impact, Kernels } from './kernels.js' */
+/** @import { AxialFigures, AxialFrame, Chosen, Contact, Energies} from '../messages.js' */
+/** @import { Impact, Kernels } from './kernels.js' */
 
 const FOLLOWED = ['mass_ratio', 'restitution', 'speed'];
 const CUT = { before: 0.02, share: 0.1 }; // of T, and of the peak: what a force still is that a wave cuts off
 const ERROR = { rigid: 1e-15, law: 1e-9 }; // the least that is claimed: rounding, and the tolerance of a step
-const BEYOND = 1.02; // times the parting: up to there indentation and force are drawn over each other
-const PRESSURE = 1.5; // of Hertz in the middle, times the mean one
 /** Histories of the method beside, which only the server solves. */
 const BESIDE = ['otherTime', 'otherForce', 'otherMass', 'otherEnd', 'modalForce', 'fieldForce', 'balanceTime'];
 
@@ -18,7 +16,8 @@ const BESIDE = ['otherTime', 'otherForce', 'otherMass', 'otherEnd', 'modalForce'
  * @param {AxialFrame} frame
  * @param {string} name
  */
-export const follows = (frame, name) => FOLLOWED.includes(name) && !(frame.damps && name === 'restitution');
+export const follows = (frame, name) =>
+  setsLaw(frame, name) || (FOLLOWED.includes(name) && !(frame.damps && name === 'restitution'));
 
 /**
  * Whether an answer of the server is one of these impacts, followed for as long as is usual.
@@ -38,8 +37,8 @@ export function isRod(frame) {
  * Whether the faces press on each other in a way that is known: of how a material flows there is more to tell.
  * @param {AxialFrame} frame
  */
-const pressed = ({ contactLaw, flowDepth, rigid, touchFlow }) =>
-  rigid || Boolean(contactLaw && LAWS.includes(contactLaw.name) && !flowDepth && !touchFlow);
+const pressed = ({ chosen, flowDepth, laws, touchFlow }) =>
+  laws.some(({ name }) => name === chosen.law) && !flowDepth && !touchFlow;
 
 /**
  * The same impact with other choices.
@@ -55,14 +54,14 @@ export function rodWith(kernels, from, chosen) {
   const beta = from.target.mass / mass;
   const speed = Number(chosen.speed);
   const times = speed / from.speed;
-  const law = from.contactLaw && lawAt(from.contactLaw, times, felt(from, mass) / felt(from, from.impactor.mass));
+  const law = lawFor(from, chosen, times, felt(from, mass) / felt(from, from.impactor.mass));
   const side = from.rods[0].mirror > 0 ? 1 : -1;
-  const impact = law ? kernels.law(beta, side, law) : kernels.rod(beta, side);
+  const impact = law && (law.constants.length ? kernels.law(beta, side, law) : kernels.rod(beta, side));
   if (!impact) return null;
   const scales = { speed, forceUnit: from.forceUnit * times, stressUnit: from.stressUnit * times };
   const { duration, histories: drawn } = impact;
   const made = {
-    ...from,
+    ...withLaw(from, law),
     ...scales,
     chosen,
     duration,
@@ -76,12 +75,13 @@ export function rodWith(kernels, from, chosen) {
     exactWhole: from.exactWhole && drawn.whole,
     exactTime: drawn.forceTime,
     exactForce: drawn.force,
-    contactLaw: law,
   };
-  if (impact.cycle) Object.assign(made, cycleOf(from, made, impact, impact.cycle));
+  if (impact.cycle) Object.assign(made, cycleOf(made, impact, impact.cycle));
   const exact = figuresOf(made, impact);
   exact.diagnostics = { ...exact.diagnostics, wall_time: (performance.now() - begun) / 1e3 };
-  const steady = mass === from.impactor.mass && (from.other?.byLaw || chosen.restitution === from.chosen.restitution);
+  const alike = mass === from.impactor.mass && !law.choices.some((name) => chosen[name] !== from.chosen[name]);
+  const steady =
+    alike && chosen.law === from.chosen.law && (from.other?.byLaw || chosen.restitution === from.chosen.restitution);
   const beside = steady ? { other: from.other && faster(from.other, times) } : without(from);
   return { ...made, exact, match: exact.restitution.newton, ...beside };
 }
@@ -92,48 +92,6 @@ export function rodWith(kernels, from, chosen) {
  * @param {number} mass
  */
 const felt = ({ target }, mass) => (target.held ? mass : mass / (1 + mass / target.mass));
-
-/**
- * A law whose constants grow with the powers that it says.
- * @param {LawRecord} law
- * @param {number} speed  times as high
- * @param {number} mass
- * @returns {LawRecord}
- */
-const lawAt = (law, speed, mass) => ({
-  ...law,
-  constants: law.constants.map((value, k) => value * speed ** law.bySpeed[k] * mass ** law.byMass[k]),
-});
-
-/**
- * Indentation and force by the law, and what the impact did [m, N].
- * @param {AxialFrame} from
- * @param {AxialFrame} made
- * @param {Impact} impact
- * @param {Cycle} cycle
- * @returns {Partial<AxialFrame>}
- */
-function cycleOf(from, { forceUnit, speed, trip }, { contacts, duration }, cycle) {
-  const unit = speed * trip;
-  const [depth, force] = [cycle.depths.map((a) => a * unit), cycle.presses.map((f) => f * forceUnit)];
-  const newtons = (/** @type {Float64Array} */ values) => values.map((f) => f * forceUnit);
-  const found = {
-    cycleDepth: cycle.loading.map((_, k, all) => (k / (all.length - 1)) * cycle.deepest * unit),
-    ...{ cycleLoading: newtons(cycle.loading), cycleUnloading: newtons(cycle.unloading) },
-    ...{ blowDepth: depth, blowForce: force },
-  };
-  const { blowDepth, touchRadius } = from;
-  if (!touchRadius || !blowDepth) return found;
-  const deepest = touchRadius.indexOf(Math.max(...touchRadius));
-  const round = touchRadius[deepest] ** 2 / blowDepth[deepest]; // radius of the faces, as a^2 = alpha R
-  const until = Math.min(duration, BEYOND * contacts[contacts.length - 1].end) * trip;
-  return {
-    ...found,
-    touchTime: depth.map((_, k, all) => (k / (all.length - 1)) * until),
-    touchRadius: depth.map((a) => Math.sqrt(Math.max(a, 0) * round)),
-    touchPressure: depth.map((a, k) => (a > 0 ? (PRESSURE * force[k]) / (Math.PI * a * round) : 0)),
-  };
-}
 
 /**
  * Without the method beside.

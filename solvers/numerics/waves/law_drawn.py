@@ -175,7 +175,8 @@ def _cycle(record, law, constants, slopes, until, deepest, depths, forces, loadi
     for k in range(depths.size):
         t = instant(k, depths.size, until)
         depths[k] = sample_at(record, 0, DEPTH, t, np.bool_(True))
-        forces[k] = max(sample_at(record, 0, FORCE, t, t < until), 0.0)
+        pressed = depths[k] > law(DENT, constants, 0.0, 0.0, 0.0, slopes)
+        forces[k] = max(sample_at(record, 0, FORCE, t, t < until), 0.0) if pressed else 0.0
     for k in range(loading.size):
         depth = instant(k, loading.size, deepest)
         loading[k] = law(FORCE_OF, constants, depth, 0.0, 0.0, slopes)

@@ -2,28 +2,62 @@
 
 import pytest
 
+from app.choices.choices import Choices
+from app.choices.laws import law_choices
+from app.choices.scene_of import chosen_scene, own_choices
 from app.messages.laws import law_fields
-from solvers.contact import LAWS, Rigid
+from solvers.contact import LAWS
 from solvers.scenes.library import scene_of
 
 
-@pytest.mark.parametrize("name", ["fixed-rod", "free-rod"])
-@pytest.mark.parametrize("kind", [kind for kind in LAWS.values() if kind is not Rigid], ids=lambda kind: kind.NAME)
-def test_the_powers_tell_the_constants_of_another_impact(name, kind):
-    contact = {"law": kind.NAME} | dict(kind.EXAMPLE)
-    scene = scene_of(name).replace({"contact": contact})
-    faster, ratio = scene.replace({"impactor.velocity": 3.7 * scene.speed}), 0.31
-    other = faster.with_impactor_mass(scene.target.mass / ratio).replace({"contact": contact})
+def chosen(name: str, **other) -> dict:
+    return Choices(**own_choices(name) | {"scene": name} | other).chosen()
+
+
+def laws_of(choices: dict) -> dict[str, dict]:
+    return {law["name"]: law for law in law_fields(chosen_scene(choices), choices)}
+
+
+@pytest.mark.parametrize("name", ["fixed-rod", "free-rod", "bronze-rod-steel-ball"])
+@pytest.mark.parametrize("law", [law for law in LAWS if law not in ("rigid", "lee-wang")])
+def test_a_message_tells_the_constants_of_laws_at_other_choices(name, law):
+    before = chosen(name)
+    after = before | {"law": law, "speed": 3.7 * before["speed"], "mass_ratio": 0.31}
+    known = laws_of(before)[law]
+    stiffness = known["stiffness"]
+    if stiffness:
+        after[stiffness] = 1.9 * before[stiffness]
+    scene, other = chosen_scene(before), chosen_scene(after)
     felt = other.reduced_mass / scene.reduced_mass
-    law, expected = law_fields(scene), law_fields(other)
-    assert law and expected and law["name"] == kind.NAME
+    harder = 1.9 if stiffness else 1.0
     found = [
-        value * 3.7**by_speed * felt**by_mass
-        for value, by_speed, by_mass in zip(law["constants"], law["bySpeed"], law["byMass"], strict=True)
+        value * 3.7**by_speed * felt**by_mass * harder**by_stiffness
+        for value, by_speed, by_mass, by_stiffness in zip(
+            *(known[part] for part in ("constants", "bySpeed", "byMass", "byStiffness")), strict=True
+        )
     ]
+    expected = laws_of(after)[law]
     assert found == pytest.approx(expected["constants"], rel=1e-9)
+    for part in ("damps", "yields", "exponent", "choices"):
+        assert known[part] == expected[part]
+    assert known["nominal"] == pytest.approx(expected["nominal"])
+    assert known["choices"] == law_choices(law)
 
 
-def test_what_is_rigid_or_no_mass_on_a_rod_has_none():
-    assert law_fields(scene_of("fixed-rod")) is None
-    assert law_fields(scene_of("hammer-on-cantilever")) is None
+def test_a_law_whose_damping_takes_an_integration_is_told_where_it_acts():
+    assert "lee-wang" not in laws_of(chosen("fixed-rod"))
+    assert laws_of(chosen("fixed-rod", law="lee-wang"))["lee-wang"]["damps"]
+
+
+def test_a_law_of_the_scene_itself_has_no_stiffness_that_would_change_more():
+    scene = scene_of("fixed-rod").replace(
+        {"contact": {"law": "plastic-power", "stiffness": 1e10, "yield_indentation": 1e-6, "full_indentation": 1e-4}}
+    )
+    law = next(law for law in law_fields(scene, chosen("fixed-rod")) if law["name"] == "plastic-power")
+    assert law["stiffness"] is None
+    assert len(law["constants"]) == 5
+
+
+def test_what_is_no_mass_on_one_rod_has_none():
+    for name in ("hammer-on-cantilever", "stepped-rod", "two-equal-rods"):
+        assert law_fields(scene_of(name), chosen(name)) == []

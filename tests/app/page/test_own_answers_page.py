@@ -13,11 +13,9 @@ STATE = """() => {
   return { own: own.made.has(frame), figures: { ...figures, prediction }, arrays, force: Math.max(...exactForce) };
 }"""
 CYCLE = """() => {
-  const { blowDepth, blowForce, cycleDepth, cycleLoading, cycleUnloading, touchRadius, touchPressure } =
-    strikewave.page.frame;
-  const drawn = { blowDepth, blowForce, cycleDepth, cycleLoading, cycleUnloading };
-  const touch = touchRadius ? { touchRadius, touchPressure } : {};
-  return Object.fromEntries(Object.entries({ ...drawn, ...touch }).map(([name, values]) => [name, [...values]]));
+  const drawn = 'blowDepth blowForce cycleDepth cycleLoading cycleUnloading touchRadius touchPressure'.split(' ');
+  const { frame } = strikewave.page;
+  return Object.fromEntries(drawn.flatMap((name) => (name in frame ? [[name, [...frame[name]]]] : [])));
 }"""
 MOVE = """async ([name, values]) => {
   const { page } = strikewave, { own } = page, seen = [];
@@ -71,6 +69,9 @@ def test_what_the_browser_shows_is_what_the_server_answers(open_page, query, nam
         ("?law=kelvin-voigt", "mass_ratio", [0.8]),
         ("?scene=free-rod&law=lee-wang", "mass_ratio", [0.3]),
         ("?law=hunt-crossley", "speed", [3.0]),
+        ("?layout=opening", "law", ["hertz", "linear", "kelvin-voigt"]),
+        ("?scene=bronze-rod-steel-ball", "law", ["rigid"]),
+        ("?law=hertz", "hertz_stiffness", [3e9]),
     ],
 )
 def test_contact_laws_are_answered_alike(open_page, query, name, values):
@@ -86,7 +87,9 @@ def test_contact_laws_are_answered_alike(open_page, query, name, values):
     assert flat(before["figures"]) == pytest.approx(flat(after["figures"]), rel=1e-6, abs=1e-6, nan_ok=True)
     for array, found in before["arrays"].items():
         assert found == pytest.approx(after["arrays"][array], abs=1e-6), array
-    for array, found in page.evaluate(CYCLE).items():
+    there = page.evaluate(CYCLE)
+    assert sorted(cycle) == sorted(there)
+    for array, found in there.items():
         assert cycle[array] == pytest.approx(found, rel=1e-3, abs=1e-3 * max(found)), array
 
 

@@ -160,7 +160,7 @@ def test_a_link_leads_to_a_scene_with_its_choices(opened):
     "query, said",
     [
         ("?scene=two-balls", "This page works without a server and does not have this scene."),
-        ("?law=hertz", "Contact law cannot be changed here: this page works without a server."),
+        ("?modes=5", "Modes cannot be changed here: this page works without a server."),
         ("?mass_ratio=1e9", "Mass ratio: 1000000000 is not possible. Choose a number from 0.001 to 1000."),
         ("?mass_ratio=heavy", "Mass ratio: heavy is not possible. Choose a number from 0.001 to 1000."),
         ("?target.length=2", "this page works without a server."),
@@ -173,7 +173,7 @@ def test_what_a_link_cannot_have_is_said_in_one_sentence(opened, query, said):
     assert tab.errors == []
 
 
-@pytest.mark.parametrize("name, value", [("law", "hertz"), ("speed", 1e9), ("bodies", "target.length=2.0")])
+@pytest.mark.parametrize("name, value", [("modes", 5), ("speed", 1e9), ("bodies", "target.length=2.0")])
 def test_what_cannot_be_chosen_is_set_back(opened, name, value):
     tab = opened()
     before = tab.evaluate("name => strikewave.page.model[name]", name)
@@ -184,12 +184,25 @@ def test_what_cannot_be_chosen_is_set_back(opened, name, value):
     assert tab.evaluate("() => strikewave.page.frame.speed") == 2.0
 
 
+def test_another_contact_law_and_its_stiffness_are_answered(opened):
+    tab = opened("?scene=free-rod")
+    choose(tab, "law", "hertz")
+    choose(tab, "hertz_stiffness", 3e9)
+    scene = scene_of("free-rod").replace({"contact": {"law": "hertz", "stiffness": 3e9}})
+    assert peak(tab) == pytest.approx(solvers.solve(scene).peak_force, rel=1e-9)
+    choose(tab, "law", "hunt-crossley")  # whose damping at another restitution only a server knows
+    assert "restitution" not in tab.evaluate("() => strikewave.page.frame.acting")
+    choose(tab, "law", "rigid")
+    assert peak(tab) == pytest.approx(solvers.solve(scene_of("free-rod")).peak_force, rel=1e-9)
+    assert tab.errors == []
+
+
 def test_only_what_needs_no_server_is_offered(opened):
     tab = opened()
     closer = tab.get_by_role("navigation", name="Look closer")
     assert closer.get_by_role("button").all_inner_texts() == ["Charts", "Story", "Numbers"]
     fields = "() => [...strikewave.page.controls.root.querySelectorAll('.field')].filter((f) => !f.hidden).length"
-    assert tab.evaluate(fields) == 3
+    assert tab.evaluate(fields) == 4
     tab.get_by_role("button", name="Save", exact=True).click()
     assert tab.locator(".takes .drop button").count() == 3
     with tab.expect_download() as saved:

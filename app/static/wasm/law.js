@@ -1,0 +1,85 @@
+// Contact laws of the browser's own answers: their constants at other choices, and what the page shows of them.
+import { LAWS } from './room.js';
+
+/** @import { AxialFrame, Chosen, LawRecord } from '../messages.js' */
+/** @import { Cycle, Impact } from './kernels.js' */
+
+const BEYOND = 1.02; // times the parting: up to there indentation and force are drawn over each other
+const PRESSURE = 1.5; // of Hertz in the middle, times the mean one
+const CYCLE = ['cycleDepth', 'cycleLoading', 'cycleUnloading', 'blowDepth', 'blowForce'];
+const TOUCH = ['touchTime', 'touchRadius', 'touchPressure'];
+
+/**
+ * Whether a choice is that of the law, or of a stiffness.
+ * @param {AxialFrame} frame
+ * @param {string} name
+ */
+export const setsLaw = ({ laws }, name) => name === 'law' || laws.some(({ stiffness }) => stiffness === name);
+
+/**
+ * The law that is chosen, with the constants that it then has; nothing where the server alone knows these.
+ * @param {AxialFrame} from
+ * @param {Chosen} chosen
+ * @param {number} speed  times as high
+ * @param {number} mass  that both bodies are felt with, times as large
+ * @returns {LawRecord | null}
+ */
+export function lawFor({ chosen: before, laws }, chosen, speed, mass) {
+  const law = laws.find(({ name }) => name === chosen.law);
+  if (!law || (law.constants.length && !LAWS.includes(law.name))) return null;
+  const changed = law.choices.filter((name) => chosen[name] !== before[name]);
+  if (law.damps && chosen.restitution !== before.restitution) return null;
+  if (changed.some((name) => name !== law.stiffness)) return null;
+  const harder = law.stiffness ? Number(chosen[law.stiffness]) / Number(before[law.stiffness]) : 1;
+  const powers = (/** @type {number} */ k) =>
+    speed ** law.bySpeed[k] * mass ** law.byMass[k] * harder ** (law.byStiffness[k] ?? 0);
+  return { ...law, constants: law.constants.map((value, k) => value * powers(k)) };
+}
+
+/**
+ * A message with what the law says of itself, and nothing of an impact by another.
+ * @param {AxialFrame} from
+ * @param {LawRecord} law
+ * @returns {AxialFrame}
+ */
+export function withLaw(from, law) {
+  const { choices, constants, damps, exponent, name, nominal, yields } = law;
+  const gone = name === from.chosen.law ? [] : [...CYCLE, ...TOUCH];
+  const kept = Object.fromEntries(Object.entries(from).filter(([each]) => !gone.includes(each)));
+  const others = from.laws.flatMap((other) => other.choices);
+  const acting = [...from.acting.filter((each) => !others.includes(each)), ...choices];
+  return /** @type {AxialFrame} */ ({
+    ...kept,
+    ...{ acting, damps, exponent, nominal, yields },
+    rigid: !constants.length,
+  });
+}
+
+/**
+ * Indentation and force by the law, and what the impact did [m, N].
+ * @param {AxialFrame} made  with its scales
+ * @param {Impact} impact
+ * @param {Cycle} cycle
+ * @returns {Partial<AxialFrame>}
+ */
+export function cycleOf(made, { contacts, duration }, cycle) {
+  const { blowDepth, forceUnit, speed, touchRadius, trip } = made;
+  const unit = speed * trip;
+  const [depth, force] = [cycle.depths.map((a) => a * unit), cycle.presses.map((f) => f * forceUnit)];
+  const newtons = (/** @type {Float64Array} */ values) => values.map((f) => f * forceUnit);
+  const found = {
+    cycleDepth: cycle.loading.map((_, k, all) => (k / (all.length - 1)) * cycle.deepest * unit),
+    ...{ cycleLoading: newtons(cycle.loading), cycleUnloading: newtons(cycle.unloading) },
+    ...{ blowDepth: depth, blowForce: force },
+  };
+  if (!touchRadius || !blowDepth) return found;
+  const deepest = touchRadius.indexOf(Math.max(...touchRadius));
+  const round = touchRadius[deepest] ** 2 / blowDepth[deepest]; // radius of the faces, as a^2 = alpha R
+  const until = Math.min(duration, BEYOND * contacts[contacts.length - 1].end) * trip;
+  return {
+    ...found,
+    touchTime: depth.map((_, k, all) => (k / (all.length - 1)) * until),
+    touchRadius: depth.map((a) => Math.sqrt(Math.max(a, 0) * round)),
+    touchPressure: depth.map((a, k) => (a > 0 ? (PRESSURE * force[k]) / (Math.PI * a * round) : 0)),
+  };
+}
