@@ -53,6 +53,16 @@ LATENCY = """async () => {
   }
   return found.slice(10);
 }"""
+DRAG_SECONDS = 2
+DRAG = """async (seconds) => {
+  const { controls: { send }, own } = strikewave.page, begun = performance.now(), before = own.count;
+  for (let k = 0; performance.now() - begun < 1000 * seconds; k++) {
+    send('mass_ratio', 0.6 + 0.001 * k);
+    await new Promise((done) => requestAnimationFrame(done));
+  }
+  return (own.count - before) / seconds;
+}"""
+DRAGGED = {"exact waves, in the opening": "", "Hertz, in the opening": "?law=hertz"}
 PLAYBACK = """async () => {
   const { page } = strikewave, { player } = page;
   player.pace.value = '0.25'; player.go(0); player.toggle();
@@ -69,14 +79,14 @@ def measure() -> dict[str, object]:
     begun = time.perf_counter()
     with served_page() as (address, process):
         rows = [row("impact serve answers after", time.perf_counter() - begun, "s")]
-        rows += _browser(address)
+        rows += _browser(address, process)
         rows += run(_answers(address, process), 300)
     with served_page() as (address, process):  # one that holds no memory free of what went before
         rows += run(_sessions(address, process), 120)
     return dict(rows)
 
 
-def _browser(address: str) -> list:
+def _browser(address: str, process: int) -> list:
     rows = []
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium(), args=QUIET)
@@ -99,8 +109,26 @@ def _browser(address: str) -> list:
             rows.append(row(f"websocket frames during playback, {name}", extra, "", "0"))
             page.context.close()
         rows += rows_of(browser, address, PLAYBACK)
+        for name, query in DRAGGED.items():
+            rows += _drag(Page(browser, address, query), process, name)
         browser.close()
     return rows
+
+
+def _drag(page: Page, process: int, name: str) -> list:
+    """Pictures a second while a slider is dragged that the browser answers, and what that costs the server."""
+    page.wait("() => strikewave.page.own.answers !== null")
+    page.evaluate(DRAG, 0.5)
+    page.quiet()
+    before = _processor_time(_tree(process))
+    pictures = page.evaluate(DRAG, DRAG_SECONDS)
+    page.quiet()  # with the answer once the hand rests
+    used = (_processor_time(_tree(process)) - before) / DRAG_SECONDS
+    page.context.close()
+    return [
+        row(f"pictures while dragging, {name}", pictures, "frames/s", ">= 50"),
+        row(f"server CPU of a second of dragging, {name}", 1e3 * used, "ms", "<= 20"),
+    ]
 
 
 async def _answers(address: str, process: int) -> list:
