@@ -8,10 +8,12 @@ from typing import Any
 from solvers import LAWS, Rod, Scene, SceneError
 from solvers.bodies import RigidMass
 from solvers.contact import Rigid
+from solvers.contact.damping import OF_KERNELS
 from solvers.contact.duration import exponent_of
 
 from ..choices.laws import STIFFNESS, contact_table, law_choices
 
+DAMPED = 0.5  # a restitution at which it shows how damping grows
 SAME = 1e-9  # relative difference of constants that are the same but for rounding
 
 
@@ -51,27 +53,37 @@ def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, A
         "yields": law.PLASTIC,
         "exponent": exponent_of(law),
         "nominal": law.nominal(scene.reduced_mass, scene.speed) if law.LOSSY else None,
-        **{"constants": [], "bySpeed": [], "byMass": [], "byStiffness": [], "stiffness": None},
+        **{"constants": [], "bySpeed": [], "byMass": [], "byStiffness": [], "stiffness": None, "damping": None},
     }
     if isinstance(law, Rigid):
         return record
-    impactor, target = scene.impactor.known_as(RigidMass), scene.target
+    kind, impactor, target = LAWS[law.NAME], scene.impactor.known_as(RigidMass), scene.target
     follows = law.LOSSY and {"restitution", "nominal_restitution"} & set(given)
+    damped = dict(given) | (
+        {"restitution": DAMPED} if "restitution" in given else {}
+    )  # a damping of nought has no power
 
     def constants(times: float = 1.0, mass: float | None = None) -> list[float]:
         """Those at a speed so many times as high, or of another mass that strikes."""
         other = replace(impactor, velocity=target.velocity + times * scene.speed, mass=mass or impactor.mass)
-        return _scaled(scene, LAWS[law.NAME].read(given, other, target) if follows else law, times)
+        return _scaled(scene, kind.read(damped, other, target) if follows else law, times)
 
     felt_with_half = target.mass / (2.0 if target.held else 3.0)
-    record["constants"] = constants()
-    record["bySpeed"] = _powers(record["constants"], constants(2.0))
+    record["constants"] = _scaled(scene, law, 1.0)
+    record["bySpeed"] = _powers(constants(), constants(2.0))
     record["byMass"] = _powers(constants(mass=felt_with_half), constants(mass=target.mass))
-    set_by = _scaled(scene, LAWS[law.NAME].read(table, impactor, target), 1.0)
+    set_by = _scaled(scene, kind.read(table, impactor, target), 1.0)
     if all(math.isclose(a, b, rel_tol=SAME) for a, b in zip(set_by, record["constants"], strict=True)):
-        harder = LAWS[law.NAME].read(table | {"stiffness": 0.5 * table["stiffness"]}, impactor, target)
-        record["byStiffness"] = _powers(_scaled(scene, harder, 1.0), set_by)
+        other = table | ({"restitution": DAMPED} if "restitution" in table else {})
+        usual, softer = (
+            _scaled(scene, kind.read(other | {"stiffness": times * table["stiffness"]}, impactor, target), 1.0)
+            for times in (1.0, 0.5)
+        )
+        record["byStiffness"] = _powers(softer, usual)
         record["stiffness"] = STIFFNESS[law.NAME]
+        if law.NAME in OF_KERNELS:
+            place, (number_for, _) = law._fields.index("damping"), OF_KERNELS[law.NAME]
+            record["damping"] = [place, usual[place] / number_for(DAMPED)]
     return record
 
 

@@ -167,6 +167,9 @@ RECORDS: dict[str, Fields] = {
         "byMass": Field("number[]", "with the mass that both bodies are felt with"),
         "byStiffness": Field("number[]", "and with the choice that sets the stiffness"),
         "stiffness": Field("string | null", "that choice; null if it sets more than these powers tell"),
+        "damping": Field(
+            "[place: number, unit: number] | null", "constant that a restitution sets, and its value at the number one"
+        ),
     },
     "RodRecord": {
         "from": Field("number", "from the struck face [m]"),

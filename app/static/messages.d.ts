@@ -174,6 +174,7 @@ export interface LawRecord {
   /** with the mass that both bodies are felt with */ byMass: number[];
   /** and with the choice that sets the stiffness */ byStiffness: number[];
   /** that choice; null if it sets more than these powers tell */ stiffness: string | null;
+  /** constant that a restitution sets, and its value at the number one */ damping: [place: number, unit: number] | null;
 }
 
 export interface RodRecord {

@@ -3,7 +3,7 @@
 `app/static/wasm/kernels.js` gives the room that they work in, of the sizes that stand here.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numba
@@ -11,6 +11,7 @@ import numpy as np
 from numba import carray, types
 
 from solvers.contact import LAWS, Rigid
+from solvers.contact.damping import OF_KERNELS
 from solvers.methods.base import AFTERGLOW, MAX_ROUND_TRIPS
 from solvers.numerics.law_functions import CONSTANTS
 from solvers.numerics.polynomials import MAX_INTERVALS, RootWork
@@ -45,6 +46,9 @@ DRAWN = {  # what is drawn, by argument: how many numbers
     "end": INSTANTS,
     "whole": INSTANTS,
 }
+
+
+DASHPOTS = tuple(OF_KERNELS)  # laws whose damping follows from a restitution
 
 
 class Entry(NamedTuple):
@@ -140,6 +144,31 @@ def law(
     )  # fmt: skip
 
 
+def _dashpot_of(number: int) -> Callable:
+    """The damping number of the laws from this one on, and its nominal restitution."""
+    number_for, nominal = OF_KERNELS[DASHPOTS[number]]
+    others = _dashpot_of(number + 1) if number + 1 < len(DASHPOTS) else None
+
+    @numba.njit(error_model="numpy")
+    def found(which, restitution):
+        if others is None or which == number:
+            value = number_for(restitution)
+            return value, nominal(value)
+        return others(which, restitution)
+
+    return found
+
+
+_dashpot = _dashpot_of(0)
+
+
+def dashpot(which, restitution, out):
+    """Of a law among DASHPOTS: the damping number that delivers a restitution, and what its usual formula calls it."""
+    found = carray(out, (2,))
+    found[0], found[1] = _dashpot(which, restitution)
+    return 0
+
+
 ENTRIES = {
     "rod": Entry(
         rod,
@@ -206,6 +235,7 @@ ENTRIES = {
             "forcePoints": law_drawn.FORCE_POINTS,
         },
     ),
+    "dashpot": Entry(dashpot, 2, {"out": 2}, {}, {"number": 0, "nominal": 1}),
 }
 
 
@@ -215,8 +245,14 @@ def room() -> str:
         "// Sizes of the arrays that kernels work in, and places of figures: written by app/wasm/build.py.\n"
         f"export const ROOM = {_listed({name: entry.room for name, entry in ENTRIES.items()})};\n"
         f"export const OUT = {_listed({name: entry.out for name, entry in ENTRIES.items()})};\n"
-        f"export const LAWS = [\n" + "".join(f"  '{kind.NAME}',\n" for kind in KINDS) + "];\n"
+        f"export const LAWS = {_names([kind.NAME for kind in KINDS])};\n"
+        f"export const DASHPOTS = {_names(DASHPOTS)};\n"
     )
+
+
+def _names(names: Sequence[str]) -> str:
+    lines = "".join(f"  '{name}',\n" for name in names)
+    return f"[\n{lines}]"
 
 
 def _listed(tables: dict[str, dict[str, int]]) -> str:

@@ -5,6 +5,8 @@ from collections.abc import Callable, Mapping
 from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
+from numba.extending import register_jitable
+
 from .. import validation
 from .halving import root_between
 
@@ -54,38 +56,50 @@ def delivered_restitution(damping: float) -> float:
     return -math.expm1(-w) / damping
 
 
-@lru_cache(maxsize=1000)
-def damping_for(restitution: float) -> float:
-    """The damping number d = damping * approach speed with which Hunt-Crossley delivers this restitution."""
+@register_jitable
+def _mismatch(w: float, restitution: float) -> float:
+    """Of the law's first integral, in w = -ln(1 - d e)."""
+    damping = -math.expm1(-w) / restitution
+    return damping * (1.0 + restitution) - math.log1p(damping) - w
+
+
+@register_jitable
+def _hunt_crossley_number(restitution: float) -> float:
     if restitution > 1.0 - 1e-4:
         return 1.5 * (1.0 - restitution)
-
-    def mismatch(w: float) -> float:
-        damping = -math.expm1(-w) / restitution
-        return damping * (1.0 + restitution) - math.log1p(damping) - w
-
     least = 0.75 * (1.0 - restitution) * restitution  # half of d e for light damping; w = 0 is a root too
-    w = root_between(mismatch, least, 2.0 + 2.0 / restitution)
+    w = root_between(_mismatch, least, 2.0 + 2.0 / restitution, (restitution,))
     return -math.expm1(-w) / restitution
 
 
+@lru_cache(maxsize=1000)
+def damping_for(restitution: float) -> float:
+    """The damping number d = damping * approach speed with which Hunt-Crossley delivers this restitution."""
+    return _hunt_crossley_number(restitution)
+
+
+@register_jitable
+def _hunt_crossley_nominal(number: float) -> float:
+    return max(1.0 - 2.0 * number / 3.0, 0.0)
+
+
+@register_jitable
+def _lankarani_nikravesh_nominal(number: float) -> float:
+    return math.sqrt(max(1.0 - 4.0 * number / 3.0, 0.0))
+
+
 HUNT_CROSSLEY = Dashpot(
-    delivered_restitution,
-    damping_for,
-    lambda number: max(1.0 - 2.0 * number / 3.0, 0.0),
-    lambda restitution: 1.5 * (1.0 - restitution),
+    delivered_restitution, damping_for, _hunt_crossley_nominal, lambda restitution: 1.5 * (1.0 - restitution)
 )
 LANKARANI_NIKRAVESH = Dashpot(
-    delivered_restitution,
-    damping_for,
-    lambda number: math.sqrt(max(1.0 - 4.0 * number / 3.0, 0.0)),
-    lambda restitution: 0.75 * (1.0 - restitution**2),
+    delivered_restitution, damping_for, _lankarani_nikravesh_nominal, lambda restitution: 0.75 * (1.0 - restitution**2)
 )
 
 
 # --- Kelvin and Voigt: the number is zeta = C / (2 sqrt(K m)) ---------------------------------------------------------
 
 
+@register_jitable
 def _pulled_free(zeta: float) -> float:
     """Restitution at F = 0: exp(-zeta / sqrt(1 - zeta^2) (pi - 2 asin zeta)), and what that is beyond zeta = 1."""
     if zeta < 1.0:
@@ -99,11 +113,22 @@ def _pulled_free(zeta: float) -> float:
     return math.exp(-2.0 * zeta * angle)
 
 
+@register_jitable
+def _pulls_more(zeta: float, restitution: float) -> float:
+    return _pulled_free(zeta) - restitution
+
+
+@register_jitable
+def _kelvin_voigt_number(restitution: float) -> float:
+    return root_between(_pulls_more, 0.0, 10.0, (restitution,))
+
+
 @lru_cache(maxsize=1000)
 def _zeta_for(restitution: float) -> float:
-    return root_between(lambda zeta: _pulled_free(zeta) - restitution, 0.0, 10.0)
+    return _kelvin_voigt_number(restitution)
 
 
+@register_jitable
 def _full_swing(zeta: float) -> float:
     """exp(-pi zeta / sqrt(1 - zeta^2)): half a swing, to zero indentation."""
     return math.exp(-math.pi * zeta / math.sqrt(1.0 - zeta * zeta)) if zeta < 1.0 else 0.0
@@ -114,6 +139,13 @@ def _zeta_for_full_swing(restitution: float) -> float:
 
 
 KELVIN_VOIGT = Dashpot(_pulled_free, _zeta_for, _full_swing, _zeta_for_full_swing)
+
+# By law, for kernels: the number that delivers a restitution, and what the usual formula calls that number.
+OF_KERNELS = {
+    "hunt-crossley": (_hunt_crossley_number, _hunt_crossley_nominal),
+    "lankarani-nikravesh": (_hunt_crossley_number, _lankarani_nikravesh_nominal),
+    "kelvin-voigt": (_kelvin_voigt_number, _full_swing),
+}
 
 
 # --- Lee and Wang: a'' = -(a^n + number * a a') with a'(0) = 1 --------------------------------------------------------

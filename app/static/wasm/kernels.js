@@ -1,5 +1,5 @@
 // The library's own kernels, compiled for browsers: the module, and the room that they work in.
-import { LAWS, OUT, ROOM } from './room.js';
+import { DASHPOTS, LAWS, OUT, ROOM } from './room.js';
 
 const [PAGE, NUMBER, ALIGNED] = [65536, 8, 64]; // bytes
 // numbers of a contact: as in solvers/numerics/waves/rigid.py and law_drawn.py
@@ -73,11 +73,11 @@ export class Kernels {
     return new Float64Array(this.memory.buffer, this.places[name][array], size);
   }
   /**
-   * Run a kernel; nothing where it has failed, or an impact has more contacts than there is room for.
+   * Call a kernel; nothing where it has failed, or an impact has more contacts than there is room for.
    * @param {Name} name
    * @param {...number} numbers
    */
-  #run(name, ...numbers) {
+  #call(name, ...numbers) {
     const { status } = this;
     const failed = this.exports[name](status, status + NUMBER, ...numbers, ...Object.values(this.places[name]));
     const [left] = new Int32Array(this.memory.buffer, status, 1);
@@ -88,6 +88,17 @@ export class Kernels {
     const read = (/** @type {string} */ array, size = sizes[array]) => this.#array(name, array, size).slice();
     /** @type {Record<string, number>} */
     const figures = Object.fromEntries(Object.entries(OUT[name]).map(([each, place]) => [each, out[place]]));
+    return { figures, read };
+  }
+  /**
+   * Solve an impact.
+   * @param {'rod' | 'law'} name
+   * @param {...number} numbers
+   */
+  #run(name, ...numbers) {
+    const called = this.#call(name, ...numbers);
+    if (!called) return null;
+    const { figures, read } = called;
     const { compressing, duration, energy, forcePoints, impulse, target, wavePoints } = figures;
     const columns = CONTACT[name];
     const table = read('contacts', columns * figures.contacts);
@@ -100,6 +111,15 @@ export class Kernels {
       ...{ mass: read('mass'), end: read('end'), whole: read('whole') },
     };
     return { common: { compressing, duration, energy, impulse, target, histories }, figures, rows, read };
+  }
+  /**
+   * What delivers a restitution by a damped law: its damping number, and what the usual formula says of that.
+   * @param {string} name
+   * @param {number} restitution
+   */
+  dashpot(name, restitution) {
+    const { number = NaN, nominal = NaN } = this.#call('dashpot', DASHPOTS.indexOf(name), restitution)?.figures ?? {};
+    return { number, nominal };
   }
   /**
    * A rigid mass on a rod.

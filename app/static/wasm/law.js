@@ -2,7 +2,7 @@
 import { LAWS } from './room.js';
 
 /** @import { AxialFrame, Chosen, LawRecord } from '../messages.js' */
-/** @import { Cycle, Impact } from './kernels.js' */
+/** @import { Cycle, Impact, Kernels } from './kernels.js' */
 
 const BEYOND = 1.02; // times the parting: up to there indentation and force are drawn over each other
 const PRESSURE = 1.5; // of Hertz in the middle, times the mean one
@@ -17,23 +17,37 @@ const TOUCH = ['touchTime', 'touchRadius', 'touchPressure'];
 export const setsLaw = ({ laws }, name) => name === 'law' || laws.some(({ stiffness }) => stiffness === name);
 
 /**
+ * Whether the law of an answer takes another restitution by itself.
+ * @param {AxialFrame} frame
+ */
+export const takesRestitution = ({ chosen, damps, laws }) =>
+  !damps || Boolean(laws.find(({ name }) => name === chosen.law)?.damping);
+
+/**
  * The law that is chosen, with the constants that it then has; nothing where the server alone knows these.
+ * @param {Kernels} kernels
  * @param {AxialFrame} from
  * @param {Chosen} chosen
  * @param {number} speed  times as high
  * @param {number} mass  that both bodies are felt with, times as large
  * @returns {LawRecord | null}
  */
-export function lawFor({ chosen: before, laws }, chosen, speed, mass) {
+export function lawFor(kernels, { chosen: before, laws, leastRestitution }, chosen, speed, mass) {
   const law = laws.find(({ name }) => name === chosen.law);
   if (!law || (law.constants.length && !LAWS.includes(law.name))) return null;
   const changed = law.choices.filter((name) => chosen[name] !== before[name]);
-  if (law.damps && chosen.restitution !== before.restitution) return null;
+  const restored = chosen.restitution !== before.restitution;
+  if (law.damps && restored && !law.damping) return null;
   if (changed.some((name) => name !== law.stiffness)) return null;
   const harder = law.stiffness ? Number(chosen[law.stiffness]) / Number(before[law.stiffness]) : 1;
   const powers = (/** @type {number} */ k) =>
     speed ** law.bySpeed[k] * mass ** law.byMass[k] * harder ** (law.byStiffness[k] ?? 0);
-  return { ...law, constants: law.constants.map((value, k) => value * powers(k)) };
+  const constants = law.constants.map((value, k) => value * powers(k));
+  if (!restored || !law.damping) return { ...law, constants };
+  const [place, unit] = law.damping;
+  const { nominal, number } = kernels.dashpot(law.name, Math.max(Number(chosen.restitution), leastRestitution));
+  constants[place] = number * unit * powers(place);
+  return { ...law, nominal, constants };
 }
 
 /**

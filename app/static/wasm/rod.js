@@ -1,6 +1,6 @@
 // What the page draws of a mass on a uniform rod, by the browser's own answer: a message like that of the server.
 import { between } from '../charts/scale.js';
-import { cycleOf, lawFor, setsLaw, withLaw } from './law.js';
+import { cycleOf, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 
 /** @import { AxialFigures, AxialFrame, Chosen, Contact, Energies} from '../messages.js' */
 /** @import { Impact, Kernels } from './kernels.js' */
@@ -12,12 +12,12 @@ const ERROR = { rigid: 1e-15, law: 1e-9 }; // the least that is claimed: roundin
 const BESIDE = ['otherTime', 'otherForce', 'otherMass', 'otherEnd', 'modalForce', 'fieldForce', 'balanceTime'];
 
 /**
- * Choices that it follows; all others are left to the server. Which damping gives another restitution the server knows.
+ * Choices that it follows; all others are left to the server.
  * @param {AxialFrame} frame
  * @param {string} name
  */
 export const follows = (frame, name) =>
-  setsLaw(frame, name) || (FOLLOWED.includes(name) && !(frame.damps && name === 'restitution'));
+  setsLaw(frame, name) || (FOLLOWED.includes(name) && (name !== 'restitution' || takesRestitution(frame)));
 
 /**
  * Whether an answer of the server is one of these impacts, followed for as long as is usual.
@@ -54,7 +54,7 @@ export function rodWith(kernels, from, chosen) {
   const beta = from.target.mass / mass;
   const speed = Number(chosen.speed);
   const times = speed / from.speed;
-  const law = lawFor(from, chosen, times, felt(from, mass) / felt(from, from.impactor.mass));
+  const law = lawFor(kernels, from, chosen, times, felt(from, mass) / felt(from, from.impactor.mass));
   const side = from.rods[0].mirror > 0 ? 1 : -1;
   const impact = law && (law.constants.length ? kernels.law(beta, side, law) : kernels.rod(beta, side));
   if (!impact) return null;
@@ -79,9 +79,8 @@ export function rodWith(kernels, from, chosen) {
   if (impact.cycle) Object.assign(made, cycleOf(made, impact, impact.cycle));
   const exact = figuresOf(made, impact);
   exact.diagnostics = { ...exact.diagnostics, wall_time: (performance.now() - begun) / 1e3 };
-  const alike = mass === from.impactor.mass && !law.choices.some((name) => chosen[name] !== from.chosen[name]);
-  const steady =
-    alike && chosen.law === from.chosen.law && (from.other?.byLaw || chosen.restitution === from.chosen.restitution);
+  const settings = ['law', ...law.choices, ...(from.other?.byLaw && !law.damps ? [] : ['restitution'])];
+  const steady = mass === from.impactor.mass && settings.every((name) => chosen[name] === from.chosen[name]);
   const beside = steady ? { other: from.other && faster(from.other, times) } : without(from);
   return { ...made, exact, match: exact.restitution.newton, ...beside };
 }

@@ -44,6 +44,9 @@ export const ROOM = {
     contacts: 320,
     out: 13,
   },
+  dashpot: {
+    out: 2,
+  },
 };
 export const OUT = {
   rod: {
@@ -71,6 +74,10 @@ export const OUT = {
     wavePoints: 11,
     forcePoints: 12,
   },
+  dashpot: {
+    number: 0,
+    nominal: 1,
+  },
 };
 export const LAWS = [
   'linear',
@@ -84,3 +91,4 @@ export const LAWS = [
   'plastic-linear',
   'plastic-power',
 ];
+export const DASHPOTS = ['hunt-crossley', 'lankarani-nikravesh', 'kelvin-voigt'];
