@@ -23,7 +23,7 @@ def add_wasm_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _export(options: argparse.Namespace) -> int:
-    if options.laboratory and not re.fullmatch(r"https?://[^\s/]+(/[^\s?#]*)?", options.laboratory):
+    if options.laboratory and not re.fullmatch(r"https?://[^\s/?#]+(/[^\s?#]*)?", options.laboratory):
         raise SceneError("--laboratory", options.laboratory, text("wanted.laboratory"))
     from ..serving.folder import OutOfDate, export
     from ..text.catalogues import language_for

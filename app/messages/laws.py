@@ -1,17 +1,20 @@
 """What the browser needs of contact laws to answer other choices by itself: see app/wasm."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from solvers import LAWS, Rod, Scene, SceneError
+from solvers import LAWS, Rod, Scene, SceneError, Waves
 from solvers.bodies import RigidMass
 from solvers.contact import Rigid
+from solvers.contact.constants import STIFFNESS_RANGE
 from solvers.contact.damping import OF_KERNELS
 from solvers.contact.duration import exponent_of
 
-from ..choices.laws import STIFFNESS, contact_table, law_choices
+from ..choices.built_in import base_of
+from ..choices.choices import Choices
+from ..choices.laws import DEPTH, STIFFNESS, contact_table, law_choices
 
 DAMPED = 0.5  # a restitution at which it shows how damping grows
 SAME = 1e-9  # relative difference of constants that are the same but for rounding
@@ -27,6 +30,9 @@ def law_fields(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
     impactor, target, own = scene.impactor, scene.target, scene.contact
     if not isinstance(impactor, RigidMass) or not isinstance(target, Rod):
         return []
+    if target.support == "anechoic" or target.end_mass or target.velocity or chosen["method"] != Waves.NAME:
+        return []
+    opened: Any = base_of(chosen["scene"], chosen["bodies"]).contact
     found = []
     for name, kind in LAWS.items():
         if name == own.NAME:
@@ -34,9 +40,11 @@ def law_fields(scene: Scene, chosen: Mapping[str, Any]) -> list[dict[str, Any]]:
         elif not kind.LOSSY or kind.EXPONENT is not None:
             table = _table(chosen, name)
             try:
-                found.append(_record(scene, kind.read(table, impactor, target), table, table))
+                law = kind.read(table, impactor, target)
             except SceneError:  # a choice that is not in view is beyond what this law takes
                 continue
+            if name != opened.NAME or _alike(law, opened):  # else the scene comes back to more than the choices say
+                found.append(_record(scene, law, table, table))
     return found
 
 
@@ -73,18 +81,31 @@ def _record(scene: Scene, law: Any, given: Mapping[str, Any], table: dict[str, A
     record["bySpeed"] = _powers(constants(), constants(2.0))
     record["byMass"] = _powers(constants(mass=felt_with_half), constants(mass=target.mass))
     set_by = _scaled(scene, kind.read(table, impactor, target), 1.0)
-    if all(math.isclose(a, b, rel_tol=SAME) for a, b in zip(set_by, record["constants"], strict=True)):
+    if _alike(set_by, record["constants"]):
         other = table | ({"restitution": DAMPED} if "restitution" in table else {})
         usual, softer = (
             _scaled(scene, kind.read(other | {"stiffness": times * table["stiffness"]}, impactor, target), 1.0)
             for times in (1.0, 0.5)
         )
         record["byStiffness"] = _powers(softer, usual)
-        record["stiffness"] = STIFFNESS[law.NAME]
+        record["stiffness"] = None if _capped(table, law) else STIFFNESS[law.NAME]
         if law.NAME in OF_KERNELS:
             place, (number_for, _) = law._fields.index("damping"), OF_KERNELS[law.NAME]
             record["damping"] = [place, usual[place] / number_for(DAMPED)]
     return record
+
+
+def _alike(one: Sequence[float], other: Sequence[float]) -> bool:
+    return all(math.isclose(a, b, rel_tol=SAME) for a, b in zip(one, other, strict=True))
+
+
+def _capped(table: Mapping[str, Any], law: Any) -> bool:
+    """Whether the stiffest that can be chosen is more than a scene may have."""
+    name = STIFFNESS[law.NAME]
+    most = Choices.param[name].bounds[1]
+    if name == "force_at_depth":
+        most /= DEPTH ** (law.EXPONENT or table["exponent"])
+    return most > STIFFNESS_RANGE[1]
 
 
 def _scaled(scene: Scene, law: Any, times: float) -> list[float]:

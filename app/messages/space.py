@@ -111,15 +111,15 @@ def _course(solution: Solution, across: np.ndarray, up: np.ndarray) -> dict[str,
     before = in_space(scene.impactor), in_space(scene.target)
     path, frame = sliding_path(*before, normal, float(scene.friction or 0.0), method["restitution"], law, COURSE_POINTS)
     slides = -path[:, 1:] @ frame
-    pushes = _pushes(*before, slides - slides[0])
-    given = pushes
+    press, pushes = path[:, 0], _pushes(*before, slides - slides[0])
     if law == NEWTON:  # which knows no course: in proportion, to the impulse that is its own
-        given = np.outer(path[:, 0] / path[-1, 0], solution.impulse)
+        pushes = np.outer(press / press[-1], solution.impulse)
+        press = pushes @ normal * (np.sign(pushes[-1] @ normal) or 1.0)
     return {
-        "slideImpulse": given,
+        "slideImpulse": pushes,
         "slidePush": np.linalg.norm(pushes - np.outer(pushes @ normal, normal), axis=1),
-        "slideSpins": np.stack([_spins(before[0], -given), _spins(before[1], given)], axis=1),
-        "slidePress": path[:, 0],
+        "slideSpins": np.stack([_spins(before[0], -pushes), _spins(before[1], pushes)], axis=1),
+        "slidePress": press,
         "slideParting": path[:, 1],
         "slideAlong": slides @ along,
         "slideAside": slides @ aside,

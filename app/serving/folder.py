@@ -93,9 +93,11 @@ def _scenes(names: list[str], laboratory: str, language: str) -> str:
     """A script with texts, choices and a message of each scene, packed: a header in JSON, and the messages after it."""
     messages = [_without_remade(solve_frame(Choices(scene=name, **choices_of(name)).chosen())) for name in names]
     spec = spec_of_choices()
+    known = {law["name"] for message in messages for law in read_header(message)["laws"]}
+    laws = [name for name in spec["law"]["options"] if name in known]
     head = {
         "texts": {"language": language, "texts": page(language).texts},
-        "spec": spec | {"scene": spec["scene"] | {"options": names}},
+        "spec": spec | {"scene": spec["scene"] | {"options": names}, "law": spec["law"] | {"options": laws}},
         "gallery": _gallery(set(names)),
         "kernels": sources(),
         "laboratory": laboratory,

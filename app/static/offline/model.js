@@ -36,8 +36,19 @@ export class Offline {
       new Proxy(this.values, { set: (_, name, value) => this.#set(String(name), value) })
     );
     const found = this.#found(chosen);
-    if ('code' in found) throw new Error(found.code);
-    this.#show(found);
+    const shown = 'code' in found ? this.#opened(chosen, found) : found;
+    if ('code' in shown) throw new Error(shown.code);
+    this.#show(shown);
+  }
+  /**
+   * A scene as it opens, where a link asks for more than can be answered, which is said.
+   * @param {Chosen} chosen
+   * @param {Note} why
+   */
+  #opened(chosen, why) {
+    const own = this.scene(chosen.scene)?.chosen ?? chosen;
+    Object.assign(this.values, own, { refused: JSON.stringify([why]) });
+    return this.#found(own);
   }
   /**
    * As the library has solved it, without what kernels make anew; nothing where it is not here.
@@ -145,18 +156,30 @@ export class Offline {
     }
     try {
       const frame = this.answers.covers(base, changed) && this.answers.answer(base, chosen);
-      return frame ? { ...withTrials(frame), acting: this.#acting(frame) } : refusal('offline.beyond');
+      return frame ? { ...withTrials(frame, this.spec), acting: this.#acting(frame) } : refusal('offline.beyond');
     } catch {
       return refusal('offline.trap');
     }
   }
 }
 
+/** @type {Record<string, number>} */
+const TIMES = { faster: 2, heavier: 1 / 4 }; // of what is shown, is tried: as in app/choices/kinds.py
+
 /**
- * Without trials of what is so already.
+ * With the trials of what is shown: none of what is so already, and none that is softer once something gives way.
  * @param {Frame} frame
+ * @param {Spec} spec
  */
-function withTrials(frame) {
-  const trials = frame.opens.trials.filter((/** @type {Try} */ [, name, value]) => frame.chosen[name] !== value);
-  return { ...frame, opens: { ...frame.opens, trials } };
+function withTrials(frame, spec) {
+  const { chosen, opens } = frame;
+  const trials = opens.trials.flatMap((trial) => {
+    const [say, name] = trial;
+    const times = TIMES[say];
+    const value = times ? times * Number(chosen[name]) : trial[2];
+    const within = !times || (Number(value) >= spec[name].low && Number(value) <= spec[name].high);
+    const softens = say === 'softer' && !('rigid' in frame && frame.rigid);
+    return within && !softens && chosen[name] !== value ? [/** @type {Try} */ ([say, name, value])] : [];
+  });
+  return { ...frame, opens: { ...opens, trials } };
 }

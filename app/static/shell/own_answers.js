@@ -63,6 +63,8 @@ export class OwnAnswers {
    * @returns {number}  ms for which the server is left alone
    */
   take() {
+    const { latest } = this.page.changes;
+    if (latest && !this.#changed(latest).length) this.restore(); // the hand has come back to what is answered
     if (!this.#base) return 0;
     this.due ||= requestAnimationFrame(() => this.#draw());
     return REST;
@@ -73,6 +75,7 @@ export class OwnAnswers {
    */
   ahead(frame) {
     if (!frame.draft) this.whole = frame;
+    this.beyond = ''; // the server has gone past it
     const { chosen, kind } = this.page.frame ?? {};
     if (frame.kind !== kind || frame.chosen.scene !== chosen?.scene) return false; // all is laid out anew for another
     if (!this.#changed(frame).length || !this.#base) return false;
@@ -84,6 +87,18 @@ export class OwnAnswers {
     const { changes, frame } = this.page;
     if (this.made.has(frame)) this.page.take(changes.bytes);
   }
+  /**
+   * The answer, if there is one; a module that has failed is not asked again.
+   * @param {Frame} base
+   */
+  #found(base) {
+    try {
+      return this.answers?.answer(base, this.#chosen) ?? null;
+    } catch {
+      this.answers = null;
+      return null;
+    }
+  }
   #draw() {
     this.due = 0;
     const { page } = this;
@@ -91,7 +106,7 @@ export class OwnAnswers {
     if (!this.#changed(changes.latest).length) this.restore(); // the hand has come back to what the server has answered
     const base = this.#base;
     if (!base || !this.#changed(page.frame).length) return; // the server has answered, or is to
-    const frame = this.answers?.answer(base, this.#chosen);
+    const frame = this.#found(base);
     if (!frame) {
       this.beyond = JSON.stringify(this.#chosen);
       changes.flush();

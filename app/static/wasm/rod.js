@@ -6,6 +6,7 @@ import { cycleOf, lawFor, setsLaw, takesRestitution, withLaw } from './law.js';
 /** @import { Impact, Kernels } from './kernels.js' */
 
 const FOLLOWED = ['mass_ratio', 'restitution', 'speed'];
+const LINEAR = 1e-9; // a power of the speed that is none
 const CUT = { before: 0.02, share: 0.1 }; // of T, and of the peak: what a force still is that a wave cuts off
 const ERROR = { rigid: 1e-15, law: 1e-9 }; // the least that is claimed: rounding, and the tolerance of a step
 /** Histories of the method beside, which only the server solves. */
@@ -80,8 +81,12 @@ export function rodWith(kernels, from, chosen) {
   const exact = figuresOf(made, impact);
   exact.diagnostics = { ...exact.diagnostics, wall_time: (performance.now() - begun) / 1e3 };
   const settings = ['law', ...law.choices, ...(from.other?.byLaw && !law.damps ? [] : ['restitution'])];
-  const steady = mass === from.impactor.mass && settings.every((name) => chosen[name] === from.chosen[name]);
+  const same = mass === from.impactor.mass && settings.every((name) => chosen[name] === from.chosen[name]);
+  const linear = law.bySpeed.every((power) => Math.abs(power) < LINEAR); // all grows with the speed
+  const even = !from.otherMass || from.otherMass.length === drawn.mass.length; // not those of a stretch seen closer
+  const steady = same && even && (times === 1 || linear);
   const beside = steady ? { other: from.other && faster(from.other, times) } : without(from);
+  if (same && times === 1) exact.notes = from.exact.notes;
   return { ...made, exact, match: exact.restitution.newton, ...beside };
 }
 
@@ -115,8 +120,13 @@ function faster(figures, times) {
   const energy = /** @type {Energies} */ (
     Object.fromEntries(Object.entries(figures.energy).map(([name, value]) => [name, value * times * times]))
   );
-  const peakForce = figures.peakForce && figures.peakForce * times;
-  return { ...figures, contacts: figures.contacts.map(scaled), energy, peakForce };
+  const grown = (/** @type {number | null} */ value) => value && value * times;
+  return {
+    ...figures,
+    ...{ contacts: figures.contacts.map(scaled), energy, peakForce: grown(figures.peakForce) },
+    peakIndentation: grown(figures.peakIndentation),
+    residualIndentation: grown(figures.residualIndentation),
+  };
 }
 
 /**

@@ -10,7 +10,8 @@ STATE = """() => {
     Object.entries({ f0, exactMass, exactEnd: frame.exactEnd, exactWhole: frame.exactWhole ?? [] })
       .map(([name, values]) => [name, [...values]]));
   const figures = { duration, peakForce, contacts, restitution, energy, final, targetFinal, left, cutOff, match };
-  return { own: own.made.has(frame), figures: { ...figures, prediction }, arrays, force: Math.max(...exactForce) };
+  const shown = { own: own.made.has(frame), beside: Boolean(frame.other) };
+  return { ...shown, figures: { ...figures, prediction }, arrays, force: Math.max(...exactForce) };
 }"""
 CYCLE = """() => {
   const drawn = 'blowDepth blowForce cycleDepth cycleLoading cycleUnloading touchRadius touchPressure'.split(' ');
@@ -101,6 +102,16 @@ def test_another_restitution_of_a_damped_contact_is_left_to_the_server(open_page
     page.answered(lambda: page.evaluate("() => strikewave.page.controls.send('restitution', 0.35)"))
     assert page.header("chosen")["restitution"] == 0.35
     assert page.evaluate("() => strikewave.page.own.count") == 0
+
+
+@pytest.mark.parametrize("query, kept", [("?scene=free-rod", True), ("?scene=bronze-rod-steel-ball", False)])
+def test_the_method_beside_is_scaled_with_the_speed_only_where_all_is_linear(open_page, query, kept):
+    page = open_page(query)
+    page.wait(READY)
+    assert page.evaluate(STATE)["beside"]
+    _, moved = page.evaluate(MOVE, ["speed", [4.0]])
+    assert moved["own"]
+    assert moved["beside"] == kept
 
 
 def test_it_goes_on_without_a_server(open_page):

@@ -184,6 +184,29 @@ def test_what_cannot_be_chosen_is_set_back(opened, name, value):
     assert tab.evaluate("() => strikewave.page.frame.speed") == 2.0
 
 
+@pytest.mark.parametrize("query", ["?law=lee-wang", "?law=hertz&mass_ratio=0.001"])
+def test_a_link_to_what_cannot_be_answered_opens_the_scene_and_says_so(opened, query):
+    tab = opened(query)
+    assert tab.evaluate("() => strikewave.page.frame.chosen.law") == "rigid"
+    assert len(tab.evaluate("() => JSON.parse(strikewave.page.model.refused)")) == 1
+    assert tab.errors == []
+
+
+def test_it_tries_what_is_other_than_what_is_shown(opened):
+    tab = opened("?scene=free-rod&speed=5")
+    trials = "() => Object.fromEntries(strikewave.page.frame.opens.trials.map(([say, , value]) => [say, value]))"
+    assert tab.evaluate(trials)["faster"] == 10.0
+    assert "softer" in tab.evaluate(trials)
+    choose(tab, "law", "linear")
+    assert "softer" not in tab.evaluate(trials)
+
+
+def test_it_opens_with_the_warnings_of_the_scene(opened):
+    tab = opened()
+    notes = "() => strikewave.page.frame.exact.notes.map(({ code }) => code)"
+    assert "near-grazing" in tab.evaluate(notes)
+
+
 def test_another_contact_law_and_its_stiffness_are_answered(opened):
     tab = opened("?scene=free-rod")
     choose(tab, "law", "hertz")
