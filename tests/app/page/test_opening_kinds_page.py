@@ -243,16 +243,17 @@ def test_a_long_title_is_within_its_button_on_a_phone(open_page):
     assert button["y"] <= title["y"] and title["y"] + title["height"] <= button["y"] + button["height"]
 
 
-def test_a_title_of_more_lines_than_the_bar_has_ends_in_an_ellipsis(open_page):
+def test_the_bar_of_a_phone_grows_with_its_title(open_page):
     page = open_page("?scene=figure-9.8&layout=opening", size=HANDS[1])
     lines = """() => {
       const title = strikewave.page.root.querySelector('.topbar .scene .title');
-      const { clientHeight, scrollHeight } = title;
       const { fontSize, lineHeight } = getComputedStyle(title);
-      return [clientHeight, scrollHeight, parseFloat(lineHeight), parseFloat(fontSize)];
+      return [title.clientHeight, title.scrollHeight, parseFloat(lineHeight), parseFloat(fontSize)];
     }"""
     high, whole, line, letters = page.evaluate(lines)
-    assert whole > high == pytest.approx(3 * line, abs=1) and line > 1.1 * letters  # so that no letter is cut
+    assert high == whole == pytest.approx(4 * line, abs=1) and line > 1.1 * letters  # so that no letter is cut
+    button, ask = (page.tab.locator(name).bounding_box() for name in (".topbar .scene", ".ask"))
+    assert button["y"] >= 0 and button["y"] + button["height"] <= ask["y"]
 
 
 def test_events_below_the_rows_are_seen_in_whole_lines(open_page):
