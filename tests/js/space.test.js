@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
+import { label, unlabelled } from '../../app/static/space/arrows.js';
 import { leanOf, longestSide, LOOKS, turnedBy } from '../../app/static/space/hands.js';
 import { coneOf, coneSeen, givenAt, movingAt } from '../../app/static/space/impulse.js';
 import { cross, dot } from '../../app/static/space/vectors.js';
@@ -102,4 +103,23 @@ test('a cone is a triangle from the side, a circle from its end, and nothing wit
   const widest = Math.max(...aslant.outline.slice(1).map(([x, y]) => Math.abs(x / y)));
   for (const [x, y] of aslant.end) assert.ok(Math.abs(x) <= widest * Math.abs(y) + 1e-9); // its sides enclose it
   assert.equal(coneSeen(seenFrom({ ...RUBS, friction: 0 }, [1, 0, 0], [0, 1, 0])), null);
+});
+
+test('words stay within the sides of the picture', () => {
+  const seen = [];
+  const c = {
+    canvas: { clientWidth: 200 },
+    measureText: () => ({
+      actualBoundingBoxLeft: c.textAlign === 'right' ? 150 : 0,
+      actualBoundingBoxRight: c.textAlign === 'left' ? 150 : 0,
+    }),
+    strokeText: () => {},
+    fillText: (_, x) => seen.push(x),
+    save: () => {},
+    restore: () => {},
+  };
+  unlabelled(c, [], []);
+  label(c, 'cone of friction', [100, 30], [-1, 0]); // written to the left, from its right end
+  label(c, 'cone of friction', [100, 90], [1, 0]);
+  assert.deepEqual(seen, [150, 50]);
 });

@@ -74,9 +74,10 @@ function freed(c, text, x, y) {
   const { words, drawn } = taken.get(c) ?? { words: [], drawn: [] };
   const middle = c.textBaseline === 'top' ? y + LINE / 2 : c.textBaseline === 'bottom' ? y - LINE / 2 : y;
   const wide = c.canvas.clientWidth;
+  const within = Math.max(Math.min(x, wide - right), left);
   const places = ASIDE.flatMap((aside) =>
     ELSEWHERE.map((lines) => {
-      const [across, line] = [x + aside * (left + right + LINE), middle + lines * LINE];
+      const [across, line] = [within + aside * (left + right + LINE), middle + lines * LINE];
       const box = /** @type {Box} */ ([across - left, line - LINE / 2, across + right, line + LINE / 2]);
       return { across, box, down: y + lines * LINE };
     }),

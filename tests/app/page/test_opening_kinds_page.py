@@ -241,3 +241,37 @@ def test_a_long_title_is_within_its_button_on_a_phone(open_page):
     page.show_scene("figure-7.5")
     button, title = (page.tab.locator(name).bounding_box() for name in (".topbar .scene", ".topbar .scene .title"))
     assert button["y"] <= title["y"] and title["y"] + title["height"] <= button["y"] + button["height"]
+
+
+def test_the_bar_of_a_phone_grows_with_its_title(open_page):
+    page = open_page("?scene=figure-9.8&layout=opening", size=HANDS[1])
+    lines = """() => {
+      const title = strikewave.page.root.querySelector('.topbar .scene .title');
+      const { fontSize, lineHeight } = getComputedStyle(title);
+      return [title.clientHeight, title.scrollHeight, parseFloat(lineHeight), parseFloat(fontSize)];
+    }"""
+    high, whole, line, letters = page.evaluate(lines)
+    assert high == whole == pytest.approx(4 * line, abs=1) and line > 1.1 * letters  # so that no letter is cut
+    button, ask = (page.tab.locator(name).bounding_box() for name in (".topbar .scene", ".ask"))
+    assert button["y"] >= 0 and button["y"] + button["height"] <= ask["y"]
+
+
+def test_events_below_the_rows_are_seen_in_whole_lines(open_page):
+    page = open_page("?scene=four-bar&layout=opening", size=HANDS[0])
+    box = page.tab.locator(".happens").bounding_box()
+    lows = {
+        low
+        for each in page.tab.locator(".happens li:visible").all()
+        for low in [each.bounding_box()["y"] + each.bounding_box()["height"]]
+    }
+    assert len(lows) > 1 and all(low <= box["y"] + box["height"] + 0.5 for low in lows)
+
+
+@pytest.mark.parametrize(("scene", "size"), [("fixed-rod", DESKS[1]), ("two-balls", HANDS[0]), ("four-bar", HANDS[0])])
+def test_sliders_of_the_opening_stand_in_one_line(open_page, scene, size):
+    page = open_page(f"?scene={scene}&layout=opening", size=size)
+    sliders = page.tab.locator(".left .leading :is(select, [type=range]):visible")
+    tops = [each.bounding_box()["y"] for each in sliders.all()]
+    assert len(tops) > 2 and max(tops) - min(tops) < 1
+    ends = page.tab.locator(".left .leading .ends span:visible")
+    assert ends.count() == 2 and all(each.bounding_box()["height"] < 20 for each in ends.all())  # one line each
