@@ -16,6 +16,7 @@ import { drawnFromOther } from './drawn.js';
 import { exactFieldOf, otherFieldOf } from './field_of.js';
 import { RigidField, unitOf } from './fields.js';
 import { Moments } from './moments.js';
+import { noteOf, predicts } from './restitution.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
 import { filledOf, tracesOf } from './traces.js';
@@ -151,6 +152,17 @@ export class AxialView {
   get leading() {
     return this.frame.exactBend ? ['modes', 'speed'] : [];
   }
+  /** @param {AxialFrame} frame */
+  hangs({ impactor }) {
+    return impactor.kind === 'pendulum';
+  }
+  /**
+   * @param {AxialFrame} frame
+   * @param {string} [exact]  method that is beside all others
+   */
+  restitution(frame, exact) {
+    return { note: noteOf(frame, exact), predicts: predicts(frame) };
+  }
   /** What the opening draws over place and time; nothing of bodies that no wave runs through. */
   get section() {
     if (!this.frame) return null;
@@ -278,8 +290,13 @@ export class AxialView {
   /**
    * A measured force has come, or gone.
    * @param {AxialFrame} frame
+   * @param {import('../shell/view.js').Measured | null} record
    */
-  overlay(frame) {
+  overlay(frame, record) {
+    const { forceUnit, trip } = frame;
+    delete frame.record;
+    if (record)
+      frame.record = { time: record.time.map((t) => t / trip), force: record.force.map((f) => f / forceUnit) };
     if (frame === this.frame) this.force.load(frame);
   }
   /** @param {number} t */

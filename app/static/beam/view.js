@@ -211,6 +211,10 @@ export class BeamView {
     const perSecond = duration / SECONDS_PLAYED;
     return { kind, scene: chosen.scene, length: duration, unit: trip, perSecond, first, time: opens.time };
   }
+  /** @param {Shown} frame */
+  restitution({ law }) {
+    return { note: text(law.damps ? 'controls.of-contact' : 'controls.of-balances') };
+  }
   /** What the opening draws over place and time; nothing of impulses, nor of what is struck along its length. */
   get section() {
     const { field, force, frame, stage } = this;

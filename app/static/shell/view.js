@@ -22,6 +22,7 @@
  * @property {number} after  an event, by which what it has changed is seen
  * @property {string[]} [leading]  choices that lead there before others
  * @property {(frame: any) => Run} clock  what is played
+ * @property {(frame: any) => boolean} [hangs]  whether what strikes does, from a pivot
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
  * @property {number} [leastRoom]  about what is looked at closely, as a share of the whole impact
@@ -49,6 +50,18 @@
  * @property {() => void} draw
  * @property {(t: number) => void} show
  * @property {() => { names: string[], values: number[][] }} [rows]  histories as a table, if there are any
+ */
+
+/**
+ * What is asked of a kind of impact, whichever view has the page.
+ * @typedef {object} Kind
+ * @property {(frame: any, exact?: string) => Restitution} restitution  `exact`: the method beside all others
+ * @property {(frame: any, record: Measured | null) => void} [overlay]  a measured force, or none
+ */
+/** @typedef {{ time: number[], force: number[] }} Measured  [s, N] */
+/**
+ * What its slider does; whether it sets nothing but a prediction.
+ * @typedef {{ note: string, predicts?: boolean }} Restitution
  */
 
 /**

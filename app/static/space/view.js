@@ -66,6 +66,10 @@ export class SpaceView {
     if (!this.slow) return { ...run, ...MOVEMENT };
     return { ...run, ...CLOCK, said: (/** @type {number} */ t) => impulseAt(frame, t) };
   }
+  /** @param {SpaceFrame} frame  without friction all models are one */
+  restitution({ chosen, friction }) {
+    return { note: text('controls.in-space', { model: friction > 0 ? chosen.restitution_model : '' }) };
+  }
   get section() {
     return this.slow ? tracksOf(this.frame) : null;
   }
