@@ -7,6 +7,7 @@
 /** @import { Supports } from '../charts/supports.js' */
 /** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
+/** @import { Second } from '../compare/beside.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Scene } from '../opening/section.js' */
 /** @import { Run } from './player.js' */
@@ -56,6 +57,7 @@
  * What is asked of a kind of impact, whichever view has the page.
  * @typedef {object} Kind
  * @property {(frame: any, exact?: string) => Restitution} restitution  `exact`: the method beside all others
+ * @property {(frame: any) => Second} beside  a kept solution
  * @property {(frame: any, record: Measured | null) => void} [overlay]  a measured force, or none
  */
 /** @typedef {{ time: number[], force: number[] }} Measured  [s, N] */
