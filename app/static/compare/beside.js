@@ -37,13 +37,16 @@ export class Beside {
   constructor(page) {
     this.page = page;
   }
+  get stage() {
+    return this.picture?.stage ?? null;
+  }
   /** @param {Run | null} run */
   choose(run) {
     if (run === this.run) return;
     this.run = run;
     this.root.hidden = !run;
     this.root.parentElement?.classList.toggle('two', Boolean(run));
-    this.picture?.stage.root.remove();
+    this.stage?.root.remove();
     this.picture = null;
     if (!run) return;
     const { frame, letter } = run;

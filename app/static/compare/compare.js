@@ -241,8 +241,8 @@ export class Compare {
    * @param {import('./scales.js').Scaled} stage  of what is shown
    */
   share(stage) {
-    const other = this.second.picture?.stage;
-    this.scales.share(stage, other?.constructor === stage.constructor ? other : null);
+    const { stage: other } = this.second;
+    this.scales.share(stage, other && other.constructor === stage.constructor ? other : null);
   }
   /** @param {number} t  of what is shown */
   show(t) {

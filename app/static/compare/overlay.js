@@ -117,7 +117,7 @@ export function layOver(view, now, all) {
   view.reactions?.keep(runs);
   for (const each of [view.gauge, view.supports])
     if (each) each.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
-  view.dispersion?.chart.lay('main' in now ? runs.flatMap((run) => dispersionOf(run)) : []);
+  view.dispersion?.chart.lay(runs.flatMap((run) => dispersionOf(run)));
 }
 
 /**
@@ -125,7 +125,7 @@ export function layOver(view, now, all) {
  * @returns {Series[]}
  */
 function dispersionOf({ frame, letter }) {
-  if (!('main' in frame) || !frame.wavenumbers || !frame.lower) return [];
+  if (!('wavenumbers' in frame) || !frame.wavenumbers || !frame.lower) return [];
   return [
     { x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, name: letter, style: `kept${letter}` },
   ];
