@@ -1,4 +1,4 @@
-"""Only a kind's own code asks of what kind an impact is; all else asks the view of the kind, or the message for a fact."""
+"""Only a kind's own code asks what kind an impact is: all else asks the view of the kind, or the message for a fact."""
 
 import re
 from pathlib import Path
@@ -24,7 +24,9 @@ def test_no_other_code_asks_for_the_kind():
     assert asking <= LEFT
 
 
-@pytest.mark.parametrize("code", ["frame.kind === 'axial'", "one?.kind !== 'bodies'", "'beam' === kind", "case 'beam':"])
+@pytest.mark.parametrize(
+    "code", ["frame.kind === 'axial'", "one?.kind !== 'bodies'", "'beam' === kind", "case 'beam':"]
+)
 def test_what_asks_is_found(code):
     assert ASKS.search(code)
 
