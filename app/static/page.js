@@ -40,7 +40,7 @@ import { text } from './text/catalogue.js';
 /** @import { Chosen, Frame } from './messages.js' */
 /** @import { Model } from './shell/model.js' */
 /** @import { Event } from './shell/story.js' */
-/** @import { View } from './shell/view.js' */
+/** @import { Kind, View } from './shell/view.js' */
 
 const NAME = 'Strikewave';
 const READ = 150; // ms for which words stand before they change again
@@ -81,7 +81,7 @@ export class Page {
     this.mechanism = new MechanismView(this);
     this.space = new SpaceView(this);
     const { axial, beam, mechanism, space: bodies } = this;
-    /** @type {Record<Frame['kind'] | 'fall', View>} */
+    /** @type {Record<Frame['kind'], View & Kind> & { fall: View }} */
     this.views = { axial, beam, mechanism, bodies, fall: new FallView(this) };
     this.analyses = new Analyses(this);
     this.closer = new Closer(this);
@@ -272,7 +272,7 @@ export class Page {
     this.analyses.take(this.frame);
     this.compare.take(data, this.frame);
     if (this.root.dataset.kind !== this.kind) this.turn();
-    this.root.classList.toggle('hangs', frame.kind === 'axial' && frame.impactor.kind === 'pendulum');
+    this.root.classList.toggle('hangs', Boolean(this.view.hangs?.(frame)));
     this.view.load(this.frame);
     this.closer.later();
     if (!this.opening.placed) this.place();
@@ -314,7 +314,7 @@ export class Page {
       this.saidAt = performance.now();
       this.telling = 0;
       const known = !this.own.made.has(this.frame); // to the server, too
-      this.controls.arrange(this.frame);
+      this.controls.arrange(this.frame, this.views[this.frame.kind]);
       const parts = [this.story, this.opening, ...(known ? [this.bodies, this.scenes] : [])];
       for (const part of parts) part.load(this.frame);
       this.story.at(this.player.t + this.player.start);

@@ -3,6 +3,7 @@ import { Axis } from '../charts/axis.js';
 import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
 import { Supports } from '../charts/supports.js';
+import { instantIn } from '../compare/beside.js';
 import { make, segments } from '../shell/dom.js';
 import { Stack } from '../shell/stack.js';
 import { TRIPS, times } from '../shell/times.js';
@@ -13,9 +14,10 @@ import { Displacements, Force, SpaceTime } from './charts.js';
 import { cradleRows } from './cradle_rows.js';
 import { Cycle } from './cycle.js';
 import { drawnFromOther } from './drawn.js';
-import { exactFieldOf, otherFieldOf } from './field_of.js';
+import { exactFieldOf, fieldOf, otherFieldOf } from './field_of.js';
 import { RigidField, unitOf } from './fields.js';
 import { Moments } from './moments.js';
+import { noteOf, predicts } from './restitution.js';
 import { Stage } from './stage.js';
 import { Story } from './story.js';
 import { filledOf, tracesOf } from './traces.js';
@@ -24,6 +26,7 @@ import { wallOf } from './wall.js';
 
 /** @import { Page } from '../page.js' */
 /** @import { Source } from '../charts/gauge.js' */
+/** @import { Second } from '../compare/beside.js' */
 /** @import { AxialFrame } from '../messages.js' */
 /** @import { Scene } from '../opening/section.js' */
 /** @import { Field, What } from './fields.js' */
@@ -44,7 +47,7 @@ const keyOf = ({ name }) => name.replaceAll('-', '_');
 export class AxialView {
   /** @type {What} */ what = 'stress'; // that the colours show
   usual = 'stress';
-  whats = ['stress', 'velocity'];
+  /** @type {What[]} */ whats = ['stress', 'velocity'];
   after = 2e-4;
   leastRoom = 1e-4;
   /** @type {AxialFrame} */ frame;
@@ -150,6 +153,17 @@ export class AxialView {
   }
   get leading() {
     return this.frame.exactBend ? ['modes', 'speed'] : [];
+  }
+  /** @param {AxialFrame} frame */
+  hangs({ impactor }) {
+    return impactor.kind === 'pendulum';
+  }
+  /**
+   * @param {AxialFrame} frame
+   * @param {string} [exact]  method that is beside all others
+   */
+  restitution(frame, exact) {
+    return { note: noteOf(frame, exact), predicts: predicts(frame) };
   }
   /** What the opening draws over place and time; nothing of bodies that no wave runs through. */
   get section() {
@@ -276,10 +290,33 @@ export class AxialView {
     this.page.history.later();
   }
   /**
+   * @param {AxialFrame} frame
+   * @returns {Second}
+   */
+  beside(frame) {
+    const [stage, field] = [new Stage(), fieldOf(frame)];
+    const shownOf = (/** @type {string} */ what) => this.whats.find((name) => name === what);
+    const endOf = (/** @type {What} */ what) => field.largest(what) * unitOf(frame, what);
+    return {
+      stage,
+      end: (what) => (shownOf(what) ? endOf(/** @type {What} */ (what)) : 0),
+      load: (what, end) => {
+        const shown = shownOf(what) ?? 'stress';
+        stage.load(frame, field, shown, (end || endOf(shown)) / unitOf(frame, shown));
+      },
+      draw: (now, t) => stage.draw(instantIn(frame, now, t)),
+    };
+  }
+  /**
    * A measured force has come, or gone.
    * @param {AxialFrame} frame
+   * @param {import('../shell/view.js').Measured | null} record
    */
-  overlay(frame) {
+  overlay(frame, record) {
+    const { forceUnit, trip } = frame;
+    delete frame.record;
+    if (record)
+      frame.record = { time: record.time.map((t) => t / trip), force: record.force.map((f) => f / forceUnit) };
     if (frame === this.frame) this.force.load(frame);
   }
   /** @param {number} t */

@@ -4,6 +4,7 @@ import { Axis } from '../charts/axis.js';
 import { Gauge } from '../charts/gauge.js';
 import { between } from '../charts/scale.js';
 import { Supports } from '../charts/supports.js';
+import { instantIn } from '../compare/beside.js';
 import { make, segments } from '../shell/dom.js';
 import { InView } from '../shell/in_view.js';
 import { Stack } from '../shell/stack.js';
@@ -22,6 +23,7 @@ import { supportsOf } from './supports.js';
 /** @import { Page } from '../page.js' */
 /** @import { Chart } from '../charts/chart.js' */
 /** @import { Source } from '../charts/gauge.js' */
+/** @import { Second } from '../compare/beside.js' */
 /** @import { BendingFrame } from '../messages.js' */
 /** @import { Band } from './charts.js' */
 /** @import { Run } from '../shell/player.js' */
@@ -189,6 +191,20 @@ export class BeamView {
   fieldsOf(frame, room) {
     return fieldOf(frame, room);
   }
+  /**
+   * @param {Shown} frame
+   * @param {BeamStage} [stage]
+   * @returns {Second}
+   */
+  beside(frame, stage = new BeamStage()) {
+    const field = this.fieldsOf(frame, 'beside');
+    const shownOf = (/** @type {string} */ what) => FIELDS.find((name) => name === what) ?? 'moment';
+    return {
+      stage,
+      load: (what) => stage.load(frame, field, shownOf(what)),
+      draw: (now, t) => stage.draw(instantIn(frame, now, t)),
+    };
+  }
   /** Charts of which the opening shows the first that there is, where it has no rows. */
   get usualStrip() {
     return [this.force.chart, this.motion.chart];
@@ -210,6 +226,10 @@ export class BeamView {
     const first = start + FIRST * (end - start);
     const perSecond = duration / SECONDS_PLAYED;
     return { kind, scene: chosen.scene, length: duration, unit: trip, perSecond, first, time: opens.time };
+  }
+  /** @param {Shown} frame */
+  restitution({ law }) {
+    return { note: text(law.damps ? 'controls.of-contact' : 'controls.of-balances') };
   }
   /** What the opening draws over place and time; nothing of impulses, nor of what is struck along its length. */
   get section() {

@@ -32,7 +32,7 @@ export class Compare {
     this.scales = new Scales();
     this.bar = new Bar(this);
     this.summary = new Summary();
-    this.second = new Beside();
+    this.second = new Beside(page);
     this.tag = make('span', { className: 'tag own', textContent: text('compare.now'), hidden: true });
   }
   /**
@@ -47,7 +47,7 @@ export class Compare {
   }
   /** Whether there are axes to be locked. */
   get lockable() {
-    return this.page.frame.kind !== 'bodies';
+    return Boolean(this.page.views[this.page.frame.kind].axis);
   }
   /**
    * Another message is about to be shown.
@@ -204,10 +204,10 @@ export class Compare {
    * @param {Frame} frame
    */
   span(frame) {
-    if (frame.kind === 'bodies') return frame.duration;
+    if (!('trip' in frame)) return frame.duration;
     if (this.scales.seconds) return this.scales.seconds / frame.trip;
     const others = this.runs.flatMap(({ frame: kept }) =>
-      kept.kind === 'bodies' || !comparable(frame, kept) ? [] : [(kept.duration * kept.trip) / frame.trip],
+      'trip' in kept && comparable(frame, kept) ? [(kept.duration * kept.trip) / frame.trip] : [],
     );
     return Math.max(frame.duration, ...others);
   }
@@ -231,9 +231,9 @@ export class Compare {
     second.choose(beside);
     this.tag.hidden = !beside;
     const own = largest * unit;
-    const other = what === 'stress' || what === 'velocity' ? second.end(what) : 0;
+    const other = second.picture?.end?.(what) ?? 0;
     const end = scales.end(what, own && Math.max(own, other));
-    second.load(what, end);
+    second.picture?.load(what, end);
     return end / unit;
   }
   /**
@@ -246,7 +246,7 @@ export class Compare {
   }
   /** @param {number} t  of what is shown */
   show(t) {
-    this.second.draw(this.page.frame, t);
+    this.second.picture?.draw(this.page.frame, t);
   }
 }
 

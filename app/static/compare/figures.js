@@ -1,13 +1,11 @@
 // Figures of a solution in SI units, and how far two solutions lie apart, in percent and in words.
-import { timesOf } from '../charts/peak.js';
 import { engineering, figures as digits, percent } from '../text/format.js';
 import { text } from '../text/catalogue.js';
+import { roomOf } from './kinds.js';
 import { kindsOf } from './settings.js';
 
-/** @import { AxialFrame, BendingFrame, Energies, Frame, Restitution, SpaceFrame } from '../messages.js' */
-
-/** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
-/** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
+/** @import { Frame } from '../messages.js' */
+/** @import { Figure, Size } from './figure.js' */
 
 const UNITS = { time: 's', force: 'N', impulse: 'N s', length: 'm' };
 const SAME = 5e-4; // difference of two figures, as a share, that is none
@@ -23,87 +21,9 @@ const TIMES = 2; // from which one is said to be so many times the other
  */
 export function comparedOf(now, kept) {
   const { impact, how } = kindsOf(now, kept);
-  const both = [now, kept].every((frame) => frame.kind === 'axial' && frame.other);
+  const both = [now, kept].every((frame) => 'other' in frame && frame.other);
   return how && !impact && both ? 'other' : 'exact';
 }
-
-/**
- * @param {string} key
- * @param {Size} size
- * @param {number | null | undefined} value
- * @returns {Figure}
- */
-const figure = (key, size, value) => ({ key, name: text(`compare.figure.${key}`), size, value: value ?? null });
-
-/**
- * @param {Energies} energy
- * @returns {Figure[]}
- */
-const energies = (energy) => [
-  figure('waves', 'share', (energy.target_vibration ?? 0) / energy.initial),
-  figure('lost', 'share', (energy.dissipated ?? 0) / energy.initial),
-];
-
-/**
- * @param {AxialFrame} frame
- * @param {'exact' | 'other'} which
- */
-function ofAxial(frame, which) {
-  const { exact, other, speed, trip } = frame;
-  const solution = (which === 'other' && other) || exact;
-  const { contacts } = solution;
-  const [span, touching] = timesOf(contacts);
-  return [
-    figure('force', 'force', solution.peakForce),
-    figure('apparent', 'time', contacts.length ? span * trip : null),
-    figure('real', 'time', touching * trip),
-    figure('contacts', 'count', contacts.length),
-    figure(
-      'impulse',
-      'impulse',
-      contacts.reduce((sum, [, , impulse]) => sum + impulse, 0),
-    ),
-    figure('rebound', 'velocity', solution.final === null ? null : solution.final * speed),
-    figure('restitution', 'number', solution.restitution.newton),
-    figure('indentation', 'length', solution.peakIndentation),
-    ...energies(solution.energy),
-  ];
-}
-
-/**
- * Of bodies as wholes; where one turns about a pin, so that it has none, of the struck points.
- * @param {Restitution} restitution
- */
-const restitutionOf = ({ newton, newton_at_contact: points }) => [
-  newton === null ? figure('restitution-at-contact', 'number', points) : figure('restitution', 'number', newton),
-];
-
-/** @param {BendingFrame} frame */
-function ofBeam({ main, span }) {
-  return [
-    figure('force', 'force', main.peakForce),
-    figure('apparent', 'time', span.apparent),
-    figure('real', 'time', span.real),
-    figure('contacts', 'count', main.contacts),
-    figure('impulse', 'impulse', main.impulse),
-    figure('rebound', 'velocity', main.final),
-    ...restitutionOf(main.restitution),
-    figure('indentation', 'length', main.peakIndentation),
-    ...energies(main.energy),
-  ];
-}
-
-/**
- * Of an impulse in space every figure that is one number, under its own name.
- * @param {SpaceFrame} frame
- * @returns {Figure[]}
- */
-const ofSpace = ({ figures }) =>
-  figures.flatMap(([name, value, unit]) =>
-    Array.isArray(value) || name.endsWith('-error')
-      ? []
-      : [{ key: name, name: text(`space.row.${name}`), size: 'other', value, unit }],
-  );
 
 /**
  * @param {Frame} frame
@@ -111,8 +31,7 @@ const ofSpace = ({ figures }) =>
  * @returns {Figure[]}
  */
 export function figuresOf(frame, which) {
-  if (frame.kind === 'bodies') return ofSpace(frame);
-  return 'main' in frame ? ofBeam(frame) : ofAxial(frame, which);
+  return roomOf(frame).figures(frame, which);
 }
 
 /**

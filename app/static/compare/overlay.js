@@ -20,7 +20,7 @@ import { comparable, kindsOf } from './settings.js';
  */
 function drawnOf(now, { frame }) {
   const { impact, how } = kindsOf(now, frame);
-  const other = how && frame.kind === 'axial' && Boolean(frame.other);
+  const other = how && 'other' in frame && Boolean(frame.other);
   return [
     ...(impact || !other ? [/** @type {const} */ ('exact')] : []),
     ...(other ? [/** @type {const} */ ('other')] : []),
@@ -28,7 +28,7 @@ function drawnOf(now, { frame }) {
 }
 
 /** @param {Frame} frame */
-const otherOf = (frame) => (frame.kind === 'axial' && frame.other ? called(frame.other) : '');
+const otherOf = (frame) => ('other' in frame && frame.other ? called(frame.other) : '');
 
 /**
  * @param {Samples | null} samples
@@ -104,7 +104,7 @@ function laidOf(now, runs) {
  * @param {Run[]} all  those that are not comparable are left out
  */
 export function layOver(view, now, all) {
-  if (!view.stack || !view.cycle || now.kind === 'bodies') return;
+  if (!view.stack || !view.cycle || !('trip' in now)) return;
   const runs = all.filter(({ frame }) => comparable(now, frame));
   const { force, moved, stretches } = laidOf(now, runs);
   const charts = Object.fromEntries(view.stack.charts);
@@ -117,7 +117,7 @@ export function layOver(view, now, all) {
   view.reactions?.keep(runs);
   for (const each of [view.gauge, view.supports])
     if (each) each.kept = () => runs.flatMap((run) => sourcesOf(view, now, run));
-  view.dispersion?.chart.lay('main' in now ? runs.flatMap((run) => dispersionOf(run)) : []);
+  view.dispersion?.chart.lay(runs.flatMap((run) => dispersionOf(run)));
 }
 
 /**
@@ -125,7 +125,7 @@ export function layOver(view, now, all) {
  * @returns {Series[]}
  */
 function dispersionOf({ frame, letter }) {
-  if (!('main' in frame) || !frame.wavenumbers || !frame.lower) return [];
+  if (!('wavenumbers' in frame) || !frame.wavenumbers || !frame.lower) return [];
   return [
     { x: frame.wavenumbers, y: frame.lower, factor: 0.5 / Math.PI, reach: 0, name: letter, style: `kept${letter}` },
   ];

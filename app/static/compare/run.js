@@ -1,6 +1,6 @@
 // A solution that is kept: the message as it came, at most 100 kB, and what is taken from it when it is asked for.
 import { decode } from '../shell/message.js';
-import { historiesOf } from './histories.js';
+import { roomOf } from './kinds.js';
 
 /** @import { Frame } from '../messages.js' */
 /** @import { Histories } from './histories.js' */
@@ -29,6 +29,6 @@ export class Run {
   }
   /** @param {'exact' | 'other'} which */
   histories(which) {
-    return (this.#histories[which] ??= historiesOf(this.frame, which));
+    return (this.#histories[which] ??= roomOf(this.frame).histories(this.frame, which));
   }
 }

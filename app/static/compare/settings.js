@@ -2,6 +2,7 @@
 import { wordsOf } from '../shell/body_values.js';
 import { pretty } from '../text/format.js';
 import { LABELS } from '../text/words.js';
+import { roomOf } from './kinds.js';
 
 /** @import { Frame } from '../messages.js' */
 
@@ -41,8 +42,7 @@ export function kindsOf(one, other) {
  * @param {Frame[]} frames
  */
 const isHow = (name, frames) =>
-  HOW.includes(name) ||
-  (name === 'restitution' && frames.every((frame) => frame.kind === 'axial' && !frame.damps && !frame.exact?.sudden));
+  HOW.includes(name) || (name === 'restitution' && frames.every((frame) => roomOf(frame).restitutionSolves(frame)));
 
 /**
  * In what an impact is not that of its scene, in words; nothing where it is.
@@ -96,9 +96,6 @@ export const lineOf = (names, frame) =>
 
 const FAR = 100; // times as large, from which a force of another scene says nothing beside this one
 
-/** @param {Frame} frame */
-const peakOf = (frame) => (frame.kind === 'bodies' ? null : ('main' in frame ? frame.main : frame.exact).peakForce);
-
 /**
  * Whether two solutions can be laid one upon the other: of one scene, or of two of the same kind and size.
  * @param {Frame} one
@@ -107,7 +104,7 @@ const peakOf = (frame) => (frame.kind === 'bodies' ? null : ('main' in frame ? f
 export function comparable(one, other) {
   if (one.kind !== other.kind) return false;
   if (one.chosen.scene === other.chosen.scene) return true;
-  const [force, beside] = [peakOf(one), peakOf(other)];
+  const [force, beside] = [one, other].map((frame) => roomOf(frame).peakForce(frame));
   const apart = force && beside ? Math.abs(Math.log(force / beside)) : 0;
   return apart < Math.log(FAR);
 }

@@ -1,6 +1,7 @@
 // What another speed does to the force, and why, as far as the contact law says it.
 import { pretty } from '../text/format.js';
 import { text } from '../text/catalogue.js';
+import { roomOf } from './kinds.js';
 
 /** @import { Contact, Frame } from '../messages.js' */
 
@@ -11,7 +12,7 @@ const NEAR = 0.02; // how far two powers of the speed may lie apart that are one
  * @param {Frame} frame
  */
 function powerOfLaw(frame) {
-  const exponent = 'law' in frame ? frame.law.exponent : 'exponent' in frame ? frame.exponent : 1;
+  const { exponent } = roomOf(frame).law(frame);
   return (2 * exponent) / (exponent + 1);
 }
 
@@ -22,7 +23,7 @@ function powerOfLaw(frame) {
  */
 function reasonOf(power, frame) {
   const law = powerOfLaw(frame);
-  const yields = 'law' in frame ? frame.law.yields : 'yields' in frame && frame.yields;
+  const { yields } = roomOf(frame).law(frame);
   const linear = law === 1;
   if (Math.abs(power - 1) < NEAR) return linear ? 'linear' : 'waves';
   if (yields && power < law) return 'yields';
@@ -34,8 +35,7 @@ const strongest = (contacts) =>
   contacts.reduce((best, [, , , peak], k) => ((peak ?? 0) > (contacts[best][3] ?? 0) ? k : best), 0);
 
 /** @param {Frame} frame */
-const contactsOf = (frame) =>
-  frame.kind === 'axial' ? frame.exact.contacts : 'contacts' in frame ? frame.contacts : [];
+const contactsOf = (frame) => roomOf(frame).contacts(frame);
 
 /** @param {number} ratio */
 const rounded = (ratio) => Number(ratio.toPrecision(2));

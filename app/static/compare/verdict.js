@@ -2,11 +2,11 @@
 import { percent, pretty, signed } from '../text/format.js';
 import { text } from '../text/catalogue.js';
 import { comparedOf, figuresOf } from './figures.js';
-import { ofBeamResolution, ofResolution } from './resolution.js';
+import { roomOf } from './kinds.js';
 import { kindsOf } from './settings.js';
 import { ofSpeed } from './speed.js';
 
-/** @import { AxialFrame, Frame, SpaceFrame } from '../messages.js' */
+/** @import { Frame } from '../messages.js' */
 
 const RESOLUTIONS = ['modes', 'elements'];
 const SAME = 0.02; // share by which two figures differ that count as one
@@ -98,7 +98,7 @@ function ofMass(now, kept, asked) {
 }
 
 /** @param {Frame} frame */
-const rigidOf = (frame) => ('law' in frame ? frame.law.rigid : frame.kind === 'axial' && frame.rigid);
+const rigidOf = (frame) => roomOf(frame).law(frame).rigid;
 
 /**
  * What another contact law changes.
@@ -108,38 +108,9 @@ const rigidOf = (frame) => ('law' in frame ? frame.law.rigid : frame.kind === 'a
 function ofLaw(now, kept) {
   const rigid = [now, kept].filter(rigidOf).length;
   const time = pairs(now, kept)('real');
-  if (rigid !== 1 || !time || now.kind === 'bodies' || kept.kind === 'bodies') return '';
+  if (rigid !== 1 || !time || !('trip' in now) || !('trip' in kept)) return '';
   const soft = rigidOf(now) ? time.kept / kept.trip : time.now / now.trip;
-  return text('compare.verdict.law', { trips: pretty(Number(soft.toPrecision(2))), waves: now.kind === 'axial' });
-}
-
-/**
- * What another support of the far end changes.
- * @param {AxialFrame} now
- * @param {AxialFrame} kept
- */
-function ofSupport(now, kept) {
-  const [fixed, free] = [kept, now].map(({ target }) => target.support === 'fixed');
-  if (!fixed || free || now.exact.final === null) return '';
-  const { energy, final } = now.exact;
-  const waves = percent((energy.target_vibration ?? 0) / energy.initial);
-  const equal = Math.abs(Number(now.chosen.mass_ratio) - 1) < ALIKE;
-  return text('compare.verdict.support', { equal, velocity: signed(final), waves });
-}
-
-/**
- * What of a body is felt where it is struck.
- * @param {SpaceFrame} now
- * @param {SpaceFrame} kept
- */
-function ofPlace(now, kept) {
-  const felt = (/** @type {SpaceFrame} */ { figures }) => {
-    const known = new Map(figures.map(([name, value]) => [name, Number(value)]));
-    return [known.get('target-mass') ?? 0, known.get('target-felt-mass') ?? 0];
-  };
-  const [[mass, here], [, there]] = [felt(now), felt(kept)];
-  if (!(here > 0) || Math.abs(there / mass - 1) > ALIKE || Math.abs(here / mass - 1) < ALIKE) return '';
-  return text('compare.verdict.place', { mass, felt: here, parts: mass / here, more: mass / here - 1 });
+  return text('compare.verdict.law', { trips: pretty(Number(soft.toPrecision(2))), waves: roomOf(now).trips });
 }
 
 /**
@@ -155,10 +126,8 @@ export function verdictOf(now, kept, names, asked = '') {
   if (name === 'mass_ratio') return ofMass(now, kept, asked);
   if (name === 'speed') return ofSpeed(now, kept);
   if (name === 'law') return ofLaw(now, kept);
-  if (name === 'place' && now.kind === 'bodies' && kept.kind === 'bodies') return ofPlace(now, kept);
+  const { resolution, verdicts } = roomOf(now);
+  if (name in verdicts) return verdicts[name](now, kept);
   const counted = !kindsOf(now, kept).impact && RESOLUTIONS.includes(name);
-  if ('main' in now && 'main' in kept) return counted ? ofBeamResolution(now, kept, name) : '';
-  if (now.kind !== 'axial' || kept.kind !== 'axial') return '';
-  if (name === 'scene') return ofSupport(now, kept);
-  return counted ? ofResolution(now, kept, name) : '';
+  return counted ? resolution(now, kept, name) : '';
 }

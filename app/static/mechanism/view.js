@@ -44,6 +44,10 @@ export class MechanismView extends BeamView {
   fieldsOf(frame, room) {
     return linkField(frame, room);
   }
+  /** @param {MechanismFrame} frame */
+  beside(frame) {
+    return super.beside(frame, new MechanismStage());
+  }
   get busy() {
     const { contacts, duration, moving } = this.frame;
     const last = BUSY.room * (contacts.at(-1)?.[0] ?? 0);

@@ -40,7 +40,7 @@ class MassRatios extends Panel {
   /** @param {Frame} frame */
   #refusal(frame) {
     const one =
-      frame.kind === 'axial' &&
+      'target' in frame &&
       ['mass', 'sphere'].includes(frame.impactor.kind) &&
       frame.target.kind === 'rod' &&
       !frame.target.endMass;
@@ -63,7 +63,8 @@ class MassRatios extends Panel {
   }
   /** @param {Ratios | null} found */
   render(found) {
-    const support = this.page.frame.kind === 'axial' ? this.page.frame.target.support : null;
+    const { frame } = this.page;
+    const support = 'target' in frame ? frame.target.support : null;
     const there = found?.support === support;
     this.root.ariaBusy = String(!there);
     this.said.textContent = text(`ratios.said.${there ? support : 'idle'}`);
@@ -92,7 +93,7 @@ class MassRatios extends Panel {
   /** The present scene on the figures. */
   show() {
     const { frame } = this.page;
-    if (frame.kind !== 'axial') return;
+    if (!('target' in frame)) return;
     for (const name of PLOTS) this.figure?.cursor(`ratio-cursor-${name}`, frame.target.mass / frame.impactor.mass);
   }
   #numbers() {

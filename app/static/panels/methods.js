@@ -110,7 +110,7 @@ class Methods {
     found.classList.toggle('missed', met < true_);
     reported.classList.toggle('missed', contacts !== true_);
     raw.classList.toggle('missed', touches > true_);
-    if (page.frame.kind === 'axial' && page.frame.other?.name === row.name) line.ariaCurrent = 'true';
+    if ('other' in page.frame && page.frame.other?.name === row.name) line.ariaCurrent = 'true';
     return line;
   }
   show() {}

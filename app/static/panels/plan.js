@@ -59,10 +59,8 @@ function aboutMap(map, measured) {
  */
 function ruleOf(frame, { groups, light }) {
   const beam = 'main' in frame;
-  if (frame.kind === 'bodies' || (frame.kind === 'axial' && !frame.rods.length)) return '';
-  if (frame.kind === 'mechanism') return ''; // of which no such time is known
   const { contact_time: lasts } = groups;
-  if (lasts === undefined) return '';
+  if (lasts === undefined) return ''; // of compact bodies, and of mechanisms, no such time is known
   const rule = text('plan.rule', { beam, light, rigid: lasts === 0, time: pretty(lasts) });
   return `${text('plan.around', { beam })} ${rule}`;
 }

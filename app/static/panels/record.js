@@ -193,7 +193,7 @@ class Measurement {
   // One question at a time; when it is answered, the newest one is asked.
   async ask() {
     const { frame, names, waiter } = this.page;
-    if (!this.file || !this.open || frame.kind !== 'axial') return;
+    if (!this.file || !this.open || !('forceUnit' in frame)) return;
     if (this.asking) {
       this.again = true;
       return;
@@ -277,20 +277,17 @@ class Measurement {
   get larger() {
     return LARGER ** ((2 * Number(this.scale.value)) / STEPS - 1);
   }
-  // The recovered force on the page's own chart of the force, in the units of the frame that is shown.
+  // The recovered force on the page's own chart of the force, by the view that has one.
   overlay() {
     const { frame } = this.page;
-    if (frame?.kind !== 'axial') return;
     const { answer, later, larger } = this;
-    delete frame.record;
+    if (!frame) return;
+    let record = null;
     if (this.open && answer?.recovered) {
       const { time, force } = answer.recovered;
-      frame.record = {
-        time: time.map((t) => ((t + later) * answer.trip) / frame.trip),
-        force: force.map((f) => (f * larger) / frame.forceUnit),
-      };
+      record = { time: time.map((t) => (t + later) * answer.trip), force: force.map((f) => f * larger) };
     }
-    this.page.axial.overlay(frame);
+    this.page.views[frame.kind].overlay?.(frame, record);
   }
   /**
    * What was computed at t; nought before the impact, NaN where nothing is known.

@@ -87,7 +87,7 @@ class Stability extends Panel {
     const { model, frame } = this.page;
     this.axis.value = model.stability_axis;
     const running = model.stability_running;
-    const away = frame.kind === 'bodies';
+    const away = !this.page.views[frame.kind].axis; // nothing of it takes time
     this.bar.hidden = !running;
     this.bar.value = found?.of ? (found.done ?? 0) / found.of : 0;
     this.start.disabled = away && !running;

@@ -129,7 +129,7 @@ class Tolerance extends Panel {
     this.budget.root.hidden = !this.tolerance.root.hidden;
     this.judged.textContent = text('tolerance.judged', { time: model.auto_within === 'time' });
     this.waves.checked = model.auto_waves;
-    this.mayBeWaves.hidden = Boolean(this.page.frame.refusals?.waves) || this.page.frame.kind === 'bodies';
+    this.mayBeWaves.hidden = this.page.frame.refusals.waves !== null; // refused, or never asked of it
     this.shows.checked = this.follows;
     this.named();
     this.root.ariaBusy = String(!fresh);

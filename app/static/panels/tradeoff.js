@@ -342,7 +342,7 @@ class TradeOff extends Panel {
   /** Whether the error is that of a peak which modes only draw as a ripple. */
   #ripples() {
     const { frame } = this.page;
-    const jumps = frame.kind === 'axial' && frame.rods.length > 0 && frame.rigid;
+    const jumps = 'rods' in frame && frame.rods.length > 0 && frame.rigid;
     return jumps && this.quantity === 'peak-force';
   }
   /**

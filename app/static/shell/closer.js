@@ -85,7 +85,7 @@ export class Closer {
   get #stretch() {
     const { frame, view } = this.page;
     const { axis } = view;
-    if (!axis?.zoomed || frame.kind === 'bodies' || frame.draft) return null;
+    if (!axis?.zoomed || !('trip' in frame) || frame.draft) return null;
     return axis.view.map((t) => Number((t * frame.trip).toPrecision(DIGITS)));
   }
   /** After another stretch has come into view, or another answer. */
@@ -105,7 +105,7 @@ export class Closer {
    */
   #take(wanted) {
     const { frame, model, names, view } = this.page;
-    if (!model.closer?.byteLength || !frame || frame.kind === 'bodies') return false;
+    if (!model.closer?.byteLength || !frame || !('trip' in frame)) return false;
     const part = /** @type {AxialFrame | BendingFrame} */ (decode(model.closer));
     const { stretch } = part;
     if (!stretch || (wanted && stretch.join(' ') !== wanted)) return false;

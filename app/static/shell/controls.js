@@ -6,8 +6,9 @@ import { make } from './dom.js';
 import { entryOf, SceneButton } from './scenes.js';
 import { Slider } from './slider.js';
 
-/** @import { AxialFrame, Cushion, Frame, SpaceFrame } from '../messages.js' */
+/** @import { Cushion, Frame } from '../messages.js' */
 /** @import { Spec } from './model.js' */
+/** @import { Kind } from './view.js' */
 
 /**
  * @typedef {object} Control
@@ -102,7 +103,7 @@ export class Controls {
    * @param {Frame} frame
    */
   #cushion(frame) {
-    const cushions = frame.kind === 'axial' ? frame.cushions : [];
+    const cushions = 'cushions' in frame ? frame.cushions : [];
     this.cushions.hidden = !cushions.length;
     const on = (/** @type {Cushion} */ { settings }) =>
       Object.entries(settings).every(([name, value]) => frame.chosen[name] === value);
@@ -128,8 +129,9 @@ export class Controls {
   /**
    * Only what acts on this scene is shown; methods that cannot solve it say why.
    * @param {Frame} frame
+   * @param {Kind} kind  of it
    */
-  arrange(frame) {
+  arrange(frame, kind) {
     this.#entitle(frame);
     this.#cushion(frame);
     for (const [name, { root }] of Object.entries(this.fields)) root.hidden = !frame.acting.includes(name);
@@ -146,50 +148,9 @@ export class Controls {
       option.title = reason ? said(reason) : '';
       option.hidden = reason?.code === 'refusals.no-mechanism'; // of all other scenes
     }
+    const { note, predicts = false } = kind.restitution(frame, this.spec.method.exact);
     const restitution = this.fields.restitution.root.querySelector('label');
-    if (restitution) restitution.textContent = predicts(frame) ? text('controls.predicted') : LABELS.restitution.title;
-    if (frame.kind === 'bodies') this.note.textContent = inSpaceNote(frame);
-    else if (onBeam) this.note.textContent = text(frame.law.damps ? 'controls.of-contact' : 'controls.of-balances');
-    else this.note.textContent = axialNote(frame, this.spec.method.exact);
+    if (restitution) restitution.textContent = predicts ? text('controls.predicted') : LABELS.restitution.title;
+    this.note.textContent = note;
   }
-}
-
-/**
- * What the restitution does in space: without friction all models are one.
- * @param {SpaceFrame} frame
- */
-const inSpaceNote = ({ chosen, friction }) =>
-  text('controls.in-space', { model: friction > 0 ? chosen.restitution_model : '' });
-
-/**
- * Whether the chosen method is one of repeated balances.
- * @param {AxialFrame} frame
- */
-const balances = ({ chosen, exact, other }) =>
-  [exact, other].some((one) => one?.name === chosen.method && !one.byLaw && !one.sudden);
-
-/**
- * Whether the restitution sets nothing but the prediction of rigid bodies.
- * @param {Frame} frame
- */
-const predicts = (frame) => frame.kind === 'axial' && !frame.damps && !balances(frame) && !frame.exact.sudden;
-
-/**
- * What the restitution does in an impact along an axis.
- * @param {AxialFrame} frame
- * @param {string} [exact]  method that is beside all others
- */
-function axialNote(frame, exact) {
-  const { chosen, damps, leastRestitution: least, match, nominal, yields } = frame;
-  const method = String(chosen.method);
-  const raised = Number(chosen.restitution) < least;
-  if (frame.exact.sudden) return text('controls.of-contact');
-  const acts = damps
-    ? text('controls.of-contact-and-prediction', { least, nominal, raised })
-    : balances(frame)
-      ? text('controls.of-balances-and-prediction')
-      : text('controls.of-prediction', { yields });
-  const refused = method === exact ? null : frame.refusals[method];
-  const matched = match === null ? '' : text('controls.match', { restitution: match });
-  return [acts, matched, refused ? said(refused) : ''].filter(Boolean).join(' ');
 }

@@ -45,7 +45,7 @@ export function written(scene, link, { names, values }) {
 export function saveData(page) {
   const { frame, view } = page;
   const table = view.rows?.();
-  if (!table || frame.kind === 'bodies') return page.complain(text('page.no-history'));
+  if (!table) return page.complain(text('page.no-history'));
   if (page.own.made.has(frame)) return page.complain(text('page.not-yet')); // its head says what the server has solved
   const name = `strikewave-${fileOf(frame.chosen.scene)}.csv`;
   return download(new Blob([written(frame.head, linkOf(page), table)], { type: 'text/csv' }), name);

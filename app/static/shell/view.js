@@ -7,6 +7,7 @@
 /** @import { Supports } from '../charts/supports.js' */
 /** @import { Reactions } from '../mechanism/reactions.js' */
 /** @import { Dispersion } from '../beam/charts.js' */
+/** @import { Second } from '../compare/beside.js' */
 /** @import { Scaled } from '../compare/scales.js' */
 /** @import { Scene } from '../opening/section.js' */
 /** @import { Run } from './player.js' */
@@ -22,6 +23,7 @@
  * @property {number} after  an event, by which what it has changed is seen
  * @property {string[]} [leading]  choices that lead there before others
  * @property {(frame: any) => Run} clock  what is played
+ * @property {(frame: any) => boolean} [hangs]  whether what strikes does, from a pivot
  * @property {HTMLElement[]} buttons  beside the caption
  * @property {Axis} [axis]  of time
  * @property {number} [leastRoom]  about what is looked at closely, as a share of the whole impact
@@ -49,6 +51,19 @@
  * @property {() => void} draw
  * @property {(t: number) => void} show
  * @property {() => { names: string[], values: number[][] }} [rows]  histories as a table, if there are any
+ */
+
+/**
+ * What is asked of a kind of impact, whichever view has the page.
+ * @typedef {object} Kind
+ * @property {(frame: any, exact?: string) => Restitution} restitution  `exact`: the method beside all others
+ * @property {(frame: any) => Second} beside  a kept solution
+ * @property {(frame: any, record: Measured | null) => void} [overlay]  a measured force, or none
+ */
+/** @typedef {{ time: number[], force: number[] }} Measured  [s, N] */
+/**
+ * What its slider does; whether it sets nothing but a prediction.
+ * @typedef {{ note: string, predicts?: boolean }} Restitution
  */
 
 /**

@@ -9,7 +9,8 @@ import { SpaceStory } from './story.js';
 import { CLOCK, impulseAt, meets, movedAt, shareAt, tracksOf } from './tracks.js';
 
 /** @import { Page } from '../page.js' */
-/** @import { SpaceFrame } from '../messages.js' */
+/** @import { Second } from '../compare/beside.js' */
+/** @import { Frame, SpaceFrame } from '../messages.js' */
 
 const MOVEMENT = { start: -1, length: 2 }; // in units of the message's duration, the impact at 0
 const FIRST = 1.7; // after the impact: where it is shown at first
@@ -65,6 +66,20 @@ export class SpaceView {
     const run = { kind: 'bodies', scene: chosen.scene, unit: duration, first: FIRST, time: opens.time };
     if (!this.slow) return { ...run, ...MOVEMENT };
     return { ...run, ...CLOCK, said: (/** @type {number} */ t) => impulseAt(frame, t) };
+  }
+  /** @param {SpaceFrame} frame  without friction all models are one */
+  restitution({ chosen, friction }) {
+    return { note: text('controls.in-space', { model: friction > 0 ? chosen.restitution_model : '' }) };
+  }
+  /**
+   * @param {SpaceFrame} frame
+   * @returns {Second}
+   */
+  beside(frame) {
+    const stage = new BodiesStage();
+    const draw = (/** @type {Frame} */ now, /** @type {number} */ t) =>
+      stage.draw('trip' in now ? 1 : (t * now.duration) / frame.duration);
+    return { stage, load: () => stage.load(frame), draw };
   }
   get section() {
     return this.slow ? tracksOf(this.frame) : null;

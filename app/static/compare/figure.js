@@ -1,0 +1,24 @@
+// One figure of a solution, as kinds of impacts hand them out.
+import { text } from '../text/catalogue.js';
+
+/** @import { Energies } from '../messages.js' */
+
+/** @typedef {'count' | 'time' | 'force' | 'impulse' | 'velocity' | 'length' | 'share' | 'number' | 'other'} Size */
+/** @typedef {{ key: string, name: string, size: Size, value: number | null, unit?: string }} Figure */
+
+/**
+ * @param {string} key
+ * @param {Size} size
+ * @param {number | null | undefined} value
+ * @returns {Figure}
+ */
+export const figure = (key, size, value) => ({ key, name: text(`compare.figure.${key}`), size, value: value ?? null });
+
+/**
+ * @param {Energies} energy
+ * @returns {Figure[]}
+ */
+export const energies = (energy) => [
+  figure('waves', 'share', (energy.target_vibration ?? 0) / energy.initial),
+  figure('lost', 'share', (energy.dissipated ?? 0) / energy.initial),
+];
