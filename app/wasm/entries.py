@@ -35,6 +35,7 @@ TOLERANCE = 0.1 * 1e-9  # of a step, as `solvers.Waves` takes it
 KINDS = [kind for kind in LAWS.values() if kind is not Rigid]
 REMEMBERS, LOSES = np.array([kind.PLASTIC for kind in KINDS]), np.array([kind.LOSSY for kind in KINDS])
 
+ON_A_LINE = 80  # of letters of a list: longer ones have one for each of theirs
 FLOATS, INTEGERS, FLAGS = (types.CPointer(kind) for kind in (types.float64, types.int64, types.boolean))
 DRAWN = {  # what is drawn, by argument: how many numbers
     "jumps": JUMPS,
@@ -251,8 +252,9 @@ def room() -> str:
 
 
 def _names(names: Sequence[str]) -> str:
-    lines = "".join(f"  '{name}',\n" for name in names)
-    return f"[\n{lines}]"
+    quoted = [f"'{name}'" for name in names]
+    line = f"[{', '.join(quoted)}]"
+    return line if len(line) < ON_A_LINE else "[\n" + "".join(f"  {each},\n" for each in quoted) + "]"
 
 
 def _listed(tables: dict[str, dict[str, int]]) -> str:

@@ -66,7 +66,7 @@ KEYS = {
 }  # of scene files
 TYPED = {  # in a call, as it stands
     *("solve", "compare", "tradeoff", "calibrate", "sweep", "bounce", "ensemble", "convergence", "record", "stability"),
-    *("plan", "joints", "scenes", "serve", "warm", "COMMAND", "FILE", "VALUE"),
+    *("plan", "joints", "scenes", "serve", "warm", "wasm", "COMMAND", "FILE", "VALUE"),
 }
 DOTTED = re.compile(r"(?<!=)\b\d+\.\d")  # a number as English has it, but for values of keys
 
